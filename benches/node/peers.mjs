@@ -1,0 +1,90 @@
+// The engine as WebAssembly in node: A* beside the npm package `pathfinding`, and Ant System's moves per second.
+//
+//   cargo xtask wasm && FORMICARIUM_DATA=path/to/data node benches/node/peers.mjs
+//
+// One process, one core, medians; read ratios, times drift with the machine.
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { performance } from 'node:perf_hooks'
+import { fileURLToPath } from 'node:url'
+
+const root = new URL('../../', import.meta.url)
+const data = process.env.FORMICARIUM_DATA
+if (!data) {
+  console.error('set FORMICARIUM_DATA to the folder that holds movingai/')
+  process.exit(2)
+}
+const engine = await import(new URL('pkg/formicarium.js', root))
+engine.initSync({ module: readFileSync(fileURLToPath(new URL('pkg/formicarium_bg.wasm', root))) })
+const PF = createRequire(new URL('www/package.json', root))('pathfinding')
+
+const read = (name) => readFileSync(`${data}/movingai/${name}`)
+const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
+const timed = (work) => {
+  const begin = performance.now()
+  const result = work()
+  return [performance.now() - begin, result]
+}
+
+/** A* on `count` lines spread over the .scen file: both engines, same rule, same lines, three rounds, best time of each line. */
+function astar(mapName, count) {
+  const map = engine.import_map(read(mapName), mapName)
+  const { lines } = engine.import_scen(read(`${mapName}.scen`))
+  const { width, height } = map.spec
+  const rows = Array.from({ length: height }, (_, y) => Array.from(map.cells.subarray(y * width, (y + 1) * width)))
+  const grid = new PF.Grid(rows)
+  const finder = new PF.AStarFinder({
+    diagonalMovement: PF.DiagonalMovement.OnlyWhenNoObstacles,
+    heuristic: PF.Heuristic.octile,
+  })
+  const picked = Array.from({ length: count }, (_, i) => lines[Math.floor(((i + 0.5) * lines.length) / count)])
+  const ours = []
+  const whole = []
+  const npm = []
+  let off = 0
+  for (const { start, goal, optimal } of picked) {
+    const best = { ours: Infinity, whole: Infinity, npm: Infinity }
+    for (let round = 0; round < 3; round++) {
+      const spec = { ...map.spec, start, goals: [{ at: goal, name: '' }] }
+      const [setup, run] = timed(() => new engine.Run(spec, map.cells, 'astar', {}, 0))
+      const [search] = timed(() => run.advance('iteration', 1e9))
+      const length = run.summary().metrics?.length ?? NaN
+      if (Math.abs(length - optimal) > 1e-3) off++
+      run.free()
+      const clone = grid.clone()
+      const [peer] = timed(() => finder.findPath(start[0], start[1], goal[0], goal[1], clone))
+      best.ours = Math.min(best.ours, search)
+      best.whole = Math.min(best.whole, search + setup)
+      best.npm = Math.min(best.npm, peer)
+    }
+    ours.push(best.ours)
+    whole.push(best.whole)
+    npm.push(best.npm)
+  }
+  const ms = (v) => `${v.toFixed(3)} ms`
+  console.log(`A* on ${mapName} (${width}×${height}), median of ${count} scenario lines, ${off} lengths off the listed optimum`)
+  console.log(`  formicarium (wasm)              ${ms(median(ours))}`)
+  console.log(`  formicarium with its set-up     ${ms(median(whole))}`)
+  console.log(`  npm pathfinding A*              ${ms(median(npm))}`)
+  console.log(`  npm / formicarium, line by line ${median(npm.map((v, i) => v / ours[i])).toFixed(1)}`)
+}
+
+/** Ant System, 50 ants, defaults, corner to corner of the largest line of the .scen. */
+function antSystem(mapName) {
+  const map = engine.import_map(read(mapName), mapName)
+  const longest = engine.import_scen(read(`${mapName}.scen`)).lines.at(-1)
+  const spec = { ...map.spec, start: longest.start, goals: [{ at: longest.goal, name: '' }] }
+  const rates = []
+  for (let round = 0; round < 5; round++) {
+    const run = new engine.Run(spec, map.cells, 'ant-system', { iterations: 100000 }, 1)
+    run.advance('iteration', 5)
+    const before = run.summary().effort.ant_moves
+    const [ms] = timed(() => run.advance('iteration', 60))
+    rates.push((run.summary().effort.ant_moves - before) / ms / 1000)
+    run.free()
+  }
+  console.log(`Ant System on ${mapName}, 50 ants: ${median(rates).toFixed(1)} million ant moves per second`)
+}
+
+astar('32room_000.map', 50)
+antSystem('arena2.map')

@@ -1,0 +1,109 @@
+//! Ant System's walk: time per ant move beside the naive kernel (pow per neighbour), and whole iterations on larger maps.
+//!
+//! `cargo xtask bench` (all) or `cargo bench --bench walk`. Read ratios within one run; times drift with the machine.
+
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use formicarium::aco::heuristic::Heuristic;
+use formicarium::map::{Generator, Movement, generate};
+use formicarium::params::Values;
+use formicarium::planner::{Granularity, Planner};
+use formicarium::scenario::Scenario;
+
+#[path = "reference/mod.rs"]
+mod reference;
+
+fn random_map(side: u32) -> Arc<Scenario> {
+    let made = generate(Generator::Random, side, side, 1, 0.2).expect("a valid size");
+    Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("a valid scenario"))
+}
+
+fn colony(scenario: &Arc<Scenario>) -> Box<dyn Planner> {
+    let values: Values = [("iterations".to_string(), formicarium::params::Value::Number(100_000.0))].into();
+    formicarium::catalog::build(scenario, "ant-system", None, &values, 1).expect("valid parameters")
+}
+
+/// Time for `moves` ant moves: whole iterations, choice refresh, deposit and evaporation included.
+fn timed(moves: u64, mut iterate: impl FnMut() -> u64) -> Duration {
+    let (begin, start) = (iterate(), Instant::now());
+    let mut done = begin;
+    while done - begin < moves {
+        done = iterate();
+    }
+    start.elapsed().mul_f64(moves as f64 / (done - begin) as f64)
+}
+
+fn moves(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ant move, 100x100, 20 % walls, 50 ants, beta 5");
+    group.throughput(Throughput::Elements(1));
+    let scenario = random_map(100);
+    group.bench_function("engine", |b| {
+        let mut planner = colony(&scenario);
+        b.iter_custom(|n| {
+            timed(n, || {
+                planner.advance(Granularity::Iteration);
+                planner.effort().ant_moves
+            })
+        });
+    });
+    group.bench_function("naive", |b| {
+        let mut naive = reference::Naive::new(Arc::clone(&scenario), 50, 5.0, 0.5, Heuristic::Detour, 1);
+        b.iter_custom(|n| {
+            timed(n, || {
+                naive.iterate();
+                naive.moves
+            })
+        });
+        black_box(naive.digest());
+    });
+    group.finish();
+}
+
+fn sizes(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ant move by map size, 20 % walls");
+    group.throughput(Throughput::Elements(1));
+    for side in [20, 200, 512] {
+        let scenario = random_map(side);
+        group.bench_function(format!("{side}x{side}"), |b| {
+            let mut planner = colony(&scenario);
+            b.iter_custom(|n| {
+                timed(n, || {
+                    planner.advance(Granularity::Iteration);
+                    planner.effort().ant_moves
+                })
+            });
+        });
+    }
+    group.finish();
+}
+
+/// The same figure as `benches/node/peers.mjs` gives for WebAssembly.
+fn arena2(c: &mut Criterion) {
+    let Ok(data) = std::env::var("FORMICARIUM_DATA") else {
+        eprintln!("arena2 is skipped: FORMICARIUM_DATA is not set");
+        return;
+    };
+    let read = |name: &str| std::fs::read(format!("{data}/movingai/{name}")).expect("the data folder");
+    let grid = formicarium::formats::import(&read("arena2.map"), "arena2.map").expect("a map").grid;
+    let lines = formicarium::formats::import_scen(&read("arena2.map.scen")).expect("scenarios").lines;
+    let longest = lines.last().expect("a line");
+    let scenario = Arc::new(Scenario::on(grid, Movement::default(), longest.start, longest.goal).expect("usable"));
+    let mut group = c.benchmark_group("ant move on arena2, 50 ants");
+    group.throughput(Throughput::Elements(1));
+    group.bench_function("engine", |b| {
+        let mut planner = colony(&scenario);
+        b.iter_custom(|n| {
+            timed(n, || {
+                planner.advance(Granularity::Iteration);
+                planner.effort().ant_moves
+            })
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, moves, sizes, arena2);
+criterion_main!(benches);

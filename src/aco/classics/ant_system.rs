@@ -1,0 +1,161 @@
+//! Ant System: Dorigo, Maniezzo, Colorni, "Ant System: optimization by a colony of cooperating agents", IEEE Transactions on Systems,
+//! Man, and Cybernetics B 26 (1996) 29–41, doi:10.1109/3477.484436; parameters after Dorigo and Stützle, *Ant Colony Optimization*
+//! (MIT Press, 2004), table 3.1.
+//!
+//! | override point | source |
+//! |---|---|
+//! | initial trail | τ0, constant (the book's m/C^nn needs a tour; on a map there is none) |
+//! | heuristic | `detour` (ours), `goal` or `step` (the papers' basic ACO) |
+//! | selection | random proportional rule, eq. 3.2 of the book |
+//! | on each move | nothing (ant-cycle: trails change when the iteration ends) |
+//! | update | eq. 3.3–3.5: evaporate, then Q/L on each step of every arrived ant |
+//! | daemon actions | none |
+//!
+//! Ant System was published for tours. Where it is silent on paths: trails are directed (start → goal); a cell is visited once per walk; a
+//! dead end lets the ant step back or die (`dead_end`); an ant gives up after `move_limit` × (width + height) moves. The default η is
+//! `detour`, because 1/distance is flat far from the goal and ants get lost on large maps with it; the presets keep what the papers print.
+//!
+//! Presets are the basic ACO of five papers. Evaporation is converted: `rho` is always the part that leaves.
+
+use std::sync::Arc;
+
+use crate::aco::colony::Colony;
+use crate::aco::dead_end::DeadEnd;
+use crate::aco::heuristic::Heuristic;
+use crate::aco::variant::{Settings, Variant};
+use crate::error::ParamError;
+use crate::map::{Cell, Direction};
+use crate::params;
+use crate::params::{Params, Values};
+use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::scenario::Scenario;
+
+params! {
+    /// Parameters of Ant System.
+    pub struct AntSystemParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
+        /// iterations after which the colony stops
+        iterations: u32 = 100, "K", [1..=100_000], "iterations", "papers' common value";
+        /// weight of the trail τ in the choice of a step
+        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "Dorigo and Stützle 2004, table 3.1";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 5.0, "β", [0.0..=50.0], "", "Dorigo and Stützle 2004, table 3.1: 2 to 5";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, table 3.1";
+        /// an arrived ant leaves Q / length on each of its steps
+        deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.5: 1 / length";
+        /// trail on every step before the first iteration
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: no tour to derive it from";
+        /// what an ant sees of a step
+        heuristic: Heuristic = Heuristic::Detour, "η", [], "", "our choice; papers: goal or step";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice; papers differ or are silent";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "measured: 0.8 % of ants lost on large maps, same best";
+        /// stops after this many iterations without a shorter path; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+/// Ant System.
+#[derive(Debug, Clone, Copy)]
+pub struct AntSystem {
+    params: AntSystemParams,
+}
+
+impl AntSystem {
+    /// With these parameters.
+    pub fn new(params: AntSystemParams) -> Self {
+        Self { params }
+    }
+}
+
+impl Variant for AntSystem {
+    fn settings(&self) -> Settings {
+        let p = &self.params;
+        Settings {
+            ants: p.ants,
+            iterations: p.iterations,
+            stagnation: p.stagnation,
+            alpha: p.alpha,
+            beta: p.beta,
+            rho: p.rho,
+            deposit: p.deposit,
+            dead_end: p.dead_end,
+            move_limit: p.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.params.initial_trail
+    }
+
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        self.params.heuristic.of(scenario, i, d, j)
+    }
+}
+
+fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let variant = AntSystem::new(AntSystemParams::read(ENTRY.id, values)?);
+    Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ENTRY.id, seed, 0)))
+}
+
+const PRESETS: &[Preset] = &[
+    Preset {
+        name: "fire",
+        source: "multi-fire path planning for a fire-fighting robot",
+        meaning: "basic ACO, repaired: its ρ = 0.3 evaporates (0.7 stays), as its text says; Q is not given, 1",
+        values: &[("ants", "50"), ("iterations", "100"), ("beta", "7"), ("rho", "0.3"), ("heuristic", "goal")],
+    },
+    Preset {
+        name: "fire-printed",
+        source: "multi-fire path planning for a fire-fighting robot",
+        meaning: "basic ACO, as printed in its eq. 4: ρ = 0.3 multiplies what stays, so 0.7 leaves",
+        values: &[("ants", "50"), ("iterations", "100"), ("beta", "7"), ("rho", "0.7"), ("heuristic", "goal")],
+    },
+    Preset {
+        name: "ship",
+        source: "rescue robot in a ship's engine room (Fan et al. 2026)",
+        meaning: "basic ACO, eq. 1–5, repaired: η = 1/distance to the goal (printed is the step's length: choose step)",
+        values: &[("ants", "50"), ("iterations", "100"), ("beta", "2"), ("rho", "0.8"), ("deposit", "10"), ("heuristic", "goal")],
+    },
+    Preset {
+        name: "terrain",
+        source: "elitist potential-field ACO in three dimensions",
+        meaning: "basic ACO, eq. 1–4, on a plane: η = 1/step length, global evaporation 0.2",
+        values: &[("ants", "50"), ("iterations", "100"), ("beta", "7"), ("rho", "0.2"), ("heuristic", "step")],
+    },
+    Preset {
+        name: "threshold",
+        source: "adaptive-threshold ACO (Lai, Guo 2014)",
+        meaning: "its parameters with Ant System's deposit at the end of the iteration (the paper also deposits after every move); half the trail stays",
+        values: &[
+            ("ants", "10"),
+            ("iterations", "50"),
+            ("beta", "25"),
+            ("rho", "0.5"),
+            ("heuristic", "goal"),
+            ("dead_end", "die"),
+        ],
+    },
+    Preset {
+        name: "fireworks",
+        source: "fireworks and ant-colony hybrid (Zhou, Mu, Zhang 2019)",
+        meaning: "basic ACO, eq. 11–12: its ρ = 0.5 is what stays, so 0.5 leaves; backtracking at dead ends",
+        values: &[("ants", "50"), ("iterations", "50"), ("beta", "3"), ("rho", "0.5"), ("deposit", "5"), ("heuristic", "goal")],
+    },
+];
+
+/// Ant System in the catalog.
+pub const ENTRY: Entry = Entry {
+    id: "ant-system",
+    name: "Ant System",
+    family: Family::AntColony,
+    summary: "The first ant-colony algorithm: every ant that arrives leaves pheromone, more on shorter paths, and trails evaporate.",
+    source: "Dorigo, Maniezzo, Colorni 1996, IEEE Trans. SMC-B 26, 29–41, doi:10.1109/3477.484436",
+    presets: PRESETS,
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    specs: AntSystemParams::specs,
+    build,
+};

@@ -1,0 +1,3 @@
+//! The classics of the field, one file each.
+
+pub mod ant_system;

@@ -1,0 +1,317 @@
+//! The one skeleton of every colony: construct solutions, update trails, daemon actions.
+
+use std::sync::Arc;
+
+use crate::map::Cell;
+use crate::planner::{Effort, Granularity, Layer, Planner, Record, Solution, Status};
+use crate::rng::Streams;
+use crate::scenario::Scenario;
+
+use super::ant::{Ant, Fate, Walk};
+use super::choice::{Choice, without};
+use super::lanes;
+use super::trails::Trails;
+use super::variant::{Iteration, Settings, Variant};
+
+/// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
+struct Tables {
+    trails: Trails,
+    choice: Choice,
+    ants: Vec<Ant>,
+}
+
+/// A colony at work on one scenario.
+pub struct Colony<V> {
+    scenario: Arc<Scenario>,
+    variant: V,
+    settings: Settings,
+    streams: Streams,
+    max_moves: u32,
+    tables: Option<Tables>,
+    /// An iteration has begun and not ended.
+    constructing: bool,
+    status: Status,
+    best: Option<Solution>,
+    history: Vec<Record>,
+    effort: Effort,
+}
+
+impl<V: Variant + 'static> Colony<V> {
+    /// A colony of the planner with this id; `run` tells repeated runs of one experiment apart.
+    pub fn new(scenario: Arc<Scenario>, variant: V, planner: &str, seed: u32, run: u32) -> Self {
+        let settings = variant.settings();
+        let (width, height) = (scenario.grid.width(), scenario.grid.height());
+        let cap = settings.move_limit * f64::from(width + height);
+        Self {
+            scenario,
+            variant,
+            settings,
+            streams: Streams::new(u64::from(seed), planner, run),
+            max_moves: if settings.move_limit == 0.0 { u32::MAX } else { cap as u32 },
+            tables: None,
+            constructing: false,
+            status: Status::Running,
+            best: None,
+            history: Vec::new(),
+            effort: Effort::default(),
+        }
+    }
+
+    /// Answers what needs no ants: start = goal, and a goal that nobody can reach.
+    fn settle(&mut self) {
+        let s = &self.scenario;
+        if s.start == s.goal {
+            self.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0 });
+            self.status = Status::Optimal;
+        } else if !s.moves.connected(s.start, s.goal) {
+            self.status = Status::NoPath;
+        }
+    }
+
+    fn prepare(&mut self) {
+        let scenario = &self.scenario;
+        let cells = scenario.grid.len();
+        let (width, height) = (scenario.grid.width(), scenario.grid.height());
+        let ant = |k| Ant::new(width, height, self.streams.ant(0, k));
+        self.tables = Some(Tables {
+            trails: Trails::new(cells, self.variant.initial_trail(scenario)),
+            choice: Choice::new(cells, self.settings.alpha, self.settings.beta),
+            ants: (0..self.settings.ants).map(ant).collect(),
+        });
+    }
+
+    fn begin_iteration(&mut self) {
+        let Some(Tables { trails, choice, ants }) = &mut self.tables else { return };
+        let (scenario, variant) = (&*self.scenario, &self.variant);
+        let number = self.effort.iterations + 1;
+        if variant.heuristic_changes(number) {
+            choice.see(scenario, |i, d, j| variant.heuristic(scenario, i, d, j));
+            trails.all_changed();
+        }
+        choice.refresh(trails);
+        for (k, ant) in ants.iter_mut().enumerate() {
+            ant.begin(scenario.grid.width(), scenario.start, self.streams.ant(number, k as u32));
+        }
+        self.constructing = true;
+    }
+
+    /// One move of every walking ant, in index order; true when none is left.
+    fn move_all(&mut self) -> bool {
+        let Some(Tables { trails, choice, ants }) = &mut self.tables else { return true };
+        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
+        let mut done = true;
+        for ant in ants.iter_mut().filter(|a| a.fate() == Fate::Walking) {
+            let i = ant.cell();
+            if let Some(d) = move_one(&self.variant, choice, &walk, ant)
+                && V::LOCK_STEP
+            {
+                self.variant.on_move(trails, i, d);
+                choice.refresh(trails);
+            }
+            done &= ant.fate() != Fate::Walking;
+        }
+        done
+    }
+
+    /// Lets every ant walk to its end. Same walks as by [`Colony::move_all`], in whatever order is fastest.
+    fn construct_solutions(&mut self) {
+        if V::LOCK_STEP {
+            while !self.move_all() {}
+            return;
+        }
+        let Some(Tables { choice, ants, .. }) = &mut self.tables else { return };
+        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
+        let finish = |ant: &mut Ant| {
+            while ant.fate() == Fate::Walking {
+                move_one(&self.variant, choice, &walk, ant);
+            }
+        };
+        if V::RANDOM_PROPORTIONAL {
+            lanes::walk_all(choice, &walk, ants, finish);
+        } else {
+            ants.iter_mut().for_each(finish);
+        }
+    }
+
+    fn end_iteration(&mut self) {
+        let Some(Tables { trails, ants, .. }) = &mut self.tables else { return };
+        self.constructing = false;
+        self.effort.iterations += 1;
+        self.effort.constructed_paths += u64::from(self.settings.ants);
+        self.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
+        let number = self.effort.iterations;
+        let leader = shortest(ants);
+        if let Some((ant, length)) = leader
+            && self.best.as_ref().is_none_or(|b| length < b.length)
+        {
+            self.best = Some(Solution { path: cells(&self.scenario, ant), length, iteration: number });
+        }
+        self.history.push(record(number, ants, self.best.as_ref()));
+        let iteration = Iteration { scenario: &self.scenario, ants, number };
+        self.variant.update_trails(trails, iteration);
+        self.variant.daemon_actions(trails, iteration);
+        self.status = self.stop();
+    }
+
+    fn stop(&self) -> Status {
+        let (done, settings) = (self.effort.iterations, &self.settings);
+        let since = done - self.best.as_ref().map_or(0, |b| b.iteration);
+        if settings.stagnation > 0 && self.best.is_some() && since >= settings.stagnation {
+            Status::Stagnated
+        } else if done >= settings.iterations {
+            Status::BudgetSpent
+        } else {
+            Status::Running
+        }
+    }
+}
+
+/// The rules of every walk, borrowed.
+fn walk_rules<'a>(scenario: &'a Scenario, settings: &Settings, max_moves: u32) -> Walk<'a> {
+    Walk { moves: &scenario.moves, goal: scenario.goal, dead_end: settings.dead_end, max_moves }
+}
+
+/// One move of one ant; the step it took, if it was one forward.
+#[inline(always)]
+fn move_one<V: Variant>(variant: &V, choice: &Choice, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
+    let weights = without(choice.row(ant.cell()), ant.visited());
+    let step = variant.choose(&weights, &mut ant.stream);
+    ant.go(walk, step);
+    step
+}
+
+/// The arrived ant with the shortest way; the first of equals.
+fn shortest(ants: &[Ant]) -> Option<(&Ant, f64)> {
+    let mut best: Option<(&Ant, f64)> = None;
+    for ant in ants {
+        if let Some(length) = ant.length()
+            && best.is_none_or(|(_, b)| length < b)
+        {
+            best = Some((ant, length));
+        }
+    }
+    best
+}
+
+/// An ant's way as cells.
+fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
+    let mut at = scenario.start;
+    let rest = ant.steps().iter().map(|&d| {
+        at = scenario.moves.step(at, d);
+        at
+    });
+    std::iter::once(scenario.start).chain(rest).collect()
+}
+
+fn record(iteration: u32, ants: &[Ant], best: Option<&Solution>) -> Record {
+    let (mut arrived, mut sum, mut min, mut max) = (0u32, 0.0, f64::INFINITY, 0.0f64);
+    for length in ants.iter().filter_map(Ant::length) {
+        arrived += 1;
+        sum += length;
+        min = min.min(length);
+        max = max.max(length);
+    }
+    let some = |v: f64| (arrived > 0).then_some(v);
+    Record {
+        iteration,
+        best_so_far: best.map(|b| b.length),
+        iteration_best: some(min),
+        iteration_mean: some(sum / f64::from(arrived.max(1))),
+        iteration_worst: some(max),
+        arrived,
+    }
+}
+
+impl<V: Variant + 'static> Planner for Colony<V> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.status.is_finished() {
+            return self.status;
+        }
+        if self.tables.is_none() {
+            self.settle();
+            if self.status.is_finished() {
+                return self.status;
+            }
+            self.prepare();
+        }
+        if !self.constructing {
+            self.begin_iteration();
+        }
+        let done = match by {
+            Granularity::Move => self.move_all(),
+            Granularity::Iteration => {
+                self.construct_solutions();
+                true
+            }
+        };
+        if done {
+            self.end_iteration();
+        }
+        self.status
+    }
+
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn best(&self) -> Option<&Solution> {
+        self.best.as_ref()
+    }
+
+    fn history(&self) -> &[Record] {
+        &self.history
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    fn budget(&self) -> Option<u32> {
+        Some(self.settings.iterations)
+    }
+
+    fn colony_size(&self) -> u32 {
+        self.settings.ants
+    }
+
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        let scenario = &self.scenario;
+        let count = scenario.grid.len();
+        out.clear();
+        out.resize(count, 0.0);
+        match (kind, &self.tables) {
+            (Layer::Cost, _) => return false,
+            (Layer::Heuristic, _) => mean_heuristic(&self.variant, scenario, out),
+            (Layer::Trail, Some(tables)) => {
+                out.iter_mut().enumerate().for_each(|(c, t)| *t = tables.trails.strongest(c as Cell));
+            }
+            (Layer::Visits, Some(tables)) => {
+                for ant in &tables.ants {
+                    cells(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
+                }
+            }
+            (Layer::Trail | Layer::Visits, None) => {}
+        }
+        true
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+        if let (Some(tables), true) = (&self.tables, self.constructing) {
+            out.extend(tables.ants.iter().filter(|a| a.fate() != Fate::Lost).map(Ant::cell));
+        }
+    }
+}
+
+/// Mean η of the steps that lead into each cell.
+fn mean_heuristic<V: Variant>(variant: &V, scenario: &Scenario, out: &mut [f32]) {
+    let mut ways = vec![0.0f32; out.len()];
+    for i in 0..out.len() as Cell {
+        for d in scenario.moves.directions(i) {
+            let j = scenario.moves.step(i, d);
+            out[j as usize] += variant.heuristic(scenario, i, d, j) as f32;
+            ways[j as usize] += 1.0;
+        }
+    }
+    out.iter_mut().zip(ways).for_each(|(sum, n)| *sum /= n.max(1.0));
+}

@@ -1,0 +1,24 @@
+//! What ants leave behind: formulas of Δτ, shared by all variants.
+
+use super::ant::Ant;
+use super::trails::Trails;
+use crate::map::Cell;
+use crate::scenario::Scenario;
+
+/// Adds the same amount on every step of a walk that began at the scenario's start.
+pub fn along(trails: &mut Trails, scenario: &Scenario, ant: &Ant, amount: f64) {
+    let mut at: Cell = scenario.start;
+    for &d in ant.steps() {
+        trails.deposit(at, d, amount);
+        at = scenario.moves.step(at, d);
+    }
+}
+
+/// Ant-cycle deposit (Ant System): every arrived ant leaves Q/L on each of its steps.
+pub fn ant_cycle(trails: &mut Trails, scenario: &Scenario, ants: &[Ant], q: f64) {
+    for ant in ants {
+        if let Some(length) = ant.length() {
+            along(trails, scenario, ant, q / length);
+        }
+    }
+}

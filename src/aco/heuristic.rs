@@ -1,0 +1,45 @@
+//! What an ant can see: η of a step from cell i to its neighbour j.
+
+use crate::choice;
+use crate::exact::{Distance, Estimate};
+use crate::map::{Cell, Direction, Point, step_length};
+use crate::scenario::Scenario;
+
+choice! {
+    /// Which η.
+    pub enum Heuristic {
+        /// η = 1 / (1 + c_ij + d(j, goal) − d(i, goal)): how small the detour is; d is the length on an open map
+        Detour = "detour",
+        /// η = 1 / d(j, goal), Euclidean: the reading of most papers; flat far from the goal, so ants get lost on big maps
+        Goal = "goal",
+        /// η = 1 / d_ij, the step's own length: as printed in some papers; only prefers straight steps
+        Step = "step",
+    }
+}
+
+/// d(goal, goal) where a formula divides by it: η = 100 at the goal, as in the textbook MATLAB program.
+const AT_GOAL: f64 = 0.01;
+
+/// η by goal distance: 1 / d(j, goal).
+pub fn goal_distance(j: Point, goal: Point) -> f64 {
+    let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
+    1.0 / libm::sqrt(dx * dx + dy * dy).max(AT_GOAL)
+}
+
+/// η by detour: 1 / (1 + c_ij + d(j) − d(i)), d = length of the shortest path on an open map. Between 1/(1 + 2√2) and 1.
+pub fn detour(distance: &Distance, i: Point, j: Point, d: Direction) -> f64 {
+    let extra = step_length(d) + distance.to_goal(j.x, j.y) - distance.to_goal(i.x, i.y);
+    1.0 / (1.0 + extra.max(0.0))
+}
+
+impl Heuristic {
+    /// η of the step in direction `d` from cell `i` to cell `j`; positive and finite.
+    pub fn of(self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        let (from, to) = (scenario.grid.point(i), scenario.grid.point(j));
+        match self {
+            Self::Detour => detour(&Distance::of(scenario), from, to, d),
+            Self::Goal => goal_distance(to, scenario.grid.point(scenario.goal)),
+            Self::Step => 1.0 / step_length(d),
+        }
+    }
+}

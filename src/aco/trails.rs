@@ -1,0 +1,142 @@
+//! Pheromone: one trail τ per cell and direction, with lazy evaporation.
+//!
+//! Evaporation multiplies every trail by the same factor, and selection compares the trails of one cell only; so the factor is kept
+//! once, as `scale`, and τ = stored · scale. A deposit is divided by the scale when it is stored. That is the definition (not a sweep over
+//! all trails, which rounds differently): an iteration touches the cells where ants have been, not the whole map.
+
+use crate::map::{Cell, DIRECTIONS, Direction};
+
+/// Values by cell and direction.
+pub type Row = [f32; DIRECTIONS];
+
+/// Stored trails never fall below this, so that τ stays positive however long it evaporates.
+const FLOOR: f32 = 1e-30;
+/// Below this scale the stored values are brought back to size in one sweep.
+const SWEEP_BELOW: f64 = 1e-9;
+
+/// The trails of one colony.
+#[derive(Debug, Clone)]
+pub struct Trails {
+    stored: Vec<Row>,
+    scale: f64,
+    /// Bit d of entry c: changed since the choice information was last computed.
+    dirty: Vec<u8>,
+    /// The cells with a dirty bit.
+    touched: Vec<Cell>,
+    /// Everything has changed.
+    all_dirty: bool,
+}
+
+impl Trails {
+    /// The same trail everywhere.
+    pub fn new(cells: usize, initial: f64) -> Self {
+        Self {
+            stored: vec![[initial as f32; DIRECTIONS]; cells],
+            scale: 1.0,
+            dirty: vec![0; cells],
+            touched: Vec::new(),
+            all_dirty: true,
+        }
+    }
+
+    /// τ of a step.
+    pub fn get(&self, c: Cell, d: Direction) -> f64 {
+        f64::from(self.stored[c as usize][d as usize]) * self.scale
+    }
+
+    /// The largest τ of the steps from a cell.
+    pub fn strongest(&self, c: Cell) -> f32 {
+        let stored = self.stored[c as usize].iter().fold(0.0f32, |m, &t| if t > m { t } else { m });
+        (f64::from(stored) * self.scale) as f32
+    }
+
+    /// τ / scale of all steps from a cell: enough to compare them.
+    pub fn relative(&self, c: Cell) -> &Row {
+        &self.stored[c as usize]
+    }
+
+    /// τ ← (1 − ρ)·τ everywhere; ρ is the part that leaves.
+    pub fn evaporate(&mut self, rho: f64) {
+        self.scale *= 1.0 - rho;
+        if self.scale < SWEEP_BELOW {
+            self.sweep();
+        }
+    }
+
+    /// τ ← τ + amount on one step.
+    #[inline]
+    pub fn deposit(&mut self, c: Cell, d: Direction, amount: f64) {
+        self.stored[c as usize][d as usize] += (amount / self.scale) as f32;
+        if self.dirty[c as usize] == 0 {
+            self.touched.push(c);
+        }
+        self.dirty[c as usize] |= 1 << d;
+    }
+
+    /// Every weight is to be computed anew, because η has changed.
+    pub fn all_changed(&mut self) {
+        self.all_dirty = true;
+    }
+
+    /// Writes the scale into the stored values. With ρ = 1 it is 0, and the floor is all that remains.
+    fn sweep(&mut self) {
+        let scale = self.scale as f32;
+        for row in &mut self.stored {
+            for t in row {
+                *t = (*t * scale).max(FLOOR);
+            }
+        }
+        self.scale = 1.0;
+        self.all_dirty = true;
+    }
+
+    /// Calls `refresh(cell, directions as bits)` for what has changed since the last call.
+    pub fn take_changes(&mut self, mut refresh: impl FnMut(&Row, Cell, u8)) {
+        if std::mem::take(&mut self.all_dirty) {
+            self.stored.iter().enumerate().for_each(|(c, row)| refresh(row, c as Cell, u8::MAX));
+            self.touched.iter().for_each(|&c| self.dirty[c as usize] = 0);
+        } else {
+            for &c in &self.touched {
+                refresh(&self.stored[c as usize], c, std::mem::take(&mut self.dirty[c as usize]));
+            }
+        }
+        self.touched.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn evaporation_and_deposit_by_hand() {
+        let mut t = Trails::new(2, 1.0);
+        t.evaporate(0.5);
+        t.deposit(1, 3, 0.25);
+        assert_eq!(t.get(0, 3), 0.5);
+        assert_eq!(t.get(1, 3), 0.75);
+        let mut seen = Vec::new();
+        t.take_changes(|_, c, bits| seen.push((c, bits)));
+        assert_eq!(seen, [(0, u8::MAX), (1, u8::MAX)]);
+        t.deposit(1, 3, 0.25);
+        t.deposit(1, 0, 0.25);
+        seen.clear();
+        t.take_changes(|_, c, bits| seen.push((c, bits)));
+        assert_eq!(seen, [(1, 0b1001)]);
+    }
+
+    #[test]
+    fn trails_stay_positive_and_finite_under_any_evaporation() {
+        for rho in [0.0, 1e-3, 0.5, 0.999, 1.0] {
+            let mut t = Trails::new(1, 1.0);
+            for _ in 0..5000 {
+                t.evaporate(rho);
+                t.deposit(0, 0, 1.0);
+                for d in 0..8 {
+                    let v = t.get(0, d);
+                    assert!(v > 0.0 && v.is_finite(), "rho {rho}: {v}");
+                }
+            }
+        }
+    }
+}

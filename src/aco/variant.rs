@@ -1,0 +1,88 @@
+//! What a publication may change: the override points of a colony, whose defaults are Ant System.
+
+use crate::map::{Cell, Direction};
+use crate::rng::Stream;
+use crate::scenario::Scenario;
+
+use super::ant::Ant;
+use super::choice::random_proportional;
+use super::dead_end::DeadEnd;
+use super::deposit;
+use super::trails::{Row, Trails};
+
+/// Numbers that every colony has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// m, ants per iteration.
+    pub ants: u32,
+    /// Budget of iterations.
+    pub iterations: u32,
+    /// Iterations without improvement after which the colony stops; 0 = never.
+    pub stagnation: u32,
+    /// α, weight of the trail.
+    pub alpha: f64,
+    /// β, weight of the heuristic.
+    pub beta: f64,
+    /// ρ, the part of the trail that leaves in each iteration.
+    pub rho: f64,
+    /// Q of the deposit Q/L.
+    pub deposit: f64,
+    /// At a dead end.
+    pub dead_end: DeadEnd,
+    /// Cap on an ant's moves, in multiples of width + height; 0 = none.
+    pub move_limit: f64,
+}
+
+/// What stands at the end of an iteration.
+#[derive(Debug, Clone, Copy)]
+pub struct Iteration<'a> {
+    /// The scenario.
+    pub scenario: &'a Scenario,
+    /// All ants, in index order; lost ones have no length.
+    pub ants: &'a [Ant],
+    /// From 1.
+    pub number: u32,
+}
+
+/// A variant of the colony. Every default is Ant System.
+pub trait Variant: Send {
+    /// Whether ants change trails while they walk: then all of them move in lock step, one move each in index order. Otherwise each
+    /// ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
+    const LOCK_STEP: bool = false;
+
+    /// Whether [`Variant::choose`] is the random proportional rule, which the four-lane walk computes.
+    const RANDOM_PROPORTIONAL: bool = true;
+
+    /// The common numbers.
+    fn settings(&self) -> Settings;
+
+    /// τ of every step before the first iteration.
+    fn initial_trail(&self, scenario: &Scenario) -> f64;
+
+    /// η of the step from `i` in direction `d` to `j`; positive and finite.
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64;
+
+    /// Whether η differs from the iteration before (iterations count from 1).
+    fn heuristic_changes(&self, iteration: u32) -> bool {
+        iteration == 1
+    }
+
+    /// Selects a step; visited and infeasible ones weigh 0. `None` = dead end.
+    #[inline(always)]
+    fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
+        random_proportional(weights, stream)
+    }
+
+    /// After an ant's step from `i` in direction `d` (only with [`Variant::LOCK_STEP`]).
+    fn on_move(&self, _trails: &mut Trails, _i: Cell, _d: Direction) {}
+
+    /// At the end of an iteration: evaporate, then every arrived ant deposits Q/L.
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        let settings = self.settings();
+        trails.evaporate(settings.rho);
+        deposit::ant_cycle(trails, iteration.scenario, iteration.ants, settings.deposit);
+    }
+
+    /// What no single ant could do: reinitialise, refine the best path…
+    fn daemon_actions(&mut self, _trails: &mut Trails, _iteration: Iteration) {}
+}

@@ -1,0 +1,119 @@
+//! THE list of planners. A new planner is one file and one line here; conformance tests, command line, page and docs follow.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::aco::ant_system;
+use crate::error::ParamError;
+use crate::exact::{astar, dijkstra};
+use crate::params::{ParamSpec, Values};
+use crate::planner::{Entry, Family, Layer, Planner};
+use crate::scenario::Scenario;
+
+/// Every planner, in the order in which people meet them.
+pub static CATALOG: &[&Entry] = &[&ant_system::ENTRY, &dijkstra::ENTRY, &astar::ENTRY];
+
+/// The entry of an id.
+///
+/// # Errors
+/// [`ParamError::UnknownPlanner`] with all known ids.
+pub fn find(id: &str) -> Result<&'static Entry, ParamError> {
+    CATALOG.iter().copied().find(|e| e.id == id).ok_or_else(|| ParamError::UnknownPlanner {
+        id: id.into(),
+        known: CATALOG.iter().map(|e| e.id).collect::<Vec<_>>().join(", "),
+    })
+}
+
+/// Makes a planner: the entry's defaults, then the preset's values, then `values`.
+///
+/// # Errors
+/// [`ParamError`] for an unknown planner, preset or key, or a value that does not fit.
+pub fn build(
+    scenario: &Arc<Scenario>,
+    id: &str,
+    preset: Option<&str>,
+    values: &Values,
+    seed: u32,
+) -> Result<Box<dyn Planner>, ParamError> {
+    let entry = find(id)?;
+    let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
+    all.extend(values.clone());
+    (entry.build)(scenario, &all, seed)
+}
+
+fn preset_values(entry: &Entry, name: &str) -> Result<Values, ParamError> {
+    entry.presets.iter().find(|p| p.name == name).map(|p| p.values()).ok_or_else(|| ParamError::UnknownPreset {
+        planner: entry.id.into(),
+        name: name.into(),
+        known: entry.presets.iter().map(|p| p.name).collect::<Vec<_>>().join(", "),
+    })
+}
+
+/// The catalog as data: `catalog --json`, and the page.
+#[derive(Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Catalog {
+    /// `formicarium/catalog@1`.
+    pub format: String,
+    /// Every planner.
+    pub planners: Vec<CatalogEntry>,
+}
+
+/// One planner as data.
+#[derive(Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CatalogEntry {
+    /// Stable id.
+    pub id: String,
+    /// Name for people.
+    pub name: String,
+    /// Kind of planner.
+    pub family: Family,
+    /// One sentence.
+    pub summary: String,
+    /// The publication.
+    pub source: String,
+    /// Named parameter sets.
+    pub presets: Vec<PresetEntry>,
+    /// Its parameters.
+    pub params: Vec<ParamSpec>,
+    /// The layers it can draw.
+    pub layers: Vec<Layer>,
+}
+
+/// One preset as data.
+#[derive(Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PresetEntry {
+    /// Its name.
+    pub name: String,
+    /// The publication.
+    pub source: String,
+    /// What it stands for.
+    pub meaning: String,
+    /// Values by key.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, number | string | boolean>"))]
+    pub values: Values,
+}
+
+/// The whole catalog as data.
+pub fn catalog() -> Catalog {
+    let preset = |p: &crate::planner::Preset| PresetEntry {
+        name: p.name.into(),
+        source: p.source.into(),
+        meaning: p.meaning.into(),
+        values: p.values(),
+    };
+    let entry = |e: &&Entry| CatalogEntry {
+        id: e.id.into(),
+        name: e.name.into(),
+        family: e.family,
+        summary: e.summary.into(),
+        source: e.source.into(),
+        presets: e.presets.iter().map(preset).collect(),
+        params: (e.specs)(),
+        layers: e.layers.to_vec(),
+    };
+    Catalog { format: "formicarium/catalog@1".into(), planners: CATALOG.iter().map(entry).collect() }
+}

@@ -1,0 +1,239 @@
+//! `bench-scen`: an exact planner against the listed optima of a MovingAI `.scen`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use clap::ValueEnum;
+use formicarium::catalog;
+use formicarium::formats::{self, ScenFile, ScenLine, misfit};
+use formicarium::map::CornerRule;
+use formicarium::params::Values;
+use formicarium::planner::{Entry, Family};
+use formicarium::rng::Streams;
+use formicarium::scenario::Scenario;
+use rand::Rng;
+use serde::Serialize;
+
+use super::error::CliError;
+use super::{Outcome, input, text, text::row};
+
+/// Runs an exact planner on the scenarios of a MovingAI .scen and compares with the listed optima
+#[derive(clap::Args)]
+#[command(after_help = "\
+A length fits when it differs from the listed one by no more than half a unit of the last printed digit plus 1e-6 of the
+length (older files were summed up with a rounded √2).
+
+Examples:
+  formicarium bench-scen arena2.map.scen
+  formicarium bench-scen scen/maze512-8-0.map.scen --map maps/maze512-8-0.map --sample 100 --planner dijkstra
+
+Exit code 1 when a scenario does not fit.")]
+pub struct Args {
+    /// The .scen file
+    scen: PathBuf,
+    /// The map [default: the file beside the .scen that its first line names, or the .scen's name without .scen]
+    #[arg(long)]
+    map: Option<PathBuf>,
+    /// An exact planner
+    #[arg(long, value_name = "ID", default_value = "astar")]
+    planner: String,
+    /// How many scenarios, drawn by the seed [default: all]
+    #[arg(long, value_name = "N")]
+    sample: Option<usize>,
+    /// Seed of the sample
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+    /// The rule that the listed optima are to be compared under
+    #[arg(long, default_value = "both-free", value_parser = input::corner_rules())]
+    corner_rule: CornerRule,
+    /// text for people, json for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+impl Args {
+    pub fn wants_json(&self) -> bool {
+        self.format == Format::Json
+    }
+}
+
+pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    let entry = exact(&args.planner)?;
+    let scen = input::in_file(&args.scen, |bytes, _| Ok(formats::import_scen(bytes)?))?;
+    let map_path = find_map(args, &scen)?;
+    let map = input::import(&map_path)?;
+    text::notes(&scen.notices);
+    let mut spec = map.spec;
+    spec.movement.corner_rule = args.corner_rule;
+    let mut scenario = Arc::new(Scenario::new(map.grid, spec)?);
+    let mut bench = Bench::new(args, &map_path, entry, scen.lines.len());
+    for line in sample(scen.lines, args.sample, args.seed) {
+        bench.run(entry, &mut scenario, &line)?;
+    }
+    let text = match args.format {
+        Format::Text => bench.text(entry, &scenario),
+        Format::Json => text::json(&bench, 2),
+    };
+    Ok(Outcome { text, fine: bench.misfits.is_empty() })
+}
+
+fn exact(id: &str) -> Result<&'static Entry, CliError> {
+    let entry = catalog::find(id)?;
+    if entry.family == Family::Exact {
+        return Ok(entry);
+    }
+    let known: Vec<_> = catalog::CATALOG.iter().filter(|e| e.family == Family::Exact).map(|e| e.id).collect();
+    let message = format!("`{id}` proves no optimum, so it cannot be compared with the listed ones");
+    Err(CliError::usage(message, format!("the exact planners are {}", known.join(", "))))
+}
+
+/// The map beside the `.scen`: the file that its first line names, or the `.scen`'s own name without its ending.
+fn find_map(args: &Args, scen: &ScenFile) -> Result<PathBuf, CliError> {
+    if let Some(map) = &args.map {
+        return Ok(map.clone());
+    }
+    let listed = scen.lines.first().map_or("", |l| l.map.as_str());
+    let listed = listed.rsplit(['/', '\\']).next().unwrap_or_default();
+    let beside = [args.scen.with_file_name(listed), args.scen.with_extension("")];
+    beside.into_iter().find(|p| p.is_file()).ok_or_else(|| {
+        let message = format!("the map `{listed}` is not beside {}", args.scen.display());
+        CliError::usage(message, "name it with --map FILE")
+    })
+}
+
+/// `count` of the lines, drawn without replacement and put back in file order; all without a count.
+fn sample(mut lines: Vec<ScenLine>, count: Option<usize>, seed: u32) -> Vec<ScenLine> {
+    let count = count.unwrap_or(lines.len()).min(lines.len());
+    let mut dice = Streams::new(u64::from(seed), "bench-scen", 0).ant(0, 0);
+    for i in 0..count {
+        let left = (lines.len() - i) as u64;
+        let pick = (u64::from(dice.next_u32()) * left) >> 32;
+        lines.swap(i, i + pick as usize);
+    }
+    lines.truncate(count);
+    lines.sort_by_key(|l| l.line);
+    lines
+}
+
+/// A scenario that does not fit.
+#[derive(Serialize)]
+struct Misfit {
+    line: u32,
+    kind: String,
+    message: String,
+    listed: f64,
+    found: Option<f64>,
+}
+
+/// What has been run so far.
+#[derive(Serialize)]
+struct Bench {
+    format: &'static str,
+    scen: String,
+    map: String,
+    planner: &'static str,
+    corner_rule: CornerRule,
+    scenarios: usize,
+    run: usize,
+    matched: usize,
+    mean_milliseconds: f64,
+    slowest_milliseconds: f64,
+    cell_expansions: u64,
+    #[serde(skip)]
+    timed: u32,
+    misfits: Vec<Misfit>,
+}
+
+impl Bench {
+    fn new(args: &Args, map: &Path, entry: &'static Entry, scenarios: usize) -> Self {
+        Self {
+            format: "formicarium/bench-scen@1",
+            scen: args.scen.display().to_string(),
+            map: map.display().to_string(),
+            planner: entry.id,
+            corner_rule: args.corner_rule,
+            scenarios,
+            run: 0,
+            matched: 0,
+            mean_milliseconds: 0.0,
+            slowest_milliseconds: 0.0,
+            cell_expansions: 0,
+            timed: 0,
+            misfits: Vec::new(),
+        }
+    }
+
+    /// Runs one line. The scenario is moved from line to line, because the moves of the map are the same for all.
+    fn run(&mut self, entry: &Entry, scenario: &mut Arc<Scenario>, line: &ScenLine) -> Result<(), CliError> {
+        self.run += 1;
+        if let Some(notice) = misfit(line, &scenario.grid) {
+            self.add(line, &notice.kind, notice.message, None);
+            return Ok(());
+        }
+        let s = Arc::make_mut(scenario);
+        (s.start, s.goal) = (s.grid.cell(line.start), s.grid.cell(line.goal));
+        s.spec.start = line.start;
+        s.spec.goals.iter_mut().for_each(|g| g.at = line.goal);
+        let begin = Instant::now();
+        let mut planner = (entry.build)(scenario, &Values::new(), 0)?;
+        planner.run();
+        let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
+        self.timed += 1;
+        self.mean_milliseconds += (milliseconds - self.mean_milliseconds) / f64::from(self.timed);
+        self.slowest_milliseconds = self.slowest_milliseconds.max(milliseconds);
+        self.cell_expansions += planner.effort().cell_expansions;
+        self.compare(line, planner.best().map(|b| b.length));
+        Ok(())
+    }
+
+    fn compare(&mut self, line: &ScenLine, found: Option<f64>) {
+        let (number, listed) = (line.line, line.optimal);
+        match found {
+            None => self.add(line, "no-path", format!("line {number}: listed {listed}, but no path exists"), None),
+            Some(length) if line.fits(length) => self.matched += 1,
+            Some(length) => {
+                let (kind, word) = if listed < length { ("listed-shorter", "shorter") } else { ("listed-longer", "longer") };
+                let message = format!("line {number}: listed {listed}, found {length:.5}: the listed optimum is {word}");
+                self.add(line, kind, message, found);
+            }
+        }
+    }
+
+    fn add(&mut self, line: &ScenLine, kind: &str, message: String, found: Option<f64>) {
+        self.misfits.push(Misfit { line: line.line, kind: kind.into(), message, listed: line.optimal, found });
+    }
+
+    fn text(&self, entry: &Entry, scenario: &Scenario) -> String {
+        let (grid, name) = (&scenario.grid, entry.name);
+        let rule = input::rule_id(self.corner_rule);
+        let mut out = format!("{name} on {} ({} × {}, {rule})\n\n", self.scen, grid.width(), grid.height());
+        let share = if self.run == 0 { 0.0 } else { self.matched as f64 / self.run as f64 };
+        row(
+            &mut out,
+            "matched",
+            format!("{} of {} run, {:.1} % ({} listed)", self.matched, self.run, 100.0 * share, self.scenarios),
+        );
+        row(
+            &mut out,
+            "time",
+            format!("{:.3} ms per scenario, the slowest {:.3} ms", self.mean_milliseconds, self.slowest_milliseconds),
+        );
+        let mean = self.cell_expansions / self.run.max(1) as u64;
+        row(&mut out, "expansions", format!("{}, {} per scenario", text::grouped(self.cell_expansions), text::grouped(mean)));
+        if !self.misfits.is_empty() {
+            out.push('\n');
+            row(&mut out, "misfits", self.misfits.len());
+            for misfit in &self.misfits {
+                out.push_str(&format!("    {}\n", misfit.message));
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,69 @@
+//! `catalog`: every planner with its presets and parameters.
+
+use std::fmt::Write;
+
+use formicarium::catalog::{CatalogEntry, catalog};
+use formicarium::params::{ParamKind, ParamSpec};
+
+use super::error::CliError;
+use super::{Outcome, text};
+
+/// Lists every planner with its presets and parameters
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  formicarium catalog
+  formicarium catalog ant-system
+  formicarium catalog --json | jq '.planners[].id'")]
+pub struct Args {
+    /// Only this planner
+    planner: Option<String>,
+    /// As JSON: {\"format\": \"formicarium/catalog@1\", \"planners\": […]}
+    #[arg(long)]
+    pub json: bool,
+}
+
+pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    let mut all = catalog();
+    if let Some(id) = &args.planner {
+        formicarium::catalog::find(id)?;
+        all.planners.retain(|p| p.id == *id);
+    }
+    if args.json {
+        return Ok(Outcome::fine(text::json(&all, 4)));
+    }
+    let tables: Vec<String> = all.planners.iter().map(table).collect();
+    Ok(Outcome::fine(tables.join("\n")))
+}
+
+fn table(planner: &CatalogEntry) -> String {
+    let mut out = format!("{} · {}\n  {}\n  {}\n", planner.id, planner.name, planner.summary, planner.source);
+    let rows: Vec<[String; 4]> = planner.params.iter().map(param_row).collect();
+    let wide = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
+    let (key, default, range) = (wide(0), wide(1), wide(2));
+    for (i, [k, d, r, meaning]) in rows.iter().enumerate() {
+        let gap = if i == 0 { "\n" } else { "" };
+        let _ = writeln!(out, "{gap}  {k:<key$}  {d:>default$}  {r:<range$}  {meaning}");
+    }
+    for preset in &planner.presets {
+        let values: Vec<String> = preset.values.iter().map(|(k, v)| format!("{k}={v}")).collect();
+        let _ = writeln!(out, "\n  --preset {}: {} ({})\n    {}", preset.name, preset.meaning, preset.source, values.join(" "));
+    }
+    out
+}
+
+/// Key, default, range, meaning.
+fn param_row(spec: &ParamSpec) -> [String; 4] {
+    [spec.key.clone(), spec.default.to_string(), range(spec), spec.meaning.clone()]
+}
+
+/// What a parameter takes, in short.
+fn range(spec: &ParamSpec) -> String {
+    let unit = if spec.unit.is_empty() { String::new() } else { format!(" {}", spec.unit) };
+    match &spec.kind {
+        ParamKind::Integer { min, max } => format!("{min}..={max}{unit}"),
+        ParamKind::Real { min, max } => format!("{min:?}..={max:?}{unit}"),
+        ParamKind::Flag => "true | false".into(),
+        ParamKind::Choice { options } => options.iter().map(|o| o.id.as_str()).collect::<Vec<_>>().join(" | "),
+    }
+}

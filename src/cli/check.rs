@@ -1,0 +1,195 @@
+//! `check`: is this a path, and how good is it?
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use formicarium::formats::{Imported, read_path};
+use formicarium::map::{Grid, MoveSet, Movement, Point};
+use formicarium::metrics::Metrics;
+use formicarium::path::direction_between;
+use formicarium::scenario::Scenario;
+use serde::Serialize;
+
+use super::error::CliError;
+use super::input::{self, MovementArgs};
+use super::{Outcome, text, text::row};
+
+/// Audits a path: collisions, cut corners, jumps, ends; and measures it
+#[derive(clap::Args)]
+#[command(after_help = "\
+The path: JSON [[x, y], …] or the output of `plan --format json`, CSV lines x,y, or MATLAB [x y; x y].
+The ends are checked only where the map's file names them.
+
+Examples:
+  formicarium check path.csv --map arena2.map
+  formicarium check route.txt --map grid.csv --one-based --rows-first --corner-rule always
+  formicarium plan a.json --planner astar --format json | formicarium check - --map a.json
+
+Exit code 1 when the path is none.")]
+pub struct Args {
+    /// The path to check
+    path: PathBuf,
+    /// The map it belongs to
+    #[arg(long)]
+    map: PathBuf,
+    #[command(flatten)]
+    movement: MovementArgs,
+    /// The path counts cells from 1, as MATLAB does
+    #[arg(long)]
+    one_based: bool,
+    /// The path names the row before the column
+    #[arg(long)]
+    rows_first: bool,
+    /// text for people, json for programs
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+impl Args {
+    pub fn wants_json(&self) -> bool {
+        self.format == Format::Json
+    }
+}
+
+pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    let mut map = input::import(&args.map)?;
+    args.movement.apply(&mut map);
+    let mut path = input::in_file(&args.path, |bytes, _| Ok(read_path(bytes)?))?;
+    path.iter_mut().try_for_each(|p| args.shift(p))?;
+    let findings = Findings::of(&map, &path);
+    let text = match args.format {
+        Format::Text => findings.text(&map, path.len()),
+        Format::Json => text::json(&findings, 2),
+    };
+    Ok(Outcome { text, fine: findings.ok })
+}
+
+impl Args {
+    /// Brings a point into column, row, from 0.
+    fn shift(&self, p: &mut Point) -> Result<(), CliError> {
+        if self.rows_first {
+            *p = Point::new(p.y, p.x);
+        }
+        if self.one_based {
+            let less = |v: u32| {
+                let hint = "leave out --one-based";
+                v.checked_sub(1).ok_or_else(|| CliError::usage("the path has a 0, so it does not count from 1", hint))
+            };
+            *p = Point::new(less(p.x)?, less(p.y)?);
+        }
+        Ok(())
+    }
+}
+
+/// A cell of the path, counted from 0.
+#[derive(Serialize)]
+struct At {
+    index: usize,
+    at: Point,
+}
+
+/// A step of the path, counted from 0.
+#[derive(Serialize)]
+struct Step {
+    step: usize,
+    from: Point,
+    to: Point,
+}
+
+/// Everything that is wrong with a path, and its measures where they make sense.
+#[derive(Serialize)]
+struct Findings {
+    format: &'static str,
+    ok: bool,
+    wrong_ends: Vec<String>,
+    outside: Vec<At>,
+    collisions: Vec<At>,
+    jumps: Vec<Step>,
+    corner_cuts: Vec<Step>,
+    metrics: Option<Metrics>,
+}
+
+impl Findings {
+    fn of(map: &Imported, path: &[Point]) -> Self {
+        let (grid, movement) = (&map.grid, map.spec.movement);
+        let cells = |wrong: &dyn Fn(Point) -> bool| -> Vec<At> {
+            path.iter().enumerate().filter(|(_, p)| wrong(**p)).map(|(index, &at)| At { index, at }).collect()
+        };
+        let steps = |wrong: &dyn Fn(Point, Point) -> bool| -> Vec<Step> {
+            let all = path.windows(2).enumerate().map(|(step, s)| Step { step, from: s[0], to: s[1] });
+            all.filter(|s| wrong(s.from, s.to)).collect()
+        };
+        let outside = cells(&|p| !grid.contains(p));
+        let collisions = cells(&|p| grid.contains(p) && grid.is_blocked(grid.cell(p)));
+        let jumps = steps(&|from, to| direction_between(from, to).is_none());
+        let corner_cuts = steps(&|from, to| cuts_corner(grid, movement, from, to));
+        let wrong_ends = wrong_ends(map, path);
+        let measurable = outside.is_empty() && jumps.is_empty();
+        let ok = measurable && collisions.is_empty() && corner_cuts.is_empty() && wrong_ends.is_empty() && !path.is_empty();
+        let metrics = if measurable { measure(map, path) } else { None };
+        Self { format: "formicarium/check@1", ok, wrong_ends, outside, collisions, jumps, corner_cuts, metrics }
+    }
+
+    fn text(&self, map: &Imported, cells: usize) -> String {
+        let rule =
+            format!("{} moves, corner rule {}", u8::from(map.spec.movement.moves), input::rule_id(map.spec.movement.corner_rule));
+        let mut out = format!("{} on {} ({rule})\n\n", text::count(cells as u64, "cell", "cells"), map.spec.name);
+        row(&mut out, "verdict", if self.ok { "a valid path" } else { "not a valid path" });
+        for end in &self.wrong_ends {
+            row(&mut out, "ends", end);
+        }
+        let at = |found: &[At]| (found.len(), found.first().map(|f| format!("cell {} {}", f.index, text::cell(f.at))));
+        let step = |found: &[Step]| {
+            (found.len(), found.first().map(|f| format!("step {} {} → {}", f.step, text::cell(f.from), text::cell(f.to))))
+        };
+        let counts = [
+            ("outside", at(&self.outside)),
+            ("collisions", at(&self.collisions)),
+            ("jumps", step(&self.jumps)),
+            ("corner cuts", step(&self.corner_cuts)),
+        ];
+        for (label, (count, first)) in counts {
+            row(&mut out, label, first.map_or("none".into(), |first| format!("{count}, first at {first}")));
+        }
+        if let Some(metrics) = &self.metrics {
+            text::metrics(&mut out, metrics);
+        }
+        out
+    }
+}
+
+/// A step between neighbouring free cells that the movement does not allow.
+fn cuts_corner(grid: &Grid, movement: Movement, from: Point, to: Point) -> bool {
+    let free = |p: Point| grid.is_free_at(i64::from(p.x), i64::from(p.y));
+    let step = direction_between(from, to);
+    free(from) && free(to) && step.is_some_and(|d| !movement.allows(grid, i64::from(from.x), i64::from(from.y), d))
+}
+
+/// Where the path does not begin or end as the map's file says.
+fn wrong_ends(map: &Imported, path: &[Point]) -> Vec<String> {
+    let (Some(&first), Some(&last), Some(goal)) = (path.first(), path.last(), map.spec.goals.first()) else {
+        return vec!["the path is empty".into()];
+    };
+    if map.ends_were_chosen() {
+        return Vec::new();
+    }
+    let wrong = |verb, at, role, wanted| {
+        (at != wanted).then(|| format!("the path {verb} at {}, not at the {role} {}", text::cell(at), text::cell(wanted)))
+    };
+    [wrong("begins", first, "start", map.spec.start), wrong("ends", last, "goal", goal.at)].into_iter().flatten().collect()
+}
+
+/// The metrics of a path of neighbouring cells on the map. It need not be valid, so no validated scenario can be asked for.
+fn measure(map: &Imported, path: &[Point]) -> Option<Metrics> {
+    let cells: Vec<_> = path.iter().map(|&p| map.grid.cell(p)).collect();
+    let (&start, &goal) = (cells.first()?, cells.last()?);
+    let moves = MoveSet::new(&map.grid, map.spec.movement);
+    let scenario = Scenario { grid: map.grid.clone(), spec: map.spec.clone(), moves, start, goal };
+    Some(Metrics::of(&scenario, &cells))
+}

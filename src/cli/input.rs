@@ -1,0 +1,152 @@
+//! Reading what the arguments name: files, cells, movement, scenarios.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use formicarium::error::Error;
+use formicarium::formats::{self, Imported, ScenLine};
+use formicarium::map::{CornerRule, Moves, Point};
+use formicarium::scenario::Scenario;
+
+use super::error::CliError;
+use super::text;
+
+/// Which question is asked on which map.
+#[derive(clap::Args)]
+pub struct ScenarioArgs {
+    /// The map: MovingAI .map, a matrix of 0 and 1, or a scenario as JSON
+    #[arg(required_unless_present = "scenario")]
+    map: Option<PathBuf>,
+    /// Start cell
+    #[arg(long, value_name = "X,Y", value_parser = point)]
+    from: Option<Point>,
+    /// Goal cell
+    #[arg(long, value_name = "X,Y", value_parser = point)]
+    to: Option<Point>,
+    /// Start and goal from a line of a MovingAI .scen; lines count from 1, as editors show them
+    #[arg(long, value_name = "FILE:LINE", conflicts_with_all = ["from", "to", "scenario"])]
+    scen: Option<String>,
+    /// A scenario file in place of the map
+    #[arg(long, value_name = "F.json", conflicts_with = "map")]
+    scenario: Option<PathBuf>,
+    #[command(flatten)]
+    movement: MovementArgs,
+}
+
+/// How one moves.
+#[derive(clap::Args)]
+pub struct MovementArgs {
+    /// When a diagonal step may pass the two cells beside it [default: the scenario's, else both-free]
+    #[arg(long, value_parser = corner_rules())]
+    pub corner_rule: Option<CornerRule>,
+    /// Moves a cell offers [default: the scenario's, else 8]
+    #[arg(long, value_parser = PossibleValuesParser::new(["4", "8"]).map(|s| if s == "4" { Moves::Four } else { Moves::Eight }))]
+    pub moves: Option<Moves>,
+}
+
+impl MovementArgs {
+    /// Lets the arguments override a map's movement.
+    pub fn apply(&self, map: &mut Imported) {
+        let movement = &mut map.spec.movement;
+        movement.corner_rule = self.corner_rule.unwrap_or(movement.corner_rule);
+        movement.moves = self.moves.unwrap_or(movement.moves);
+    }
+}
+
+/// The id of a rule.
+pub fn rule_id(rule: CornerRule) -> &'static str {
+    match rule {
+        CornerRule::Always => "always",
+        CornerRule::OneFree => "one-free",
+        CornerRule::BothFree => "both-free",
+    }
+}
+
+/// Reads a rule by its id.
+pub fn corner_rules() -> impl TypedValueParser<Value = CornerRule> {
+    PossibleValuesParser::new(CornerRule::ALL.map(rule_id)).map(|id| {
+        let found = CornerRule::ALL.into_iter().find(|r| rule_id(*r) == id);
+        found.unwrap_or_default()
+    })
+}
+
+/// Reads `x,y`.
+pub fn point(text: &str) -> Result<Point, String> {
+    let wrong = || format!("`{text}` is no cell: write column,row such as 3,12");
+    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
+    let number = |s: &str| s.trim().parse().map_err(|_| wrong());
+    Ok(Point::new(number(x)?, number(y)?))
+}
+
+impl ScenarioArgs {
+    /// Reads and validates the scenario, and prints notes about it.
+    pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
+        let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
+        let mut map = import(path)?;
+        if self.scen.is_some() || (self.from.is_some() && self.to.is_some()) {
+            map.notices.retain(|n| n.kind != "ends-chosen");
+        }
+        if let Some(place) = &self.scen {
+            let line = scen_line(place)?;
+            set_ends(&mut map, Some(line.start), Some(line.goal));
+        }
+        set_ends(&mut map, self.from, self.to);
+        self.movement.apply(&mut map);
+        let scenario = Scenario::new(map.grid, map.spec)?;
+        text::notes(&map.notices);
+        text::notes(&scenario.notices());
+        Ok(Arc::new(scenario))
+    }
+}
+
+fn set_ends(map: &mut Imported, start: Option<Point>, goal: Option<Point>) {
+    map.spec.start = start.unwrap_or(map.spec.start);
+    if let Some(goal) = goal {
+        map.spec.goals.iter_mut().for_each(|g| g.at = goal);
+    }
+}
+
+/// The scenario of `FILE:LINE`.
+fn scen_line(place: &str) -> Result<ScenLine, CliError> {
+    let hint = "write FILE:LINE such as arena2.map.scen:17; line 1 is the version, scenarios begin in line 2";
+    let split = place.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse::<u32>().ok()?)));
+    let (file, number) = split.ok_or_else(|| CliError::usage(format!("`{place}` names no line"), hint))?;
+    let scen = in_file(Path::new(file), |bytes, _| Ok(formats::import_scen(bytes)?))?;
+    let last = scen.lines.last().map_or(0, |l| l.line);
+    let found = scen.lines.into_iter().find(|l| l.line == number);
+    found.ok_or_else(|| CliError::usage(format!("{file} has no scenario in line {number} (its last line is {last})"), hint))
+}
+
+/// Reads a map of any format.
+pub fn import(path: &Path) -> Result<Imported, CliError> {
+    in_file(path, formats::import)
+}
+
+/// Reads a file and names it in the error when its contents cannot be used.
+pub fn in_file<T>(path: &Path, read: impl FnOnce(&[u8], &str) -> Result<T, Error>) -> Result<T, CliError> {
+    let name = path.display().to_string();
+    let bytes = bytes(path)?;
+    read(&bytes, &name).map_err(|error| CliError::Contents { path: name, error })
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
+    let read = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        std::fs::read(path)
+    };
+    read.map_err(|error| CliError::File { action: "read", path: path.display().to_string(), error })
+}
+
+/// Writes a file, or hands the text back for standard output.
+pub fn write(path: Option<&Path>, text: String) -> Result<String, CliError> {
+    match path {
+        Some(path) if path != Path::new("-") => std::fs::write(path, text)
+            .map(|()| String::new())
+            .map_err(|error| CliError::File { action: "write", path: path.display().to_string(), error }),
+        _ => Ok(text),
+    }
+}

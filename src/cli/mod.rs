@@ -1,0 +1,108 @@
+//! Subcommands, one file each. Exit codes: 0 = fine, 1 = no path or a failed check, 2 = unusable input.
+
+mod bench_scen;
+mod catalog;
+mod check;
+mod convert;
+mod error;
+mod generate;
+mod input;
+mod plan;
+mod text;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use error::CliError;
+
+/// Ant-colony path planning beside exact planners, on one map, under one set of rules.
+#[derive(Parser)]
+#[command(name = "formicarium", version, after_help = EXAMPLES, max_term_width = 110)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  formicarium generate cave --size 60x40 --seed 7 --out cave.json
+  formicarium plan cave.json --planner ant-system --set ants=30
+  formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar --format json
+  formicarium check path.csv --map arena2.map
+  formicarium bench-scen arena2.map.scen
+
+Exit codes: 0 fine, 1 no path or a failed check, 2 unusable input.
+Coordinates are column,row from 0; 0,0 is the upper left. `-` stands for standard input or output.";
+
+#[derive(Subcommand)]
+enum Command {
+    Plan(plan::Args),
+    Catalog(catalog::Args),
+    Convert(convert::Args),
+    Check(check::Args),
+    Generate(generate::Args),
+    BenchScen(bench_scen::Args),
+}
+
+/// What a subcommand prints, and whether it counts as success.
+struct Outcome {
+    text: String,
+    fine: bool,
+}
+
+impl Outcome {
+    fn fine(text: String) -> Self {
+        Self { text, fine: true }
+    }
+}
+
+impl Command {
+    fn run(&self) -> Result<Outcome, CliError> {
+        match self {
+            Self::Plan(args) => plan::run(args),
+            Self::Catalog(args) => catalog::run(args),
+            Self::Convert(args) => convert::run(args),
+            Self::Check(args) => check::run(args),
+            Self::Generate(args) => generate::run(args),
+            Self::BenchScen(args) => bench_scen::run(args),
+        }
+    }
+
+    /// Whether the caller reads JSON, and so should get errors in it too.
+    fn wants_json(&self) -> bool {
+        match self {
+            Self::Plan(args) => args.wants_json(),
+            Self::Catalog(args) => args.json,
+            Self::Check(args) => args.wants_json(),
+            Self::BenchScen(args) => args.wants_json(),
+            Self::Convert(_) | Self::Generate(_) => false,
+        }
+    }
+}
+
+/// Runs the command line.
+pub fn run() -> ExitCode {
+    let cli = Cli::parse();
+    match cli.command.run() {
+        Ok(outcome) => {
+            print(&outcome.text);
+            ExitCode::from(u8::from(!outcome.fine))
+        }
+        Err(error) => {
+            let report = error.report();
+            eprintln!("error: {}\nhint: {}", report.message, report.hint);
+            if cli.command.wants_json() {
+                print(&text::json(&serde_json::json!({ "format": "formicarium/error@1", "error": report }), 2));
+            }
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints; a reader that has seen enough (`| head`) is no error.
+fn print(text: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}

@@ -1,0 +1,219 @@
+//! `plan`: one planner on one scenario.
+
+use std::fmt::Write;
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use formicarium::catalog;
+use formicarium::map::Point;
+use formicarium::metrics::Metrics;
+use formicarium::params::{Value, Values};
+use formicarium::path::points;
+use formicarium::planner::{Effort, Planner, Record, Status};
+use formicarium::scenario::Scenario;
+use serde::Serialize;
+
+use super::error::CliError;
+use super::input::ScenarioArgs;
+use super::text::{self, row};
+use super::{Outcome, text::grouped};
+
+/// Plans a path and compares it with the exact optimum
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  formicarium plan maze.csv --planner ant-system --from 0,0 --to 19,19 --seed 3
+  formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar
+  formicarium plan room.json --planner ant-system --set ants=40 --set rho=0.2 --format csv > curve.csv
+  formicarium generate rooms --size 80x60 | formicarium plan - --planner dijkstra --format json
+
+Exit code 1 when no path was found.")]
+pub struct Args {
+    #[command(flatten)]
+    scenario: ScenarioArgs,
+    /// Id in the catalog
+    #[arg(long, value_name = "ID")]
+    planner: String,
+    /// A named parameter set of the planner
+    #[arg(long, value_name = "NAME")]
+    preset: Option<String>,
+    /// The same seed gives the same run, bit for bit, on every machine
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+    /// A parameter, over preset and default; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]
+    set: Vec<(String, Value)>,
+    /// text for people, json with everything, csv with one row per iteration
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+    Csv,
+}
+
+impl Args {
+    pub fn wants_json(&self) -> bool {
+        self.format == Format::Json
+    }
+}
+
+fn assignment(text: &str) -> Result<(String, Value), String> {
+    let (key, value) =
+        text.split_once('=').ok_or_else(|| format!("`{text}` is no assignment: write key=value such as rho=0.1"))?;
+    Ok((key.trim().into(), Value::parse(value.trim())))
+}
+
+pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    let values: Values = args.set.iter().cloned().collect();
+    let entry = catalog::find(&args.planner)?;
+    let scenario = args.scenario.load()?;
+    let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
+    let status = planner.run();
+    let best = planner.best();
+    let metrics = best.map(|b| Metrics::of(&scenario, &b.path));
+    let optimum = optimum(&scenario, planner.as_ref(), status)?;
+    let gap = metrics.zip(optimum).map(|(m, o)| if o > 0.0 { (m.length / o - 1.0).max(0.0) } else { 0.0 });
+    let report = Report { args, scenario: &scenario, name: entry.name, planner: planner.as_ref(), status, metrics, optimum, gap };
+    let text = match args.format {
+        Format::Text => report.text(),
+        Format::Json => text::json(&report.result(), 2),
+        Format::Csv => csv(planner.history()),
+    };
+    Ok(Outcome { text, fine: metrics.is_some() })
+}
+
+/// Length of the shortest path under the scenario's rules: what was just proven, or an A* run.
+fn optimum(scenario: &Arc<Scenario>, planner: &dyn Planner, status: Status) -> Result<Option<f64>, CliError> {
+    match status {
+        Status::Optimal => Ok(planner.best().map(|b| b.length)),
+        Status::NoPath => Ok(None),
+        _ => shortest(scenario),
+    }
+}
+
+/// Length of the shortest path by A*; none if there is no path.
+pub fn shortest(scenario: &Arc<Scenario>) -> Result<Option<f64>, CliError> {
+    let mut astar = catalog::build(scenario, "astar", None, &Values::new(), 0)?;
+    astar.run();
+    Ok(astar.best().map(|b| b.length))
+}
+
+/// What `--format json` prints; docs/schema/result.schema.json describes it.
+#[derive(Serialize)]
+struct PlanResult<'a> {
+    format: &'static str,
+    planner: &'a str,
+    seed: u32,
+    status: Status,
+    length: Option<f64>,
+    turns: Option<u32>,
+    metrics: Option<Metrics>,
+    iteration_of_best: Option<u32>,
+    history: &'a [Record],
+    optimum: Option<f64>,
+    gap: Option<f64>,
+    effort: Effort,
+    digest: String,
+    path: Vec<Point>,
+}
+
+/// One finished run.
+struct Report<'a> {
+    args: &'a Args,
+    scenario: &'a Scenario,
+    name: &'a str,
+    planner: &'a dyn Planner,
+    status: Status,
+    metrics: Option<Metrics>,
+    optimum: Option<f64>,
+    gap: Option<f64>,
+}
+
+impl Report<'_> {
+    fn result(&self) -> PlanResult<'_> {
+        let best = self.planner.best();
+        PlanResult {
+            format: "formicarium/result@1",
+            planner: &self.args.planner,
+            seed: self.args.seed,
+            status: self.status,
+            length: self.metrics.map(|m| m.length),
+            turns: self.metrics.map(|m| m.turns),
+            metrics: self.metrics,
+            iteration_of_best: best.map(|b| b.iteration),
+            history: self.planner.history(),
+            optimum: self.optimum,
+            gap: self.gap,
+            effort: self.planner.effort(),
+            digest: self.planner.digest().hex(),
+            path: best.map_or_else(Vec::new, |b| points(self.scenario, &b.path)),
+        }
+    }
+
+    fn text(&self) -> String {
+        let (grid, spec) = (&self.scenario.grid, &self.scenario.spec);
+        let on = if spec.name.is_empty() { String::new() } else { format!(" on {}", spec.name) };
+        let size = format!("{} × {}, {} free cells", grid.width(), grid.height(), grouped(grid.free_count() as u64));
+        let mut out = format!("{}{on} ({size})\n\n", self.name);
+        row(&mut out, "from, to", format!("{} → {}", text::cell(spec.start), text::cell(spec.goals[0].at)));
+        row(&mut out, "status", self.status_text());
+        match (&self.metrics, self.optimum) {
+            (Some(metrics), optimum) => {
+                if let Some((optimum, gap)) = optimum.zip(self.gap) {
+                    row(&mut out, "gap", format!("{} above the optimum of {optimum:.4} cells", text::percent(gap)));
+                }
+                text::metrics(&mut out, metrics);
+            }
+            (None, Some(optimum)) => row(&mut out, "optimum", format!("{optimum:.4} cells: a path exists, none was found")),
+            (None, None) => {}
+        }
+        self.run_text(&mut out);
+        out
+    }
+
+    fn status_text(&self) -> String {
+        match self.status {
+            Status::Running => "running".into(),
+            Status::Optimal => "optimal (proven)".into(),
+            Status::Stagnated => "stagnated".into(),
+            Status::BudgetSpent => "budget spent".into(),
+            Status::NoPath => "no path exists".into(),
+        }
+    }
+
+    /// The lines about the run itself.
+    fn run_text(&self, out: &mut String) {
+        let effort = self.planner.effort();
+        if let Some((best, _)) = self.planner.best().zip(self.planner.budget()) {
+            row(out, "found in", format!("iteration {} of {}", best.iteration, effort.iterations));
+        }
+        row(out, "effort", effort_text(&effort));
+        row(out, "seed", self.args.seed);
+        row(out, "digest", self.planner.digest().hex());
+    }
+}
+
+fn effort_text(effort: &Effort) -> String {
+    let parts = [
+        (effort.constructed_paths, "constructed path", "constructed paths"),
+        (effort.ant_moves, "ant move", "ant moves"),
+        (effort.cell_expansions, "cell expansion", "cell expansions"),
+    ];
+    let said: Vec<String> = parts.iter().filter(|p| p.0 > 0).map(|p| text::count(p.0, p.1, p.2)).collect();
+    if said.is_empty() { "none".into() } else { said.join(", ") }
+}
+
+/// The history, one row per iteration; an empty field where no ant arrived.
+fn csv(history: &[Record]) -> String {
+    let number = |v: Option<f64>| v.map_or_else(String::new, |v| v.to_string());
+    let mut out = String::from("iteration,best_so_far,iteration_best,iteration_mean,iteration_worst,arrived\n");
+    for r in history {
+        let lengths = [r.best_so_far, r.iteration_best, r.iteration_mean, r.iteration_worst].map(number);
+        let _ = writeln!(out, "{},{},{}", r.iteration, lengths.join(","), r.arrived);
+    }
+    out
+}

@@ -1,0 +1,159 @@
+//! How numbers and tables look in a terminal.
+
+use std::fmt::Write;
+use std::io;
+
+use formicarium::error::Notice;
+use formicarium::map::Point;
+use formicarium::metrics::Metrics;
+use serde::Serialize;
+use serde_json::ser::Formatter;
+
+/// JSON for people and programs: fields in their order, one a line down to a depth, everything deeper on one line.
+pub fn json(value: &impl Serialize, depth: usize) -> String {
+    let mut out = Vec::new();
+    let mut serializer = serde_json::Serializer::with_formatter(&mut out, Layout { open: depth, depth: 0, empty: true });
+    // Writing plain data to memory cannot fail; were it to, the output would visibly end early.
+    let _ = value.serialize(&mut serializer);
+    out.push(b'\n');
+    String::from_utf8_lossy(&out).into_owned()
+}
+
+/// Breaks lines down to a depth.
+struct Layout {
+    open: usize,
+    depth: usize,
+    empty: bool,
+}
+
+impl Layout {
+    fn begin<W: ?Sized + io::Write>(&mut self, out: &mut W, bracket: &[u8]) -> io::Result<()> {
+        self.depth += 1;
+        self.empty = true;
+        out.write_all(bracket)
+    }
+
+    fn item<W: ?Sized + io::Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        self.empty = false;
+        match (first, self.depth <= self.open) {
+            (true, true) => out.write_all(b"\n")?,
+            (true, false) => {}
+            (false, true) => out.write_all(b",\n")?,
+            (false, false) => out.write_all(b", ")?,
+        }
+        self.indent(out)
+    }
+
+    fn end<W: ?Sized + io::Write>(&mut self, out: &mut W, bracket: &[u8]) -> io::Result<()> {
+        let broken = self.depth <= self.open && !self.empty;
+        self.depth -= 1;
+        self.empty = false;
+        if broken {
+            out.write_all(b"\n")?;
+            (0..self.depth).try_for_each(|_| out.write_all(b"  "))?;
+        }
+        out.write_all(bracket)
+    }
+
+    fn indent<W: ?Sized + io::Write>(&self, out: &mut W) -> io::Result<()> {
+        let columns = if self.depth <= self.open { self.depth } else { 0 };
+        (0..columns).try_for_each(|_| out.write_all(b"  "))
+    }
+}
+
+impl Formatter for Layout {
+    fn begin_array<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
+        self.begin(out, b"[")
+    }
+    fn end_array<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
+        self.end(out, b"]")
+    }
+    fn begin_array_value<W: ?Sized + io::Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        self.item(out, first)
+    }
+    fn begin_object<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
+        self.begin(out, b"{")
+    }
+    fn end_object<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
+        self.end(out, b"}")
+    }
+    fn begin_object_key<W: ?Sized + io::Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
+        self.item(out, first)
+    }
+    fn begin_object_value<W: ?Sized + io::Write>(&mut self, out: &mut W) -> io::Result<()> {
+        out.write_all(b": ")
+    }
+}
+
+/// One aligned line: a label and what belongs to it.
+pub fn row(out: &mut String, label: &str, value: impl std::fmt::Display) {
+    let _ = writeln!(out, "  {label:<14}{value}");
+}
+
+/// 12345678 as 12,345,678.
+pub fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// `1 turn`, `2 turns`.
+pub fn count(n: u64, one: &str, many: &str) -> String {
+    format!("{} {}", grouped(n), if n == 1 { one } else { many })
+}
+
+/// A relative gap in per cent.
+pub fn percent(gap: f64) -> String {
+    format!("{:.2} %", 100.0 * gap)
+}
+
+/// Seconds as people say them.
+pub fn seconds(s: f64) -> String {
+    if s < 120.0 { format!("{s:.2} s") } else { format!("{:.1} min", s / 60.0) }
+}
+
+/// A cell as (x, y).
+pub fn cell(p: Point) -> String {
+    format!("({}, {})", p.x, p.y)
+}
+
+/// The lines about a path.
+pub fn metrics(out: &mut String, m: &Metrics) {
+    row(out, "length", format!("{:.4} cells = {:.4} m", m.length, m.length_metres));
+    row(out, "steps", grouped(m.steps.into()));
+    row(out, "turns", format!("{}, turn index V = {:.4} cells", m.turns, m.turn_index));
+    row(out, "clearance", format!("at least {:.2}, on average {:.2} cells", m.min_clearance, m.mean_clearance));
+    row(out, "travel time", seconds(m.travel_time));
+}
+
+/// Remarks, on the error stream: they are no part of a result.
+pub fn notes(notices: &[Notice]) {
+    for notice in notices {
+        eprintln!("note: {}", notice.message);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_grouped() {
+        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+        assert_eq!(percent(0.0251), "2.51 %");
+    }
+
+    #[test]
+    fn json_is_one_line_below_its_depth() {
+        let value = serde_json::json!({ "a": [[0, 1], [1, 2]], "none": [], "x": { "y": null } });
+        let wanted = "{\n  \"a\": [\n    [0, 1],\n    [1, 2]\n  ],\n  \"none\": [],\n  \"x\": {\n    \"y\": null\n  }\n}\n";
+        assert_eq!(json(&value, 2), wanted);
+        assert_eq!(serde_json::from_str::<serde_json::Value>(wanted).ok(), Some(value));
+    }
+}

@@ -1,0 +1,39 @@
+//! Dijkstra, "A note on two problems in connexion with graphs", Numerische Mathematik 1 (1959) 269–271.
+//!
+//! Expands by cost from the start alone; on a grid of steps 1 and √2 the length is exact.
+
+use std::sync::Arc;
+
+use super::search::{Estimate, Search};
+use crate::error::ParamError;
+use crate::params::{Values, check_keys};
+use crate::planner::{Entry, Family, Layer, Planner};
+use crate::scenario::Scenario;
+
+/// Knows nothing of the goal.
+struct Nothing;
+
+impl Estimate for Nothing {
+    #[inline(always)]
+    fn to_goal(&self, _: u32, _: u32) -> f64 {
+        0.0
+    }
+}
+
+fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    check_keys(ENTRY.id, &[], values)?;
+    Ok(Box::new(Search::new(Arc::clone(scenario), Nothing)))
+}
+
+/// Dijkstra in the catalog.
+pub const ENTRY: Entry = Entry {
+    id: "dijkstra",
+    name: "Dijkstra",
+    family: Family::Exact,
+    summary: "Explores in rings of equal cost until the goal is reached; always the shortest path.",
+    source: "Dijkstra 1959, Numerische Mathematik 1, 269–271, doi:10.1007/BF01386390",
+    presets: &[],
+    layers: &[Layer::Cost, Layer::Visits],
+    specs: Vec::new,
+    build,
+};

@@ -1,0 +1,259 @@
+//! Best-first search over a bucket queue: Dijkstra and A* are this file with different estimates.
+//!
+//! Buckets are half a cell of f wide and worked off last in, first out, which costs O(1) per cell where a heap costs O(log n). Order
+//! within a bucket is loose, so a cell can be expanded again when a shorter way to it turns up; the search ends only when no open
+//! cell can beat the goal's cost, which keeps the result exact for any consistent estimate.
+
+use std::sync::Arc;
+
+use crate::map::{Cell, DIRECTIONS, Direction, opposite, step_length};
+use crate::metrics::path_length;
+use crate::path::Path;
+use crate::planner::{Effort, Granularity, Layer, Planner, Record, Solution, Status};
+use crate::scenario::Scenario;
+
+/// A lower bound of the remaining cost that never drops by more than a step costs.
+pub trait Estimate: Send {
+    /// For the cell in column x and row y, in cells.
+    fn to_goal(&self, x: u32, y: u32) -> f64;
+}
+
+/// Costs closer than this are one cost: rounding differs between orders of the same steps.
+const SAME: f64 = 1e-9;
+/// Buckets per cell of f.
+const BUCKETS_PER_CELL: f64 = 2.0;
+/// Parent of the start.
+const NO_PARENT: u8 = u8::MAX;
+
+struct Open {
+    cell: Cell,
+    g: f64,
+    f: f64,
+}
+
+/// A search at work.
+pub(super) struct Search<E> {
+    scenario: Arc<Scenario>,
+    estimate: E,
+    /// Cost from the start by cell; empty until the first step.
+    g: Vec<f64>,
+    /// Direction of the step that led here.
+    parent: Vec<u8>,
+    expanded: Vec<bool>,
+    buckets: Vec<Vec<Open>>,
+    /// The bucket worked on.
+    bucket: usize,
+    /// f below which bucket 0 begins.
+    base: f64,
+    /// Cost of the best way to the goal so far.
+    bound: f64,
+    status: Status,
+    best: Option<Solution>,
+    history: Vec<Record>,
+    effort: Effort,
+}
+
+impl<E: Estimate> Search<E> {
+    pub(super) fn new(scenario: Arc<Scenario>, estimate: E) -> Self {
+        Self {
+            scenario,
+            estimate,
+            g: Vec::new(),
+            parent: Vec::new(),
+            expanded: Vec::new(),
+            buckets: Vec::new(),
+            bucket: 0,
+            base: 0.0,
+            bound: f64::INFINITY,
+            status: Status::Running,
+            best: None,
+            history: Vec::new(),
+            effort: Effort::default(),
+        }
+    }
+
+    /// Allocates at the first step, so that a planner that is only shown costs nothing.
+    fn prepare(&mut self) {
+        let cells = self.scenario.grid.len();
+        self.g = vec![f64::INFINITY; cells];
+        self.parent = vec![NO_PARENT; cells];
+        self.expanded = vec![false; cells];
+        let start = self.scenario.start;
+        let p = self.scenario.grid.point(start);
+        self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
+        self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
+    }
+
+    /// Takes note of a way to a cell when it is the shortest so far and can still lead to a shorter path.
+    #[inline(always)]
+    fn relax(&mut self, cell: Cell, g: f64, f: f64, parent: u8) {
+        if g >= self.g[cell as usize] - SAME || f >= self.bound - SAME {
+            return;
+        }
+        self.g[cell as usize] = g;
+        self.parent[cell as usize] = parent;
+        if cell == self.scenario.goal {
+            self.bound = g;
+            return;
+        }
+        // Rounding may put f a hair below the bucket at work: never file behind it.
+        let bucket = (((f - self.base) * BUCKETS_PER_CELL) as usize).max(self.bucket);
+        if bucket >= self.buckets.len() {
+            self.buckets.resize_with(bucket + 1, Vec::new);
+        }
+        self.buckets[bucket].push(Open { cell, g, f });
+    }
+
+    /// The next open cell of the bucket at work that is neither outdated nor hopeless.
+    fn pop(&mut self) -> Option<Cell> {
+        while let Some(open) = self.buckets.get_mut(self.bucket)?.pop() {
+            if open.g <= self.g[open.cell as usize] && open.f < self.bound - SAME {
+                return Some(open.cell);
+            }
+        }
+        None
+    }
+
+    fn expand(&mut self, cell: Cell) {
+        let width = self.scenario.grid.width();
+        let (x, y) = (cell % width, cell / width);
+        let g = self.g[cell as usize];
+        self.expanded[cell as usize] = true;
+        self.effort.cell_expansions += 1;
+        let mut bits = self.scenario.moves.bits[cell as usize];
+        while bits != 0 {
+            let d = bits.trailing_zeros() as Direction;
+            bits &= bits - 1;
+            let (dx, dy) = crate::map::OFFSETS[d as usize];
+            let next = self.scenario.moves.step(cell, d);
+            let next_g = g + STEP[d as usize];
+            let h = self.estimate.to_goal(x.wrapping_add_signed(dx), y.wrapping_add_signed(dy));
+            self.relax(next, next_g, next_g + h, d);
+        }
+    }
+
+    /// Expands one cell; false when none is left in this contour.
+    fn advance_one(&mut self) -> bool {
+        loop {
+            if let Some(cell) = self.pop() {
+                self.expand(cell);
+                return true;
+            }
+            let more = self.bucket + 1 < self.buckets.len();
+            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CELL == 0.0;
+            self.bucket += usize::from(more);
+            if !more || ends_contour {
+                self.close_contour(!more);
+                return false;
+            }
+        }
+    }
+
+    fn close_contour(&mut self, exhausted: bool) {
+        self.effort.iterations += 1;
+        let floor = self.base + self.bucket as f64 / BUCKETS_PER_CELL;
+        if exhausted || floor >= self.bound - SAME {
+            self.finish();
+        }
+        let length = self.best.as_ref().map(|b| b.length);
+        self.history.push(Record {
+            iteration: self.effort.iterations,
+            best_so_far: length,
+            iteration_best: length,
+            iteration_mean: length,
+            iteration_worst: length,
+            arrived: u32::from(length.is_some()),
+        });
+    }
+
+    fn finish(&mut self) {
+        if !self.bound.is_finite() {
+            self.status = Status::NoPath;
+            return;
+        }
+        let path = self.path();
+        let length = path_length(self.scenario.grid.width(), &path);
+        self.effort.constructed_paths = 1;
+        self.best = Some(Solution { path, length, iteration: self.effort.iterations });
+        self.status = Status::Optimal;
+    }
+
+    fn path(&self) -> Path {
+        let mut path = vec![self.scenario.goal];
+        let mut at = self.scenario.goal;
+        while self.parent[at as usize] != NO_PARENT {
+            at = self.scenario.moves.step(at, opposite(self.parent[at as usize]));
+            path.push(at);
+        }
+        path.reverse();
+        path
+    }
+}
+
+/// Step lengths by direction.
+const STEP: [f64; DIRECTIONS] = {
+    let mut step = [0.0; DIRECTIONS];
+    let mut d = 0;
+    while d < DIRECTIONS {
+        step[d] = step_length(d as Direction);
+        d += 1;
+    }
+    step
+};
+
+impl<E: Estimate> Planner for Search<E> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.status.is_finished() {
+            return self.status;
+        }
+        if self.g.is_empty() {
+            self.prepare();
+        }
+        match by {
+            // A move that finds its contour empty goes on into the next one, so that every move expands a cell.
+            Granularity::Move => while !self.advance_one() && !self.status.is_finished() {},
+            Granularity::Iteration => while self.advance_one() {},
+        }
+        self.status
+    }
+
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn best(&self) -> Option<&Solution> {
+        self.best.as_ref()
+    }
+
+    fn history(&self) -> &[Record] {
+        &self.history
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    fn budget(&self) -> Option<u32> {
+        None
+    }
+
+    fn colony_size(&self) -> u32 {
+        0
+    }
+
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        out.clear();
+        match kind {
+            Layer::Visits => out.extend(self.expanded.iter().map(|&e| f32::from(u8::from(e)))),
+            Layer::Cost => out.extend(self.g.iter().map(|&g| g as f32)),
+            Layer::Trail | Layer::Heuristic => return false,
+        }
+        // Before the first step: nothing expanded, no cost known.
+        out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
+        true
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+    }
+}

@@ -1,0 +1,192 @@
+//! MovingAI `.map`: four header lines (`type`, `height`, `width`, `map`), then one line of terrain letters per row.
+//!
+//! `.` `G` `S` are passable, `@` `O` `T` `W` are not. The format's rules for swamp (`S`: only from passable ground) and water
+//! (`W`: only from water) need terrain that this engine does not have; a notice says so where they occur.
+
+use super::text::{lines, quote};
+use crate::error::{FormatError, Notice, ScenarioError};
+use crate::map::{Grid, Point, check_size};
+
+/// Header lines that are looked at before a file is given up.
+const HEADER_LINES: usize = 20;
+
+/// A `.map` file as read.
+pub(super) struct MapFile {
+    pub grid: Grid,
+    pub notices: Vec<Notice>,
+}
+
+/// What the header says.
+#[derive(Default)]
+struct Header {
+    kind: Option<String>,
+    height: Option<u64>,
+    width: Option<u64>,
+}
+
+/// Whether the text begins like a `.map`: a header line, and another one or the line `map` soon after.
+pub(super) fn looks_like(text: &str) -> bool {
+    let mut head = lines(text).map(|(_, l)| l.trim()).filter(|l| !l.is_empty()).take(HEADER_LINES);
+    let is_header = |line: &str| {
+        let mut words = line.split_whitespace();
+        let key = words.next().unwrap_or_default().to_ascii_lowercase();
+        matches!(key.as_str(), "type" | "height" | "width") && words.next().is_some_and(|value| value != "=")
+    };
+    head.next().is_some_and(is_header) && head.any(|l| l.eq_ignore_ascii_case("map") || is_header(l))
+}
+
+/// Reads a `.map`.
+///
+/// # Errors
+/// [`FormatError`] with the line at fault; sizes are refused before anything is allocated.
+pub(super) fn read(text: &str) -> Result<MapFile, FormatError> {
+    let mut lines = lines(text);
+    let (header, map_line) = read_header(&mut lines)?;
+    let (width, height) = header.size(map_line)?;
+    let mut cells = Vec::with_capacity(width as usize * height as usize);
+    let mut terrain = Terrain::default();
+    let mut last = map_line;
+    for row in 0..height {
+        let Some((number, line)) = lines.next() else { return Err(too_few_rows(last, row, height)) };
+        let line = line.trim_end();
+        if line.is_empty() {
+            return Err(too_few_rows(number, row, height));
+        }
+        read_row(number, line, width, &mut terrain, &mut cells)?;
+        last = number;
+    }
+    if let Some((number, line)) = lines.find(|(_, l)| !l.trim().is_empty()) {
+        let what = format!("`{}` follows after the last of {height} rows", quote(line));
+        return Err(FormatError::syntax(number, what, "the end of the file, or a larger `height`"));
+    }
+    let grid = Grid::from_bytes(width, height, &cells)?;
+    let notices = header.notice().into_iter().chain(terrain.notices()).collect();
+    Ok(MapFile { grid, notices })
+}
+
+/// Reads up to the line `map`; header lines may stand in any order and in any case.
+fn read_header<'a>(lines: &mut impl Iterator<Item = (usize, &'a str)>) -> Result<(Header, usize), FormatError> {
+    const EXPECTED: &str = "`type octile`, `height N`, `width N`, then `map`";
+    let mut header = Header::default();
+    let mut last = 0;
+    for (number, line) in lines.by_ref().take(HEADER_LINES) {
+        last = number;
+        let mut words = line.split_whitespace();
+        let (Some(key), value) = (words.next(), words.next()) else { continue };
+        match (key.to_ascii_lowercase().as_str(), value) {
+            ("map", None) => return Ok((header, number)),
+            ("type", Some(kind)) => set(&mut header.kind, kind.to_string(), number, key)?,
+            ("height", Some(n)) => set(&mut header.height, side(n, number)?, number, key)?,
+            ("width", Some(n)) => set(&mut header.width, side(n, number)?, number, key)?,
+            _ => return Err(FormatError::syntax(number, format!("`{}` is no header line", quote(line)), EXPECTED)),
+        }
+    }
+    Err(FormatError::syntax(last, "the header does not end with `map`", EXPECTED))
+}
+
+fn set<T>(place: &mut Option<T>, value: T, line: usize, key: &str) -> Result<(), FormatError> {
+    match place.replace(value) {
+        None => Ok(()),
+        Some(_) => Err(FormatError::syntax(line, format!("`{}` stands twice", quote(key)), "each header line once")),
+    }
+}
+
+fn side(text: &str, line: usize) -> Result<u64, FormatError> {
+    let wrong = || FormatError::syntax(line, format!("`{}` is no whole number", quote(text)), "a number of cells, e.g. 512");
+    if text.bytes().all(|b| b.is_ascii_digit()) {
+        // Digits that overflow are a size all the same, and refused as one.
+        Ok(text.parse().unwrap_or(u64::MAX))
+    } else {
+        Err(wrong())
+    }
+}
+
+impl Header {
+    fn size(&self, map_line: usize) -> Result<(u32, u32), FormatError> {
+        let missing =
+            |key| FormatError::syntax(map_line, format!("the header names no `{key}`"), format!("a line `{key} N` above"));
+        let width = self.width.ok_or_else(|| missing("width"))?;
+        let height = self.height.ok_or_else(|| missing("height"))?;
+        check_size(width, height)?;
+        let narrow = |n| u32::try_from(n).map_err(|_| ScenarioError::MapSize { width, height });
+        Ok((narrow(width)?, narrow(height)?))
+    }
+
+    fn notice(&self) -> Option<Notice> {
+        let kind = self.kind.as_deref().unwrap_or("missing");
+        (!kind.eq_ignore_ascii_case("octile")).then(|| {
+            Notice::new("map-type", format!("the map's type is `{}`; it was read as `octile`", quote(kind)))
+                .with("value", quote(kind))
+        })
+    }
+}
+
+fn too_few_rows(line: usize, row: u32, height: u32) -> FormatError {
+    FormatError::syntax(line, format!("the map ends after {row} of {height} rows"), "one line for each row")
+}
+
+/// How often each unusual terrain was seen.
+#[derive(Default)]
+struct Terrain {
+    swamp: usize,
+    water: usize,
+}
+
+impl Terrain {
+    /// 1 = blocked, 0 = free; none for a letter that is no terrain.
+    fn cell(&mut self, letter: u8) -> Option<u8> {
+        match letter.to_ascii_uppercase() {
+            b'.' | b'G' => Some(0),
+            b'@' | b'O' | b'T' => Some(1),
+            b'S' => {
+                self.swamp += 1;
+                Some(0)
+            }
+            b'W' => {
+                self.water += 1;
+                Some(1)
+            }
+            _ => None,
+        }
+    }
+
+    fn notices(&self) -> impl Iterator<Item = Notice> + use<> {
+        let say = |kind, count: usize, name, read_as| {
+            let message = format!("{count} cells of {name} were read as {read_as}; going from terrain to terrain is not limited");
+            (count > 0).then(|| Notice::new(kind, message).with("count", count))
+        };
+        [say("swamp", self.swamp, "swamp (S)", "free"), say("water", self.water, "water (W)", "blocked")].into_iter().flatten()
+    }
+}
+
+fn read_row(number: usize, line: &str, width: u32, terrain: &mut Terrain, cells: &mut Vec<u8>) -> Result<(), FormatError> {
+    for (column, letter) in line.char_indices().take(width as usize) {
+        let Some(cell) = u8::try_from(letter).ok().and_then(|b| terrain.cell(b)) else {
+            let what = format!("`{letter}` in column {column} is no terrain");
+            return Err(FormatError::syntax(number, what, ". G S (free) or @ O T W (blocked)"));
+        };
+        cells.push(cell);
+    }
+    let got = line.chars().count();
+    if got == width as usize {
+        return Ok(());
+    }
+    let what = format!("the row has {got} cells where the width is {width}");
+    Err(FormatError::syntax(number, what, format!("{width} terrain letters")))
+}
+
+/// The map as a `.map` file.
+pub(super) fn write(grid: &Grid) -> String {
+    let mut text = format!("type octile\nheight {}\nwidth {}\nmap\n", grid.height(), grid.width());
+    for row in rows(grid) {
+        text.push_str(&row);
+        text.push('\n');
+    }
+    text
+}
+
+/// Each row as `.` (free) and `@` (blocked).
+pub(super) fn rows(grid: &Grid) -> impl Iterator<Item = String> + '_ {
+    let letter = |p| if grid.is_blocked(grid.cell(p)) { '@' } else { '.' };
+    (0..grid.height()).map(move |y| (0..grid.width()).map(|x| letter(Point::new(x, y))).collect())
+}

@@ -1,0 +1,85 @@
+//! A path as a list of cells: JSON (`[[0, 0], [1, 1]]` or the output of `plan`), CSV lines `x,y`, or MATLAB pairs.
+
+use serde_json::Value;
+
+use super::table;
+use super::text::decode;
+use crate::error::FormatError;
+use crate::map::Point;
+
+/// What a path looks like, for error messages.
+const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]";
+
+/// Reads a path. The points are as they stand in the file: neither checked against a map nor shifted.
+///
+/// # Errors
+/// [`FormatError`] with the line of the first thing that is no point.
+pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
+    let text = decode(bytes)?;
+    if text.trim_start().starts_with('{') {
+        return from_result(&text);
+    }
+    let body = without_header(&text);
+    let offset = text[..text.len() - body.len()].matches('\n').count();
+    let table = table::read(body)?;
+    table.rows.iter().map(|row| point(&row.values, row.line + offset)).collect()
+}
+
+/// Without a first line of column names, e.g. `x,y`.
+fn without_header(text: &str) -> &str {
+    match text.split_once('\n') {
+        Some((head, rest)) if head.contains(char::is_alphabetic) && !head.contains(['[', '=', '%', '#']) => rest,
+        _ => text,
+    }
+}
+
+fn point(values: &[f64], line: usize) -> Result<Point, FormatError> {
+    let whole = |v: f64| (v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&v)).then_some(v as u32);
+    match values {
+        &[x, y] => whole(x).zip(whole(y)).map(|(x, y)| Point { x, y }),
+        _ => None,
+    }
+    .ok_or_else(|| {
+        let shown: Vec<_> = values.iter().take(4).map(f64::to_string).collect();
+        FormatError::syntax(line, format!("`{}` is no cell", shown.join(" ")), EXPECTED)
+    })
+}
+
+/// The `path` of a result.
+fn from_result(text: &str) -> Result<Vec<Point>, FormatError> {
+    let syntax = |e: serde_json::Error| FormatError::syntax(e.line(), e.to_string(), EXPECTED);
+    let mut result: Value = serde_json::from_str(text).map_err(syntax)?;
+    let path = result.get_mut("path").map(Value::take);
+    let path = path.ok_or_else(|| FormatError::syntax(0, "the JSON object has no `path`", EXPECTED))?;
+    serde_json::from_value(path).map_err(|e| FormatError::syntax(0, format!("`path`: {e}"), EXPECTED))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_spelling_of_one_path() {
+        let spellings = [
+            "[[0, 0], [1, 1], [2, 1]]",
+            "{\"format\": \"formicarium/result@1\", \"path\": [[0,0],[1,1],[2,1]]}",
+            "x,y\n0,0\n1,1\n2,1\n",
+            "0 0\n1 1\r\n2 1",
+            "0;0\n1;1\n2;1\n",
+            "path = [0 0; 1 1; 2 1];",
+            "route = [0, 0\n1, 1\n2, 1];",
+        ];
+        for text in spellings {
+            let path = read_path(text.as_bytes()).unwrap();
+            assert_eq!(path, [Point::new(0, 0), Point::new(1, 1), Point::new(2, 1)], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_point_is_refused_with_its_line() {
+        for (text, line) in [("0,0\n1,1.5\n", 2), ("x,y\n0,0\n-1,1\n", 3), ("0,0\n0,1,2\n", 2), ("{}", 0), ("{", 1)] {
+            let Err(FormatError::Syntax { line: got, .. }) = read_path(text.as_bytes()) else { panic!("{text:?}") };
+            assert_eq!(got, line, "{text:?}");
+        }
+    }
+}

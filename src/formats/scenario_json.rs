@@ -1,0 +1,145 @@
+//! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`.
+//!
+//! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::movingai;
+use super::text::quote;
+use crate::error::FormatError;
+use crate::map::{Grid, check_size};
+use crate::scenario::{Scenario, ScenarioSpec};
+
+/// What `format` must say.
+pub(super) const FORMAT: &str = "formicarium/scenario@1";
+
+type Object = Map<String, Value>;
+
+/// Reads a scenario and validates it.
+///
+/// # Errors
+/// [`FormatError`] with the line of broken JSON, or the name of the field at fault.
+pub(super) fn read(text: &str) -> Result<(Grid, ScenarioSpec), FormatError> {
+    let mut object = parse(text)?;
+    check_format(&object)?;
+    object.remove("format");
+    let map = object.remove("map").ok_or_else(|| field_error("`map` is missing", r#"{"rows": ["..@.", …]}"#))?;
+    let spec = read_spec(object)?;
+    let grid = read_map(&map, &spec)?;
+    // Validation takes both and gives them back.
+    let scenario = Scenario::new(grid, spec)?;
+    Ok((scenario.grid, scenario.spec))
+}
+
+/// What `format` says, if the text is a JSON object that has one.
+pub(super) fn format_of(text: &str) -> Option<String> {
+    #[derive(serde::Deserialize)]
+    struct Head {
+        format: String,
+    }
+    serde_json::from_str::<Head>(text).ok().map(|h| h.format)
+}
+
+fn parse(text: &str) -> Result<Object, FormatError> {
+    let syntax = |e: serde_json::Error| FormatError::syntax(e.line(), format!("broken JSON: {e}"), "a JSON object");
+    match serde_json::from_str(text).map_err(syntax)? {
+        Value::Object(object) => Ok(object),
+        _ => Err(field_error("the JSON is not an object", format!(r#"an object with "format": "{FORMAT}""#))),
+    }
+}
+
+fn check_format(object: &Object) -> Result<(), FormatError> {
+    match object.get("format") {
+        Some(Value::String(format)) if format == FORMAT => Ok(()),
+        Some(Value::String(format)) => Err(FormatError::Version { found: quote(format), expected: FORMAT }),
+        Some(other) => Err(FormatError::Version { found: quote(&other.to_string()), expected: FORMAT }),
+        None => Err(FormatError::Version { found: "missing".into(), expected: FORMAT }),
+    }
+}
+
+fn field_error(what: impl Into<String>, expected: impl Into<String>) -> FormatError {
+    FormatError::syntax(0, what, expected)
+}
+
+fn read_spec(object: Object) -> Result<ScenarioSpec, FormatError> {
+    let given = Value::Object(object);
+    let spec: ScenarioSpec =
+        serde_json::from_value(given.clone()).map_err(|e| field_error(e.to_string(), "the fields of docs/formats.md"))?;
+    // Written out again, a scenario shows every field there is: what the file has beyond them is unknown.
+    match unknown_field(&given, &json_value(&spec), "") {
+        None => Ok(spec),
+        Some((field, known)) => Err(field_error(format!("there is no field `{field}`"), format!("only {known} here"))),
+    }
+}
+
+/// The first field of `given` that `known` lacks, with its path, and the names that stand there.
+fn unknown_field(given: &Value, known: &Value, path: &str) -> Option<(String, String)> {
+    match (given, known) {
+        (Value::Object(given), Value::Object(known)) => given.iter().find_map(|(key, value)| match known.get(key) {
+            Some(k) => unknown_field(value, k, &format!("{path}{key}.")),
+            None => Some((format!("{path}{}", quote(key)), known.keys().cloned().collect::<Vec<_>>().join(", "))),
+        }),
+        (Value::Array(given), Value::Array(known)) => {
+            given.iter().zip(known).find_map(|(value, k)| unknown_field(value, k, path))
+        }
+        _ => None,
+    }
+}
+
+fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
+    const EXPECTED: &str = r#"{"rows": ["..@.", …]} with `.` for free and `@` for blocked"#;
+    if let Some(key) = map.as_object().and_then(|m| m.keys().find(|k| *k != "rows")) {
+        return Err(field_error(format!("there is no field `map.{}`", quote(key)), EXPECTED));
+    }
+    check_size(u64::from(spec.width), u64::from(spec.height))?;
+    let rows = map.get("rows").and_then(Value::as_array).ok_or_else(|| field_error("`map.rows` is no list", EXPECTED))?;
+    if rows.len() != spec.height as usize {
+        let what = format!("`map.rows` has {} rows where `height` is {}", rows.len(), spec.height);
+        return Err(field_error(what, EXPECTED));
+    }
+    let mut cells = Vec::with_capacity(spec.width as usize * spec.height as usize);
+    for (y, row) in rows.iter().enumerate() {
+        let row = row.as_str().ok_or_else(|| field_error(format!("row {y} of the map is no text"), EXPECTED))?;
+        if row.chars().count() != spec.width as usize {
+            let what = format!("row {y} of the map has {} cells where `width` is {}", row.chars().count(), spec.width);
+            return Err(field_error(what, EXPECTED));
+        }
+        for (x, letter) in row.chars().enumerate() {
+            cells.push(match letter {
+                '.' => 0,
+                '@' => 1,
+                _ => return Err(field_error(format!("`{letter}` at ({x}, {y}) is no cell"), EXPECTED)),
+            });
+        }
+    }
+    Ok(Grid::from_bytes(spec.width, spec.height, &cells)?)
+}
+
+/// The scenario as a file: one line for each field and for each row of the map.
+pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
+    // Taken apart, so that a new field cannot be forgotten.
+    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle } = spec;
+    let fields = [
+        ("format", json(&FORMAT)),
+        ("name", json(name)),
+        ("width", json(width)),
+        ("height", json(height)),
+        ("resolution", json(resolution)),
+        ("movement", json(movement)),
+        ("start", json(start)),
+        ("goals", json(goals)),
+        ("vehicle", json(vehicle)),
+    ];
+    let fields: String = fields.iter().map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
+    let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
+    format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]}}\n}}\n", rows.join(",\n"))
+}
+
+fn json_value(value: &impl Serialize) -> Value {
+    serde_json::to_value(value).unwrap_or_default()
+}
+
+fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_default()
+}

@@ -1,0 +1,109 @@
+//! From bytes to lines: what every text format shares.
+
+use std::borrow::Cow;
+
+use crate::error::FormatError;
+
+/// Largest file that is read: a 4096 × 4096 matrix at three bytes a cell fits.
+const MAX_BYTES: usize = 64 << 20;
+
+/// First bytes of files that people drop by mistake, and what to call them.
+const BINARIES: [(&[u8], &str); 9] = [
+    (b"\x89PNG", "a PNG image"),
+    (b"\xff\xd8\xff", "a JPEG image"),
+    (b"GIF8", "a GIF image"),
+    (b"PK\x03\x04", "a ZIP archive (or an Excel sheet)"),
+    (b"\x1f\x8b", "a gzip archive"),
+    (b"%PDF", "a PDF document"),
+    (b"MATLAB 5.0 MAT-file", "a binary MATLAB .mat file"),
+    (b"\xff\xfe", "text in UTF-16"),
+    (b"\xfe\xff", "text in UTF-16"),
+];
+
+/// The text of a file: UTF-8, with or without a byte order mark. Other 8-bit encodings pass as well, because the formats
+/// themselves are ASCII and only comments and names can be hurt.
+///
+/// # Errors
+/// [`FormatError::NotText`] for UTF-16 and binary files, [`FormatError::TooLarge`] beyond 64 MiB.
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, FormatError> {
+    if bytes.len() > MAX_BYTES {
+        let what = format!("a file of {} MiB", bytes.len() >> 20);
+        return Err(FormatError::TooLarge { what, max: format!("{} MiB", MAX_BYTES >> 20) });
+    }
+    if let Some((_, found)) = BINARIES.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        return Err(FormatError::NotText { found: (*found).into() });
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match bytes.iter().position(|&b| is_binary(b)) {
+        None => Ok(String::from_utf8_lossy(bytes)),
+        // UTF-16 without a mark: every other byte of plain letters is 0.
+        Some(at) if bytes[at] == 0 && at < 2 && bytes.len() > 3 && bytes[at + 2] == 0 => {
+            Err(FormatError::NotText { found: "text in UTF-16".into() })
+        }
+        Some(at) => Err(FormatError::NotText { found: format!("binary data (byte {at} is {:#04x})", bytes[at]) }),
+    }
+}
+
+/// Control characters that no text holds; tab, line ends and DOS's end of file are fine.
+fn is_binary(byte: u8) -> bool {
+    byte < 0x20 && !matches!(byte, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a)
+}
+
+/// (number from 1, line without its end) for LF, CRLF and lone CR.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    let text = text.trim_end_matches('\u{1a}');
+    text.split(end).map(|line| line.strip_suffix('\r').unwrap_or(line)).enumerate().map(|(i, line)| (i + 1, line))
+}
+
+/// A short quotation for an error message.
+pub(super) fn quote(text: &str) -> String {
+    const LONGEST: usize = 30;
+    let text = text.trim();
+    let mut short: String = text.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}
+
+/// The end of a file name without folder and extension, e.g. `arena2` of `maps/dao/arena2.map`.
+pub(super) fn stem(name: &str) -> &str {
+    let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    match file.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem,
+        _ => file,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_and_line_ends_are_taken() {
+        for text in ["\u{feff}a\nb\n", "a\r\nb\r\n", "a\rb\r", "a\nb\n\u{1a}"] {
+            let text = decode(text.as_bytes()).unwrap();
+            let lines: Vec<_> = lines(&text).collect();
+            assert_eq!(lines[..2], [(1, "a"), (2, "b")], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_named() {
+        let utf16: Vec<u8> = "type octile".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        for (bytes, name) in [(&utf16[..], "UTF-16"), (b"\xff\xfet\0", "UTF-16"), (b"\x89PNG\r\n", "PNG"), (b"0 1\x00", "byte 3")]
+        {
+            let error = decode(bytes).unwrap_err().to_string();
+            assert!(error.contains(name), "{error}");
+        }
+    }
+
+    #[test]
+    fn stems_of_file_names() {
+        assert_eq!(stem("maps/dao/arena2.map"), "arena2");
+        assert_eq!(stem("C:\\maps\\a.b.csv"), "a.b");
+        assert_eq!(stem(".map"), ".map");
+        assert_eq!(stem(""), "");
+    }
+}

@@ -1,0 +1,318 @@
+//! Typed parameters: one `params!` row is the only place where a parameter is described.
+//!
+//! From a row follow the struct field, its default, validation with the error that names the range, the JSON schema of the catalog,
+//! the command line's `--set key=value`, the page's control and the tables in the docs.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::ParamError;
+
+/// A parameter's value as it crosses boundaries.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Value {
+    /// `true` or `false`.
+    Flag(bool),
+    /// An integer or real number.
+    Number(f64),
+    /// The id of a choice.
+    Text(String),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Flag(v) => v.fmt(f),
+            Self::Number(v) => v.fmt(f),
+            Self::Text(v) => v.fmt(f),
+        }
+    }
+}
+
+impl Value {
+    /// Reads a command line's text: a number, `true`, `false`, or the id of a choice.
+    pub fn parse(text: &str) -> Self {
+        match (text.parse::<f64>(), text.parse::<bool>()) {
+            (Ok(v), _) => Self::Number(v),
+            (_, Ok(v)) => Self::Flag(v),
+            _ => Self::Text(text.into()),
+        }
+    }
+}
+
+/// Values by key; what is absent takes its default.
+pub type Values = BTreeMap<String, Value>;
+
+/// One option of a choice.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ChoiceOption {
+    /// Its id, as it stands in links and files.
+    pub id: String,
+    /// What it does.
+    pub meaning: String,
+}
+
+/// What values a parameter takes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "type", rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum ParamKind {
+    /// A whole number in `min..=max`.
+    Integer {
+        /// Smallest allowed.
+        min: f64,
+        /// Largest allowed.
+        max: f64,
+    },
+    /// A real number in `min..=max`.
+    Real {
+        /// Smallest allowed.
+        min: f64,
+        /// Largest allowed.
+        max: f64,
+    },
+    /// Yes or no.
+    Flag,
+    /// One of several ids.
+    Choice {
+        /// The options, the usual one first.
+        options: Vec<ChoiceOption>,
+    },
+}
+
+/// When a parameter has an effect.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AppliesWhen {
+    /// The other parameter …
+    pub key: String,
+    /// … has one of these values.
+    pub values: Vec<Value>,
+}
+
+/// Everything about one parameter.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ParamSpec {
+    /// Stable key in links, files and on the command line.
+    pub key: String,
+    /// The symbol of the literature, e.g. ρ.
+    pub symbol: String,
+    /// Type and range.
+    pub kind: ParamKind,
+    /// Value when none is given.
+    pub default: Value,
+    /// Unit; empty for a pure number.
+    pub unit: String,
+    /// What it does.
+    pub meaning: String,
+    /// Where the definition or the default comes from.
+    pub source: String,
+    /// None when it always has an effect.
+    pub applies_when: Option<AppliesWhen>,
+}
+
+impl ParamSpec {
+    fn wrong_type(&self, value: &Value, expected: impl Into<String>) -> ParamError {
+        ParamError::WrongType {
+            key: self.key.clone(),
+            value: value.to_string(),
+            expected: expected.into(),
+            meaning: self.meaning.clone(),
+        }
+    }
+
+    /// The number in a value, checked against type and range.
+    fn number(&self, value: &Value) -> Result<f64, ParamError> {
+        let (min, max, whole) = match self.kind {
+            ParamKind::Integer { min, max } => (min, max, true),
+            ParamKind::Real { min, max } => (min, max, false),
+            _ => return Err(self.wrong_type(value, "a number")),
+        };
+        let &Value::Number(v) = value else { return Err(self.wrong_type(value, "a number")) };
+        if !(min..=max).contains(&v) {
+            let (key, meaning) = (self.key.clone(), self.meaning.clone());
+            return Err(ParamError::OutOfRange { key, value: value.to_string(), min, max, meaning });
+        }
+        if whole && v.fract() != 0.0 { Err(self.wrong_type(value, "a whole number")) } else { Ok(v) }
+    }
+}
+
+/// A type that a parameter can have.
+pub trait ParamType: Copy {
+    /// What limits it.
+    type Range;
+    /// Type and range for the catalog.
+    fn kind(range: Self::Range) -> ParamKind;
+    /// Reads and checks a value.
+    ///
+    /// # Errors
+    /// [`ParamError`] with key, value and what is allowed.
+    fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError>;
+    /// The value that [`ParamType::read`] turns back into `self`.
+    fn value(self) -> Value;
+}
+
+impl ParamType for u32 {
+    type Range = RangeInclusive<u32>;
+    fn kind(range: Self::Range) -> ParamKind {
+        ParamKind::Integer { min: f64::from(*range.start()), max: f64::from(*range.end()) }
+    }
+    fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
+        spec.number(value).map(|v| v as u32)
+    }
+    fn value(self) -> Value {
+        Value::Number(f64::from(self))
+    }
+}
+
+impl ParamType for f64 {
+    type Range = RangeInclusive<f64>;
+    fn kind(range: Self::Range) -> ParamKind {
+        ParamKind::Real { min: *range.start(), max: *range.end() }
+    }
+    fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
+        spec.number(value)
+    }
+    fn value(self) -> Value {
+        Value::Number(self)
+    }
+}
+
+impl ParamType for bool {
+    type Range = ();
+    fn kind((): ()) -> ParamKind {
+        ParamKind::Flag
+    }
+    fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
+        match value {
+            Value::Flag(v) => Ok(*v),
+            _ => Err(spec.wrong_type(value, "true or false")),
+        }
+    }
+    fn value(self) -> Value {
+        Value::Flag(self)
+    }
+}
+
+/// An enum whose variants have ids; made by `choice!`.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// (variant, id, meaning) of every option, the usual one first.
+    const OPTIONS: &'static [(Self, &'static str, &'static str)];
+}
+
+impl<T: Choice> ParamType for T {
+    type Range = ();
+    fn kind((): ()) -> ParamKind {
+        let option = |&(_, id, meaning): &(T, &str, &str)| ChoiceOption { id: id.into(), meaning: meaning.trim().into() };
+        ParamKind::Choice { options: T::OPTIONS.iter().map(option).collect() }
+    }
+    fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
+        let ids = || T::OPTIONS.iter().map(|o| o.1).collect::<Vec<_>>().join(", ");
+        let Value::Text(id) = value else { return Err(spec.wrong_type(value, format!("one of {}", ids()))) };
+        let found = T::OPTIONS.iter().find(|o| o.1 == id);
+        found.map(|o| o.0).ok_or_else(|| spec.wrong_type(value, format!("one of {}", ids())))
+    }
+    fn value(self) -> Value {
+        let id = T::OPTIONS.iter().find(|o| o.0 == self).map_or("", |o| o.1);
+        Value::Text(id.into())
+    }
+}
+
+/// A planner's parameter set; made by `params!`.
+pub trait Params: Sized {
+    /// All rows, in the order in which people should meet them.
+    fn specs() -> Vec<ParamSpec>;
+    /// Reads values over the defaults.
+    ///
+    /// # Errors
+    /// [`ParamError`] for an unknown key, a wrong type, or a value outside its range.
+    fn read(planner: &str, values: &Values) -> Result<Self, ParamError>;
+}
+
+/// Refuses keys that no row describes.
+///
+/// # Errors
+/// [`ParamError::UnknownKey`] for the first such key.
+pub fn check_keys(planner: &str, specs: &[ParamSpec], values: &Values) -> Result<(), ParamError> {
+    match values.keys().find(|k| specs.iter().all(|s| s.key != **k)) {
+        None => Ok(()),
+        Some(key) => {
+            let known = specs.iter().map(|s| s.key.as_str()).collect::<Vec<_>>().join(", ");
+            Err(ParamError::UnknownKey { planner: planner.into(), key: key.clone(), known })
+        }
+    }
+}
+
+/// The value of one row: what is given, or the default.
+///
+/// # Errors
+/// [`ParamError`] when the given value does not fit.
+pub fn read_one<T: ParamType>(specs: &[ParamSpec], key: &str, values: &Values, default: T) -> Result<T, ParamError> {
+    let Some(value) = values.get(key) else { return Ok(default) };
+    let Some(spec) = specs.iter().find(|s| s.key == key) else { return Ok(default) };
+    T::read(spec, value)
+}
+
+/// Declares a [`Choice`]: `Variant = "id"`, the doc comment is the option's meaning.
+#[macro_export]
+macro_rules! choice {
+    ($(#[$meta:meta])* pub enum $name:ident { $( #[doc = $meaning:literal] $variant:ident = $id:literal, )+ }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum $name { $( #[doc = $meaning] $variant, )+ }
+        impl $crate::params::Choice for $name {
+            const OPTIONS: &'static [(Self, &'static str, &'static str)] = &[ $( (Self::$variant, $id, $meaning), )+ ];
+        }
+    };
+}
+
+/// Declares a parameter set. A row: doc comment = meaning; `key: type = default, "symbol", [range], "unit", "source", when(key: values)`.
+#[macro_export]
+macro_rules! params {
+    ($(#[$meta:meta])* pub struct $name:ident { $(
+        #[doc = $meaning:literal]
+        $key:ident : $type:ty = $default:expr, $symbol:literal, [$($range:expr)?], $unit:literal, $source:literal
+            $(, when($when:ident : $($value:literal)|+))? ;
+    )+ }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $name { $( #[doc = $meaning] pub $key: $type, )+ }
+        impl Default for $name {
+            fn default() -> Self { Self { $( $key: $default, )+ } }
+        }
+        impl $crate::params::Params for $name {
+            fn specs() -> Vec<$crate::params::ParamSpec> {
+                vec![ $( $crate::params::ParamSpec {
+                    key: stringify!($key).into(),
+                    symbol: $symbol.into(),
+                    kind: <$type as $crate::params::ParamType>::kind(($($range)?)),
+                    default: <$type as $crate::params::ParamType>::value($default),
+                    unit: $unit.into(),
+                    meaning: $meaning.trim().into(),
+                    source: $source.into(),
+                    applies_when: $crate::params!(@when $($when $($value)+)?),
+                }, )+ ]
+            }
+            fn read(planner: &str, values: &$crate::params::Values) -> Result<Self, $crate::error::ParamError> {
+                let specs = Self::specs();
+                $crate::params::check_keys(planner, &specs, values)?;
+                let default = Self::default();
+                Ok(Self { $( $key: $crate::params::read_one(&specs, stringify!($key), values, default.$key)?, )+ })
+            }
+        }
+    };
+    (@when) => { None };
+    (@when $key:ident $($value:literal)+) => {
+        Some($crate::params::AppliesWhen {
+            key: stringify!($key).into(),
+            values: vec![ $( $crate::params::Value::parse($value) ),+ ],
+        })
+    };
+}

@@ -1,0 +1,168 @@
+//! One planner at work on one scenario, for a panel's worker.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use serde::Serialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::*;
+use web_sys::OffscreenCanvasRenderingContext2d;
+
+use super::paint::{Canvas, Theme};
+use super::{Answer, argument, object, scenario, throw};
+use crate::metrics::Metrics;
+use crate::params::Values;
+use crate::planner::{Effort, Granularity, Layer, Planner, Record, Status};
+use crate::scenario::{Scenario, ScenarioSpec};
+
+/// Parameter values by key.
+#[derive(serde::Deserialize, Tsify)]
+#[serde(transparent)]
+pub struct ParamInput(#[tsify(type = "Record<string, number | string | boolean>")] Values);
+
+/// Where a run stands.
+#[derive(Serialize, Tsify)]
+pub struct RunSummary {
+    /// Whether and how it has ended.
+    pub status: Status,
+    /// Finished iterations.
+    pub iteration: u32,
+    /// Budget of iterations; null for a search.
+    pub iteration_budget: Option<u32>,
+    /// The iteration that found the best path.
+    pub iteration_of_best: Option<u32>,
+    /// Metrics of the best path; null while there is none.
+    pub metrics: Option<Metrics>,
+    /// What has been spent.
+    pub effort: Effort,
+    /// Ants that arrived in the last finished iteration.
+    pub arrived: u32,
+    /// Ants per iteration; 0 for a search.
+    pub ants: u32,
+    /// 16 hexadecimal digits over best path, length and history of the finished iterations.
+    pub digest: String,
+}
+
+/// A planner at work.
+#[wasm_bindgen]
+pub struct Run {
+    scenario: Arc<Scenario>,
+    planner: Box<dyn Planner>,
+    layers: &'static [Layer],
+    canvas: RefCell<Canvas>,
+    /// Metrics of the best path and the iteration that found it: measured once per improvement, not once per frame.
+    measured: RefCell<Option<(u32, Metrics)>>,
+}
+
+#[wasm_bindgen]
+impl Run {
+    /// Makes a run; nothing is computed before the first `advance`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(spec: Ts<ScenarioSpec>, cells: &[u8], planner: &str, params: Ts<ParamInput>, seed: u32) -> Answer<Run> {
+        let scenario = scenario(&spec, cells)?;
+        let ParamInput(values) = params.to_rust().map_err(|e| argument("params", &e.to_string()))?;
+        let layers = crate::catalog::find(planner).map_err(throw)?.layers;
+        let planner = crate::catalog::build(&scenario, planner, None, &values, seed).map_err(throw)?;
+        Ok(Run { scenario, planner, layers, canvas: RefCell::default(), measured: RefCell::default() })
+    }
+
+    /// Advances by up to `count` moves or iterations; stops early when finished.
+    pub fn advance(&mut self, by: Ts<Granularity>, count: u32) -> Answer<Ts<Status>> {
+        let by = by.to_rust().map_err(|e| argument("by", &e.to_string()))?;
+        for _ in 0..count {
+            if self.planner.advance(by).is_finished() {
+                break;
+            }
+        }
+        self.status()
+    }
+
+    /// Whether and how the run has ended.
+    pub fn status(&self) -> Answer<Ts<Status>> {
+        object(&self.planner.status())
+    }
+
+    /// Finished iterations.
+    pub fn iteration(&self) -> u32 {
+        self.planner.effort().iterations
+    }
+
+    /// Where the run stands.
+    pub fn summary(&self) -> Answer<Ts<RunSummary>> {
+        let planner = &self.planner;
+        let last: Option<&Record> = planner.history().last();
+        object(&RunSummary {
+            status: planner.status(),
+            iteration: planner.effort().iterations,
+            iteration_budget: planner.budget(),
+            iteration_of_best: planner.best().map(|b| b.iteration),
+            metrics: self.metrics(),
+            effort: planner.effort(),
+            arrived: last.map_or(0, |r| r.arrived),
+            ants: planner.colony_size(),
+            digest: planner.digest().hex(),
+        })
+    }
+
+    /// Rows of the history from `from_row` on: iteration, best so far, iteration best, mean, worst, arrived; NaN where no ant arrived.
+    pub fn history(&self, from_row: usize) -> Vec<f64> {
+        let rows = self.planner.history().get(from_row..).unwrap_or_default();
+        let real = |v: Option<f64>| v.unwrap_or(f64::NAN);
+        rows.iter()
+            .flat_map(|r| {
+                let lengths = [r.best_so_far, r.iteration_best, r.iteration_mean, r.iteration_worst].map(real);
+                [f64::from(r.iteration), lengths[0], lengths[1], lengths[2], lengths[3], f64::from(r.arrived)]
+            })
+            .collect()
+    }
+
+    /// Number of rows of the history.
+    pub fn history_rows(&self) -> usize {
+        self.planner.history().len()
+    }
+
+    /// The best path as x0, y0, x1, y1, …; empty while there is none.
+    pub fn best_path(&self) -> Vec<u32> {
+        self.planner.best().map_or_else(Vec::new, |b| self.points(&b.path))
+    }
+
+    /// x, y of every living ant of the current iteration.
+    pub fn ants(&self) -> Vec<u32> {
+        let mut cells = Vec::new();
+        self.planner.ants(&mut cells);
+        self.points(&cells)
+    }
+
+    /// The layers that `paint` knows for this planner.
+    pub fn layers(&self) -> Answer<Vec<Ts<Layer>>> {
+        self.layers.iter().map(object).collect()
+    }
+
+    /// Paints map and layer into a canvas of width × height pixels, one pixel a cell.
+    pub fn paint(
+        &self,
+        context: &OffscreenCanvasRenderingContext2d,
+        #[wasm_bindgen(unchecked_param_type = "Layer | 'none'")] layer: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
+    ) -> Answer<()> {
+        let layer: Option<Layer> = serde_wasm_bindgen::from_value(layer).ok();
+        let theme = if theme == "dark" { Theme::Dark } else { Theme::Light };
+        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, theme)
+    }
+}
+
+impl Run {
+    fn points(&self, cells: &[u32]) -> Vec<u32> {
+        let width = self.scenario.grid.width();
+        cells.iter().flat_map(|&c| [c % width, c / width]).collect()
+    }
+
+    fn metrics(&self) -> Option<Metrics> {
+        let best = self.planner.best()?;
+        let mut measured = self.measured.borrow_mut();
+        if measured.is_none_or(|(iteration, _)| iteration != best.iteration) {
+            *measured = Some((best.iteration, Metrics::of(&self.scenario, &best.path)));
+        }
+        measured.map(|(_, metrics)| metrics)
+    }
+}

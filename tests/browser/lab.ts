@@ -1,0 +1,197 @@
+/** The page as its readers use it: everything the specs do more than once. */
+import { type Browser, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
+import type { Cell } from '../../www/src/maps/edit'
+import type { PanelResult, Scripting } from '../../www/src/scripting'
+import type { Session } from '../../www/src/session'
+import { placement } from '../../www/src/stage/view'
+
+declare global {
+  interface Window {
+    formicarium: Scripting
+  }
+}
+
+const WHOLE_MAP = { zoom: 1, centreX: 0.5, centreY: 0.5 }
+
+export class Lab {
+  constructor(readonly page: Page) {}
+
+  /** Opens the page and waits until every panel's run is loaded. */
+  async open(address = './'): Promise<void> {
+    await this.page.goto('about:blank')
+    await this.page.goto(address)
+    await this.ready()
+  }
+
+  async ready(): Promise<void> {
+    await expect(this.page.getByTestId('play')).toBeVisible()
+    await expect.poll(() => this.results().then((all) => all.every((one) => one.summary !== null))).toBe(true)
+  }
+
+  /** Opens the page and brings every run back to its beginning. */
+  async openAtRest(address = './'): Promise<void> {
+    await this.open(address)
+    await this.page.getByTestId('reset').click()
+    await expect(this.page.getByTestId('play')).toHaveAccessibleName(/play/i)
+    await expect.poll(() => this.antMoves()).toBe(0)
+  }
+
+  results(): Promise<PanelResult[]> {
+    return this.page.evaluate(() => window.formicarium?.results() ?? [])
+  }
+
+  async result(place: number): Promise<PanelResult> {
+    const result = (await this.results())[place - 1]
+    if (!result) throw new Error(`there is no panel ${place}`)
+    return result
+  }
+
+  /** Waits until a panel's picture differs from what it is now. */
+  async seesMotion(place = 1, timeout = 5000): Promise<void> {
+    const before = await this.stage(place).screenshot()
+    await expect
+      .poll(async () => before.equals(await this.stage(place).screenshot()), { timeout, intervals: [50] })
+      .toBe(false)
+  }
+
+  /** Moves of the finished iterations. */
+  async antMoves(): Promise<number> {
+    return (await this.result(1)).summary?.effort.ant_moves ?? 0
+  }
+
+  /** The session without its cells, which cross from the page as plain numbers. */
+  async session(): Promise<Session> {
+    const plain = await this.page.evaluate(() => {
+      const session = window.formicarium.session()
+      return session && { ...session, scenario: { ...session.scenario, cells: Array.from(session.scenario.cells) } }
+    })
+    if (!plain) throw new Error('there is no session')
+    return { ...plain, scenario: { ...plain.scenario, cells: Uint8Array.from(plain.scenario.cells) } }
+  }
+
+  async isWall([x, y]: Cell): Promise<boolean> {
+    const { spec, cells } = (await this.session()).scenario
+    return cells[y * spec.width + x] === 1
+  }
+
+  async walls(): Promise<number> {
+    return (await this.session()).scenario.cells.reduce((sum, cell) => sum + cell, 0)
+  }
+
+  stage(place = 1): Locator {
+    return this.page.getByTestId(`panel-${place}`).locator('.stage')
+  }
+
+  /** The middle of a cell on the page, while the whole map is in view. */
+  async pointOf(cell: Cell, place = 1): Promise<{ x: number; y: number }> {
+    const box = await this.stage(place).boundingBox()
+    const dpr = await this.page.evaluate(() => devicePixelRatio)
+    if (!box) throw new Error('the stage is not on screen')
+    const size = { width: Math.round(box.width * dpr), height: Math.round(box.height * dpr) }
+    const { spec } = (await this.session()).scenario
+    const { scale, originX, originY } = placement(WHOLE_MAP, size, spec)
+    return {
+      x: box.x + (originX + (cell[0] + 0.5) * scale) / dpr,
+      y: box.y + (originY + (cell[1] + 0.5) * scale) / dpr,
+    }
+  }
+
+  /** Drags the mouse along cells, in few steps: the page must fill in what lies between. */
+  async drag(cells: Cell[], place = 1): Promise<void> {
+    const points = await Promise.all(cells.map((cell) => this.pointOf(cell, place)))
+    const [first, ...rest] = points
+    if (!first) return
+    await this.page.mouse.move(first.x, first.y)
+    await this.page.mouse.down()
+    for (const { x, y } of rest) await this.page.mouse.move(x, y)
+    await this.page.mouse.up()
+    await this.frame()
+  }
+
+  /** Lets the page draw and act once. */
+  async frame(): Promise<void> {
+    await this.page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    )
+  }
+
+  async menu(menu: string, item: string): Promise<void> {
+    await this.page.getByTestId(menu).click()
+    await this.page.getByTestId(item).click()
+  }
+
+  async importByButton(name: string, content: string | Buffer): Promise<void> {
+    await this.menu('map-menu', 'open-import')
+    const file = { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) }
+    await this.page.getByTestId('import-file').setInputFiles(file)
+  }
+
+  async drop(name: string, content: string): Promise<void> {
+    const transfer = await this.page.evaluateHandle(
+      ([fileName, text]) => {
+        const data = new DataTransfer()
+        data.items.add(new File([text ?? ''], fileName ?? ''))
+        return data
+      },
+      [name, content],
+    )
+    await this.page.dispatchEvent('main', 'drop', { dataTransfer: transfer })
+  }
+
+  async paste(content: string): Promise<void> {
+    await this.page.evaluate((text) => {
+      const data = new DataTransfer()
+      data.setData('text/plain', text)
+      document.body.dispatchEvent(
+        new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }),
+      )
+    }, content)
+  }
+
+  /** The share link as the dialog shows it. */
+  async shareLink(): Promise<string> {
+    await this.page.getByTestId('share').click()
+    const field = this.page.getByTestId('share-link')
+    await expect(field).toHaveValue(/#x=/)
+    const link = await field.inputValue()
+    await this.page.keyboard.press('Escape')
+    return link
+  }
+
+  async setSpeed(index: number): Promise<void> {
+    await this.page.getByTestId('speed').fill(String(index))
+  }
+}
+
+/** Touches with several fingers, which Playwright itself cannot. */
+export class Fingers {
+  private constructor(private readonly session: CDPSession) {}
+
+  static async on(page: Page): Promise<Fingers> {
+    return new Fingers(await page.context().newCDPSession(page))
+  }
+
+  async down(...points: { x: number; y: number }[]): Promise<void> {
+    await this.send('touchStart', points)
+  }
+
+  async move(...points: { x: number; y: number }[]): Promise<void> {
+    await this.send('touchMove', points)
+  }
+
+  async up(): Promise<void> {
+    await this.send('touchEnd', [])
+  }
+
+  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]): Promise<void> {
+    const touchPoints = points.map((point, id) => ({ ...point, id }))
+    await this.session.send('Input.dispatchTouchEvent', { type, touchPoints })
+  }
+}
+
+/** A page of its own, so that nothing the first one holds can help the second. */
+export async function freshLab(browser: Browser, address: string): Promise<Lab> {
+  const lab = new Lab(await (await browser.newContext()).newPage())
+  await lab.open(address)
+  return lab
+}

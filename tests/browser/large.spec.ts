@@ -1,0 +1,101 @@
+import { expect, test } from '@playwright/test'
+import { freshLab, Lab } from './lab'
+import { randomCells } from './units/sessions'
+
+const SIDE = 512
+
+/** 30 % walls, in a frame of free cells so that start and goal are connected. */
+function largeMap(): string {
+  const cells = randomCells(SIDE, SIDE, 0.3)
+  const edge = (at: number) => at === 0 || at === SIDE - 1
+  const rows = Array.from({ length: SIDE }, (_, y) =>
+    Array.from({ length: SIDE }, (_, x) => (edge(x) || edge(y) || cells[y * SIDE + x] === 0 ? '.' : '@')).join(''),
+  )
+  return `type octile\nheight ${SIDE}\nwidth ${SIDE}\nmap\n${rows.join('\n')}\n`
+}
+
+test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a link would be too long', async ({ page, browser }) => {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.importByButton('large.map', largeMap())
+  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(SIDE)
+  await lab.ready()
+  await page.getByTestId('play').click()
+  await lab.seesMotion()
+  await page.locator('body').press('Space')
+  await lab.setSpeed(8)
+  await page.locator('body').press('Space')
+  await expect.poll(() => lab.antMoves(), { timeout: 30_000 }).toBeGreaterThan(0)
+  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', { timeout: 20_000 })
+  await page.locator('body').press('Space')
+
+  await page.getByTestId('share').click()
+  await expect(page.getByTestId('share-too-long')).toContainText(/8,?000/)
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('share-file').click()])
+  const path = await download.path()
+  await page.keyboard.press('Escape')
+
+  const other = await freshLab(browser, page.url())
+  await other.menu('map-menu', 'open-import')
+  await other.page.getByTestId('import-file').setInputFiles({
+    name: 'large.experiment.json',
+    mimeType: 'application/json',
+    buffer: await import('node:fs').then(({ readFileSync }) => readFileSync(path)),
+  })
+  await expect.poll(async () => (await other.session()).scenario.spec.width).toBe(SIDE)
+  expect((await other.session()).scenario.cells).toEqual((await lab.session()).scenario.cells)
+  await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified', { timeout: 30_000 })
+  await other.page.context().close()
+})
+
+test('an edit on a 512 × 512 map is shown within a frame or two', async ({ page }) => {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.paste(largeMap())
+  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(SIDE)
+  await lab.drag([
+    [100, 100],
+    [400, 300],
+  ])
+  await page.locator('body').press('Control+z')
+  await page.getByTestId('play').click()
+  await lab.seesMotion()
+})
+
+/** Time the page's own thread is busy per frame, as the browser accounts it: scripts, style, layout and painting together. */
+test('two panels playing on 256 × 256 leave the page its frames', async ({ page }) => {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await page.evaluate(() => window.formicarium.pause())
+  await lab.menu('map-menu', 'open-generate')
+  await page.getByTestId('generate-random').click()
+  await page.getByTestId('generate-width').fill('256')
+  await page.getByTestId('generate-height').fill('256')
+  await page.getByTestId('generate').click()
+  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(256)
+  await lab.ready()
+  await page.getByTestId('play').click()
+  const cdp = await page.context().newCDPSession(page)
+  await cdp.send('Performance.enable')
+  const busy = async () => {
+    const { metrics } = await cdp.send('Performance.getMetrics')
+    return 1000 * (metrics.find(({ name }) => name === 'TaskDuration')?.value ?? 0)
+  }
+  const perFrame: number[] = []
+  for (let sample = 0; sample < 40; sample++) {
+    const before = await busy()
+    await page.evaluate(
+      () =>
+        new Promise<void>((resolve) => {
+          let left = 5
+          const next = () => (left-- > 0 ? requestAnimationFrame(next) : resolve())
+          requestAnimationFrame(next)
+        }),
+    )
+    perFrame.push(((await busy()) - before) / 5)
+  }
+  perFrame.sort((a, b) => a - b)
+  const median = perFrame[perFrame.length >> 1] ?? 0
+  console.log(`page thread, two panels on 256 × 256: median ${median.toFixed(2)} ms a frame, worst ${perFrame.at(-1)?.toFixed(2)} ms`)
+  expect(median).toBeLessThan(16)
+})

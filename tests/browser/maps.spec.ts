@@ -1,0 +1,177 @@
+import { expect, test } from '@playwright/test'
+import { Lab } from './lab'
+
+const MATRIX = ['0 0 0 0 0 0', '0 1 1 1 1 0', '0 1 0 0 1 0', '0 0 0 1 0 0'].join('\n')
+const MOVINGAI = ['type octile', 'height 4', 'width 6', 'map', '......', '.@@@@.', '.@..T.', '...@..', ''].join('\n')
+const SCEN = `version 1\n0\tsmall.map\t6\t4\t0\t0\t5\t3\t6.82842712\n1\tsmall.map\t6\t4\t0\t3\t5\t0\t6.82842712\n`
+
+const EXPECTED = { width: 6, height: 4, walls: 7 }
+
+test.describe('import', () => {
+  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+
+  const ways: [string, (lab: Lab, name: string, text: string) => Promise<void>][] = [
+    ['by button', (lab, name, text) => lab.importByButton(name, text)],
+    ['by drop', (lab, name, text) => lab.drop(name, text)],
+    ['by paste', (lab, _name, text) => lab.paste(text)],
+  ]
+  for (const [way, bring] of ways) {
+    for (const [name, text] of [
+      ['small.txt', MATRIX],
+      ['small.map', MOVINGAI],
+      ['dos.map', MOVINGAI.replaceAll('\n', '\r\n')],
+    ] as const) {
+      test(`${name} ${way} is shown and runs`, async ({ page }) => {
+        const lab = new Lab(page)
+        await bring(lab, name, text)
+        await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(EXPECTED.width)
+        expect((await lab.session()).scenario.spec.height).toBe(EXPECTED.height)
+        expect(await lab.walls()).toBe(EXPECTED.walls)
+        await page.locator('body').press('End')
+        await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
+      })
+    }
+  }
+
+  test('a scenario written by us comes back whole', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.menu('map-menu', 'gallery-engine-room')
+    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(46)
+    const before = (await lab.session()).scenario
+    const text = await exported(lab, 'scenario')
+    await lab.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => lab.walls()).toBe(0)
+    await lab.importByButton('plan.scenario.json', text)
+    await expect.poll(() => lab.walls()).toBeGreaterThan(0)
+    const after = (await lab.session()).scenario
+    expect(after.spec).toEqual(before.spec)
+    expect(after.cells).toEqual(before.cells)
+  })
+
+  test('a .scen file offers its lines for the map it belongs to', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.importByButton('small.map.scen', SCEN)
+    await expect(page.getByTestId('toast-warning')).toContainText('small.map')
+    await page.keyboard.press('Escape')
+    await lab.drop('small.map', MOVINGAI)
+    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(6)
+    await lab.drop('small.map.scen', SCEN)
+    const lines = page.getByTestId('scen-dialog').getByRole('row')
+    await lines.last().getByRole('button').click()
+    const { spec } = (await lab.session()).scenario
+    expect([spec.start, spec.goals[0]?.at]).toEqual([[0, 3], [5, 0]])
+  })
+
+  test('what cannot be read is refused with line and hint, and nothing on screen is lost', async ({ page }) => {
+    const lab = new Lab(page)
+    const walls = await lab.walls()
+    for (const text of ['0 0 0\n0 0\n', 'type octile\nheight 9\nwidth 2\nmap\n..\n', '{"format":"formicarium/scenario@99"}', 'good morning']) {
+      await lab.paste(text)
+      await expect(page.getByTestId('toast-error').last()).toBeVisible()
+      await expect(page.getByTestId('toast-error').last().locator('.toast-hint')).not.toBeEmpty()
+    }
+    expect(await lab.walls()).toBe(walls)
+    await page.getByTestId('play').click()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  })
+
+  test('an import can be undone', async ({ page }) => {
+    const lab = new Lab(page)
+    const before = await lab.walls()
+    await lab.paste(MATRIX)
+    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+    await page.locator('body').press('Control+z')
+    await expect.poll(() => lab.walls()).toBe(before)
+  })
+})
+
+async function exported(lab: Lab, format: string): Promise<string> {
+  const { page } = lab
+  await lab.menu('map-menu', 'open-export')
+  await page.getByTestId(`export-${format}`).click()
+  await expect(page.getByTestId('export-download')).toBeEnabled()
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-download').click()])
+  const chunks: Buffer[] = []
+  for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
+  await page.keyboard.press('Escape')
+  return Buffer.concat(chunks).toString('utf8')
+}
+
+test.describe('export', () => {
+  test.beforeEach(async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.paste(MATRIX)
+    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+  })
+
+  test('MovingAI map', async ({ page }) => {
+    const text = await exported(new Lab(page), 'movingai-map')
+    expect(text.split(/\r?\n/).slice(0, 4)).toEqual(['type octile', 'height 4', 'width 6', 'map'])
+    expect(text.split(/\r?\n/)[5]).toMatch(/^\.[@T]{4}\.$/)
+  })
+
+  test('MovingAI scenario with the exact optimum', async ({ page }) => {
+    const text = await exported(new Lab(page), 'movingai-scen')
+    const fields = text.trim().split('\n')[1]?.split('\t') ?? []
+    const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
+    expect(fields).toHaveLength(9)
+    expect(Number(fields[8])).toBeCloseTo(optimum, 6)
+  })
+
+  test('0/1 matrix', async ({ page }) => {
+    const text = await exported(new Lab(page), 'matrix')
+    expect(text.match(/[01]/g)?.join('')).toBe(MATRIX.match(/[01]/g)?.join(''))
+  })
+
+  test('experiment', async ({ page }) => {
+    const lab = new Lab(page)
+    const text = await exported(lab, 'experiment')
+    expect(JSON.parse(text)).toMatchObject({ format: 'formicarium/experiment@1', map: ['......', '.@@@@.', '.@..@.', '...@..'] })
+    await lab.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => lab.walls()).toBe(0)
+    await lab.importByButton('again.json', text)
+    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+  })
+})
+
+test.describe('maps made here', () => {
+  for (const id of ['two-corridors', 'aco-20x20', 'engine-room', 'rooms', 'maze', 'random-100', 'open-field']) {
+    test(`${id} can be solved`, async ({ page }) => {
+      const lab = new Lab(page)
+      await lab.openAtRest()
+      await lab.menu('map-menu', `gallery-${id}`)
+      await lab.ready()
+      await expect.poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value'))).toBeGreaterThan(10)
+      await lab.setSpeed(8)
+      await page.getByTestId('play').click()
+      await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
+    })
+  }
+
+  test('unreachable: both planners say that there is no path', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'gallery-unreachable')
+    await lab.ready()
+    await page.locator('body').press('End')
+    await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'no-path')
+    await expect(page.getByTestId('gap-1')).toContainText(/no path/i)
+  })
+
+  test('a generated map is the same for the same seed', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    const maps: string[] = []
+    for (const seed of ['5', '6', '5']) {
+      await lab.menu('map-menu', 'open-generate')
+      await page.getByTestId('generate-seed').fill(seed)
+      await page.getByTestId('generate').click()
+      await expect(page.getByTestId('generate-dialog')).toBeHidden()
+      await lab.ready()
+      maps.push((await lab.session()).scenario.cells.join(''))
+    }
+    expect(maps[0]).toBe(maps[2])
+    expect(maps[0]).not.toBe(maps[1])
+  })
+})

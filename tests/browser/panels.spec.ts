@@ -1,0 +1,99 @@
+import { expect, test } from '@playwright/test'
+import { Lab } from './lab'
+
+test.describe('panels', () => {
+  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+
+  test('up to six, each with a worker that goes when the panel goes', async ({ page }) => {
+    const lab = new Lab(page)
+    const workers = page.workers().length
+    for (let count = 3; count <= 6; count++) {
+      await lab.menu('add-panel', count % 2 ? 'add-ant-system' : 'add-astar')
+      await expect(page.getByTestId(`panel-${count}`)).toBeVisible()
+    }
+    await expect(page.getByTestId('add-panel')).toBeHidden()
+    await lab.ready()
+    expect(page.workers().length).toBe(workers + 4)
+    await page.getByTestId('play').click()
+    await expect.poll(async () => (await lab.result(5)).summary?.effort.ant_moves ?? 0).toBeGreaterThan(0)
+    for (let count = 6; count > 1; count--) await page.getByTestId('remove-1').click()
+    await expect(page.getByTestId('panel-2')).toBeHidden()
+    await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers - 1)
+    await page.getByTestId('remove-1').click()
+    await expect(page.getByTestId('no-panels')).toBeVisible()
+    await page.getByTestId('no-panels').getByRole('button').first().click()
+    await expect(page.getByTestId('panel-1')).toBeVisible()
+  })
+
+  test('a panel can change its planner', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('planner-1').selectOption('astar')
+    await lab.ready()
+    await page.locator('body').press('End')
+    await expect(page.getByTestId('status-1')).toHaveAttribute('data-status', 'optimal')
+    const [first, second] = await lab.results()
+    expect(first?.summary?.metrics?.length).toBe(second?.summary?.metrics?.length)
+  })
+
+  test('two panels with the same planner and seed walk alike', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('planner-2').selectOption('ant-system')
+    await lab.ready()
+    const [first, second] = await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    expect(second?.summary?.digest).toBe(first?.summary?.digest)
+  })
+
+  test('a parameter out of range is refused at its field, by name, and can be mended', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('parameters-1').click()
+    const field = page.getByTestId('param-rho')
+    await field.fill('1.5')
+    await field.press('Enter')
+    await expect(page.getByRole('alert').filter({ hasText: /rho|ρ|evaporation/i }).first()).toContainText('1.5')
+    await expect(field).toHaveAttribute('aria-invalid', 'true')
+    await field.fill('0.2')
+    await field.press('Enter')
+    await expect(field).toHaveAttribute('aria-invalid', 'false')
+    await page.getByTestId('play').click()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  })
+
+  test('a parameter changes the run', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('parameters-1').click()
+    await page.getByTestId('param-ants').fill('7')
+    await page.getByTestId('param-ants').press('Enter')
+    await lab.ready()
+    await page.getByTestId('step-iteration').click()
+    await expect.poll(async () => (await lab.result(1)).summary?.ants).toBe(7)
+  })
+
+  test('a worker that fails can be started again, and nothing drawn is lost', async ({ page }) => {
+    const lab = new Lab(page)
+    const walls = await lab.walls()
+    for (const worker of page.workers()) {
+      await worker.evaluate(() => setTimeout(() => { throw new Error('a fault made for the test') })).catch(() => {})
+    }
+    await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
+    expect(await lab.walls()).toBe(walls)
+    await page.getByTestId('panel-1').getByRole('alert').getByRole('button').click()
+    await lab.ready()
+    await page.getByTestId('play').click()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  })
+
+  test('resizing the window keeps map and pointer together', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => lab.walls()).toBe(0)
+    for (const width of [900, 1600, 1100]) {
+      await page.setViewportSize({ width, height: 800 })
+      await lab.frame()
+      await lab.frame()
+      await lab.drag([[20, 12]])
+      expect(await lab.isWall([20, 12])).toBe(true)
+      await lab.drag([[20, 12]])
+      expect(await lab.walls()).toBe(0)
+    }
+  })
+})

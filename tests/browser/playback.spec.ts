@@ -1,0 +1,122 @@
+import { expect, test } from '@playwright/test'
+import { Lab } from './lab'
+
+test.describe('playback', () => {
+  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+
+  test('play and pause, by button and by Space', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('play').click()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await page.keyboard.press('Escape')
+    await page.locator('body').press('Space')
+    await page.waitForTimeout(200)
+    const held = await lab.antMoves()
+    await page.waitForTimeout(400)
+    expect(await lab.antMoves()).toBe(held)
+    await page.locator('body').press('Space')
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(held)
+  })
+
+  test('a move is one step of every living ant and one cell of a search', async ({ page }) => {
+    const lab = new Lab(page)
+    const walks = lab.seesMotion()
+    await page.waitForTimeout(200)
+    await page.getByTestId("step-move").click()
+    await walks
+    expect((await lab.result(2)).summary?.effort.cell_expansions).toBe(1)
+    await Promise.all([lab.seesMotion(), page.locator('body').press('ArrowRight')])
+    await expect.poll(async () => (await lab.result(2)).summary?.effort.cell_expansions).toBe(2)
+  })
+
+  test('an iteration, by button and by key', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('step-iteration').click()
+    await expect.poll(async () => (await lab.result(1)).summary?.iteration).toBe(1)
+    await page.locator('body').press(']')
+    await expect.poll(async () => (await lab.result(1)).summary?.iteration).toBe(2)
+    await page.locator('body').press('Shift+ArrowRight')
+    await expect.poll(async () => (await lab.result(1)).summary?.iteration).toBe(3)
+    expect((await lab.result(1)).history).toHaveLength(3)
+  })
+
+  test('steps pressed in a row are all taken', async ({ page }) => {
+    const lab = new Lab(page)
+    for (let i = 0; i < 10; i++) await page.locator('body').press('ArrowRight')
+    await expect.poll(async () => (await lab.result(2)).summary?.effort.cell_expansions).toBe(10)
+  })
+
+  test('reset begins again, and the same seed walks the same way', async ({ page }) => {
+    const lab = new Lab(page)
+    const digests: (string | undefined)[] = []
+    for (let run = 0; run < 2; run++) {
+      await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+      digests.push((await lab.result(1)).summary?.digest)
+      await page.getByTestId('reset').click()
+      await expect.poll(() => lab.antMoves()).toBe(0)
+    }
+    expect(digests[0]).toMatch(/^[0-9a-f]{16}$/)
+    expect(digests[1]).toBe(digests[0])
+    await page.getByTestId('seed').fill('99')
+    await page.getByTestId('seed').press('Enter')
+    await lab.ready()
+    await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+    expect((await lab.result(1)).summary?.digest).not.toBe(digests[0])
+  })
+
+  test('move by move and iteration by iteration end alike', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('run-to-end').click()
+    await expect.poll(async () => (await lab.result(1)).summary?.status, { timeout: 20_000 }).not.toBe('running')
+    const atOnce = (await lab.result(1)).summary
+    await page.getByTestId('reset').click()
+    await expect.poll(() => lab.antMoves()).toBe(0)
+    await lab.setSpeed(5)
+    await page.getByTestId('play').click()
+    await page.waitForTimeout(500)
+    await lab.setSpeed(7)
+    await expect.poll(async () => (await lab.result(1)).summary?.status, { timeout: 30_000 }).not.toBe('running')
+    expect((await lab.result(1)).summary?.digest).toBe(atOnce?.digest)
+  })
+
+  for (const sync of ['iterations', 'paths', 'time']) {
+    test(`in step by ${sync}`, async ({ page }) => {
+      const lab = new Lab(page)
+      await page.getByTestId('sync').selectOption(sync)
+      await lab.menu('add-panel', 'add-ant-system')
+      await lab.ready()
+      await page.getByTestId('play').click()
+      await expect.poll(async () => (await lab.result(1)).summary?.iteration ?? 0, { timeout: 20_000 }).toBeGreaterThan(2)
+      await page.getByTestId('play').click()
+      await page.waitForTimeout(300)
+      const [first, , third] = await lab.results()
+      if (sync === 'time') return
+      expect(Math.abs((first?.summary?.iteration ?? 0) - (third?.summary?.iteration ?? 99))).toBeLessThanOrEqual(1)
+    })
+  }
+
+  test('speed may change while it plays', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('play').click()
+    await lab.setSpeed(0)
+    await lab.seesMotion()
+    for (const speed of [5, 4, 6]) {
+      await lab.setSpeed(speed)
+      const before = await lab.antMoves()
+      await expect.poll(async () => (await lab.antMoves()) > before).toBe(true)
+    }
+  })
+
+  test('layers, ants and path can be switched while it runs', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('play').click()
+    for (const layer of await page.getByTestId('layer').locator('option').evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value))) {
+      await page.getByTestId('layer').selectOption(layer)
+      await lab.frame()
+    }
+    await page.getByTestId('show-ants').click()
+    await page.getByTestId('show-path').click()
+    const before = await lab.antMoves()
+    await expect.poll(async () => (await lab.antMoves()) > before).toBe(true)
+  })
+})

@@ -1,0 +1,48 @@
+/** Real maps of the MovingAI collection, where they are at hand: FORMICARIUM_DATA names the folder that holds them. */
+import { existsSync, readdirSync, readFileSync } from 'node:fs'
+import { basename, join } from 'node:path'
+import { expect, test } from '@playwright/test'
+import { Lab } from './lab'
+
+const folder = process.env.FORMICARIUM_DATA ?? ''
+
+/** Finds a file by its name, however the collection is unpacked. */
+function find(name: string): string | null {
+  if (folder === '' || !existsSync(folder)) return null
+  const found = readdirSync(folder, { recursive: true, encoding: 'utf8' }).find((path) => basename(path) === name)
+  return found ? join(folder, found) : null
+}
+
+function read(name: string): Buffer {
+  const path = find(name)
+  test.skip(path === null, `needs ${name}: set FORMICARIUM_DATA to a folder that holds it`)
+  return readFileSync(path ?? '')
+}
+
+test('Berlin_0_256.map imports and is solved', async ({ page }) => {
+  const map = read('Berlin_0_256.map')
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.importByButton('Berlin_0_256.map', map)
+  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(256)
+  await lab.ready()
+  await lab.setSpeed(8)
+  await page.getByTestId('play').click()
+  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', { timeout: 20_000 })
+})
+
+test('arena2.map with its .scen: the search finds the listed optimum', async ({ page }) => {
+  const map = read('arena2.map')
+  const scen = read('arena2.map.scen')
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.importByButton('arena2.map', map)
+  await lab.ready()
+  await lab.importByButton('arena2.map.scen', scen)
+  const row = 200
+  const line = scen.toString('utf8').trim().split(/\r?\n/)[row]
+  const listed = Number(line?.trim().split(/\s+/).at(-1))
+  await page.getByTestId('scen-dialog').getByRole('row').nth(row).getByRole('button').click()
+  await lab.ready()
+  await expect.poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value'))).toBeCloseTo(listed, 4)
+})

@@ -1,0 +1,121 @@
+import { expect, test } from '@playwright/test'
+import { packBits, unpack } from '../../www/src/share/codec'
+import { open, seal } from '../../www/src/share/envelope'
+import { freshLab, Lab } from './lab'
+
+test.describe('share links', () => {
+  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+
+  test('restore map, planners, parameters and seed, replay the run and verify it', async ({ page, browser }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('parameters-1').click()
+    await page.getByTestId('param-ants').fill('23')
+    await page.getByTestId('param-ants').press('Enter')
+    await page.getByTestId('seed').fill('77')
+    await page.getByTestId('seed').press('Enter')
+    await lab.drag([
+      [4, 19],
+      [9, 19],
+    ])
+    await lab.menu('add-panel', 'add-astar')
+    await lab.ready()
+    const before = await page.evaluate(() => window.formicarium.run({ iterations: 6 }))
+    const link = await lab.shareLink()
+    expect(link.length).toBeLessThan(8000)
+    const session = await lab.session()
+
+    const other = await freshLab(browser, link)
+    const opened = await other.session()
+    expect(opened.scenario).toEqual(session.scenario)
+    expect(opened.seed).toBe(77)
+    expect(opened.panels.map(({ planner, params }) => [planner, params])).toEqual(
+      session.panels.map(({ planner, params }) => [planner, params]),
+    )
+    for (const place of [1, 2, 3]) {
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute('data-verified', 'verified')
+    }
+    await other.page.getByTestId('reset').click()
+    await other.ready()
+    const again = await other.page.evaluate(() => window.formicarium.run({ iterations: 6 }))
+    expect(again[0]?.summary?.digest).toBe(before[0]?.summary?.digest)
+    await other.page.context().close()
+  })
+
+  test('a finished run is verified as well', async ({ page, browser }) => {
+    const lab = new Lab(page)
+    await page.evaluate(() => window.formicarium.run())
+    const other = await freshLab(browser, await lab.shareLink())
+    await expect(other.page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified', { timeout: 20_000 })
+    await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified')
+    await other.page.context().close()
+  })
+
+  test('a tampered digest is said to differ', async ({ page, browser }) => {
+    const lab = new Lab(page)
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    const link = await lab.shareLink()
+    const other = await freshLab(browser, await withDigest(link, 'feedfacecafebeef'))
+    await expect(other.page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'differs')
+    await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified')
+    await other.page.context().close()
+  })
+
+  test('a generated map travels as its generator call', async ({ page, browser }) => {
+    const lab = new Lab(page)
+    await lab.menu('map-menu', 'gallery-random-100')
+    await lab.ready()
+    await lab.drag([
+      [50, 50],
+      [55, 50],
+    ])
+    const link = await lab.shareLink()
+    expect(link.length).toBeLessThan(1500)
+    const other = await freshLab(browser, link)
+    expect((await other.session()).scenario).toEqual((await lab.session()).scenario)
+    await other.page.context().close()
+  })
+
+  for (const [what, spoil] of [
+    ['cut short', (link: string) => link.slice(0, link.indexOf('#x=') + 60)],
+    ['changed in the middle', (link: string) => `${link.slice(0, -40)}AAAAAAAA${link.slice(-32)}`],
+    ['not base64url', (link: string) => `${link.split('#')[0]}#x=%F0%9F%90%9C!`],
+    ['empty', (link: string) => `${link.split('#')[0]}#x=`],
+  ] as [string, (link: string) => string][]) {
+    test(`a link that is ${what} gets a clear message and a usable page`, async ({ page, browser }) => {
+      const link = spoil(await new Lab(page).shareLink())
+      const other = await freshLab(browser, link)
+      const toast = other.page.getByTestId('toast-error')
+      await expect(toast).toBeVisible()
+      await expect(toast.locator('.toast-hint')).not.toBeEmpty()
+      await expect.poll(() => other.antMoves()).toBeGreaterThan(0)
+      await other.page.context().close()
+    })
+  }
+
+  test('a foreign fragment is simply not ours', async ({ browser, page }) => {
+    const other = await freshLab(browser, `${page.url().split('#')[0]}#section-3`)
+    await expect.poll(() => other.antMoves()).toBeGreaterThan(0)
+    await other.page.context().close()
+  })
+
+  test('a link pasted into an open page is opened', async ({ page }) => {
+    const lab = new Lab(page)
+    await page.evaluate(() => window.formicarium.run({ iterations: 2 }))
+    const link = await lab.shareLink()
+    await lab.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => lab.walls()).toBe(0)
+    await lab.paste(`Look at this: ${link}`)
+    await expect.poll(() => lab.walls()).toBeGreaterThan(0)
+    await expect(page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+  })
+})
+
+/** The same link with another digest for the first panel. */
+async function withDigest(link: string, digest: string): Promise<string> {
+  const [address, fragment] = link.split('#x=')
+  const session = await unpack(await open(fragment ?? ''), () => Promise.reject(new Error('no generator here')))
+  const [first, ...rest] = session.panels
+  if (!first?.result) throw new Error('the link carries no result')
+  const panels = [{ ...first, result: { ...first.result, digest } }, ...rest]
+  return `${address}#x=${await seal(packBits({ ...session, panels }, '0.1.0'))}`
+}

@@ -1,0 +1,139 @@
+import { expect, test } from '@playwright/test'
+import type { Session } from '../../../www/src/session'
+import { bitsOf, MAX_BYTES, packBits, packEdits, unpack } from '../../../www/src/share/codec'
+import { open, seal } from '../../../www/src/share/envelope'
+import { LinkError } from '../../../www/src/share/error'
+import { generate, randomCells, sessionOf } from './sessions'
+
+const encode = (session: Session) => seal(packBits(session, '0.1.0'))
+const decode = async (text: string) => unpack(await open(text), generate)
+
+/** The document of a session, changed by hand and packed again. */
+async function tampered(change: (document: Record<string, any>) => void): Promise<string> {
+  const bytes = packBits(sessionOf(8, 4), '0.1.0')
+  const length = (bytes[1] ?? 0) & 127 | ((bytes[2] ?? 0) << 7)
+  const document = JSON.parse(new TextDecoder().decode(bytes.subarray(3, 3 + length)))
+  change(document)
+  const json = new TextEncoder().encode(JSON.stringify(document))
+  const head = [1, (json.length & 127) | 128, json.length >> 7]
+  return seal(Uint8Array.from([...head, ...json, ...bytes.subarray(3 + length)]))
+}
+
+async function refusal(text: string | Promise<string>): Promise<LinkError> {
+  const error = await decode(await text).then(
+    () => null,
+    (thrown: unknown) => thrown,
+  )
+  expect(error).toBeInstanceOf(LinkError)
+  return error as LinkError
+}
+
+test.describe('share codec', () => {
+  for (const [width, height] of [
+    [1, 2],
+    [8, 8],
+    [7, 13],
+    [100, 100],
+    [512, 512],
+  ] as const) {
+    test(`a session with a ${width} × ${height} map comes back unchanged`, async () => {
+      const session = sessionOf(width, height)
+      const text = await encode(session)
+      expect(text).toMatch(/^[A-Za-z0-9_-]+$/)
+      expect(await decode(text)).toEqual(session)
+    })
+  }
+
+  test('bits run row by row, most significant first', () => {
+    expect([...bitsOf(Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 1, 1))]).toEqual([0b10000001, 0b10000000])
+  })
+
+  test('a generated map with edits is stored as its generator call', async () => {
+    const session = sessionOf(512, 512, randomCells(512, 512, 0.3))
+    session.scenario.origin = { generator: 'random', seed: 5, density: 0.3 }
+    for (const at of [0, 1, 77_777, 512 * 512 - 1]) {
+      session.scenario.cells[at] = session.scenario.cells[at] === 1 ? 0 : 1
+    }
+    const packed = await packEdits(session, '0.1.0', generate)
+    expect(packed).not.toBeNull()
+    const text = await seal(packed ?? new Uint8Array())
+    expect(text.length).toBeLessThan(1000)
+    expect(await decode(text)).toEqual(session)
+  })
+
+  test('a generated map that was drawn over is not', async () => {
+    const session = sessionOf(64, 64, new Uint8Array(64 * 64))
+    session.scenario.origin = { generator: 'random', seed: 5, density: 0.9 }
+    expect(await packEdits(session, '0.1.0', generate)).toBeNull()
+  })
+
+  test('a 100 × 100 map with 30 % walls fits a link, 512 × 512 does not', async () => {
+    expect((await encode(sessionOf(100, 100))).length).toBeLessThan(2600)
+    expect((await encode(sessionOf(512, 512))).length).toBeGreaterThan(8000)
+  })
+})
+
+test.describe('links that cannot be opened', () => {
+  test('every truncation is refused as damaged, never as anything else', async () => {
+    const text = await encode(sessionOf(20, 20))
+    for (let length = 0; length < text.length - 1; length += 7) {
+      expect((await refusal(text.slice(0, length))).kind).toBe('link-damaged')
+    }
+  })
+
+  test('changed characters never break out of LinkError', async () => {
+    const text = await encode(sessionOf(20, 20))
+    for (let at = 0; at < text.length; at += 3) {
+      const changed = text.slice(0, at) + (text[at] === 'A' ? 'B' : 'A') + text.slice(at + 1)
+      await decode(changed).catch((error: unknown) => expect(error).toBeInstanceOf(LinkError))
+    }
+  })
+
+  test('foreign text', async () => {
+    for (const text of ['', '!!!!', 'hello world', '%%%', 'AAAA', '_'.repeat(50)]) {
+      expect(['link-damaged', 'link-newer']).toContain((await refusal(text)).kind)
+    }
+  })
+
+  test('a newer container and a newer document say so', async () => {
+    expect((await refusal(seal(Uint8Array.of(2, 0)))).kind).toBe('link-newer')
+    const newer = await refusal(tampered((document) => (document.format = 'formicarium/experiment@9')))
+    expect(newer.kind).toBe('link-newer')
+    expect(newer.hint).toContain('Reload')
+    expect((await refusal(tampered((document) => (document.format = 'other/thing@1')))).kind).toBe('link-foreign')
+  })
+
+  test('claimed sizes are refused before anything is allocated', async () => {
+    const huge = await refusal(tampered(({ scenario }) => (scenario.width = 1e9)))
+    expect(huge.kind).toBe('link-too-large')
+    expect(huge.field).toBe('scenario.width')
+    const crowd = await refusal(tampered((document) => (document.panels = Array(7).fill(document.panels[1]))))
+    expect(crowd.kind).toBe('link-too-large')
+  })
+
+  test('a payload that unfolds beyond all maps is cut off', async () => {
+    const bomb = await seal(new Uint8Array(MAX_BYTES * 20))
+    expect(bomb.length).toBeLessThan(200_000)
+    expect((await refusal(bomb)).kind).toBe('link-too-large')
+  })
+
+  test('wrong values are refused by name', async () => {
+    const cases: [string, (document: Record<string, any>) => void][] = [
+      ['seed', (d) => (d.seed = -1)],
+      ['sync', (d) => (d.sync = 'sometimes')],
+      ['speed', (d) => (d.speed = 'warp')],
+      ['layer', (d) => (d.layer = 3)],
+      ['scenario.start', (d) => (d.scenario.start = 'here')],
+      ['scenario.start[0]', (d) => (d.scenario.start = [8, 0])],
+      ['scenario.goals', (d) => (d.scenario.goals = [])],
+      ['scenario.movement.moves', (d) => (d.scenario.movement.moves = 5)],
+      ['panels[0].params.rho', (d) => (d.panels[0].params.rho = { bad: 1 })],
+      ['panels[0].result.digest', (d) => (d.panels[0].result.digest = 'xyz')],
+      ['map', (d) => (d.map = 'pictures')],
+    ]
+    for (const [field, change] of cases) {
+      const error = await refusal(tampered(change))
+      expect([error.kind, error.field]).toEqual(['link-invalid', field])
+    }
+  })
+})

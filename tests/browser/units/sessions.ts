@@ -1,0 +1,48 @@
+/** Sessions to encode, without the engine. */
+import type { Origin, Session } from '../../../www/src/session'
+
+export function sessionOf(width: number, height: number, cells?: Uint8Array): Session {
+  return {
+    scenario: {
+      spec: {
+        name: 'Harbour “Süd” 港',
+        width,
+        height,
+        resolution: 0.5,
+        movement: { moves: 8, corner_rule: 'one-free' },
+        start: [0, 0],
+        goals: [{ at: [width - 1, height - 1], name: 'berth' }],
+        vehicle: { speed: 1.5, seconds_per_turn: 0.25 },
+      },
+      cells: cells ?? randomCells(width, height, 0.3),
+      origin: null,
+    },
+    panels: [
+      {
+        planner: 'ant-system',
+        preset: 'fire',
+        params: { ants: 50, rho: 0.3, dead_end: 'retreat', elitist: true },
+        result: { iterations: 42, status: 'running', length: 38.970562748477136, digest: '0123456789abcdef' },
+      },
+      { planner: 'astar', preset: null, params: {}, result: null },
+    ],
+    seed: 4_294_967_295,
+    sync: 'iterations',
+    speed: 4,
+    layer: 'visits',
+  }
+}
+
+/** A fixed, cheap sequence: the tests need noise, not statistics. */
+export function randomCells(width: number, height: number, density: number): Uint8Array {
+  let state = 12345
+  return Uint8Array.from({ length: width * height }, () => {
+    state = (Math.imul(state, 1103515245) + 12345) >>> 0
+    return state / 2 ** 32 < density ? 1 : 0
+  })
+}
+
+/** Stands in for the engine's generators: deterministic in its arguments, which is all the codec relies on. */
+export async function generate(origin: Origin, width: number, height: number): Promise<Uint8Array> {
+  return randomCells(width, height, origin.density)
+}

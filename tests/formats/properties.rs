@@ -1,0 +1,153 @@
+//! For all files: no bytes make a reader panic, and every map survives every format.
+
+use formicarium::formats::{Export, export, import, import_scen, read_path, sniff};
+use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
+use formicarium::scenario::{Goal, ScenarioSpec, Vehicle};
+use proptest::prelude::*;
+
+/// Reads bytes as everything; what is accepted must be usable.
+fn read_all(bytes: &[u8]) {
+    for name in ["a.map", "a.scen"] {
+        sniff(bytes, name);
+        match import(bytes, name) {
+            Ok(map) => {
+                assert_eq!((map.spec.width, map.spec.height), (map.grid.width(), map.grid.height()));
+                for end in [map.spec.start, map.spec.goals[0].at] {
+                    assert!(map.grid.contains(end) && !map.grid.is_blocked(map.grid.cell(end)));
+                }
+            }
+            Err(error) => {
+                let report = error.report();
+                assert!(!report.kind.is_empty() && !report.message.is_empty() && !report.hint.is_empty());
+            }
+        }
+    }
+    let _ = import_scen(bytes);
+    let _ = read_path(bytes);
+}
+
+fn maps() -> impl Strategy<Value = Grid> {
+    (1u32..20, 1u32..20).prop_flat_map(|(w, h)| {
+        // The first cell is free, so that there is one.
+        proptest::collection::vec(0u8..2, (w * h) as usize).prop_map(move |mut cells| {
+            cells[0] = 0;
+            Grid::from_bytes(w, h, &cells).unwrap()
+        })
+    })
+}
+
+fn specs() -> impl Strategy<Value = (Grid, ScenarioSpec)> {
+    let rules = prop::sample::select(&CornerRule::ALL[..]);
+    let moves = prop_oneof![Just(Moves::Four), Just(Moves::Eight)];
+    // Decimals as people write them.
+    let decimal = (1u32..1_000_000, 0i32..6).prop_map(|(n, e)| f64::from(n) / 10f64.powi(e));
+    (maps(), "\\PC{0,12}", decimal.clone(), decimal, moves, rules).prop_map(
+        |(grid, name, resolution, speed, moves, corner_rule)| {
+            let goal = Goal { at: Point::new(0, 0), name: name.clone() };
+            let spec = ScenarioSpec {
+                name,
+                resolution,
+                movement: Movement { moves, corner_rule },
+                goals: vec![goal],
+                vehicle: Vehicle { speed, seconds_per_turn: 0.0 },
+                ..ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(0, 0))
+            };
+            (grid, spec)
+        },
+    )
+}
+
+/// Valid files, to be spoiled.
+fn samples() -> Vec<Vec<u8>> {
+    let grid = Grid::from_bytes(4, 3, &[0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0]).unwrap();
+    let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+    let formats = [Export::MovingaiMap, Export::MovingaiScen { optimal: 4.5 }, Export::Matrix, Export::Scenario];
+    let mut samples: Vec<Vec<u8>> = formats.iter().map(|&f| export(&grid, &spec, f).into_bytes()).collect();
+    samples.push(b"G = [0 1 0; ... first\n 1 0 2; % second\n 3 0 0;];\nx = size(G);\n".to_vec());
+    samples.push(b"[[0, 1],\n [1, 0]]".to_vec());
+    samples.push(b"version 1.0\r\n3 a b.map 4 3 0 0 3 2 4.50\r\n".to_vec());
+    samples
+}
+
+#[derive(Debug, Clone)]
+enum Spoil {
+    Cut(usize),
+    Remove(usize),
+    Put(usize, u8),
+    Repeat(usize, usize),
+}
+
+impl Spoil {
+    fn apply(&self, bytes: &mut Vec<u8>) {
+        let len = bytes.len().max(1);
+        match *self {
+            Self::Cut(at) => bytes.truncate(at % len),
+            Self::Remove(at) if !bytes.is_empty() => drop(bytes.remove(at % len)),
+            Self::Put(at, byte) => bytes.insert(at % len, byte),
+            Self::Repeat(from, to) if !bytes.is_empty() => {
+                let (a, b) = ((from % len).min(to % len), (from % len).max(to % len));
+                let piece = bytes[a..b].to_vec();
+                bytes.splice(b..b, piece);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn spoils() -> impl Strategy<Value = Vec<Spoil>> {
+    let at = 0usize..400;
+    let telling = prop::sample::select(&b"\0\t\n\r \"%#,-./0123;@GSTW[]{}\xef\xff"[..]);
+    let one = prop_oneof![
+        1 => at.clone().prop_map(Spoil::Cut),
+        4 => at.clone().prop_map(Spoil::Remove),
+        4 => (at.clone(), prop_oneof![telling, any::<u8>()]).prop_map(|(a, b)| Spoil::Put(a, b)),
+        2 => (at.clone(), at).prop_map(|(a, b)| Spoil::Repeat(a, b)),
+    ];
+    proptest::collection::vec(one, 1..6)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {
+        read_all(&bytes);
+    }
+
+    #[test]
+    fn any_text_of_telling_letters_is_read_or_refused(text in "(version 1|type octile|height 3|width 4|map|[\\[\\]{};,.%#=\" \\t\\r\\n0-9eE@GSTWx-]){0,60}") {
+        read_all(text.as_bytes());
+    }
+
+    #[test]
+    fn spoiled_files_are_read_or_refused(which in 0usize..7, spoils in spoils()) {
+        let mut bytes = samples().swap_remove(which);
+        spoils.iter().for_each(|s| s.apply(&mut bytes));
+        read_all(&bytes);
+    }
+
+    #[test]
+    fn maps_survive_every_format((grid, spec) in specs()) {
+        for format in [Export::MovingaiMap, Export::Matrix, Export::Scenario] {
+            let text = export(&grid, &spec, format);
+            let back = import(text.as_bytes(), "").unwrap();
+            prop_assert_eq!(&back.grid, &grid);
+            prop_assert_eq!(export(&back.grid, &back.spec, format), text);
+        }
+    }
+
+    #[test]
+    fn scenarios_survive_json((grid, spec) in specs()) {
+        let back = import(export(&grid, &spec, Export::Scenario).as_bytes(), "").unwrap();
+        prop_assert_eq!(back.spec, spec);
+    }
+
+    #[test]
+    fn scenarios_survive_scen((grid, spec) in specs(), optimal in 0.0f64..5000.0) {
+        let file = import_scen(export(&grid, &spec, Export::MovingaiScen { optimal }).as_bytes()).unwrap();
+        let line = &file.lines[0];
+        prop_assert_eq!((line.start, line.goal), (spec.start, spec.goals[0].at));
+        prop_assert_eq!((line.width, line.height), (spec.width, spec.height));
+        prop_assert!(line.fits(optimal));
+    }
+}

@@ -1,0 +1,130 @@
+//! The scenario as JSON, and its schema.
+
+use formicarium::formats::{Export, Kind, export, sniff};
+use formicarium::map::{CornerRule, Moves, Point};
+use serde_json::{Value, json};
+
+use super::schema::{load, violations};
+use super::{read, refused, rows};
+
+const FULL: &str = r#"{
+  "format": "formicarium/scenario@1",
+  "name": "two rooms",
+  "width": 3,
+  "height": 2,
+  "resolution": 0.05,
+  "movement": {"moves":8,"corner_rule":"one-free"},
+  "start": [0,0],
+  "goals": [{"at":[2,1],"name":"door"}],
+  "vehicle": {"speed":0.25,"seconds_per_turn":2.5},
+  "map": {"rows": [
+    "..@",
+    "..."
+  ]}
+}
+"#;
+
+fn edited(edit: impl Fn(&mut Value)) -> String {
+    let mut value: Value = serde_json::from_str(FULL).unwrap();
+    edit(&mut value);
+    value.to_string()
+}
+
+#[test]
+fn a_file_comes_out_as_it_went_in() {
+    let scenario = read(FULL).unwrap();
+    assert_eq!(scenario.kind, Kind::Scenario);
+    assert_eq!(rows(&scenario.grid), ["..@", "..."]);
+    assert_eq!(scenario.spec.movement.corner_rule, CornerRule::OneFree);
+    assert_eq!(export(&scenario.grid, &scenario.spec, Export::Scenario), FULL);
+}
+
+#[test]
+fn what_is_left_out_takes_its_default() {
+    let text = edited(|v| {
+        for key in ["name", "resolution", "movement", "vehicle"] {
+            v.as_object_mut().unwrap().remove(key);
+        }
+    });
+    let spec = read(&text).unwrap().spec;
+    assert_eq!((spec.resolution, spec.movement.moves, spec.start), (1.0, Moves::Eight, Point::new(0, 0)));
+    assert_eq!(spec.movement.corner_rule, CornerRule::BothFree);
+}
+
+#[test]
+fn errors_name_the_field() {
+    type Edit = fn(&mut Value);
+    let cases: [(Edit, &str, &str); 13] = [
+        (|v| v["colour"] = json!("red"), "syntax", "`colour`"),
+        (|v| v["movement"]["diagonal"] = json!(true), "syntax", "`movement.diagonal`"),
+        (|v| v["goals"][0]["weight"] = json!(1), "syntax", "`goals.weight`"),
+        (|v| v["map"]["cells"] = json!([]), "syntax", "`map.cells`"),
+        (|v| v["map"] = json!(null), "syntax", "`map.rows`"),
+        (|v| v["width"] = json!(4), "syntax", "row 0 of the map has 3 cells"),
+        (|v| v["height"] = json!(3), "syntax", "2 rows where `height` is 3"),
+        (|v| v["map"]["rows"][1] = json!(".x."), "syntax", "`x` at (1, 1)"),
+        (|v| v["movement"]["moves"] = json!(6), "syntax", "moves = 6"),
+        (|v| v["width"] = json!(5000), "map-size", "5000 × 2"),
+        (|v| v["start"] = json!([2, 0]), "start-blocked", "(2, 0)"),
+        (|v| v["resolution"] = json!(0), "quantity", "resolution = 0"),
+        (|v| v["goals"] = json!([]), "goal-count", "0 goals"),
+    ];
+    for (edit, kind, message) in cases {
+        let report = refused(&edited(edit));
+        assert_eq!(report.kind, kind, "{}", report.message);
+        assert!(report.message.contains(message), "{} lacks {message}", report.message);
+    }
+}
+
+#[test]
+fn other_versions_and_other_files_are_refused() {
+    for (format, kind) in [
+        (json!("formicarium/scenario@2"), "version"),
+        (json!("formicarium/experiment@1"), "not-a-map"),
+        (json!("somebody/else@1"), "version"),
+        (json!(1), "version"),
+    ] {
+        let report = refused(&edited(|v| v["format"] = format.clone()));
+        assert_eq!(report.kind, kind, "{format}: {}", report.message);
+    }
+    let report = refused(&edited(|v| v["format"] = json!("formicarium/scenario@2")));
+    assert!(report.hint.contains("formicarium/scenario@1"), "{}", report.hint);
+    assert_eq!(refused("{}").kind, "version");
+    let broken = refused(&FULL.replace("\"width\": 3,", "\"width\": 3"));
+    assert_eq!(broken.field, "line 5", "{}", broken.message);
+}
+
+#[test]
+fn sniffing_tells_scenario_from_experiment() {
+    assert_eq!(sniff(FULL.as_bytes(), "a.map"), Kind::Scenario);
+    assert_eq!(sniff(&FULL.as_bytes()[..80], ""), Kind::Scenario);
+    let experiment = format!("{{\"format\": \"formicarium/experiment@1\", \"scenario\": {FULL}}}");
+    assert_eq!(sniff(experiment.as_bytes(), ""), Kind::Experiment);
+}
+
+#[test]
+fn the_schema_accepts_what_is_written_and_refuses_what_is_refused() {
+    let schema = load("scenario");
+    assert_eq!(violations(&schema, &serde_json::from_str(FULL).unwrap()), Vec::<String>::new());
+    let wrong: [fn(&mut Value); 6] = [
+        |v| v["colour"] = json!("red"),
+        |v| v["format"] = json!("formicarium/scenario@2"),
+        |v| v["movement"]["moves"] = json!(6),
+        |v| v["map"]["rows"][1] = json!(".x."),
+        |v| v["resolution"] = json!(0),
+        |v| v["goals"] = json!([]),
+    ];
+    for edit in wrong {
+        let text = edited(edit);
+        assert!(!violations(&schema, &serde_json::from_str(&text).unwrap()).is_empty(), "{text}");
+        refused(&text);
+    }
+}
+
+#[test]
+fn the_schema_names_every_field() {
+    let schema = load("scenario");
+    let full: Value = serde_json::from_str(FULL).unwrap();
+    let keys = |v: &Value| v.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(keys(&schema["properties"]), keys(&full));
+}

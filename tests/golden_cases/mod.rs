@@ -1,0 +1,101 @@
+//! Frozen results: the same runs must give the same 64 bits natively, in node and in Chromium, today and in every later version.
+//!
+//! A change of a digest is a change of results: it needs an entry under "Results" in CHANGELOG.md that says why.
+
+use std::sync::Arc;
+
+use formicarium::catalog;
+use formicarium::map::{CornerRule, Generator, Movement, Moves, generate};
+use formicarium::params::{Value, Values};
+use formicarium::scenario::Scenario;
+
+/// One frozen run on a generated map.
+pub struct Golden {
+    pub map: (Generator, u32, u32, u32, f64),
+    pub movement: Movement,
+    pub planner: &'static str,
+    pub values: &'static [(&'static str, &'static str)],
+    pub seed: u32,
+    pub digest: &'static str,
+}
+
+const fn eight(corner_rule: CornerRule) -> Movement {
+    Movement { moves: Moves::Eight, corner_rule }
+}
+
+const FOUR: Movement = Movement { moves: Moves::Four, corner_rule: CornerRule::BothFree };
+
+/// All frozen runs; each long enough that a difference in the last bit of one power would show.
+pub const GOLDENS: &[Golden] = &[
+    Golden {
+        map: (Generator::Random, 40, 30, 1, 0.25),
+        movement: eight(CornerRule::BothFree),
+        planner: "ant-system",
+        values: &[("iterations", "200")],
+        seed: 1,
+        digest: "23bedf951d0693f5",
+    },
+    Golden {
+        map: (Generator::Cave, 64, 48, 2, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "ant-system",
+        values: &[("alpha", "1.3"), ("beta", "2.7"), ("rho", "0.13"), ("heuristic", "goal"), ("iterations", "60")],
+        seed: 20,
+        digest: "85e61b02155c5a93",
+    },
+    Golden {
+        map: (Generator::Rooms, 50, 50, 3, 0.0),
+        movement: eight(CornerRule::Always),
+        planner: "ant-system",
+        values: &[("beta", "25"), ("dead_end", "die"), ("heuristic", "step"), ("iterations", "60"), ("move_limit", "0")],
+        seed: 4_294_967_295,
+        digest: "f451bdf2c40baf59",
+    },
+    Golden {
+        map: (Generator::Maze, 41, 41, 4, 0.0),
+        movement: FOUR,
+        planner: "ant-system",
+        values: &[("ants", "7"), ("stagnation", "20")],
+        seed: 0,
+        digest: "72239648f6923169",
+    },
+    Golden {
+        map: (Generator::Random, 128, 128, 5, 0.3),
+        movement: eight(CornerRule::BothFree),
+        planner: "astar",
+        values: &[],
+        seed: 1,
+        digest: "74fd5bba180a87b7",
+    },
+    Golden {
+        map: (Generator::Cave, 100, 80, 6, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "dijkstra",
+        values: &[],
+        seed: 1,
+        digest: "bee0a6315aaeccc0",
+    },
+];
+
+impl Golden {
+    /// Runs it to its end; the digest.
+    pub fn run(&self) -> String {
+        let (kind, width, height, map_seed, density) = self.map;
+        let made = generate(kind, width, height, map_seed, density).expect("a valid size");
+        let scenario = Arc::new(Scenario::on(made.grid, self.movement, made.start, made.goal).expect("usable"));
+        let values: Values = self.values.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect();
+        let mut planner = catalog::build(&scenario, self.planner, None, &values, self.seed).expect("valid parameters");
+        planner.run();
+        planner.digest().hex()
+    }
+}
+
+/// Runs all of them and tells every difference at once.
+pub fn check_all() {
+    let differs = |(i, g): (usize, &Golden)| {
+        let digest = g.run();
+        (digest != g.digest).then(|| format!("golden {i} ({}): {digest}, frozen {}", g.planner, g.digest))
+    };
+    let wrong: Vec<String> = GOLDENS.iter().enumerate().filter_map(differs).collect();
+    assert!(wrong.is_empty(), "results have changed:\n{}", wrong.join("\n"));
+}

@@ -1,0 +1,38 @@
+//! The engine as WebAssembly, in node and in Chromium: frozen results and the browser boundary.
+#![cfg(target_arch = "wasm32")]
+
+#[path = "golden_cases/mod.rs"]
+mod golden;
+
+use formicarium::wasm;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test]
+fn results_are_the_frozen_ones() {
+    golden::check_all();
+}
+
+#[wasm_bindgen_test]
+fn the_catalog_crosses_as_plain_objects() {
+    let catalog = wasm::catalog().expect("serializable").js_value();
+    let planners = js_sys::Reflect::get(&catalog, &"planners".into()).expect("an object");
+    assert!(js_sys::Array::is_array(&planners));
+    assert_eq!(js_sys::Array::from(&planners).length() as usize, formicarium::catalog::CATALOG.len());
+}
+
+#[wasm_bindgen_test]
+fn errors_are_objects_with_kind_field_message_and_hint() {
+    for bytes in [&b""[..], b"\xff\xfe\x00", b"type octile\nheight 9\nwidth 99999999\nmap\n"] {
+        let error = wasm::import_map(bytes, "x.map").expect_err("no map");
+        for key in ["kind", "field", "message", "hint"] {
+            let value = js_sys::Reflect::get(&error, &key.into()).expect("an object");
+            assert!(value.as_string().is_some_and(|s| !s.is_empty()), "{key}");
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn seeds_are_proposed_by_the_system() {
+    let seeds: Vec<u32> = (0..4).map(|_| wasm::propose_seed().expect("a source of randomness")).collect();
+    assert!(seeds.iter().any(|s| *s != seeds[0]));
+}

@@ -1,0 +1,127 @@
+import { effect, signal, useComputed } from '@preact/signals'
+import { useEffect, useRef } from 'preact/hooks'
+import type uPlot from 'uplot'
+import { numbers, t } from '../i18n'
+import { panelTitle } from '../panels/planner_text'
+import { liveTick, optimum, panels, slotColour, theme } from '../state'
+import { curvesOf } from './curves'
+import { makePlot, type PlotStyle, plotData } from './plot'
+
+const showIterationBest = signal(true)
+const showMean = signal(true)
+/** Curves need not move faster than a reader can follow. */
+const REDRAW_MS = 160
+
+export function Convergence() {
+  return (
+    <section class="dock-card convergence" aria-label={t('chart.title')}>
+      <header class="dock-head">
+        <h2>{t('chart.title')}</h2>
+        <Toggle label={t('chart.iterationBest')} kind="iteration-best" of={showIterationBest} />
+        <Toggle label={t('chart.mean')} kind="mean" of={showMean} />
+      </header>
+      <Legend />
+      <Plot />
+    </section>
+  )
+}
+
+function Toggle(props: { label: string; kind: string; of: typeof showMean }) {
+  return (
+    <label class="toggle">
+      <input
+        type="checkbox"
+        checked={props.of.value}
+        onChange={(event) => {
+          props.of.value = event.currentTarget.checked
+        }}
+      />
+      <span class={`line-sample ${props.kind}`} aria-hidden="true" />
+      {props.label}
+    </label>
+  )
+}
+
+function Legend() {
+  const best = optimum.value
+  return (
+    <ul class="legend">
+      {panels.value.map(({ id, slot }) => (
+        <li key={id} style={{ '--panel-colour': slotColour(slot) }}>
+          <span class="line-sample best" aria-hidden="true" />
+          {panelTitle(id)}
+        </li>
+      ))}
+      {best !== null && Number.isFinite(best) && (
+        <li data-testid="chart-optimum">
+          <span class="line-sample optimum" aria-hidden="true" />
+          {t('chart.optimum', { length: numbers.value.length.format(best) })}
+        </li>
+      )}
+    </ul>
+  )
+}
+
+function Plot() {
+  const host = useRef<HTMLDivElement>(null)
+  const empty = useComputed(isEmpty)
+  const words = useComputed(describe)
+  useEffect(() => (host.current ? keepDrawn(host.current) : undefined), [])
+  return (
+    <div class="plot" data-empty={empty}>
+      <div ref={host} class="plot-host" role="img" aria-label={words} data-testid="chart" />
+      <p class="plot-hint">{t('chart.empty')}</p>
+    </div>
+  )
+}
+
+function isEmpty(): boolean {
+  return panels.value.every(({ live }) => (live.value.summary?.iteration ?? 0) === 0)
+}
+
+/** The curve in words, for those who cannot see it; the table beside it has the numbers. */
+function describe(): string {
+  const parts = panels.value.map(({ id, live }) => {
+    const length = live.value.summary?.metrics?.length
+    return `${panelTitle(id)}: ${length === undefined ? '–' : numbers.value.length.format(length)}`
+  })
+  return `${t('chart.title')}. ${parts.join('; ')}`
+}
+
+/** Makes the plot anew when its lines change, and refills it, at most every REDRAW_MS, when runs go on. */
+function keepDrawn(host: HTMLElement): () => void {
+  let plot: uPlot | null = null
+  let style: PlotStyle | null = null
+  let timer = 0
+  const refill = () => {
+    timer = 0
+    if (style) plot?.setData(plotData(curvesOf(panels.peek()), style))
+  }
+  const stopRemaking = effect(() => {
+    theme.value
+    style = {
+      colours: panels.value.map(({ slot }) => slotColour(slot)),
+      showIterationBest: showIterationBest.value,
+      showMean: showMean.value,
+      optimum: optimum.value,
+    }
+    plot?.destroy()
+    plot = makePlot(host, style)
+    refill()
+  })
+  const stopRefilling = effect(() => {
+    liveTick.value
+    if (timer === 0) timer = window.setTimeout(refill, REDRAW_MS)
+  })
+  const resized = new ResizeObserver(() => {
+    plot?.setSize({ width: Math.max(1, host.clientWidth), height: Math.max(1, host.clientHeight) })
+  })
+  resized.observe(host)
+  return () => {
+    clearTimeout(timer)
+    stopRemaking()
+    stopRefilling()
+    resized.disconnect()
+    plot?.destroy()
+  }
+}

@@ -1,0 +1,77 @@
+/** uPlot, set up for convergence curves in the page's colours. */
+import uPlot from 'uplot'
+import type { Curves } from './curves'
+
+export interface PlotStyle {
+  colours: string[]
+  showIterationBest: boolean
+  showMean: boolean
+  optimum: number | null
+}
+
+export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
+  return new uPlot(options(host, style), [[]], host)
+}
+
+export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
+  const { optimum } = style
+  const line = curves.iterations.map(() =>
+    optimum !== null && Number.isFinite(optimum) ? optimum : null,
+  )
+  const panels = curves.panels.flatMap(({ best, iterationBest, mean }) => [
+    mean,
+    iterationBest,
+    best,
+  ])
+  return [curves.iterations, line, ...panels]
+}
+
+function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
+  const colour = (name: string) => getComputedStyle(host).getPropertyValue(name).trim()
+  const font = `11px ${getComputedStyle(host).fontFamily}`
+  const axis = {
+    stroke: colour('--text-muted'),
+    font,
+    grid: { stroke: colour('--line'), width: 1 },
+    ticks: { show: false },
+    gap: 6,
+  }
+  return {
+    width: Math.max(1, host.clientWidth),
+    height: Math.max(1, host.clientHeight),
+    padding: [10, 12, 0, 0],
+    legend: { show: false },
+    cursor: { drag: { x: false, y: false }, points: { show: false } },
+    scales: { x: { time: false, range: xRange }, y: { range: yRange } },
+    axes: [
+      { ...axis, size: 26, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] },
+      { ...axis, size: 46 },
+    ],
+    series: [{}, optimumSeries(colour('--text')), ...style.colours.flatMap(panelSeries(style))],
+  }
+}
+
+function optimumSeries(stroke: string): uPlot.Series {
+  return { stroke, width: 1.5, dash: [2, 4], points: { show: false } }
+}
+
+function panelSeries({ showIterationBest, showMean }: PlotStyle) {
+  return (stroke: string): uPlot.Series[] => {
+    const faint = { stroke: `${stroke}99`, width: 1, points: { show: false }, spanGaps: true }
+    const stepped = uPlot.paths.stepped?.({ align: 1 })
+    return [
+      { ...faint, dash: [4, 3], show: showMean },
+      { ...faint, show: showIterationBest },
+      { stroke, width: 2.5, paths: stepped, points: { show: false }, spanGaps: true },
+    ]
+  }
+}
+
+const xRange: uPlot.Range.Function = (_, min, max) => [min ?? 1, max ?? 10]
+
+/** Room above and below, so that the optimum's line never lies on the frame. */
+const yRange: uPlot.Range.Function = (_, min, max) => {
+  if (min == null || max == null) return [0, 1]
+  const room = Math.max((max - min) * 0.08, max * 0.01, 0.5)
+  return [min - room, max + room]
+}

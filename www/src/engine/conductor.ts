@@ -1,0 +1,165 @@
+/** The animation-frame loop: posts each panel's next tick when all have answered the last. The work is done in the workers. */
+import type { PanelReply, RunSetup, Target } from '../messages'
+import { SPEEDS, type Speed, type Sync } from '../session'
+import { client, detach, ensure, listen } from './clients'
+import type { PanelClient } from './panel_client'
+import { Pace, planRound, SLICE_MS, sliceFor, standing } from './round'
+
+/** What the conductor asks of the page's state, and tells it. */
+export interface ConductorHost {
+  panelIds(): number[]
+  /** Index into SPEEDS. */
+  speed(): number
+  sync(): Sync
+  onReply(panelId: number, reply: PanelReply): void
+  /** Every panel has ended (or failed); said once each time playing or stepping gets there. */
+  onAllFinished(): void
+}
+
+export interface Conductor {
+  /** Replaces a panel's run; waits until the panel's worker stands. */
+  load(panelId: number, runId: number, setup: RunSetup): void
+  /** Ends a panel's worker. */
+  drop(panelId: number): void
+  play(): void
+  pause(): void
+  step(by: 'move' | 'iteration'): void
+  /** As fast as possible, each panel for itself. */
+  runToEnd(): void
+}
+
+type Mode = 'idle' | 'play' | 'step' | 'to-end'
+
+const FULL_SPEED: Speed = { id: 'max', unit: 'max', count: 1, everyFrames: 1 }
+
+export function createConductor(host: ConductorHost): Conductor {
+  return new FrameLoop(host)
+}
+
+class FrameLoop implements Conductor {
+  private mode: Mode = 'idle'
+  private requested = 0
+  private frames = 0
+  /** Targets of the present round that have not been reached yet. */
+  private round = new Map<number, Target>()
+  private slowestMs = 0
+  private pace = new Pace()
+  private steps: ('move' | 'iteration')[] = []
+
+  constructor(private readonly host: ConductorHost) {
+    listen((panelId, reply) => this.receive(panelId, reply))
+  }
+
+  load(panelId: number, runId: number, setup: RunSetup): void {
+    this.round.delete(panelId)
+    ensure(panelId).load(runId, setup)
+  }
+
+  drop(panelId: number): void {
+    this.round.delete(panelId)
+    detach(panelId)
+  }
+
+  play(): void {
+    this.begin('play')
+  }
+
+  runToEnd(): void {
+    this.begin('to-end')
+  }
+
+  /** What is under way ends with its slice; the answers still arrive. */
+  pause(): void {
+    this.mode = 'idle'
+    this.steps = []
+    this.round.clear()
+    cancelAnimationFrame(this.requested)
+  }
+
+  /** Steps asked for faster than they are done wait in line. */
+  step(by: 'move' | 'iteration'): void {
+    this.steps.push(by)
+    if (this.mode !== 'step') this.begin('step')
+  }
+
+  private begin(mode: Mode): void {
+    this.mode = mode
+    this.frames = 0
+    this.round.clear()
+    this.pace = new Pace()
+    this.request()
+  }
+
+  private request(): void {
+    cancelAnimationFrame(this.requested)
+    this.requested = requestAnimationFrame(() => this.onFrame())
+  }
+
+  private onFrame(): void {
+    if (this.mode === 'idle') return
+    this.request()
+    const panels = this.panels()
+    if (panels.some((panel) => panel.client.state === 'loading')) return
+    const running = panels.filter(({ client }) => client.state !== 'failed' && !client.finished)
+    if (running.length === 0) this.finish()
+    else if (this.round.size > 0 || this.nextRound(running)) this.tick()
+  }
+
+  private panels(): { id: number; client: PanelClient }[] {
+    return this.host.panelIds().flatMap((id) => {
+      const found = client(id)
+      return found ? [{ id, client: found }] : []
+    })
+  }
+
+  /** Plans the next round when it is due; false when this frame has none. */
+  private nextRound(running: { id: number; client: PanelClient }[]): boolean {
+    if (running.some(({ client }) => client.state === 'ticking')) return false
+    const standings = running.flatMap(({ id, client }) =>
+      client.frame ? [standing(id, client.frame)] : [],
+    )
+    if (this.mode === 'step') {
+      const by = this.steps.shift()
+      if (by === undefined) return this.rest()
+      this.round = planRound(standings, { ...FULL_SPEED, unit: by }, 'moves', 1)
+      return true
+    }
+    if (this.mode === 'to-end') {
+      this.round = planRound(standings, FULL_SPEED, 'time', 1)
+      return true
+    }
+    const speed = this.speed()
+    if (this.frames++ % speed.everyFrames !== 0) return false
+    this.pace.finish(this.slowestMs)
+    this.slowestMs = 0
+    this.round = planRound(standings, speed, this.host.sync(), this.pace.batch)
+    return true
+  }
+
+  private tick(): void {
+    const sliceMs = this.mode === 'play' ? sliceFor(this.speed(), this.host.sync()) : SLICE_MS
+    for (const [id, target] of this.round) client(id)?.tick(target, sliceMs)
+  }
+
+  private speed(): Speed {
+    return SPEEDS[this.host.speed()] ?? FULL_SPEED
+  }
+
+  private receive(panelId: number, reply: PanelReply): void {
+    if (reply.kind === 'frame') {
+      this.slowestMs = Math.max(this.slowestMs, reply.workMs)
+      if (reply.reached) this.round.delete(panelId)
+    } else if (reply.kind !== 'ready') this.round.delete(panelId)
+    this.host.onReply(panelId, reply)
+  }
+
+  private rest(): false {
+    this.mode = 'idle'
+    return false
+  }
+
+  private finish(): void {
+    this.pause()
+    this.host.onAllFinished()
+  }
+}

@@ -1,0 +1,28 @@
+/** Errors as they cross worker boundaries: always a plain EngineError object. */
+import type { EngineError } from '@pkg/formicarium'
+
+export function isEngineError(value: unknown): value is EngineError {
+  return (
+    typeof value === 'object' &&
+    value !== null &&
+    'kind' in value &&
+    'message' in value &&
+    'hint' in value
+  )
+}
+
+/** What was thrown, as an EngineError; anything but the engine's own errors counts as a crash. */
+export function toEngineError(thrown: unknown): EngineError {
+  if (isEngineError(thrown)) return thrown
+  return crash(thrown instanceof Error ? thrown.message : String(thrown))
+}
+
+export function crash(message: string): EngineError {
+  return {
+    kind: 'engine-crashed',
+    field: '',
+    message: `The engine stopped: ${message}`,
+    hint: 'Nothing you drew is lost. Reset to start the engine again.',
+    args: { reason: message },
+  }
+}

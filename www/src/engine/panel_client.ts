@@ -1,0 +1,163 @@
+/**
+ * The page's side of one panel's worker. It owns the canvas, because a canvas can be handed to a worker only once: whoever
+ * shows the panel mounts this element, however often the page is rendered anew.
+ */
+import type { Frame, PanelReply, PanelRequest, RunSetup, Target, View } from '../messages'
+import { engineModule } from './load'
+import PanelWorker from './panel.worker?worker'
+
+interface Load {
+  runId: number
+  setup: RunSetup
+}
+
+/** A panel that is not on screen runs all the same. */
+const UNSEEN: View = {
+  width: 1,
+  height: 1,
+  scale: 1,
+  originX: 0,
+  originY: 0,
+  dpr: 1,
+  layer: 'none',
+  showAnts: false,
+  showPath: false,
+  theme: 'light',
+  colour: '#000000',
+  cursor: null,
+  cursorFocus: false,
+}
+
+/** loading: no run yet, or a newer one is on its way · idle: can be ticked · failed: refused or crashed, until the next load */
+type State = 'loading' | 'idle' | 'ticking' | 'failed'
+
+export class PanelClient {
+  state: State = 'loading'
+  /** The newest answer of the current run. */
+  frame: Frame | null = null
+  private worker: Worker | null = null
+  private canvas: HTMLCanvasElement | null = null
+  private host: HTMLElement | null = null
+  private view: View = UNSEEN
+  private started = false
+  private current: Load | null = null
+  /** Posted and not answered yet; while it is, only the newest later load is kept. */
+  private loadUnderWay: number | null = null
+  private loadWaiting: Load | null = null
+
+  constructor(private readonly onReply: (reply: PanelReply) => void) {}
+
+  /** Shows the canvas in `host`; the same canvas moves when the page is laid out anew. */
+  mount(host: HTMLElement): void {
+    this.host = host
+    if (this.canvas === null) this.renewCanvas()
+    else host.append(this.canvas)
+  }
+
+  setView(view: View): void {
+    this.view = view
+    if (this.started) this.post({ kind: 'view', view })
+  }
+
+  load(runId: number, setup: RunSetup): void {
+    this.current = { runId, setup }
+    this.frame = null
+    this.state = 'loading'
+    this.loadWaiting = this.current
+    if (this.started) this.postLoad()
+    else if (this.worker === null) void this.start()
+  }
+
+  tick(target: Target, sliceMs: number): void {
+    if (this.state !== 'idle' || this.current === null) return
+    this.state = 'ticking'
+    this.post({ kind: 'tick', runId: this.current.runId, target, sliceMs })
+  }
+
+  get finished(): boolean {
+    return this.frame !== null && this.frame.status !== 'running'
+  }
+
+  /** Ends the worker, and with it the run and all its memory. */
+  terminate(): void {
+    this.worker?.terminate()
+    this.worker = null
+    this.started = false
+    this.canvas?.remove()
+    this.canvas = null
+  }
+
+  private async start(): Promise<void> {
+    if (this.canvas === null) this.renewCanvas()
+    const worker = new PanelWorker()
+    this.worker = worker
+    worker.onmessage = (event: MessageEvent<PanelReply>) => this.receive(event.data)
+    worker.onerror = (event) => this.crash(event.message || 'the worker could not start')
+    try {
+      const module = await engineModule()
+      if (this.worker === worker) this.hand(module)
+    } catch (error) {
+      this.crash(error instanceof Error ? error.message : String(error))
+    }
+  }
+
+  private hand(module: WebAssembly.Module): void {
+    if (this.canvas === null) return
+    const canvas = this.canvas.transferControlToOffscreen()
+    this.worker?.postMessage(
+      { kind: 'init', module, canvas, view: this.view } satisfies PanelRequest,
+      [canvas],
+    )
+    this.started = true
+    this.postLoad()
+  }
+
+  private postLoad(): void {
+    if (this.loadWaiting === null || this.loadUnderWay !== null) return
+    this.loadUnderWay = this.loadWaiting.runId
+    this.post({ kind: 'load', ...this.loadWaiting })
+    this.loadWaiting = null
+  }
+
+  private receive(reply: PanelReply): void {
+    if (reply.kind === 'crashed') this.crash(reply.message)
+    else if (reply.kind === 'ready') this.onReply(reply)
+    else this.answer(reply)
+  }
+
+  /** Answers to a run that has been replaced meanwhile are dropped. */
+  private answer(reply: Extract<PanelReply, { runId: number }>): void {
+    if (reply.runId === this.loadUnderWay) {
+      this.loadUnderWay = null
+      this.postLoad()
+    }
+    if (reply.runId !== this.current?.runId) return
+    this.state = reply.kind === 'frame' ? 'idle' : 'failed'
+    if (reply.kind === 'frame') this.frame = reply
+    this.onReply(reply)
+  }
+
+  /** The canvas went down with its worker; a fresh one stands by for the next load. */
+  private crash(message: string): void {
+    this.worker?.terminate()
+    this.worker = null
+    this.started = false
+    this.loadUnderWay = null
+    this.loadWaiting = null
+    this.state = 'failed'
+    this.renewCanvas()
+    this.onReply({ kind: 'crashed', message })
+  }
+
+  private renewCanvas(): void {
+    const canvas = document.createElement('canvas')
+    canvas.setAttribute('aria-hidden', 'true')
+    this.canvas?.remove()
+    this.canvas = canvas
+    this.host?.append(canvas)
+  }
+
+  private post(request: PanelRequest): void {
+    this.worker?.postMessage(request)
+  }
+}

@@ -1,0 +1,85 @@
+import { CircleQuestionMark, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
+import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
+import { MapMenu } from '../maps/map_menu'
+import { notifyError, setTheme, type ThemeChoice, theme, themeChoice } from '../state'
+import { Button, IconButton } from '../ui/buttons'
+import { show } from '../ui/dialogs'
+import { Icon } from '../ui/icon'
+import { Menu, MenuItem } from '../ui/menu'
+import { Mark } from './mark'
+
+export function Header() {
+  return (
+    <header class="header">
+      <h1 class="brand">
+        <Mark />
+        <span>Formicarium</span>
+      </h1>
+      <MapMenu />
+      <span class="spacer" />
+      <Button
+        label={t('header.share')}
+        icon={Share2}
+        tone="primary"
+        testId="share"
+        onClick={() => show('share')}
+      />
+      <ThemeMenu />
+      <LanguageMenu />
+      <IconButton
+        icon={CircleQuestionMark}
+        label={t('header.help')}
+        keys="?"
+        testId="help"
+        onClick={() => show('help')}
+      />
+    </header>
+  )
+}
+
+const THEME_ICONS = { system: Monitor, light: Sun, dark: Moon } as const
+
+function ThemeMenu() {
+  return (
+    <Menu
+      label={t('header.theme')}
+      face={<Icon icon={THEME_ICONS[theme.value]} />}
+      testId="theme"
+      align="end"
+      bare
+    >
+      {(Object.keys(THEME_ICONS) as ThemeChoice[]).map((choice) => (
+        <MenuItem
+          key={choice}
+          icon={THEME_ICONS[choice]}
+          label={t(`header.themes.${choice}`)}
+          testId={`theme-${choice}`}
+          checked={themeChoice.value === choice}
+          onClick={() => setTheme(choice)}
+        />
+      ))}
+    </Menu>
+  )
+}
+
+function LanguageMenu() {
+  return (
+    <Menu
+      label={t('header.language')}
+      face={<Icon icon={Languages} />}
+      testId="language"
+      align="end"
+      bare
+    >
+      {(Object.keys(LANGUAGES) as Language[]).map((choice) => (
+        <MenuItem
+          key={choice}
+          label={LANGUAGES[choice]}
+          testId={`language-${choice}`}
+          checked={language.value === choice}
+          onClick={() => setLanguage(choice).catch(notifyError)}
+        />
+      ))}
+    </Menu>
+  )
+}

@@ -1,0 +1,67 @@
+import { t } from '../i18n'
+import { engineVersion } from '../state'
+import { Dialog } from '../ui/dialog'
+import { closeDialog } from '../ui/dialogs'
+
+type KeyName = 'play' | 'move' | 'iteration' | 'reset' | 'end' | 'undo' | 'redo' | 'tools' | 'fit'
+type StageKeyName = 'cursor' | 'apply' | 'pointer' | 'zoom' | 'pan' | 'help' | 'leave'
+
+const RUN_KEYS: [KeyName, string[]][] = [
+  ['play', ['Space']],
+  ['move', ['→']],
+  ['iteration', ['Shift →', ']']],
+  ['reset', ['R', 'Home']],
+  ['end', ['End']],
+  ['undo', ['Ctrl Z']],
+  ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
+  ['tools', ['W', 'E', 'S', 'G', 'H']],
+  ['fit', ['0']],
+]
+
+const MAP_KEYS: [StageKeyName, string[]][] = [
+  ['cursor', ['←', '↑', '↓', '→']],
+  ['apply', ['Enter', 'X']],
+  ['pointer', []],
+  ['zoom', []],
+  ['pan', []],
+  ['help', ['?']],
+  ['leave', ['Esc']],
+]
+
+export function HelpDialog() {
+  return (
+    <Dialog title={t('help.title')} onClose={closeDialog} testId="help-dialog" wide>
+      <p>{t('help.about')}</p>
+      <ol class="help-steps">
+        <li>{t('help.step1')}</li>
+        <li>{t('help.step2')}</li>
+        <li>{t('help.step3')}</li>
+      </ol>
+      <div class="key-columns">
+        <KeyTable title={t('help.runKeys')} rows={RUN_KEYS} />
+        <KeyTable title={t('help.mapKeys')} rows={MAP_KEYS} />
+      </div>
+      <p class="hint">{t('help.scripting', { version: engineVersion.value })}</p>
+    </Dialog>
+  )
+}
+
+function KeyTable({ title, rows }: { title: string; rows: [KeyName | StageKeyName, string[]][] }) {
+  return (
+    <section>
+      <h3>{title}</h3>
+      <dl class="keys">
+        {rows.map(([name, keys]) => (
+          <div key={name}>
+            <dt>{t(`help.keys.${name}`)}</dt>
+            <dd>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  )
+}

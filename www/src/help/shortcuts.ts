@@ -1,0 +1,65 @@
+/** The page's keys. A focused map or form control keeps the keys it uses itself. */
+
+import { fitView } from '../stage/view'
+import { redo, reset, runToEnd, stepIteration, stepMove, toggle, tool, undo } from '../state'
+import { openDialog, show } from '../ui/dialogs'
+
+const choose = (id: typeof tool.value) => () => {
+  tool.value = id
+}
+
+const KEYS: Record<string, () => void> = {
+  ' ': toggle,
+  ArrowRight: stepMove,
+  'Shift+ArrowRight': stepIteration,
+  ']': stepIteration,
+  r: reset,
+  Home: reset,
+  End: runToEnd,
+  w: choose('wall'),
+  e: choose('erase'),
+  s: choose('start'),
+  g: choose('goal'),
+  h: choose('pan'),
+  '0': fitView,
+  '?': () => show('help'),
+  'Ctrl+z': undo,
+  'Ctrl+Shift+z': redo,
+  'Ctrl+y': redo,
+  Escape: choose('wall'),
+}
+
+export function listenForKeys(): void {
+  let swallowed: string | null = null
+  addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.altKey || openDialog.value !== null) return
+    if (keptByControl(event)) return
+    const action = KEYS[nameOf(event)]
+    if (!action) return
+    event.preventDefault()
+    action()
+    swallowed = event.key
+  })
+  // Some browsers press a focused button when Space comes up again.
+  addEventListener('keyup', (event) => {
+    if (event.key === swallowed) event.preventDefault()
+    swallowed = null
+  })
+}
+
+/** Letters by what they mean, whatever Caps Lock says; signs such as ? need Shift on many keyboards and go without it. */
+function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
+  const command = ctrlKey || metaKey ? 'Ctrl+' : ''
+  if (key.length > 1) return `${command}${shiftKey ? 'Shift+' : ''}${key}`
+  return command + (command && shiftKey ? 'Shift+' : '') + key.toLowerCase()
+}
+
+/** Space presses a button that was reached with the keyboard; after a click it plays and pauses as anywhere. */
+function keptByControl({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  if (!(target instanceof HTMLElement)) return false
+  if (target.closest('[role="menu"], dialog')) return true
+  if (target.matches('textarea, select, input:not([type="range"], [type="checkbox"])')) return true
+  if (ctrlKey || metaKey) return false
+  if (target.matches('input[type="range"]')) return /^(Arrow|Home|End|Page)/.test(key)
+  return key === ' ' && target.matches('button:focus-visible, input:focus-visible')
+}

@@ -1,0 +1,41 @@
+/** Errors and remarks of the engine in the reader's language: by kind when there is a translation, else as the engine said it. */
+import type { Notice } from '@pkg/formicarium'
+import { engineText, t } from '.'
+
+interface Described {
+  message: string
+  hint: string
+}
+
+interface Coded extends Described {
+  kind: string
+  field?: string
+  args?: Record<string, string>
+}
+
+export function describeError(error: unknown): Described {
+  if (isCoded(error)) {
+    const args = { ...error.args, field: error.field ?? '' }
+    return {
+      message: sentence(engineText(`errors.${error.kind}.message`, error.message, args)),
+      hint: sentence(engineText(`errors.${error.kind}.hint`, error.hint, args)),
+    }
+  }
+  const message = error instanceof Error ? error.message : String(error)
+  return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
+}
+
+export function describeNotice({ kind, message, args }: Notice): string {
+  return sentence(engineText(`notices.${kind}`, message, args))
+}
+
+function isCoded(error: unknown): error is Coded {
+  return typeof error === 'object' && error !== null && 'kind' in error && 'hint' in error
+}
+
+/** The engine's messages start small and end without a stop, ready to stand after a colon. */
+function sentence(text: string): string {
+  if (text === '') return text
+  const capital = text.charAt(0).toUpperCase() + text.slice(1)
+  return /[.!?。！？)]$/.test(capital) ? capital : `${capital}.`
+}

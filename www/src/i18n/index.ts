@@ -1,0 +1,91 @@
+/** Text in the reader's language. `t` reads a signal, so components that call it follow a change of language. */
+import { computed, effect, signal } from '@preact/signals'
+import i18next from 'i18next'
+import { en } from './en'
+
+export const LANGUAGES = { en: 'English', 'zh-CN': '简体中文' } as const
+export type Language = keyof typeof LANGUAGES
+
+type Leaves<T> = {
+  [K in keyof T & string]: T[K] extends string ? K : `${K}.${Leaves<T[K]>}`
+}[keyof T & string]
+type WithoutPlural<K extends string> = K extends `${infer Base}_one` | `${infer Base}_other`
+  ? Base
+  : K
+/** Every key of the English dictionary; the other languages are checked against it by their type. */
+export type TextKey = WithoutPlural<Leaves<typeof en>>
+
+const LANGUAGE_KEY = 'formicarium.language'
+
+i18next.init({
+  lng: 'en',
+  fallbackLng: 'en',
+  initAsync: false,
+  interpolation: { escapeValue: false },
+  resources: { en: { translation: en } },
+})
+
+export const language = signal<Language>('en')
+
+/** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
+async function useLanguage(choice: Language): Promise<void> {
+  if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
+    const [{ zhCN }, { zhCNEngine }] = await Promise.all([
+      import('./zh_cn'),
+      import('./zh_cn_engine'),
+    ])
+    i18next.addResourceBundle(choice, 'translation', zhCN)
+    // The engine speaks English; what a dictionary has for its names and errors replaces that.
+    i18next.addResourceBundle(choice, 'engine', zhCNEngine)
+  }
+  language.value = choice
+}
+
+/** The reader's language, before anything is shown. Without its dictionary the page speaks English. */
+export async function startLanguage(): Promise<void> {
+  await useLanguage(preferred()).catch(() => {})
+}
+
+export async function setLanguage(choice: Language): Promise<void> {
+  await useLanguage(choice)
+  try {
+    localStorage.setItem(LANGUAGE_KEY, choice)
+  } catch {}
+}
+
+export function t(key: TextKey, args?: Record<string, unknown>): string {
+  return i18next.t(key, { lng: language.value, ...args })
+}
+
+/** The engine's own text, translated when the language's dictionary has it. */
+export function engineText(key: string, english: string, args?: Record<string, unknown>): string {
+  return i18next.t(key, { lng: language.value, ns: 'engine', defaultValue: english, ...args })
+}
+
+export const numbers = computed(() => ({
+  whole: new Intl.NumberFormat(language.value, { maximumFractionDigits: 0 }),
+  length: new Intl.NumberFormat(language.value, {
+    minimumFractionDigits: 2,
+    maximumFractionDigits: 2,
+  }),
+  percent: new Intl.NumberFormat(language.value, {
+    style: 'percent',
+    minimumFractionDigits: 1,
+    maximumFractionDigits: 1,
+    signDisplay: 'exceptZero',
+  }),
+}))
+
+function preferred(): Language {
+  let chosen: string | null = null
+  try {
+    chosen = localStorage.getItem(LANGUAGE_KEY)
+  } catch {}
+  if (chosen === 'en' || chosen === 'zh-CN') return chosen
+  return navigator.language.toLowerCase().startsWith('zh') ? 'zh-CN' : 'en'
+}
+
+effect(() => {
+  document.documentElement.lang = language.value
+  document.title = t('app.title')
+})

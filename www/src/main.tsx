@@ -1,0 +1,23 @@
+import 'uplot/dist/uPlot.min.css'
+import './styles/index.css'
+import { render } from 'preact'
+import { App } from './app'
+import { listenForKeys } from './help/shortcuts'
+import { startLanguage } from './i18n'
+import { listenForDrops } from './maps/drop'
+import { listenForPaste } from './maps/paste'
+import { offerScripting } from './scripting'
+import { startPage } from './state'
+
+async function main(): Promise<void> {
+  await startLanguage()
+  const root = document.getElementById('app')
+  if (root) render(<App />, root)
+  listenForKeys()
+  listenForPaste()
+  listenForDrops()
+  offerScripting()
+  await startPage()
+}
+
+void main()

@@ -1,0 +1,96 @@
+/** The built-in scenarios. Names and notes in the reader's language live in i18n under `gallery.<id>`. */
+import type { ScenarioSpec } from '@pkg/formicarium'
+import { tools } from '../engine/tools'
+import type { Origin, Scenario } from '../session'
+import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
+
+export interface GalleryEntry {
+  id: string
+  scenario(): Promise<Scenario>
+}
+
+/** What a newcomer sees: needs no engine, so it is there at once. */
+export function firstScenario(): Scenario {
+  return drawn('Two corridors', TWO_CORRIDORS)
+}
+
+/** From the one that shows most at a glance to the one that shows what no path looks like. */
+export const gallery: GalleryEntry[] = [
+  { id: 'two-corridors', scenario: async () => firstScenario() },
+  { id: 'aco-20x20', scenario: async () => drawn('Scattered blocks, 20 × 20', SCATTERED) },
+  { id: 'engine-room', scenario: async () => drawn('Engine room', ENGINE_ROOM) },
+  {
+    id: 'rooms',
+    scenario: () => generated('Rooms', 48, 32, { generator: 'rooms', seed: 7, density: 0 }),
+  },
+  {
+    id: 'maze',
+    scenario: () => generated('Maze', 41, 27, { generator: 'maze', seed: 3, density: 0 }),
+  },
+  {
+    id: 'random-100',
+    scenario: () =>
+      generated('Random, 100 × 100', 100, 100, { generator: 'random', seed: 11, density: 0.3 }),
+  },
+  { id: 'open-field', scenario: async () => openField() },
+  { id: 'unreachable', scenario: async () => drawn('Unreachable', SEALED) },
+]
+
+/** Without obstacles every detour is the ants' own. */
+function openField(): Scenario {
+  const [width, height] = [40, 25]
+  return {
+    spec: specOf('Open field', width, height, [4, 19], [35, 5]),
+    cells: new Uint8Array(width * height),
+    origin: null,
+  }
+}
+
+function drawn(name: string, rows: readonly string[]): Scenario {
+  const width = rows[0]?.length ?? 0
+  const text = rows.join('')
+  const at = (mark: string): [number, number] => {
+    const index = text.indexOf(mark)
+    return [index % width, Math.floor(index / width)]
+  }
+  return {
+    spec: specOf(name, width, rows.length, at('S'), at('G')),
+    cells: Uint8Array.from(text, (char) => (char === '#' ? 1 : 0)),
+    origin: null,
+  }
+}
+
+async function generated(
+  name: string,
+  width: number,
+  height: number,
+  origin: Origin,
+): Promise<Scenario> {
+  const { cells, start, goal } = await tools.generate(
+    origin.generator,
+    width,
+    height,
+    origin.seed,
+    origin.density,
+  )
+  return { spec: specOf(name, width, height, start, goal), cells, origin }
+}
+
+function specOf(
+  name: string,
+  width: number,
+  height: number,
+  start: [number, number],
+  goal: [number, number],
+): ScenarioSpec {
+  return {
+    name,
+    width,
+    height,
+    resolution: 1,
+    movement: { moves: 8, corner_rule: 'both-free' },
+    start,
+    goals: [{ at: goal, name: 'goal' }],
+    vehicle: { speed: 1, seconds_per_turn: 1 },
+  }
+}

@@ -1,0 +1,67 @@
+import { useId, useRef, useState } from 'preact/hooks'
+import { t } from '../i18n'
+import { importFiles, importText } from '../state'
+import { Button } from '../ui/buttons'
+import { Dialog } from '../ui/dialog'
+import { closeDialog } from '../ui/dialogs'
+
+const FORMATS = ['map', 'scen', 'matrix', 'json', 'link'] as const
+
+export function ImportDialog() {
+  const picker = useRef<HTMLInputElement>(null)
+  const [text, setText] = useState('')
+  const textId = useId()
+  const settle = async (taken: Promise<boolean>) => {
+    if (await taken) closeDialog()
+  }
+  return (
+    <Dialog
+      title={t('maps.titles.import')}
+      onClose={closeDialog}
+      testId="import-dialog"
+      actions={
+        <Button
+          label={t('maps.importText')}
+          tone="primary"
+          testId="import-text"
+          disabled={text.trim() === ''}
+          onClick={() => settle(importText(text))}
+        />
+      }
+    >
+      <input
+        ref={picker}
+        type="file"
+        multiple
+        class="visually-hidden"
+        tabIndex={-1}
+        aria-label={t('maps.chooseFiles')}
+        accept=".map,.scen,.txt,.csv,.json"
+        data-testid="import-file"
+        onChange={(event) => settle(importFiles(event.currentTarget.files ?? []))}
+      />
+      <button type="button" class="drop-target" onClick={() => picker.current?.click()}>
+        <strong>{t('maps.chooseFiles')}</strong>
+        <span class="hint">{t('maps.orDrop')}</span>
+      </button>
+      <label class="field-label" for={textId}>
+        {t('maps.pasteHere')}
+      </label>
+      <textarea
+        id={textId}
+        class="input text-area"
+        rows={6}
+        spellcheck={false}
+        placeholder={'0 0 0 1 0\n0 1 0 1 0\n0 1 0 0 0'}
+        data-testid="import-area"
+        value={text}
+        onInput={(event) => setText(event.currentTarget.value)}
+      />
+      <ul class="formats">
+        {FORMATS.map((id) => (
+          <li key={id}>{t(`maps.formats.${id}`)}</li>
+        ))}
+      </ul>
+    </Dialog>
+  )
+}

@@ -1,0 +1,87 @@
+/**
+ * Everything that crosses between the page's thread and a panel's worker.
+ *
+ * Each panel owns one worker, one wasm instance and one OffscreenCanvas. Requests that concern a run carry its `runId`; replies
+ * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
+ */
+import type { EngineError, Layer, RunSummary, ScenarioSpec, Status } from '@pkg/formicarium'
+
+/** Parameter values by key, as the catalog names them; what is absent takes the catalog's default. */
+export type ParamValues = Record<string, number | string | boolean>
+
+/** What a run is made of: enough to repeat it bit for bit. */
+export interface RunSetup {
+  spec: ScenarioSpec
+  /** Row by row from the upper left; 1 = blocked, 0 = free. */
+  cells: Uint8Array
+  planner: string
+  params: ParamValues
+  seed: number
+}
+
+/** How the stage looks at the map: the same for every panel, so that maps can be compared cell by cell. */
+export interface View {
+  /** Canvas size in device pixels. */
+  width: number
+  height: number
+  /** Device pixels per cell and the position of the map's upper left corner in device pixels. */
+  scale: number
+  originX: number
+  originY: number
+  /** Device pixels per CSS pixel: line widths and markers scale with it. */
+  dpr: number
+  layer: Layer | 'none'
+  showAnts: boolean
+  showPath: boolean
+  theme: 'light' | 'dark'
+  /** Hex colour of this panel's planner, for its path. */
+  colour: string
+  /** Cell under the pointer or the keyboard cursor, [x, y]. */
+  cursor: [number, number] | null
+  /** Draw the cursor as a focus ring (keyboard) rather than a hover tint. */
+  cursorFocus: boolean
+}
+
+/**
+ * How far one tick may take a run. `moves` and `iterations` are counts to add; the `until-*` targets are absolute, so panels
+ * that share a target stay in lockstep; `slice` runs until the time slice is spent. Counted moves are always made in full,
+ * unless an absolute bound beside them is met first: that is how panels walk step by step and still keep a shared target.
+ */
+export type Target =
+  | { kind: 'moves'; count: number; untilIteration?: number; untilPaths?: number }
+  | { kind: 'iterations'; count: number }
+  | { kind: 'until-iteration'; iteration: number }
+  | { kind: 'until-paths'; paths: number }
+  | { kind: 'slice' }
+
+export type PanelRequest =
+  | { kind: 'init'; module: WebAssembly.Module; canvas: OffscreenCanvas; view: View }
+  /** Replaces the run. The map is shown at once; the planner allocates at its first step. */
+  | { kind: 'load'; runId: number; setup: RunSetup }
+  | { kind: 'view'; view: View }
+  /** Advance towards `target`, at most `sliceMs`, draw once, answer with a `frame`. */
+  | { kind: 'tick'; runId: number; target: Target; sliceMs: number }
+
+/** What a tick or a load did. */
+export interface Frame {
+  kind: 'frame'
+  runId: number
+  status: Status
+  summary: RunSummary
+  /** New rows of the history since the last frame: iteration, best so far, iteration best, mean, worst, arrived (6 numbers each; NaN = none). */
+  history: Float64Array
+  /** True when the target was reached (or the run has finished); false when the slice ended first. */
+  reached: boolean
+  /** Best path as x0, y0, x1, y1, … when it changed since the last frame. */
+  bestPath: Uint32Array | null
+  /** Milliseconds this tick took in the worker. */
+  workMs: number
+}
+
+export type PanelReply =
+  | { kind: 'ready' }
+  | Frame
+  /** The request was refused; the panel keeps showing what it showed before. */
+  | { kind: 'refused'; runId: number; error: EngineError }
+  /** The worker itself failed. */
+  | { kind: 'crashed'; message: string }

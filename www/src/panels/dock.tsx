@@ -1,0 +1,20 @@
+import { Convergence } from '../charts/convergence'
+import { t } from '../i18n'
+import { MetricsTable } from './metrics_table'
+import { Parameters } from './parameters'
+
+/** Beneath the panels: how the race went, how it compares, what can be changed. */
+export function Dock() {
+  return (
+    <div class="dock">
+      <Convergence />
+      <div class="dock-card comparison">
+        <header class="dock-head">
+          <h2>{t('metrics.title')}</h2>
+        </header>
+        <MetricsTable />
+      </div>
+      <Parameters />
+    </div>
+  )
+}

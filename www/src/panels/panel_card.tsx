@@ -1,0 +1,109 @@
+import type { EngineError } from '@pkg/formicarium'
+import { SlidersHorizontal, X } from 'lucide'
+import { t } from '../i18n'
+import { describeError } from '../i18n/errors'
+import { Stage } from '../stage/Stage'
+import {
+  catalog,
+  type Panel,
+  plannerEntry,
+  removePanel,
+  reset,
+  selectedPanel,
+  setPlanner,
+  slotColour,
+} from '../state'
+import { Button, IconButton } from '../ui/buttons'
+import { Select } from '../ui/fields'
+import { showParameters } from './parameters'
+import { panelTitle, plannerName } from './planner_text'
+import { Readout } from './readout'
+import { StatusChip } from './status_chip'
+
+interface PanelCardProps {
+  panel: Panel
+  /** 1 for the first on the page. */
+  place: number
+}
+
+export function PanelCard({ panel, place }: PanelCardProps) {
+  const { id, setup, slot } = panel
+  const title = panelTitle(id)
+  return (
+    <article
+      class="panel"
+      style={{ '--panel-colour': slotColour(slot) }}
+      aria-label={t('panels.label', { place, planner: title })}
+      data-testid={`panel-${place}`}
+      data-selected={selectedPanel.value === id}
+    >
+      <header class="panel-head">
+        <span class="panel-dot" aria-hidden="true" />
+        <Select
+          label={t('panels.planner')}
+          hideLabel
+          class="planner-select"
+          value={setup.planner}
+          testId={`planner-${place}`}
+          options={(catalog.value?.planners ?? []).map((entry) => ({
+            value: entry.id,
+            label: plannerName(entry),
+          }))}
+          onChange={(planner) => setPlanner(id, planner)}
+        />
+        <StatusChip panel={panel} place={place} />
+        <span class="spacer" />
+        <IconButton
+          icon={SlidersHorizontal}
+          label={t('panels.parametersOf', { planner: title })}
+          tone="quiet"
+          size={16}
+          pressed={selectedPanel.value === id}
+          testId={`parameters-${place}`}
+          onClick={() => showParameters(id)}
+        />
+        <IconButton
+          icon={X}
+          label={t('panels.remove', { planner: title })}
+          tone="quiet"
+          size={16}
+          testId={`remove-${place}`}
+          onClick={() => removePanel(id)}
+        />
+      </header>
+      <Readout panel={panel} place={place} />
+      <div class="panel-stage">
+        <Stage panelId={id} />
+        <PanelTrouble panel={panel} />
+      </div>
+    </article>
+  )
+}
+
+/** The parameters of the selected panel are on show, and a refused one says there what is wrong. */
+function isShownAtItsField(panel: Panel, { field }: EngineError): boolean {
+  const params = plannerEntry(panel.setup.planner)?.params ?? []
+  return selectedPanel.value === panel.id && params.some(({ key }) => key === field)
+}
+
+/** A refusal that no parameter field can show, or a worker that failed: said over the map, with the way out. */
+function PanelTrouble({ panel }: { panel: Panel }) {
+  const { error, crashed } = panel.live.value
+  if (crashed !== null) {
+    return (
+      <div class="panel-trouble" role="alert">
+        <p>{t('panels.crashed')}</p>
+        <p class="hint">{crashed}</p>
+        <Button label={t('panels.restart')} onClick={reset} />
+      </div>
+    )
+  }
+  if (!error || isShownAtItsField(panel, error)) return null
+  const { message, hint } = describeError(error)
+  return (
+    <div class="panel-trouble" role="alert">
+      <p>{message}</p>
+      <p class="hint">{hint}</p>
+    </div>
+  )
+}

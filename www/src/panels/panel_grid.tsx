@@ -1,0 +1,29 @@
+import { Bug } from 'lucide'
+import { t } from '../i18n'
+import { panels } from '../state'
+import { Icon } from '../ui/icon'
+import { AddPlannerButtons } from './add_planner'
+import { PanelCard } from './panel_card'
+
+export function PanelGrid() {
+  const all = panels.value
+  if (all.length === 0) return <NoPanels />
+  return (
+    <section class="panel-grid" data-count={all.length} aria-label={t('panels.region')}>
+      {all.map((panel, index) => (
+        <PanelCard key={panel.id} panel={panel} place={index + 1} />
+      ))}
+    </section>
+  )
+}
+
+function NoPanels() {
+  return (
+    <section class="empty" aria-label={t('panels.region')} data-testid="no-panels">
+      <Icon icon={Bug} size={36} />
+      <h2>{t('panels.none')}</h2>
+      <p>{t('panels.noneHint')}</p>
+      <AddPlannerButtons />
+    </section>
+  )
+}

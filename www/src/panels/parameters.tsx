@@ -1,0 +1,106 @@
+import { useComputed } from '@preact/signals'
+import type { CatalogEntry } from '@pkg/formicarium'
+import { t } from '../i18n'
+import type { ParamValues } from '../messages'
+import {
+  type Panel,
+  panelById,
+  panels,
+  paramValue,
+  plannerEntry,
+  selectedPanel,
+  setParam,
+  setPreset,
+  slotColour,
+} from '../state'
+import { Select } from '../ui/fields'
+import { ParameterControl } from './parameter_control'
+import { panelTitle, plannerSummary, presetName } from './planner_text'
+
+const SECTION_ID = 'parameters'
+
+/** Selects a panel and brings its parameters into sight. */
+export function showParameters(panelId: number): void {
+  selectedPanel.value = panelId
+  document.getElementById(SECTION_ID)?.scrollIntoView({ block: 'nearest' })
+}
+
+export function Parameters() {
+  const selected = panelById(selectedPanel.value ?? -1)
+  return (
+    <section class="dock-card parameters" id={SECTION_ID} aria-label={t('parameters.title')}>
+      <header class="dock-head">
+        <h2>{t('parameters.title')}</h2>
+        <PanelTabs />
+      </header>
+      {selected ? <Controls panel={selected} /> : <p class="hint">{t('parameters.none')}</p>}
+    </section>
+  )
+}
+
+function PanelTabs() {
+  return (
+    <fieldset class="panel-tabs" aria-label={t('parameters.which')}>
+      {panels.value.map(({ id, slot }) => (
+        <button
+          key={id}
+          type="button"
+          class="panel-tab"
+          aria-pressed={selectedPanel.value === id}
+          style={{ '--panel-colour': slotColour(slot) }}
+          onClick={() => {
+            selectedPanel.value = id
+          }}
+        >
+          <span class="panel-dot" aria-hidden="true" />
+          {panelTitle(id)}
+        </button>
+      ))}
+    </fieldset>
+  )
+}
+
+/** One control for each row of the catalog: nothing about a planner is written here. */
+function Controls({ panel }: { panel: Panel }) {
+  const { id, setup } = panel
+  // The numbers of the run change many times a second; the controls only care for a refusal.
+  const refusal = useComputed(() => panelById(id)?.live.value.error ?? null).value
+  const entry = plannerEntry(setup.planner)
+  if (!entry) return null
+  const shown = entry.params.filter(({ applies_when }) => {
+    const governing = entry.params.find(({ key }) => key === applies_when?.key)
+    return !applies_when || !governing || applies_when.values.includes(paramValue(setup, governing))
+  })
+  return (
+    <div class="parameter-list">
+      <p class="hint">{plannerSummary(entry)}</p>
+      {entry.presets.length > 0 && (
+        <Select
+          label={t('parameters.preset')}
+          class="preset-field"
+          value={setup.preset ?? (Object.keys(setup.params).length > 0 ? 'own' : '')}
+          testId="preset"
+          options={presetOptions(entry.presets, setup.params)}
+          onChange={(name) => {
+            if (name !== 'own') setPreset(panel.id, name || null)
+          }}
+        />
+      )}
+      {shown.map((spec) => (
+        <ParameterControl
+          key={`${setup.planner}.${spec.key}`}
+          spec={spec}
+          value={paramValue(setup, spec)}
+          error={refusal?.field === spec.key ? refusal : null}
+          onChange={(value) => setParam(panel.id, spec.key, value)}
+        />
+      ))}
+    </div>
+  )
+}
+
+function presetOptions(presets: CatalogEntry['presets'], params: ParamValues) {
+  const named = presets.map((preset) => ({ value: preset.name, label: presetName(preset) }))
+  const own = Object.keys(params).length > 0 ? [{ value: 'own', label: t('parameters.own') }] : []
+  return [{ value: '', label: t('parameters.defaults') }, ...named, ...own]
+}

@@ -1,0 +1,33 @@
+/** The catalog's own words, in the reader's language where it has them. */
+import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
+import { engineText } from '../i18n'
+import { panelById, panels, plannerEntry } from '../state'
+
+export const FAMILIES = ['ant-colony', 'exact'] as const
+
+export const plannerName = ({ id, name }: CatalogEntry) => engineText(`planners.${id}.name`, name)
+
+export const plannerSummary = ({ id, summary }: CatalogEntry) =>
+  engineText(`planners.${id}.summary`, summary)
+
+export const paramMeaning = ({ key, meaning }: ParamSpec) =>
+  capital(engineText(`params.${key}`, meaning))
+
+export const optionName = (id: string) => engineText(`options.${id}`, id.replaceAll('-', ' '))
+
+export const presetName = ({ name }: CatalogEntry['presets'][number]) =>
+  engineText(`presets.${name}`, name)
+
+/** Name of a panel's planner, numbered when several panels run the same; its id when the catalog does not know it. */
+export function panelTitle(panelId: number): string {
+  const planner = panelById(panelId)?.setup.planner ?? ''
+  const entry = plannerEntry(planner)
+  const name = entry ? plannerName(entry) : planner
+  const namesakes = panels.value.filter(({ setup }) => setup.planner === planner)
+  if (namesakes.length < 2) return name
+  return `${name} (${namesakes.findIndex(({ id }) => id === panelId) + 1})`
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1)
+}

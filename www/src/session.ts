@@ -1,0 +1,76 @@
+/** What a session is: everything a link, an experiment file and undo must be able to bring back. */
+import type { Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { ParamValues } from './messages'
+
+/** How the panels keep step while they play. */
+export type Sync = 'moves' | 'iterations' | 'paths' | 'time'
+
+/** Where a map came from, when that is shorter than its cells: the same generator call gives the same bits everywhere. */
+export interface Origin {
+  generator: 'random' | 'maze' | 'rooms' | 'cave'
+  seed: number
+  density: number
+}
+
+/** One map and the question asked on it. `cells`: row by row from the upper left, 1 = blocked. */
+export interface Scenario {
+  spec: ScenarioSpec
+  cells: Uint8Array
+  origin: Origin | null
+}
+
+/** A result a link carries, so that whoever opens it can verify it: after `iterations`, the digest was `digest`. */
+export interface RecordedResult {
+  iterations: number
+  status: Status
+  length: number | null
+  digest: string
+}
+
+export interface PanelSetup {
+  /** Catalog id of the planner. */
+  planner: string
+  preset: string | null
+  /** Only the values that differ from the catalog's defaults. */
+  params: ParamValues
+  result: RecordedResult | null
+}
+
+export interface Session {
+  scenario: Scenario
+  panels: PanelSetup[]
+  /** One seed for every panel: paired runs. */
+  seed: number
+  sync: Sync
+  /** Index into SPEEDS. */
+  speed: number
+  layer: Layer | 'none'
+}
+
+export const MAX_PANELS = 6
+
+/** How much every panel does per frame of animation. */
+export interface Speed {
+  id: string
+  /** `max`: as much as a time slice holds. */
+  unit: 'move' | 'iteration' | 'max'
+  count: number
+  /** One round every so many frames. */
+  everyFrames: number
+}
+
+/** Slowest first. A move: every living ant takes one step, an exact planner expands one cell. */
+export const SPEEDS: readonly Speed[] = [
+  { id: 'move-8', unit: 'move', count: 1, everyFrames: 8 },
+  { id: 'move-2', unit: 'move', count: 1, everyFrames: 2 },
+  { id: 'move', unit: 'move', count: 1, everyFrames: 1 },
+  { id: 'moves-4', unit: 'move', count: 4, everyFrames: 1 },
+  { id: 'moves-16', unit: 'move', count: 16, everyFrames: 1 },
+  { id: 'moves-64', unit: 'move', count: 64, everyFrames: 1 },
+  { id: 'iteration', unit: 'iteration', count: 1, everyFrames: 1 },
+  { id: 'iterations-4', unit: 'iteration', count: 4, everyFrames: 1 },
+  { id: 'max', unit: 'max', count: 1, everyFrames: 1 },
+]
+
+/** Slow enough to watch ants walk, fast enough to see them agree on a corridor within half a minute. */
+export const DEFAULT_SPEED = 3

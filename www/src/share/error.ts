@@ -1,0 +1,34 @@
+/** Why a link or an experiment file cannot be opened: the same shape as the engine's errors, so that they are shown the same way. */
+import type { EngineError } from '@pkg/formicarium'
+
+export type LinkErrorKind =
+  | 'link-foreign'
+  | 'link-damaged'
+  | 'link-newer'
+  | 'link-too-large'
+  | 'link-invalid'
+
+const HINTS: Record<LinkErrorKind, string> = {
+  'link-foreign': 'Links made by Share begin with #x= after the address; copy the whole link.',
+  'link-damaged':
+    'Part of it seems to be missing; copy the whole link again, or ask for the file instead.',
+  'link-newer': 'Reload the page to get the newest version, then open it again.',
+  'link-too-large': 'Maps of up to 4096 × 4096 cells and six panels can be opened.',
+  'link-invalid': 'It was not made by Share, or was changed by hand; correct the named value.',
+}
+
+export class LinkError extends Error implements EngineError {
+  override readonly name = 'LinkError'
+  readonly hint: string
+  readonly args: Record<string, string>
+
+  constructor(
+    readonly kind: LinkErrorKind,
+    message: string,
+    readonly field = '',
+  ) {
+    super(message)
+    this.hint = HINTS[kind]
+    this.args = { field, reason: message }
+  }
+}

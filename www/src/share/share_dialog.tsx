@@ -1,0 +1,111 @@
+import { Copy, FileDown } from 'lucide'
+import { useEffect, useState } from 'preact/hooks'
+import { t } from '../i18n'
+import { copyText } from '../maps/export_dialog'
+import { plannerName } from '../panels/planner_text'
+import type { Session } from '../session'
+import {
+  currentSession,
+  download,
+  exportExperiment,
+  fileStem,
+  notifyError,
+  plannerEntry,
+} from '../state'
+import { Button } from '../ui/buttons'
+import { Dialog } from '../ui/dialog'
+import { closeDialog } from '../ui/dialogs'
+import { encodeSession, LINK_LIMIT } from './link'
+
+export function ShareDialog() {
+  const [session] = useState(currentSession)
+  const link = useLink(session)
+  const tooLong = link !== null && link.length > LINK_LIMIT
+  return (
+    <Dialog
+      title={t('share.title')}
+      onClose={closeDialog}
+      testId="share-dialog"
+      actions={
+        <>
+          <Button
+            icon={FileDown}
+            label={t('share.file')}
+            tone={tooLong ? 'primary' : 'plain'}
+            testId="share-file"
+            onClick={saveFile}
+          />
+          {!tooLong && (
+            <Button
+              icon={Copy}
+              label={t('share.copy')}
+              tone="primary"
+              testId="share-copy"
+              disabled={link === null}
+              onClick={() => copyText(link ?? '')}
+            />
+          )}
+        </>
+      }
+    >
+      <p>{t('share.what')}</p>
+      {session && <Contents session={session} />}
+      {tooLong ? (
+        <p class="banner" data-testid="share-too-long">
+          {t('share.tooLong', { length: link.length, limit: LINK_LIMIT })}
+        </p>
+      ) : (
+        <>
+          <input
+            class="input share-link"
+            readOnly
+            value={link ?? t('common.working')}
+            aria-label={t('share.link')}
+            data-testid="share-link"
+            onFocus={(event) => event.currentTarget.select()}
+          />
+          <p class="hint">{t('share.private', { length: link?.length ?? 0 })}</p>
+        </>
+      )}
+    </Dialog>
+  )
+}
+
+/** What the link will bring back, so that nothing is shared unseen. */
+function Contents({ session }: { session: Session }) {
+  const { spec } = session.scenario
+  return (
+    <ul class="share-contents">
+      <li>{t('share.map', { name: spec.name, width: spec.width, height: spec.height })}</li>
+      {session.panels.map((panel, index) => (
+        <li key={index}>
+          {panelName(panel.planner)}
+          {panel.result
+            ? ` · ${t('share.result', { iterations: panel.result.iterations, digest: panel.result.digest })}`
+            : ` · ${t('share.noResult')}`}
+        </li>
+      ))}
+      <li>{t('share.seed', { seed: session.seed })}</li>
+    </ul>
+  )
+}
+
+function panelName(id: string): string {
+  const entry = plannerEntry(id)
+  return entry ? plannerName(entry) : id
+}
+
+/** The whole address; null while it is being made. */
+function useLink(session: Session | null): string | null {
+  const [link, setLink] = useState<string | null>(null)
+  useEffect(() => {
+    if (!session) return
+    const page = location.href.replace(/#.*$/, '')
+    encodeSession(session).then((text) => setLink(`${page}#x=${text}`), notifyError)
+  }, [session])
+  return link
+}
+
+function saveFile(): void {
+  download(`${fileStem()}.experiment.json`, exportExperiment(), 'application/json')
+}

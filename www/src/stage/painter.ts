@@ -1,0 +1,118 @@
+/** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
+import type { Layer, Run, ScenarioSpec } from '@pkg/formicarium'
+import type { View } from '../messages'
+import { Crowd } from './crowd'
+import { drawCrowd } from './draw_crowd'
+import { drawCursor, drawEnds, drawGrid, drawPath, drawRaster } from './draw_map'
+
+type Context = OffscreenCanvasRenderingContext2D
+
+/** Slow steps are shown as a walk rather than a jump, but never longer than this. */
+const LONGEST_GLIDE_MS = 140
+/** Steps that follow each other faster than this need no walk in between. */
+const SHORTEST_GLIDE_MS = 24
+
+export class Painter {
+  private readonly context: Context
+  private raster: Context | null = null
+  private run: Run | null = null
+  private spec: ScenarioSpec | null = null
+  private path: Uint32Array = new Uint32Array()
+  private readonly crowd = new Crowd()
+  private lastStep = 0
+  private glideFrom = 0
+  private glideMs = 0
+  private requested = 0
+
+  constructor(
+    private readonly canvas: OffscreenCanvas,
+    private view: View,
+  ) {
+    this.context = contextOf(canvas)
+    this.fitCanvas()
+  }
+
+  /** Shows another run from now on. */
+  show(run: Run, spec: ScenarioSpec): void {
+    this.run = run
+    this.spec = spec
+    this.path = new Uint32Array()
+    this.crowd.clear()
+    this.glideMs = 0
+    if (this.raster?.canvas.width !== spec.width || this.raster.canvas.height !== spec.height) {
+      this.raster = contextOf(new OffscreenCanvas(spec.width, spec.height))
+    }
+    this.repaint()
+    this.draw()
+  }
+
+  /** x0, y0, x1, y1, …; shown from the next drawing on. */
+  setPath(path: Uint32Array): void {
+    this.path = path
+  }
+
+  /** The run has moved on. `single`: by one move, so that every ant went one cell at most. */
+  refresh(single: boolean): void {
+    if (this.run === null) return
+    this.repaint()
+    this.crowd.update(this.run.ants(), single)
+    const now = performance.now()
+    const since = now - this.lastStep
+    this.lastStep = now
+    this.glideFrom = now
+    this.glideMs = single && since > SHORTEST_GLIDE_MS ? Math.min(since, LONGEST_GLIDE_MS) : 0
+    this.draw()
+  }
+
+  setView(view: View): void {
+    const before = this.view
+    this.view = view
+    this.fitCanvas()
+    if (before.layer !== view.layer || before.theme !== view.theme) this.repaint()
+    this.draw()
+  }
+
+  private fitCanvas(): void {
+    const { width, height } = this.view
+    if (this.canvas.width !== width) this.canvas.width = width
+    if (this.canvas.height !== height) this.canvas.height = height
+  }
+
+  private repaint(): void {
+    if (this.run === null || this.raster === null) return
+    this.run.paint(this.raster, layerOf(this.run, this.view.layer), this.view.theme)
+  }
+
+  private draw(): void {
+    const { context, view, spec, raster } = this
+    context.clearRect(0, 0, view.width, view.height)
+    if (spec === null || raster === null) return
+    drawRaster(context, view, raster.canvas)
+    drawGrid(context, view, spec)
+    if (view.showPath) drawPath(context, view, this.path)
+    drawEnds(context, view, spec)
+    if (view.showAnts) this.drawAnts()
+    drawCursor(context, view)
+  }
+
+  private drawAnts(): void {
+    const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
+    drawCrowd(this.context, this.view, this.crowd, Math.min(1, progress))
+    cancelAnimationFrame(this.requested)
+    if (progress < 1 && this.crowd.size > 0)
+      this.requested = requestAnimationFrame(() => this.draw())
+  }
+}
+
+/** One layer is chosen for all panels; a planner without it shows the first it has. */
+function layerOf(run: Run, wanted: Layer | 'none'): Layer | 'none' {
+  if (wanted === 'none') return 'none'
+  const layers = run.layers()
+  return layers.includes(wanted) ? wanted : (layers[0] ?? 'none')
+}
+
+function contextOf(canvas: OffscreenCanvas): Context {
+  const context = canvas.getContext('2d')
+  if (context === null) throw new Error('this browser offers no 2D canvas in workers')
+  return context
+}

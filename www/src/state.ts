@@ -1,0 +1,28 @@
+/** The page's one store: what components may read and every action they may call. */
+export * from './state/appearance'
+export * from './state/files'
+export { historyOf, onReply } from './state/live'
+export {
+  announce,
+  announcement,
+  dismiss,
+  notify,
+  notifyError,
+  type Toast,
+  toasts,
+} from './state/notices'
+export {
+  addPanel,
+  paramValue,
+  plannerEntry,
+  removePanel,
+  setParam,
+  setPlanner,
+  setPreset,
+  setSeed,
+} from './state/panels'
+export { pause, play, reset, runToEnd, stepIteration, stepMove, toggle } from './state/runs'
+export * from './state/scenarios'
+export { currentSession, loadSession, openFragment } from './state/sessions'
+export { startPage } from './state/start'
+export * from './state/store'

@@ -1,0 +1,48 @@
+/** Theme and motion: what the reader chose, or what the system prefers. */
+import { computed, effect, signal } from '@preact/signals'
+
+export type ThemeChoice = 'system' | 'light' | 'dark'
+
+const THEME_KEY = 'formicarium.theme'
+const darkQuery = matchMedia('(prefers-color-scheme: dark)')
+const systemDark = signal(darkQuery.matches)
+darkQuery.addEventListener('change', (event) => {
+  systemDark.value = event.matches
+})
+
+export const themeChoice = signal<ThemeChoice>(remembered())
+export const theme = computed<'light' | 'dark'>(() => {
+  if (themeChoice.value !== 'system') return themeChoice.value
+  return systemDark.value ? 'dark' : 'light'
+})
+
+export function setTheme(choice: ThemeChoice): void {
+  themeChoice.value = choice
+  remember(THEME_KEY, choice)
+}
+
+export const reducedMotion = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches
+
+/** Private windows may refuse storage; the choice then lasts as long as the page. */
+export function remember(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value)
+  } catch {}
+}
+
+export function recall(key: string): string | null {
+  try {
+    return localStorage.getItem(key)
+  } catch {
+    return null
+  }
+}
+
+function remembered(): ThemeChoice {
+  const value = recall(THEME_KEY)
+  return value === 'light' || value === 'dark' ? value : 'system'
+}
+
+effect(() => {
+  document.documentElement.dataset.theme = theme.value
+})

@@ -1,0 +1,138 @@
+/** Files in and out: recognises what was dropped, pasted or chosen, and puts it where it belongs. */
+
+import type { Imported, ScenLine } from '@pkg/formicarium'
+import { signal } from '@preact/signals'
+import { type MapFormat, tools } from '../engine/tools'
+import { t } from '../i18n'
+import { describeNotice } from '../i18n/errors'
+import type { Scenario } from '../session'
+import { decodeFragment, sessionFromFile, sessionToFile } from '../share/link'
+import { notify, notifyError } from './notices'
+import { setScenario } from './scenarios'
+import { currentSession, loadSession } from './sessions'
+import { engineVersion, scenario } from './store'
+
+export interface ScenChoice {
+  fileName: string
+  lines: ScenLine[]
+}
+
+/** Scenarios of a .scen file, waiting for the reader to choose one. */
+export const scenChoice = signal<ScenChoice | null>(null)
+/** Larger files are refused before they are read. */
+const MAX_BYTES = 64 * 1024 * 1024
+
+/** True when the file was taken; false after an error, which has then been shown. */
+export async function importFile(bytes: Uint8Array, name: string): Promise<boolean> {
+  try {
+    const kind = await tools.sniff(bytes, name)
+    if (kind === 'experiment') loadSession(await sessionFromFile(new TextDecoder().decode(bytes)))
+    else if (kind === 'movingai-scen') await importScen(bytes, name)
+    else await importMap(bytes, name)
+    return true
+  } catch (error) {
+    notifyError(error)
+    return false
+  }
+}
+
+/** Pasted or typed text: a share link, or the contents of any file we read. */
+export async function importText(text: string): Promise<boolean> {
+  const fragment = /#x=[\w-]+/.exec(text)?.[0]
+  if (!fragment) return importFile(new TextEncoder().encode(text), t('maps.pastedName'))
+  try {
+    loadSession(await decodeFragment(fragment))
+    return true
+  } catch (error) {
+    notifyError(error)
+    return false
+  }
+}
+
+/** Maps before scenarios, so that a .map and its .scen may be dropped together. */
+export async function importFiles(files: Iterable<File>): Promise<boolean> {
+  const sorted = [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))
+  let taken = sorted.length > 0
+  for (const file of sorted) {
+    if (file.size > MAX_BYTES) {
+      notify('error', t('notices.fileTooLarge', { name: file.name }), {
+        hint: t('notices.fileTooLargeHint'),
+      })
+      taken = false
+    } else {
+      taken = (await importFile(new Uint8Array(await file.arrayBuffer()), file.name)) && taken
+    }
+  }
+  return taken
+}
+
+export function chooseScen(line: ScenLine): void {
+  const now = scenario.peek()
+  scenChoice.value = null
+  if (!now) return
+  const goals = [{ name: now.spec.goals[0]?.name ?? 'goal', at: line.goal }]
+  setScenario({ ...now, spec: { ...now.spec, start: line.start, goals } }, { undoable: true })
+}
+
+export function exportMap(format: MapFormat): Promise<string> {
+  const now = scenario.peek()
+  if (!now) return Promise.resolve('')
+  return tools.exportMap(now.spec, now.cells, format)
+}
+
+export function exportExperiment(): string {
+  const session = currentSession()
+  return session ? sessionToFile(session, engineVersion.peek()) : ''
+}
+
+export function download(name: string, text: string, type = 'text/plain'): void {
+  const url = URL.createObjectURL(new Blob([text], { type }))
+  const anchor = document.createElement('a')
+  anchor.href = url
+  anchor.download = name
+  anchor.click()
+  setTimeout(() => URL.revokeObjectURL(url), 10_000)
+}
+
+/** The scenario's name, made fit for any file system. */
+export function fileStem(): string {
+  const name = scenario.peek()?.spec.name ?? ''
+  return (
+    name
+      .replace(/\.\w+$/, '')
+      .replace(/[^\p{L}\p{N}]+/gu, '-')
+      .replace(/^-|-$/g, '')
+      .toLowerCase() || 'map'
+  )
+}
+
+async function importMap(bytes: Uint8Array, name: string): Promise<void> {
+  const imported = await tools.importMap(bytes, name)
+  setScenario(toScenario(imported, name), { undoable: true })
+  const { width, height } = imported.spec
+  notify('success', t('notices.imported', { name, width, height }), {
+    hint: imported.warnings.map(describeNotice).join(' '),
+  })
+}
+
+function toScenario({ spec, cells }: Imported, name: string): Scenario {
+  return { spec: { ...spec, name: spec.name || name }, cells, origin: null }
+}
+
+async function importScen(bytes: Uint8Array, name: string): Promise<void> {
+  const { lines, warnings } = await tools.importScen(bytes)
+  const now = scenario.peek()?.spec
+  const fitting = lines.filter((line) => line.width === now?.width && line.height === now.height)
+  const [wanted] = lines
+  if (fitting.length === 0 && wanted) {
+    const { map, width, height } = wanted
+    notify('warning', t('notices.scenNeedsMap', { name, map, width, height }), {
+      hint: t('notices.scenNeedsMapHint'),
+    })
+    return
+  }
+  if (warnings.length > 0) notify('warning', warnings.map(describeNotice).join(' '))
+  scenChoice.value = { fileName: name, lines: fitting }
+}
+
+const isScen = (file: File) => file.name.toLowerCase().endsWith('.scen')

@@ -1,0 +1,108 @@
+/** Which planners race, and with which parameters. */
+
+import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
+import { batch, signal } from '@preact/signals'
+import type { ParamValues } from '../messages'
+import { MAX_PANELS, type PanelSetup } from '../session'
+import { dropRun, restart } from './runs'
+import { blankLive, catalog, type Panel, panelById, panels, seed, selectedPanel } from './store'
+
+let nextId = 1
+
+export function plannerEntry(id: string): CatalogEntry | undefined {
+  return catalog.value?.planners.find((entry) => entry.id === id)
+}
+
+export function makePanel(setup: PanelSetup, slot: number): Panel {
+  return { id: nextId++, slot, setup, live: signal(blankLive()) }
+}
+
+export const bareSetup = (planner: string): PanelSetup => ({
+  planner,
+  preset: null,
+  params: {},
+  result: null,
+})
+
+export function addPanel(planner: string): void {
+  const now = panels.peek()
+  if (now.length >= MAX_PANELS) return
+  const slot = freeSlot(now)
+  const panel = makePanel(bareSetup(planner), slot)
+  batch(() => {
+    panels.value = [...now, panel]
+    selectedPanel.value = panel.id
+    restart()
+  })
+}
+
+export function removePanel(id: number): void {
+  const rest = panels.peek().filter((panel) => panel.id !== id)
+  batch(() => {
+    panels.value = rest
+    if (selectedPanel.peek() === id) selectedPanel.value = rest[0]?.id ?? null
+  })
+  dropRun(id)
+}
+
+export function setPlanner(id: number, planner: string): void {
+  changeSetup(id, () => bareSetup(planner))
+}
+
+/** A value that equals the default is left out, so that links stay short and sets compare equal. */
+export function setParam(id: number, key: string, value: ParamValues[string]): void {
+  changeSetup(id, (setup) => {
+    const params = { ...setup.params }
+    const spec = plannerEntry(setup.planner)?.params.find((param) => param.key === key)
+    if (spec && spec.default === value) delete params[key]
+    else params[key] = value
+    return { ...setup, params, preset: null, result: null }
+  })
+}
+
+/** A named set of a paper; null brings the defaults back. */
+export function setPreset(id: number, name: string | null): void {
+  changeSetup(id, (setup) => {
+    const preset = plannerEntry(setup.planner)?.presets.find((each) => each.name === name)
+    return { ...setup, preset: preset?.name ?? null, params: { ...preset?.values }, result: null }
+  })
+}
+
+export function setSeed(value: number): void {
+  if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) return
+  batch(() => {
+    seed.value = value
+    dropResults()
+    restart()
+  })
+}
+
+/** Recorded results hold for one map, one seed and one set of parameters only. */
+export function dropResults(): void {
+  panels.value = panels.peek().map((panel) => {
+    panel.live.value = { ...panel.live.peek(), verified: 'none' }
+    return panel.setup.result ? { ...panel, setup: { ...panel.setup, result: null } } : panel
+  })
+}
+
+export function paramValue(setup: PanelSetup, spec: ParamSpec): ParamValues[string] {
+  return setup.params[spec.key] ?? spec.default
+}
+
+function changeSetup(id: number, change: (setup: PanelSetup) => PanelSetup): void {
+  const panel = panelById(id)
+  if (!panel) return
+  const setup = change(panel.setup)
+  batch(() => {
+    panel.live.value = { ...panel.live.peek(), verified: 'none' }
+    panels.value = panels.peek().map((each) => (each.id === id ? { ...each, setup } : each))
+    restart()
+  })
+}
+
+function freeSlot(taken: Panel[]): number {
+  const slots = new Set(taken.map((panel) => panel.slot))
+  let slot = 0
+  while (slots.has(slot)) slot++
+  return slot
+}

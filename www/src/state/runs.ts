@@ -1,0 +1,92 @@
+/** The state machine of the runs: editing → running ⇄ paused → finished, and back to editing by any change. */
+import { batch } from '@preact/signals'
+import { createConductor } from '../engine/conductor'
+import type { RunSetup } from '../messages'
+import type { Scenario } from '../session'
+import { clearLive, flushLive, forget, onReply } from './live'
+import { liveTick, type Panel, panels, phase, scenario, seed, speed, sync } from './store'
+
+const conductor = createConductor({
+  panelIds: () => panels.peek().map((panel) => panel.id),
+  speed: () => speed.peek(),
+  sync: () => sync.peek(),
+  onReply,
+  onAllFinished: () => {
+    flushLive()
+    phase.value = 'finished'
+  },
+})
+
+let lastRunId = 0
+
+export function play(): void {
+  if (!scenario.peek() || panels.peek().length === 0) return
+  if (phase.peek() === 'running') return
+  if (phase.peek() === 'finished') reset()
+  phase.value = 'running'
+  conductor.play()
+}
+
+export function pause(): void {
+  conductor.pause()
+  if (phase.peek() === 'running') phase.value = 'paused'
+}
+
+export function toggle(): void {
+  if (phase.peek() === 'running') pause()
+  else play()
+}
+
+export function stepMove(): void {
+  step(() => conductor.step('move'))
+}
+
+export function stepIteration(): void {
+  step(() => conductor.step('iteration'))
+}
+
+export function runToEnd(): void {
+  if (!scenario.peek() || panels.peek().length === 0 || phase.peek() === 'finished') return
+  phase.value = 'running'
+  conductor.runToEnd()
+}
+
+/** Every run back to its beginning, on the same map with the same seed. */
+export function reset(): void {
+  conductor.pause()
+  const now = scenario.peek()
+  batch(() => {
+    phase.value = 'editing'
+    for (const panel of panels.peek()) {
+      clearLive(panel.id)
+      if (now) conductor.load(panel.id, ++lastRunId, runSetup(panel, now))
+    }
+    liveTick.value = liveTick.peek() + 1
+  })
+}
+
+/** After a change that makes the runs obsolete: begin again, and go on playing if they played. */
+export function restart(): void {
+  const wasRunning = phase.peek() === 'running'
+  reset()
+  if (wasRunning) play()
+}
+
+export function runSetup(panel: Panel, on: Scenario): RunSetup {
+  const { planner, params } = panel.setup
+  return { spec: on.spec, cells: on.cells, planner, params, seed: seed.peek() }
+}
+
+/** Ends the worker of a panel that is leaving the page. */
+export function dropRun(panelId: number): void {
+  conductor.drop(panelId)
+  forget(panelId)
+}
+
+function step(by: () => void): void {
+  if (!scenario.peek() || phase.peek() === 'finished') return
+  // Steps wait in line; pausing would clear it, so only playing is paused.
+  if (phase.peek() === 'running') pause()
+  phase.value = 'paused'
+  by()
+}

@@ -1,0 +1,134 @@
+/** Everything that changes the map or the question asked on it. */
+
+import type { Movement } from '@pkg/formicarium'
+import { batch } from '@preact/signals'
+import { tools } from '../engine/tools'
+import { t } from '../i18n'
+import { applyEditTo, type Cell, type Edit } from '../maps/edit'
+import { gallery } from '../maps/gallery'
+import type { Origin, Scenario } from '../session'
+import { createHistory } from '../stage/history'
+import { fitView } from '../stage/view'
+import { announce, notify } from './notices'
+import { dropResults } from './panels'
+import { pause, reset } from './runs'
+import { galleryId, phase, scenario } from './store'
+
+const history = createHistory()
+export const { canUndo, canRedo } = history
+
+/** One edit of the map; edits of the same gesture (a drag) are undone together. */
+export function applyEdit(edit: Edit, gesture?: number): void {
+  const before = scenario.peek()
+  if (!before) return
+  const after = applyEditTo(before, edit)
+  if (after === before) return
+  history.record(before, after, gesture)
+  pauseForEdit()
+  replace(after)
+}
+
+export function setStart(at: Cell, gesture?: number): void {
+  applyEdit({ kind: 'start', at }, gesture)
+}
+
+export function setGoal(at: Cell, gesture?: number): void {
+  applyEdit({ kind: 'goal', at }, gesture)
+}
+
+export function clearWalls(): void {
+  applyEdit({ kind: 'clear' })
+}
+
+export function resizeMap(width: number, height: number): void {
+  applyEdit({ kind: 'resize', width, height })
+  fitView()
+}
+
+export function setMovement(movement: Movement): void {
+  const before = scenario.peek()
+  if (!before) return
+  const after = { ...before, spec: { ...before.spec, movement } }
+  history.record(before, after)
+  replace(after)
+}
+
+/** A different scenario altogether; undo brings the one before it back. */
+export function setScenario(next: Scenario, options: { undoable: boolean }): void {
+  const before = scenario.peek()
+  if (before && options.undoable) history.record(before, next)
+  else history.clear()
+  replace(next)
+  fitView()
+}
+
+export async function openGallery(id: string): Promise<void> {
+  const entry = gallery.find((each) => each.id === id)
+  if (!entry) return
+  setScenario(await entry.scenario(), { undoable: true })
+  galleryId.value = id
+}
+
+export async function generateMap(
+  kind: Origin['generator'],
+  width: number,
+  height: number,
+  seed: number,
+  density: number,
+): Promise<void> {
+  const made = await tools.generate(kind, width, height, seed, density)
+  const now = scenario.peek()
+  if (!now) return
+  const [goal] = now.spec.goals
+  setScenario(
+    {
+      spec: {
+        ...now.spec,
+        name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
+        width,
+        height,
+        start: made.start,
+        goals: [{ name: goal?.name ?? 'goal', at: made.goal }],
+      },
+      cells: made.cells,
+      origin: { generator: kind, seed, density },
+    },
+    { undoable: true },
+  )
+}
+
+export function undo(): void {
+  travel(history.undo.bind(history), 'notices.undone')
+}
+
+export function redo(): void {
+  travel(history.redo.bind(history), 'notices.redone')
+}
+
+function travel(
+  step: (current: Scenario) => Scenario | null,
+  said: 'notices.undone' | 'notices.redone',
+): void {
+  const now = scenario.peek()
+  const next = now && step(now)
+  if (!now || !next) return
+  replace(next)
+  if (now.spec.width !== next.spec.width || now.spec.height !== next.spec.height) fitView()
+  announce(t(said))
+}
+
+/** The runs on the old map are obsolete; what they have shown stays visible no longer than the map. */
+function replace(next: Scenario): void {
+  batch(() => {
+    scenario.value = next
+    galleryId.value = null
+    dropResults()
+    reset()
+  })
+}
+
+function pauseForEdit(): void {
+  if (phase.peek() !== 'running') return
+  pause()
+  notify('info', t('notices.pausedForEdit'), { hint: t('notices.pausedForEditHint') })
+}

@@ -1,0 +1,138 @@
+/** A session as a value: taken from the page, put back on it, and verified against what it recorded. */
+import { batch } from '@preact/signals'
+import { tools } from '../engine/tools'
+import { t } from '../i18n'
+import { firstScenario, gallery } from '../maps/gallery'
+import { MAX_PANELS, type PanelSetup, type RecordedResult, type Session } from '../session'
+import { decodeFragment } from '../share/link'
+import { reducedMotion } from './appearance'
+import { latest, setVerified } from './live'
+import { notify, notifyError } from './notices'
+import { bareSetup, makePanel, plannerEntry } from './panels'
+import { dropRun, pause, play, reset, runSetup } from './runs'
+import { setScenario } from './scenarios'
+import {
+  galleryId,
+  layer,
+  type Panel,
+  panelById,
+  panels,
+  phase,
+  scenario,
+  seed,
+  selectedPanel,
+  speed,
+  sync,
+} from './store'
+
+const FIRST_PLANNERS = ['ant-system', 'astar']
+
+export function currentSession(): Session | null {
+  const now = scenario.peek()
+  if (!now) return null
+  return {
+    scenario: now,
+    panels: panels.peek().map((panel) => ({ ...panel.setup, result: recordedResult(panel) })),
+    seed: seed.peek(),
+    sync: sync.peek(),
+    speed: speed.peek(),
+    layer: layer.peek(),
+  }
+}
+
+export function loadSession(session: Session): void {
+  pause()
+  for (const panel of panels.peek()) dropRun(panel.id)
+  batch(() => {
+    seed.value = session.seed
+    sync.value = session.sync
+    speed.value = session.speed
+    layer.value = session.layer
+    panels.value = []
+    setScenario(session.scenario, { undoable: scenario.peek() !== null })
+    panels.value = withKnownPlanners(session.panels).slice(0, MAX_PANELS).map(makePanel)
+    selectedPanel.value = panels.value[0]?.id ?? null
+    reset()
+  })
+  for (const panel of panels.peek()) void verify(panel)
+}
+
+/** Opens what the address carries. False when it carries nothing or nothing usable; the page then stays as it is. */
+export async function openFragment(hash: string): Promise<boolean> {
+  if (!hash.startsWith('#x=')) return false
+  try {
+    loadSession(await decodeFragment(hash))
+    return true
+  } catch (error) {
+    notifyError(error)
+    return false
+  }
+}
+
+export function openFirstSession(): void {
+  loadSession({
+    scenario: firstScenario(),
+    panels: FIRST_PLANNERS.map(bareSetup),
+    seed: 1,
+    sync: sync.peek(),
+    speed: speed.peek(),
+    layer: 'trail',
+  })
+  galleryId.value = gallery[0]?.id ?? null
+}
+
+/** Plays at once, or, when the reader prefers less motion, after the first key or click. */
+export function autoplay(): void {
+  if (!reducedMotion()) {
+    play()
+    return
+  }
+  const start = () => {
+    removeEventListener('click', start)
+    removeEventListener('keydown', start)
+    // After the click's own effect: the play button must not be undone by this.
+    setTimeout(() => {
+      if (phase.peek() === 'editing') play()
+    })
+  }
+  addEventListener('click', start)
+  addEventListener('keydown', start)
+}
+
+/** A session of a newer version may name planners this one has not learnt; the rest still runs. */
+function withKnownPlanners(setups: PanelSetup[]): PanelSetup[] {
+  const unknown = setups.filter((setup) => !plannerEntry(setup.planner))
+  for (const { planner } of unknown) {
+    notify('warning', t('notices.unknownPlanner', { planner }), {
+      hint: t('notices.unknownPlannerHint'),
+    })
+  }
+  return setups.filter((setup) => !unknown.includes(setup))
+}
+
+/** What the run has reached; before its first iteration, what the opened session had recorded. */
+function recordedResult(panel: Panel): RecordedResult | null {
+  const { summary } = latest(panel.id)
+  if (!summary || summary.iteration === 0) return panel.setup.result
+  return {
+    iterations: summary.iteration,
+    status: summary.status,
+    length: summary.metrics?.length ?? null,
+    digest: summary.digest,
+  }
+}
+
+/** Repeats a recorded run in the background: bit for bit the same, or said to differ. */
+async function verify(panel: Panel): Promise<void> {
+  const recorded = panel.setup.result
+  const now = scenario.peek()
+  if (!recorded || !now) return
+  setVerified(panel.id, 'pending')
+  try {
+    const summary = await tools.replay(runSetup(panel, now), recorded)
+    if (panelById(panel.id)?.setup !== panel.setup) return
+    setVerified(panel.id, summary.digest === recorded.digest ? 'verified' : 'differs')
+  } catch {
+    setVerified(panel.id, 'differs')
+  }
+}

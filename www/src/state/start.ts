@@ -1,0 +1,32 @@
+/** From an empty page to a running one. */
+import { toEngineError } from '../engine/errors'
+import { tools } from '../engine/tools'
+import { watchScenario } from './optimum'
+import { autoplay, openFirstSession, openFragment } from './sessions'
+import { catalog, engineVersion, startError } from './store'
+
+let watching = false
+
+/** May be called again after it failed. */
+export async function startPage(): Promise<void> {
+  startError.value = null
+  try {
+    const [planners, version] = await Promise.all([tools.catalog(), tools.version()])
+    catalog.value = planners
+    engineVersion.value = version
+  } catch (error) {
+    startError.value = toEngineError(error)
+    return
+  }
+  if (!watching) watch()
+  if (!(await openFragment(location.hash))) openFirstSession()
+  autoplay()
+}
+
+function watch(): void {
+  watching = true
+  watchScenario()
+  addEventListener('hashchange', async () => {
+    if (await openFragment(location.hash)) autoplay()
+  })
+}

@@ -1,0 +1,89 @@
+/** The signals every part of the page reads. Only the actions beside this file write them. */
+
+import type { Catalog, EngineError, Layer, Notice, RunSummary } from '@pkg/formicarium'
+import { computed, type Signal, signal } from '@preact/signals'
+import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../session'
+
+/** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
+export type Phase = 'editing' | 'running' | 'paused' | 'finished'
+
+export type Verification = 'none' | 'pending' | 'verified' | 'differs'
+
+/** What a panel's run has reached. It changes many times a second, so it is a signal of its own. */
+export interface PanelLive {
+  summary: RunSummary | null
+  /** Best path, x0, y0, x1, y1, …; null when none yet. */
+  bestPath: Uint32Array | null
+  error: EngineError | null
+  /** What the worker said when it failed. */
+  crashed: string | null
+  verified: Verification
+}
+
+/** A panel on the page. `id` is stable while the panel lives; the worker behind it is found by it. */
+export interface Panel {
+  id: number
+  /** Which colour and place name it has: the smallest free number when it was added. */
+  slot: number
+  setup: PanelSetup
+  live: Signal<PanelLive>
+}
+
+export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'pan'
+
+export const catalog = signal<Catalog | null>(null)
+export const engineVersion = signal('')
+/** Set when the engine could not be started at all. */
+export const startError = signal<EngineError | null>(null)
+
+export const scenario = signal<Scenario | null>(null)
+/** Key of the built-in scenario the map came from, until it is edited. */
+export const galleryId = signal<string | null>(null)
+/** What the engine says about the scenario as a whole (e.g. the goal cannot be reached). */
+export const scenarioNotices = signal<Notice[]>([])
+/** Length of the exact optimum of the current scenario; null while unknown, Infinity when there is no path. */
+export const optimum = signal<number | null>(null)
+
+export const panels = signal<Panel[]>([])
+/** The panel whose parameters are on show. */
+export const selectedPanel = signal<number | null>(null)
+export const seed = signal(1)
+export const sync = signal<Sync>('moves')
+export const speed = signal(DEFAULT_SPEED)
+export const phase = signal<Phase>('editing')
+
+export const tool = signal<Tool>('wall')
+export const layer = signal<Layer | 'none'>('trail')
+export const showAnts = signal(true)
+export const showPath = signal(true)
+
+/** Grows whenever live values were flushed (at most about eight times a second); charts redraw on it. */
+export const liveTick = signal(0)
+
+export const blankLive = (): PanelLive => ({
+  summary: null,
+  bestPath: null,
+  error: null,
+  crashed: null,
+  verified: 'none',
+})
+
+export const playing = computed(() => phase.value === 'running')
+
+export function panelById(id: number): Panel | undefined {
+  return panels.value.find((panel) => panel.id === id)
+}
+
+/**
+ * Colours by slot: Okabe and Ito's set, darkened where it must stand on white, so that neighbours
+ * stay apart for colour-blind readers. The same values in both themes keep screenshots comparable.
+ */
+const COLOURS = ['#d5580a', '#2f7ec7', '#0b8f69', '#b0508c', '#8a6d00', '#5b5fc7'] as const
+
+export function slotColour(slot: number): string {
+  return COLOURS[slot % COLOURS.length] ?? COLOURS[0]
+}
+
+export function panelColour(panelId: number): string {
+  return slotColour(panelById(panelId)?.slot ?? 0)
+}

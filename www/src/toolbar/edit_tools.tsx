@@ -1,0 +1,51 @@
+import { BrickWall, CircleDot, Eraser, Flag, Hand, Redo2, Undo2 } from 'lucide'
+import { t } from '../i18n'
+import { canRedo, canUndo, redo, type Tool, tool, undo } from '../state'
+import { IconButton } from '../ui/buttons'
+
+const TOOLS = [
+  { id: 'wall', icon: BrickWall, keys: 'W' },
+  { id: 'erase', icon: Eraser, keys: 'E' },
+  { id: 'start', icon: CircleDot, keys: 'S' },
+  { id: 'goal', icon: Flag, keys: 'G' },
+  { id: 'pan', icon: Hand, keys: 'H' },
+] as const satisfies { id: Tool; icon: unknown; keys: string }[]
+
+export function EditTools() {
+  return (
+    <div class="toolbar-group edit-tools" role="toolbar" aria-label={t('tools.group')}>
+      <div class="tool-set">
+        {TOOLS.map(({ id, icon, keys }) => (
+          <IconButton
+            key={id}
+            icon={icon}
+            label={t(`tools.${id}`)}
+            keys={keys}
+            pressed={tool.value === id}
+            testId={`tool-${id}`}
+            onClick={() => {
+              tool.value = id
+            }}
+          />
+        ))}
+      </div>
+      <span class="divider" />
+      <IconButton
+        icon={Undo2}
+        label={t('tools.undo')}
+        keys="Ctrl+Z"
+        testId="undo"
+        disabled={!canUndo.value}
+        onClick={undo}
+      />
+      <IconButton
+        icon={Redo2}
+        label={t('tools.redo')}
+        keys="Ctrl+Shift+Z"
+        testId="redo"
+        disabled={!canRedo.value}
+        onClick={redo}
+      />
+    </div>
+  )
+}

@@ -1,0 +1,44 @@
+import { Dices } from 'lucide'
+import { tools } from '../engine/tools'
+import { t } from '../i18n'
+import type { Sync } from '../session'
+import { notifyError, seed, setSeed, sync } from '../state'
+import { IconButton } from '../ui/buttons'
+import { NumberField, Select } from '../ui/fields'
+
+const SYNCS: Sync[] = ['moves', 'iterations', 'paths', 'time']
+
+export function RunSettings() {
+  return (
+    <fieldset class="toolbar-group run-settings" aria-label={t('run.group')}>
+      <Select
+        label={t('run.sync')}
+        value={sync.value}
+        testId="sync"
+        options={SYNCS.map((value) => ({ value, label: t(`run.syncs.${value}`) }))}
+        onChange={(value) => {
+          sync.value = value
+        }}
+      />
+      <SeedField />
+    </fieldset>
+  )
+}
+
+function SeedField() {
+  const draw = () => tools.proposeSeed().then(setSeed, notifyError)
+  return (
+    <span class="seed-field">
+      <NumberField
+        label={t('run.seed')}
+        value={seed.value}
+        min={0}
+        max={0xffffffff}
+        step={1}
+        testId="seed"
+        onChange={setSeed}
+      />
+      <IconButton icon={Dices} label={t('run.newSeed')} testId="new-seed" onClick={draw} />
+    </span>
+  )
+}

@@ -1,0 +1,59 @@
+import type { IconNode } from 'lucide'
+import { Icon } from './icon'
+
+interface IconButtonProps {
+  icon: IconNode
+  label: string
+  onClick: (event: MouseEvent) => void
+  /** As shown in the hint, e.g. "Shift+→". */
+  keys?: string
+  testId?: string
+  disabled?: boolean
+  pressed?: boolean
+  tone?: 'plain' | 'quiet'
+  size?: number
+}
+
+export function IconButton(props: IconButtonProps) {
+  const { icon, label, keys, pressed } = props
+  return (
+    <button
+      type="button"
+      class={`icon-button ${props.tone ?? 'plain'}`}
+      aria-label={label}
+      aria-pressed={pressed}
+      data-tip={keys ? `${label} · ${keys}` : label}
+      data-testid={props.testId}
+      disabled={props.disabled}
+      onClick={props.onClick}
+    >
+      <Icon icon={icon} size={props.size} />
+    </button>
+  )
+}
+
+interface ButtonProps {
+  label: string
+  onClick: (event: MouseEvent) => void
+  icon?: IconNode
+  tone?: 'primary' | 'plain' | 'quiet' | 'danger'
+  testId?: string
+  disabled?: boolean
+  busy?: boolean
+}
+
+export function Button({ label, icon, tone = 'plain', ...props }: ButtonProps) {
+  return (
+    <button
+      type="button"
+      class={`button ${tone}`}
+      data-testid={props.testId}
+      disabled={props.disabled || props.busy}
+      aria-busy={props.busy}
+      onClick={props.onClick}
+    >
+      {icon && <Icon icon={icon} size={16} />}
+      <span>{label}</span>
+    </button>
+  )
+}

@@ -1,0 +1,115 @@
+/** Form controls with their label; the look is the page's own, the behaviour the browser's. */
+import type { ComponentChildren } from 'preact'
+import { useId } from 'preact/hooks'
+
+interface Option<T extends string> {
+  value: T
+  label: string
+}
+
+interface SelectProps<T extends string> {
+  label: string
+  value: T
+  options: Option<T>[]
+  onChange: (value: T) => void
+  testId?: string
+  hideLabel?: boolean
+  class?: string
+}
+
+export function Select<T extends string>(props: SelectProps<T>) {
+  const id = useId()
+  return (
+    <span class={`field ${props.class ?? ''}`}>
+      <label for={id} class={props.hideLabel ? 'visually-hidden' : 'field-label'}>
+        {props.label}
+      </label>
+      <select
+        id={id}
+        class="select"
+        value={props.value}
+        data-testid={props.testId}
+        onChange={(event) => props.onChange(event.currentTarget.value as T)}
+      >
+        {props.options.map(({ value, label }) => (
+          <option key={value} value={value}>
+            {label}
+          </option>
+        ))}
+      </select>
+    </span>
+  )
+}
+
+interface NumberFieldProps {
+  label: string
+  value: number
+  min: number
+  max: number
+  step?: number | 'any'
+  onChange: (value: number) => void
+  testId?: string
+  hideLabel?: boolean
+  invalid?: boolean
+  describedBy?: string
+}
+
+/** Reports what can be read as a number and leaves the range to whoever knows it: the engine names the limits. */
+export function NumberField(props: NumberFieldProps) {
+  const id = useId()
+  return (
+    <span class="field">
+      <label for={id} class={props.hideLabel ? 'visually-hidden' : 'field-label'}>
+        {props.label}
+      </label>
+      <input
+        id={id}
+        class="input number"
+        type="number"
+        inputMode="decimal"
+        min={props.min}
+        max={props.max}
+        step={props.step ?? 'any'}
+        value={props.value}
+        aria-invalid={props.invalid}
+        aria-describedby={props.describedBy}
+        data-testid={props.testId}
+        onChange={(event) => {
+          const value = event.currentTarget.valueAsNumber
+          if (Number.isNaN(value)) event.currentTarget.value = String(props.value)
+          else props.onChange(value)
+        }}
+      />
+    </span>
+  )
+}
+
+interface SegmentedProps<T extends string> {
+  label: string
+  value: T
+  options: (Option<T> & { testId?: string; icon?: ComponentChildren })[]
+  onChange: (value: T) => void
+}
+
+/** A few exclusive choices side by side. */
+export function Segmented<T extends string>(props: SegmentedProps<T>) {
+  return (
+    <fieldset class="segmented">
+      <legend class="visually-hidden">{props.label}</legend>
+      {props.options.map(({ value, label, testId, icon }) => (
+        <button
+          key={value}
+          type="button"
+          class={icon ? 'segment with-icon' : 'segment'}
+          aria-pressed={props.value === value}
+          aria-label={icon ? label : undefined}
+          data-tip={icon ? label : undefined}
+          data-testid={testId}
+          onClick={() => props.onChange(value)}
+        >
+          {icon ?? label}
+        </button>
+      ))}
+    </fieldset>
+  )
+}

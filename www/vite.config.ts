@@ -1,0 +1,32 @@
+import { watchFile } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import preact from '@preact/preset-vite'
+import { defineConfig, type Plugin } from 'vite'
+
+const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
+const pkg = path('../pkg')
+
+/** `cargo xtask serve --dev` writes pkg/.stamp last: the engine is new, so is the page. */
+function reloadOnNewEngine(): Plugin {
+  return {
+    name: 'formicarium:reload-on-new-engine',
+    apply: 'serve',
+    configureServer(server) {
+      watchFile(`${pkg}/.stamp`, { interval: 300, persistent: false }, (now) => {
+        if (now.mtimeMs === 0) return
+        server.moduleGraph.invalidateAll()
+        server.ws.send({ type: 'full-reload' })
+      })
+    },
+  }
+}
+
+export default defineConfig({
+  // Relative addresses: the built folder works on any host and any sub-path.
+  base: './',
+  plugins: [preact(), reloadOnNewEngine()],
+  resolve: { alias: { '@pkg': pkg } },
+  server: { fs: { allow: [path('..')] } },
+  build: { target: 'es2022', sourcemap: false },
+  worker: { format: 'es' },
+})

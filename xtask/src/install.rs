@@ -1,0 +1,101 @@
+//! What a fresh machine lacks: installed where that is safe, else named in the message.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+
+use crate::tools::{self, find, output, run, www};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const NODE: (u32, u32) = (20, 19);
+
+/// The compiler's standard library for WebAssembly.
+pub fn wasm_target() -> Result<()> {
+    let libdir = output("rustc", &["--print", "target-libdir", "--target", TARGET]);
+    if libdir.is_some_and(|folder| PathBuf::from(folder).is_dir()) {
+        return Ok(());
+    }
+    if find("rustup").is_none() {
+        bail!(
+            "the Rust target {TARGET} is missing and rustup is not installed: install Rust from \
+             https://rustup.rs, or your distribution's package of that target \
+             (Debian: libstd-rust-dev-wasm32)"
+        );
+    }
+    println!("install: the Rust target {TARGET}…");
+    run(Command::new("rustup").args(["target", "add", TARGET]).current_dir(tools::root()))
+}
+
+/// node_modules as package-lock.json has it.
+pub fn npm_packages() -> Result<()> {
+    node()?;
+    if npm_packages_are_current() {
+        return Ok(());
+    }
+    println!("install: npm packages…");
+    let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    run(Command::new(npm).args(["ci", "--no-audit", "--no-fund"]).current_dir(www()))
+}
+
+fn npm_packages_are_current() -> bool {
+    let changed = |path: &str| fs::metadata(www().join(path)).and_then(|file| file.modified()).ok();
+    changed("node_modules/.package-lock.json") >= changed("package-lock.json")
+}
+
+fn node() -> Result<()> {
+    let (major, minor) = NODE;
+    let wanted = format!(
+        "Node.js {major}.{minor} or newer with npm: install it from https://nodejs.org or with \
+         your package manager (Debian 13, Ubuntu 25.04 or newer: `sudo apt-get install nodejs npm`)"
+    );
+    let version = output("node", &["--version"]).with_context(|| format!("no node: needs {wanted}"))?;
+    if parse_version(&version).is_none_or(|found| found < NODE) {
+        bail!("node is {version}: needs {wanted}");
+    }
+    find(if cfg!(windows) { "npm.cmd" } else { "npm" }).map(drop).with_context(|| format!("no npm: needs {wanted}"))
+}
+
+/// "v20.19.4" → (20, 19)
+fn parse_version(version: &str) -> Option<(u32, u32)> {
+    let mut numbers = version.trim_start_matches('v').split('.').map(|part| part.parse().ok());
+    Some((numbers.next()??, numbers.next()??))
+}
+
+/// The browser of the tests, and what drives it.
+pub fn chromium() -> Result<()> {
+    let browser = std::env::var_os("CHROMIUM_PATH").map(PathBuf::from).or_else(|| find("chromium"));
+    let driver = std::env::var_os("CHROMEDRIVER").map(PathBuf::from).or_else(|| find("chromedriver"));
+    if browser.is_some_and(|path| path.is_file()) && driver.is_some_and(|path| path.is_file()) {
+        return Ok(());
+    }
+    let packages = ["install", "--yes", "--no-install-recommends", "chromium", "chromium-driver"];
+    if output("id", &["-u"]).as_deref() != Some("0") || find("apt-get").is_none() {
+        bail!(
+            "the browser stages need Chromium and ChromeDriver: `sudo apt-get install chromium \
+             chromium-driver`, or set CHROMIUM_PATH and CHROMEDRIVER to your own"
+        );
+    }
+    println!("install: Chromium and ChromeDriver…");
+    run(apt_get().arg("update"))?;
+    run(apt_get().args(packages))
+}
+
+fn apt_get() -> Command {
+    let mut apt = Command::new("apt-get");
+    apt.arg("-qq").env("DEBIAN_FRONTEND", "noninteractive");
+    apt
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn node_versions_compare_by_number() {
+        assert_eq!(parse_version("v20.19.4"), Some((20, 19)));
+        assert!(parse_version("v9.99.0") < Some(NODE));
+        assert_eq!(parse_version("unknown"), None);
+    }
+}

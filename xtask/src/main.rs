@@ -1,0 +1,85 @@
+//! The build helper: `cargo xtask serve`, `test`, `build`, `wasm`, `bench`.
+//!
+//! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
+//! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
+//! after what is missing.
+
+mod install;
+mod page;
+mod serve;
+mod stages;
+mod test;
+mod tools;
+mod wasm;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", about = "Build, serve and test Formicarium")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Build everything and serve the page
+    Serve(serve::Options),
+    /// Compile the engine to pkg/, the wasm library the page and other programs import
+    Wasm {
+        /// Compile with debug assertions, without wasm-opt
+        #[arg(long)]
+        dev: bool,
+    },
+    /// Build the page as a static folder for any host and any sub-path
+    Build {
+        /// Where to put it [default: www/dist]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
+    /// Run every check, or the named stages only
+    Test(test::Options),
+    /// Run the benchmarks; further arguments go to `cargo bench`
+    Bench {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<OsString>,
+    },
+    /// Run a wasm test file, called by cargo
+    #[command(hide = true)]
+    TestRunner {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        args: Vec<OsString>,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// As typed: clap would drop the `--` before what is meant for the benchmarks themselves.
+fn bench_arguments() -> impl Iterator<Item = OsString> {
+    std::env::args_os().skip_while(|word| word != "bench").skip(1)
+}
+
+fn run(command: Command) -> anyhow::Result<()> {
+    match command {
+        Command::Serve(options) => serve::serve(&options),
+        Command::Wasm { dev } => wasm::build(wasm::Mode::from_dev(dev)),
+        Command::Build { out } => page::build(out.as_deref()).map(|folder| {
+            println!("page: {}", folder.display());
+        }),
+        Command::Test(options) => test::test(&options),
+        Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
+        Command::TestRunner { args } => wasm::run_tests(args),
+    }
+}

@@ -1,0 +1,33 @@
+//! The page: Vite's build of www/ around pkg/.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+
+use crate::tools::{node_script, root, run, vite, www};
+use crate::wasm;
+
+/// Every TypeScript project: the page, its workers, the build, the browser tests.
+const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
+
+/// Engine and page; the answer is the static folder.
+pub fn build(out: Option<&Path>) -> Result<PathBuf> {
+    wasm::build(wasm::Mode::Release)?;
+    println!("page: building…");
+    let folder = out.map_or_else(|| Ok(www().join("dist")), std::path::absolute)?;
+    let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
+    run(vite().args(args).arg(&folder))?;
+    Ok(folder)
+}
+
+/// Build, types, lint.
+pub fn check() -> Result<()> {
+    build(None)?;
+    println!("page: checking types…");
+    for project in PROJECTS {
+        run(node_script("typescript/bin/tsc").args(["--noEmit", "--project", project]))?;
+    }
+    println!("page: linting…");
+    let mut biome = node_script("@biomejs/biome/bin/biome");
+    run(biome.args(["check", "--error-on-warnings"]).current_dir(root()))
+}

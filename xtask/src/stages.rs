@@ -1,0 +1,102 @@
+//! What each stage of `cargo xtask test` runs.
+
+use std::env;
+use std::path::PathBuf;
+use std::process::Command;
+
+use anyhow::Result;
+use clap::ValueEnum;
+
+use crate::tools::{self, node_script, root, run};
+use crate::{install, page};
+
+const WASM: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub enum Stage {
+    /// rustfmt
+    Fmt,
+    /// clippy, natively and for WebAssembly
+    Clippy,
+    /// The Rust tests: engine, command line, build helper
+    Engine,
+    /// tests/wasm.rs in Node.js
+    WasmNode,
+    /// tests/wasm.rs in Chromium
+    WasmChromium,
+    /// The page: engine, bundle, types, lint
+    Page,
+    /// The page in Chromium, by Playwright
+    Browser,
+}
+
+impl Stage {
+    pub const ALL: [Self; 7] =
+        [Self::Fmt, Self::Clippy, Self::Engine, Self::WasmNode, Self::WasmChromium, Self::Page, Self::Browser];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fmt => "fmt",
+            Self::Clippy => "clippy",
+            Self::Engine => "engine",
+            Self::WasmNode => "wasm-node",
+            Self::WasmChromium => "wasm-chromium",
+            Self::Page => "page",
+            Self::Browser => "browser",
+        }
+    }
+
+    pub fn run(self) -> Result<()> {
+        match self {
+            Self::Fmt => run(tools::cargo().args(["fmt", "--all", "--check"])),
+            Self::Clippy => clippy(),
+            Self::Engine => engine(),
+            Self::WasmNode => wasm_tests(&mut tools::cargo()),
+            Self::WasmChromium => {
+                install::chromium()?;
+                wasm_tests(tools::cargo().env("WASM_BINDGEN_USE_BROWSER", "1"))
+            }
+            Self::Page => page::check(),
+            Self::Browser => browser(),
+        }
+    }
+}
+
+fn clippy() -> Result<()> {
+    const DENY: [&str; 3] = ["--", "--deny", "warnings"];
+    install::wasm_target()?;
+    run(tools::cargo().args(["clippy", "--workspace", "--all-targets"]).args(DENY))?;
+    let library = ["clippy", "--package", "formicarium", "--lib"];
+    run(tools::cargo().args(library).args(WASM).args(DENY))
+}
+
+/// One package after the other: together, their features would be joined and half of the build
+/// helper's dependencies compiled again.
+fn engine() -> Result<()> {
+    run(with_data(tools::cargo().args(["test", "--package", "formicarium"])))?;
+    run(tools::cargo().args(["test", "--package", "xtask"]))
+}
+
+fn wasm_tests(cargo: &mut Command) -> Result<()> {
+    install::wasm_target()?;
+    cargo.env("WASM_BINDGEN_TEST_TIMEOUT", "600");
+    run(cargo.args(["test", "--package", "formicarium", "--test", "wasm"]).args(WASM))
+}
+
+fn browser() -> Result<()> {
+    install::chromium()?;
+    page::build(None)?;
+    run(with_data(node_script("@playwright/test/cli.js").args(["test", "--config", &config()])))
+}
+
+fn config() -> String {
+    root().join("tests/browser/playwright.config.ts").display().to_string()
+}
+
+/// Tests run in other folders: the data folder is told from the repository's root.
+fn with_data(command: &mut Command) -> &mut Command {
+    let Some(data) = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()) else {
+        return command;
+    };
+    command.env("FORMICARIUM_DATA", root().join(PathBuf::from(data)))
+}
