@@ -10,8 +10,6 @@ use thiserror::Error;
 
 /// The flat form of any error, for the page and for `--format json`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename = "EngineError")]
 pub struct ErrorReport {
     /// Stable key of the message, e.g. `out-of-range`.
     pub kind: String,
@@ -376,7 +374,7 @@ impl FormatError {
 
 /// Something worth saying about an input that was accepted all the same.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(hashmap_as_object))]
 pub struct Notice {
     /// Stable key of the message.
     pub kind: String,

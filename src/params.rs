@@ -98,7 +98,7 @@ pub struct AppliesWhen {
 
 /// Everything about one parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ParamSpec {
     /// Stable key in links, files and on the command line.
     pub key: String,

@@ -13,7 +13,6 @@ pub struct Goal {
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
     pub at: Point,
     /// Its name in tables; may be empty.
-    #[serde(default)]
     pub name: String,
 }
 
@@ -33,26 +32,19 @@ impl Default for Vehicle {
     }
 }
 
-fn one() -> f64 {
-    1.0
-}
-
 /// A scenario without its cells, as files and the page hold it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ScenarioSpec {
     /// Its name in tables; may be empty.
-    #[serde(default)]
     pub name: String,
     /// Width in cells.
     pub width: u32,
     /// Height in cells.
     pub height: u32,
     /// Metres per cell, above 0.
-    #[serde(default = "one")]
     pub resolution: f64,
     /// Moves and corner rule.
-    #[serde(default)]
     pub movement: Movement,
     /// Where ants and searches start.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
@@ -60,7 +52,6 @@ pub struct ScenarioSpec {
     /// Where they are to arrive. The planners of today take exactly one.
     pub goals: Vec<Goal>,
     /// For the travel time.
-    #[serde(default)]
     pub vehicle: Vehicle,
 }
 

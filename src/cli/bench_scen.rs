@@ -21,8 +21,8 @@ use super::{Outcome, input, text, text::row};
 /// Runs an exact planner on the scenarios of a MovingAI .scen and compares with the listed optima
 #[derive(clap::Args)]
 #[command(after_help = "\
-A length fits when it differs from the listed one by no more than half a unit of the last printed digit plus 1e-6 of the
-length (older files were summed up with a rounded √2).
+A length fits when it differs from the listed one by no more than half a unit of the last printed
+digit plus 1e-6 of the length (older files were summed up with a rounded √2).
 
 Examples:
   formicarium bench-scen arena2.map.scen
@@ -32,7 +32,7 @@ Exit code 1 when a scenario does not fit.")]
 pub struct Args {
     /// The .scen file
     scen: PathBuf,
-    /// The map [default: the file beside the .scen that its first line names, or the .scen's name without .scen]
+    /// The map [default: beside the .scen]
     #[arg(long)]
     map: Option<PathBuf>,
     /// An exact planner
@@ -44,11 +44,11 @@ pub struct Args {
     /// Seed of the sample
     #[arg(long, default_value_t = 1)]
     seed: u32,
-    /// The rule that the listed optima are to be compared under
-    #[arg(long, default_value = "both-free", value_parser = input::corner_rules())]
+    /// always, one-free or both-free; the benchmark's is both-free
+    #[arg(long, value_name = "RULE", default_value = "both-free", hide_possible_values = true, value_parser = input::corner_rules())]
     corner_rule: CornerRule,
-    /// text for people, json for programs
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    /// text or json
+    #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
     format: Format,
 }
 
@@ -218,7 +218,7 @@ impl Bench {
         row(
             &mut out,
             "matched",
-            format!("{} of {} run, {:.1} % ({} listed)", self.matched, self.run, 100.0 * share, self.scenarios),
+            format!("{} of {} scenarios, {:.1} % ({} in the file)", self.matched, self.run, 100.0 * share, self.scenarios),
         );
         row(
             &mut out,

@@ -40,8 +40,8 @@ pub struct Args {
     /// The path names the row before the column
     #[arg(long)]
     rows_first: bool,
-    /// text for people, json for programs
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    /// text or json
+    #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
     format: Format,
 }
 

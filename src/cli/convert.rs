@@ -14,7 +14,8 @@ use super::{Outcome, input, plan, text};
 /// Converts a map to another format, told by the output's ending
 #[derive(clap::Args)]
 #[command(after_help = "\
-Endings: .map (MovingAI), .scen (MovingAI, start and goal with the exact optimum), .csv .txt .m (matrix), .json (scenario)
+Endings: .map and .scen (MovingAI; a .scen lists start and goal with the exact optimum),
+.csv .txt .m (matrix), .json (scenario)
 
 Examples:
   formicarium convert grid.m grid.map
@@ -25,8 +26,8 @@ pub struct Args {
     input: PathBuf,
     /// The file to write; `-` needs --as
     output: PathBuf,
-    /// The output's format, whatever its ending
-    #[arg(long = "as", value_enum, value_name = "FORMAT")]
+    /// movingai-map, movingai-scen, matrix or scenario, whatever the ending
+    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
     format: Option<Format>,
     /// Swap free and blocked cells
     #[arg(long)]

@@ -34,8 +34,8 @@ pub struct Args {
     /// File to write; its ending tells the format [default: standard output]
     #[arg(long)]
     out: Option<PathBuf>,
-    /// The format, whatever the ending [default: movingai-map; a scenario keeps start and goal]
-    #[arg(long = "as", value_enum, value_name = "FORMAT")]
+    /// movingai-map, movingai-scen, matrix, or scenario, which keeps start and goal [default: movingai-map]
+    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
     format: Option<Format>,
 }
 

@@ -25,7 +25,7 @@ pub struct ScenarioArgs {
     /// Goal cell
     #[arg(long, value_name = "X,Y", value_parser = point)]
     to: Option<Point>,
-    /// Start and goal from a line of a MovingAI .scen; lines count from 1, as editors show them
+    /// Start and goal from a line of a MovingAI .scen, counted from 1 as in an editor
     #[arg(long, value_name = "FILE:LINE", conflicts_with_all = ["from", "to", "scenario"])]
     scen: Option<String>,
     /// A scenario file in place of the map
@@ -38,12 +38,16 @@ pub struct ScenarioArgs {
 /// How one moves.
 #[derive(clap::Args)]
 pub struct MovementArgs {
-    /// When a diagonal step may pass the two cells beside it [default: the scenario's, else both-free]
-    #[arg(long, value_parser = corner_rules())]
+    /// Cells free beside a diagonal step: always, one-free, both-free [default: the map's, else both-free]
+    #[arg(long, value_name = "RULE", hide_possible_values = true, value_parser = corner_rules())]
     pub corner_rule: Option<CornerRule>,
-    /// Moves a cell offers [default: the scenario's, else 8]
-    #[arg(long, value_parser = PossibleValuesParser::new(["4", "8"]).map(|s| if s == "4" { Moves::Four } else { Moves::Eight }))]
+    /// Moves a cell offers [default: the map's, else 8]
+    #[arg(long, value_name = "4|8", hide_possible_values = true, value_parser = moves())]
     pub moves: Option<Moves>,
+}
+
+fn moves() -> impl TypedValueParser<Value = Moves> {
+    PossibleValuesParser::new(["4", "8"]).map(|text| if text == "4" { Moves::Four } else { Moves::Eight })
 }
 
 impl MovementArgs {

@@ -14,6 +14,8 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use formicarium::error::ErrorReport;
+use serde::Serialize;
 
 use error::CliError;
 
@@ -44,6 +46,13 @@ enum Command {
     Check(check::Args),
     Generate(generate::Args),
     BenchScen(bench_scen::Args),
+}
+
+/// An error as JSON.
+#[derive(Serialize)]
+struct Failure {
+    format: &'static str,
+    error: ErrorReport,
 }
 
 /// What a subcommand prints, and whether it counts as success.
@@ -94,7 +103,7 @@ pub fn run() -> ExitCode {
             let report = error.report();
             eprintln!("error: {}\nhint: {}", report.message, report.hint);
             if cli.command.wants_json() {
-                print(&text::json(&serde_json::json!({ "format": "formicarium/error@1", "error": report }), 2));
+                print(&text::json(&Failure { format: "formicarium/error@1", error: report }, 2));
             }
             ExitCode::from(2)
         }

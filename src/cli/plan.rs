@@ -43,8 +43,8 @@ pub struct Args {
     /// A parameter, over preset and default; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]
     set: Vec<(String, Value)>,
-    /// text for people, json with everything, csv with one row per iteration
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    /// text, json (everything) or csv (one row per iteration)
+    #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
     format: Format,
 }
 

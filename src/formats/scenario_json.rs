@@ -3,13 +3,13 @@
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
 
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use super::movingai;
 use super::text::quote;
 use crate::error::FormatError;
-use crate::map::{Grid, check_size};
-use crate::scenario::{Scenario, ScenarioSpec};
+use crate::map::{CornerRule, Grid, Movement, check_size};
+use crate::scenario::{Scenario, ScenarioSpec, Vehicle};
 
 /// What `format` must say.
 pub(super) const FORMAT: &str = "formicarium/scenario@1";
@@ -62,7 +62,25 @@ fn field_error(what: impl Into<String>, expected: impl Into<String>) -> FormatEr
     FormatError::syntax(0, what, expected)
 }
 
-fn read_spec(object: Object) -> Result<ScenarioSpec, FormatError> {
+/// Fills in what the format lets people leave out.
+fn complete(object: &mut Object) {
+    fn fill(object: &mut Object, key: &str, value: Value) {
+        object.entry(key).or_insert(value);
+    }
+    fill(object, "name", json!(""));
+    fill(object, "resolution", json!(1.0));
+    fill(object, "movement", json_value(&Movement::default()));
+    fill(object, "vehicle", json_value(&Vehicle::default()));
+    if let Some(Value::Object(movement)) = object.get_mut("movement") {
+        fill(movement, "corner_rule", json_value(&CornerRule::default()));
+    }
+    if let Some(Value::Array(goals)) = object.get_mut("goals") {
+        goals.iter_mut().filter_map(Value::as_object_mut).for_each(|goal| fill(goal, "name", json!("")));
+    }
+}
+
+fn read_spec(mut object: Object) -> Result<ScenarioSpec, FormatError> {
+    complete(&mut object);
     let given = Value::Object(object);
     let spec: ScenarioSpec =
         serde_json::from_value(given.clone()).map_err(|e| field_error(e.to_string(), "the fields of docs/formats.md"))?;
@@ -121,15 +139,15 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     // Taken apart, so that a new field cannot be forgotten.
     let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle } = spec;
     let fields = [
-        ("format", json(&FORMAT)),
-        ("name", json(name)),
-        ("width", json(width)),
-        ("height", json(height)),
-        ("resolution", json(resolution)),
-        ("movement", json(movement)),
-        ("start", json(start)),
-        ("goals", json(goals)),
-        ("vehicle", json(vehicle)),
+        ("format", text(&FORMAT)),
+        ("name", text(name)),
+        ("width", text(width)),
+        ("height", text(height)),
+        ("resolution", text(resolution)),
+        ("movement", text(movement)),
+        ("start", text(start)),
+        ("goals", text(goals)),
+        ("vehicle", text(vehicle)),
     ];
     let fields: String = fields.iter().map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
@@ -140,6 +158,6 @@ fn json_value(value: &impl Serialize) -> Value {
     serde_json::to_value(value).unwrap_or_default()
 }
 
-fn json(value: &impl Serialize) -> String {
+fn text(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }

@@ -41,25 +41,24 @@ enum Layout {
 /// [`FormatError`] with the line of the first thing that is no number.
 pub(super) fn read(text: &str) -> Result<Table, FormatError> {
     let clean = without_comments(text);
-    let (block, first_line, layout) = match brackets(&clean)? {
+    let (span, layout) = match brackets(&clean)? {
         Some(span) => {
-            let block = &clean[span.clone()];
-            let nested = block[1..].contains('[');
-            let before = clean[..span.start].bytes().filter(|&b| b == b'\n').count();
-            (block, before, if nested { Layout::Nested } else { Layout::Semicolons })
+            let nested = clean[span.start + 1..span.end].contains('[');
+            (span, if nested { Layout::Nested } else { Layout::Semicolons })
         }
         None => {
             let block = after_title(&clean);
-            (block, clean[..clean.len() - block.len()].bytes().filter(|&b| b == b'\n').count(), plain_layout(block))
+            (clean.len() - block.len()..clean.len(), plain_layout(block))
         }
     };
-    let rows = scan(block, first_line, layout)?;
+    let (before, after) = (&clean[..span.start], &clean[span.end..]);
+    let rows = scan(&clean[span], before.matches('\n').count(), layout)?;
     if rows.is_empty() {
         return Err(FormatError::syntax(0, "the file holds no numbers", "rows of 0 and 1"));
     }
     // An assignment before and a bracket or two behind belong to the table; a program does not.
-    let outside = clean.chars().filter(|c| !c.is_whitespace()).count() - block.chars().filter(|c| !c.is_whitespace()).count();
-    Ok(Table { rows, has_rest: outside > 40 })
+    let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).count();
+    Ok(Table { rows, has_rest: letters(before) + letters(after) > 40 })
 }
 
 /// Whether the first line that says anything could belong to a table.
@@ -182,9 +181,9 @@ impl Scanner {
             return piece.trim().bytes().try_for_each(|b| self.push(f64::from(b.wrapping_sub(b'0'))));
         }
         for token in piece.split(|c| is_blank(c) || matches!(c, '[' | ']')).filter(|t| !t.is_empty()) {
-            let value = token.parse().ok().filter(|v: &f64| v.is_finite());
-            let value = value.ok_or_else(|| FormatError::syntax(line, format!("`{}` is no number", quote(token)), "numbers"))?;
-            self.push(value)?;
+            let value = number(token);
+            let wrong = || FormatError::syntax(line, format!("`{}` is no number", quote(token)), "numbers");
+            self.push(value.ok_or_else(wrong)?)?;
         }
         Ok(())
     }
@@ -200,6 +199,14 @@ impl Scanner {
         if !self.values.is_empty() {
             self.rows.push(Row { line, values: std::mem::take(&mut self.values) });
         }
+    }
+}
+
+fn number(token: &str) -> Option<f64> {
+    match token.as_bytes() {
+        // Nearly all numbers of a map.
+        [digit] if digit.is_ascii_digit() => Some(f64::from(digit - b'0')),
+        _ => token.parse().ok().filter(|v: &f64| v.is_finite()),
     }
 }
 

@@ -103,7 +103,6 @@ pub struct Movement {
     #[cfg_attr(target_arch = "wasm32", tsify(type = "4 | 8"))]
     pub moves: Moves,
     /// The rule for diagonal moves; without effect on 4 moves.
-    #[serde(default)]
     pub corner_rule: CornerRule,
 }
 

@@ -22,6 +22,7 @@ pub struct ParamInput(#[tsify(type = "Record<string, number | string | boolean>"
 
 /// Where a run stands.
 #[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 pub struct RunSummary {
     /// Whether and how it has ended.
     pub status: Status,
@@ -74,11 +75,11 @@ impl Run {
                 break;
             }
         }
-        self.status()
+        Ok(self.status())
     }
 
     /// Whether and how the run has ended.
-    pub fn status(&self) -> Answer<Ts<Status>> {
+    pub fn status(&self) -> Ts<Status> {
         object(&self.planner.status())
     }
 
@@ -88,7 +89,7 @@ impl Run {
     }
 
     /// Where the run stands.
-    pub fn summary(&self) -> Answer<Ts<RunSummary>> {
+    pub fn summary(&self) -> Ts<RunSummary> {
         let planner = &self.planner;
         let last: Option<&Record> = planner.history().last();
         object(&RunSummary {
@@ -134,7 +135,7 @@ impl Run {
     }
 
     /// The layers that `paint` knows for this planner.
-    pub fn layers(&self) -> Answer<Vec<Ts<Layer>>> {
+    pub fn layers(&self) -> Vec<Ts<Layer>> {
         self.layers.iter().map(object).collect()
     }
 

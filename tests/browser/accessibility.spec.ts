@@ -5,12 +5,16 @@ import { Lab } from './lab'
 async function expectClean(page: Page, where: string): Promise<void> {
   const { violations } = await new AxeBuilder({ page }).analyze()
   const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
-  const told = serious.map(({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map((node) => node.html).join('\n  ')}`)
+  const told = serious.map(
+    ({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map((node) => node.html).join('\n  ')}`,
+  )
   expect(told, where).toEqual([])
 }
 
 for (const scheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing serious at rest, running, or in any dialog (${scheme})`, async ({ page }) => {
+  test(`axe finds nothing serious at rest, running, or in any dialog (${scheme})`, async ({
+    page,
+  }) => {
     test.slow()
     await page.emulateMedia({ colorScheme: scheme })
     const lab = new Lab(page)
@@ -73,13 +77,17 @@ test('everything can be reached and done with the keyboard alone', async ({ page
   await expect(page.getByTestId('help-dialog')).toBeVisible()
   await page.keyboard.press('Escape')
   await page.keyboard.press('End')
-  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', { timeout: 20_000 })
+  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
+    timeout: 20_000,
+  })
 })
 
 /** Tab, as often as it takes, until the control has the focus. */
 async function tabTo(page: Page, testId: string): Promise<void> {
   for (let presses = 0; presses < 120; presses++) {
-    const focused = await page.evaluate(() => (document.activeElement as HTMLElement | null)?.dataset.testid ?? '')
+    const focused = await page.evaluate(
+      () => (document.activeElement as HTMLElement | null)?.dataset.testid ?? '',
+    )
     if (focused.startsWith(testId)) return
     await page.keyboard.press('Tab')
   }

@@ -92,7 +92,9 @@ test.describe('editing with the mouse', () => {
     await expect.poll(optimum).toBeGreaterThan(free)
   })
 
-  test('wheel and middle button look closer; drawing then hits the cell under the pointer', async ({ page }) => {
+  test('wheel and middle button look closer; drawing then hits the cell under the pointer', async ({
+    page,
+  }) => {
     const lab = new Lab(page)
     const at = await lab.pointOf([20, 12])
     await page.mouse.move(at.x, at.y)
@@ -183,7 +185,9 @@ test.describe('editing with keys', () => {
 })
 
 test.describe('editing with fingers', () => {
-  test('one finger draws, two move and zoom the map, and a pinch draws nothing @phone', async ({ page }) => {
+  test('one finger draws, two move and zoom the map, and a pinch draws nothing @phone', async ({
+    page,
+  }) => {
     const lab = new Lab(page)
     await lab.openAtRest()
     await lab.stage().scrollIntoViewIfNeeded()

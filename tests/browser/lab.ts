@@ -25,7 +25,9 @@ export class Lab {
 
   async ready(): Promise<void> {
     await expect(this.page.getByTestId('play')).toBeVisible()
-    await expect.poll(() => this.results().then((all) => all.every((one) => one.summary !== null))).toBe(true)
+    await expect
+      .poll(() => this.results().then((all) => all.every((one) => one.summary !== null)))
+      .toBe(true)
   }
 
   /** Opens the page and brings every run back to its beginning. */
@@ -46,12 +48,12 @@ export class Lab {
     return result
   }
 
-  /** Waits until a panel's picture differs from what it is now. */
-  async seesMotion(place = 1, timeout = 5000): Promise<void> {
+  /** Does `cause`, if any, and waits until a panel's picture differs from what it was. */
+  async seesMotion(place = 1, cause?: () => Promise<unknown>): Promise<void> {
     const before = await this.stage(place).screenshot()
-    await expect
-      .poll(async () => before.equals(await this.stage(place).screenshot()), { timeout, intervals: [50] })
-      .toBe(false)
+    await cause?.()
+    const changed = async () => !before.equals(await this.stage(place).screenshot())
+    await expect.poll(changed, { intervals: [50] }).toBe(true)
   }
 
   /** Moves of the finished iterations. */
@@ -63,10 +65,18 @@ export class Lab {
   async session(): Promise<Session> {
     const plain = await this.page.evaluate(() => {
       const session = window.formicarium.session()
-      return session && { ...session, scenario: { ...session.scenario, cells: Array.from(session.scenario.cells) } }
+      return (
+        session && {
+          ...session,
+          scenario: { ...session.scenario, cells: Array.from(session.scenario.cells) },
+        }
+      )
     })
     if (!plain) throw new Error('there is no session')
-    return { ...plain, scenario: { ...plain.scenario, cells: Uint8Array.from(plain.scenario.cells) } }
+    return {
+      ...plain,
+      scenario: { ...plain.scenario, cells: Uint8Array.from(plain.scenario.cells) },
+    }
   }
 
   async isWall([x, y]: Cell): Promise<boolean> {
@@ -183,7 +193,10 @@ export class Fingers {
     await this.send('touchEnd', [])
   }
 
-  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: { x: number; y: number }[]): Promise<void> {
+  private async send(
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    points: { x: number; y: number }[],
+  ): Promise<void> {
     const touchPoints = points.map((point, id) => ({ ...point, id }))
     await this.session.send('Input.dispatchTouchEvent', { type, touchPoints })
   }

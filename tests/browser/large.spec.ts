@@ -9,12 +9,17 @@ function largeMap(): string {
   const cells = randomCells(SIDE, SIDE, 0.3)
   const edge = (at: number) => at === 0 || at === SIDE - 1
   const rows = Array.from({ length: SIDE }, (_, y) =>
-    Array.from({ length: SIDE }, (_, x) => (edge(x) || edge(y) || cells[y * SIDE + x] === 0 ? '.' : '@')).join(''),
+    Array.from({ length: SIDE }, (_, x) =>
+      edge(x) || edge(y) || cells[y * SIDE + x] === 0 ? '.' : '@',
+    ).join(''),
   )
   return `type octile\nheight ${SIDE}\nwidth ${SIDE}\nmap\n${rows.join('\n')}\n`
 }
 
-test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a link would be too long', async ({ page, browser }) => {
+test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a link would be too long', async ({
+  page,
+  browser,
+}) => {
   const lab = new Lab(page)
   await lab.openAtRest()
   await lab.importByButton('large.map', largeMap())
@@ -26,12 +31,17 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
   await lab.setSpeed(8)
   await page.locator('body').press('Space')
   await expect.poll(() => lab.antMoves(), { timeout: 30_000 }).toBeGreaterThan(0)
-  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', { timeout: 20_000 })
+  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
+    timeout: 20_000,
+  })
   await page.locator('body').press('Space')
 
   await page.getByTestId('share').click()
   await expect(page.getByTestId('share-too-long')).toContainText(/8,?000/)
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('share-file').click()])
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByTestId('share-file').click(),
+  ])
   const path = await download.path()
   await page.keyboard.press('Escape')
 
@@ -44,7 +54,9 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
   })
   await expect.poll(async () => (await other.session()).scenario.spec.width).toBe(SIDE)
   expect((await other.session()).scenario.cells).toEqual((await lab.session()).scenario.cells)
-  await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified', { timeout: 30_000 })
+  await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified', {
+    timeout: 30_000,
+  })
   await other.page.context().close()
 })
 
@@ -96,6 +108,8 @@ test('two panels playing on 256 × 256 leave the page its frames', async ({ page
   }
   perFrame.sort((a, b) => a - b)
   const median = perFrame[perFrame.length >> 1] ?? 0
-  console.log(`page thread, two panels on 256 × 256: median ${median.toFixed(2)} ms a frame, worst ${perFrame.at(-1)?.toFixed(2)} ms`)
+  console.log(
+    `page thread, two panels on 256 × 256: median ${median.toFixed(2)} ms a frame, worst ${perFrame.at(-1)?.toFixed(2)} ms`,
+  )
   expect(median).toBeLessThan(16)
 })

@@ -2,7 +2,17 @@ import { expect, test } from '@playwright/test'
 import { Lab } from './lab'
 
 const MATRIX = ['0 0 0 0 0 0', '0 1 1 1 1 0', '0 1 0 0 1 0', '0 0 0 1 0 0'].join('\n')
-const MOVINGAI = ['type octile', 'height 4', 'width 6', 'map', '......', '.@@@@.', '.@..T.', '...@..', ''].join('\n')
+const MOVINGAI = [
+  'type octile',
+  'height 4',
+  'width 6',
+  'map',
+  '......',
+  '.@@@@.',
+  '.@..T.',
+  '...@..',
+  '',
+].join('\n')
 const SCEN = `version 1\n0\tsmall.map\t6\t4\t0\t0\t5\t3\t6.82842712\n1\tsmall.map\t6\t4\t0\t3\t5\t0\t6.82842712\n`
 
 const EXPECTED = { width: 6, height: 4, walls: 7 }
@@ -24,7 +34,9 @@ test.describe('import', () => {
       test(`${name} ${way} is shown and runs`, async ({ page }) => {
         const lab = new Lab(page)
         await bring(lab, name, text)
-        await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(EXPECTED.width)
+        await expect
+          .poll(async () => (await lab.session()).scenario.spec.width)
+          .toBe(EXPECTED.width)
         expect((await lab.session()).scenario.spec.height).toBe(EXPECTED.height)
         expect(await lab.walls()).toBe(EXPECTED.walls)
         await page.locator('body').press('End')
@@ -59,13 +71,23 @@ test.describe('import', () => {
     const lines = page.getByTestId('scen-dialog').getByRole('row')
     await lines.last().getByRole('button').click()
     const { spec } = (await lab.session()).scenario
-    expect([spec.start, spec.goals[0]?.at]).toEqual([[0, 3], [5, 0]])
+    expect([spec.start, spec.goals[0]?.at]).toEqual([
+      [0, 3],
+      [5, 0],
+    ])
   })
 
-  test('what cannot be read is refused with line and hint, and nothing on screen is lost', async ({ page }) => {
+  test('what cannot be read is refused with line and hint, and nothing on screen is lost', async ({
+    page,
+  }) => {
     const lab = new Lab(page)
     const walls = await lab.walls()
-    for (const text of ['0 0 0\n0 0\n', 'type octile\nheight 9\nwidth 2\nmap\n..\n', '{"format":"formicarium/scenario@99"}', 'good morning']) {
+    for (const text of [
+      '0 0 0\n0 0\n',
+      'type octile\nheight 9\nwidth 2\nmap\n..\n',
+      '{"format":"formicarium/scenario@99"}',
+      'good morning',
+    ]) {
       await lab.paste(text)
       await expect(page.getByTestId('toast-error').last()).toBeVisible()
       await expect(page.getByTestId('toast-error').last().locator('.toast-hint')).not.toBeEmpty()
@@ -90,7 +112,10 @@ async function exported(lab: Lab, format: string): Promise<string> {
   await lab.menu('map-menu', 'open-export')
   await page.getByTestId(`export-${format}`).click()
   await expect(page.getByTestId('export-download')).toBeEnabled()
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-download').click()])
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByTestId('export-download').click(),
+  ])
   const chunks: Buffer[] = []
   for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
   await page.keyboard.press('Escape')
@@ -127,7 +152,10 @@ test.describe('export', () => {
   test('experiment', async ({ page }) => {
     const lab = new Lab(page)
     const text = await exported(lab, 'experiment')
-    expect(JSON.parse(text)).toMatchObject({ format: 'formicarium/experiment@1', map: ['......', '.@@@@.', '.@..@.', '...@..'] })
+    expect(JSON.parse(text)).toMatchObject({
+      format: 'formicarium/experiment@1',
+      map: ['......', '.@@@@.', '.@..@.', '...@..'],
+    })
     await lab.menu('map-menu', 'gallery-open-field')
     await expect.poll(() => lab.walls()).toBe(0)
     await lab.importByButton('again.json', text)
@@ -136,13 +164,23 @@ test.describe('export', () => {
 })
 
 test.describe('maps made here', () => {
-  for (const id of ['two-corridors', 'aco-20x20', 'engine-room', 'rooms', 'maze', 'random-100', 'open-field']) {
+  for (const id of [
+    'two-corridors',
+    'aco-20x20',
+    'engine-room',
+    'rooms',
+    'maze',
+    'random-100',
+    'open-field',
+  ]) {
     test(`${id} can be solved`, async ({ page }) => {
       const lab = new Lab(page)
       await lab.openAtRest()
       await lab.menu('map-menu', `gallery-${id}`)
       await lab.ready()
-      await expect.poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value'))).toBeGreaterThan(10)
+      await expect
+        .poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value')))
+        .toBeGreaterThan(10)
       await lab.setSpeed(8)
       await page.getByTestId('play').click()
       await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')

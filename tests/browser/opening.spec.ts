@@ -15,9 +15,12 @@ test.describe('opening', () => {
       }, 10)
     })
     await page.goto('./')
-    const firstStep = () => page.evaluate(() => performance.getEntriesByName('first-step')[0]?.startTime)
+    const firstStep = () =>
+      page.evaluate(() => performance.getEntriesByName('first-step')[0]?.startTime)
     await expect.poll(firstStep).toBeDefined()
-    console.log(`first step ${Math.round((await firstStep()) ?? 0)} ms after the address was entered`)
+    console.log(
+      `first step ${Math.round((await firstStep()) ?? 0)} ms after the address was entered`,
+    )
     expect(await firstStep()).toBeLessThan(2000)
     await lab.seesMotion()
     await expect(page.getByTestId('panel-1')).toBeVisible()
@@ -41,7 +44,9 @@ test.describe('opening', () => {
     await lab.setSpeed(8)
     await page.getByTestId('play').click()
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
-    await expect.poll(async () => (await lab.result(1)).summary?.metrics?.length ?? 0).toBeGreaterThan(0)
+    await expect
+      .poll(async () => (await lab.result(1)).summary?.metrics?.length ?? 0)
+      .toBeGreaterThan(0)
     const [ants, search] = await lab.results()
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
     expect(search?.summary?.metrics?.length).toBeCloseTo(optimum, 9)

@@ -15,7 +15,9 @@ test.describe('panels', () => {
     await lab.ready()
     expect(page.workers().length).toBe(workers + 4)
     await page.getByTestId('play').click()
-    await expect.poll(async () => (await lab.result(5)).summary?.effort.ant_moves ?? 0).toBeGreaterThan(0)
+    await expect
+      .poll(async () => (await lab.result(5)).summary?.effort.ant_moves ?? 0)
+      .toBeGreaterThan(0)
     for (let count = 6; count > 1; count--) await page.getByTestId('remove-1').click()
     await expect(page.getByTestId('panel-2')).toBeHidden()
     await expect.poll(() => page.workers().length).toBeLessThanOrEqual(workers - 1)
@@ -43,13 +45,20 @@ test.describe('panels', () => {
     expect(second?.summary?.digest).toBe(first?.summary?.digest)
   })
 
-  test('a parameter out of range is refused at its field, by name, and can be mended', async ({ page }) => {
+  test('a parameter out of range is refused at its field, by name, and can be mended', async ({
+    page,
+  }) => {
     const lab = new Lab(page)
     await page.getByTestId('parameters-1').click()
     const field = page.getByTestId('param-rho')
     await field.fill('1.5')
     await field.press('Enter')
-    await expect(page.getByRole('alert').filter({ hasText: /rho|ρ|evaporation/i }).first()).toContainText('1.5')
+    await expect(
+      page
+        .getByRole('alert')
+        .filter({ hasText: /rho|ρ|evaporation/i })
+        .first(),
+    ).toContainText('1.5')
     await expect(field).toHaveAttribute('aria-invalid', 'true')
     await field.fill('0.2')
     await field.press('Enter')
@@ -72,7 +81,13 @@ test.describe('panels', () => {
     const lab = new Lab(page)
     const walls = await lab.walls()
     for (const worker of page.workers()) {
-      await worker.evaluate(() => setTimeout(() => { throw new Error('a fault made for the test') })).catch(() => {})
+      await worker
+        .evaluate(() =>
+          setTimeout(() => {
+            throw new Error('a fault made for the test')
+          }),
+        )
+        .catch(() => {})
     }
     await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
     expect(await lab.walls()).toBe(walls)

@@ -20,12 +20,9 @@ test.describe('playback', () => {
 
   test('a move is one step of every living ant and one cell of a search', async ({ page }) => {
     const lab = new Lab(page)
-    const walks = lab.seesMotion()
-    await page.waitForTimeout(200)
-    await page.getByTestId("step-move").click()
-    await walks
+    await lab.seesMotion(1, () => page.getByTestId('step-move').click())
     expect((await lab.result(2)).summary?.effort.cell_expansions).toBe(1)
-    await Promise.all([lab.seesMotion(), page.locator('body').press('ArrowRight')])
+    await lab.seesMotion(1, () => page.locator('body').press('ArrowRight'))
     await expect.poll(async () => (await lab.result(2)).summary?.effort.cell_expansions).toBe(2)
   })
 
@@ -67,7 +64,9 @@ test.describe('playback', () => {
   test('move by move and iteration by iteration end alike', async ({ page }) => {
     const lab = new Lab(page)
     await page.getByTestId('run-to-end').click()
-    await expect.poll(async () => (await lab.result(1)).summary?.status, { timeout: 20_000 }).not.toBe('running')
+    await expect
+      .poll(async () => (await lab.result(1)).summary?.status, { timeout: 20_000 })
+      .not.toBe('running')
     const atOnce = (await lab.result(1)).summary
     await page.getByTestId('reset').click()
     await expect.poll(() => lab.antMoves()).toBe(0)
@@ -75,7 +74,9 @@ test.describe('playback', () => {
     await page.getByTestId('play').click()
     await page.waitForTimeout(500)
     await lab.setSpeed(7)
-    await expect.poll(async () => (await lab.result(1)).summary?.status, { timeout: 30_000 }).not.toBe('running')
+    await expect
+      .poll(async () => (await lab.result(1)).summary?.status, { timeout: 30_000 })
+      .not.toBe('running')
     expect((await lab.result(1)).summary?.digest).toBe(atOnce?.digest)
   })
 
@@ -86,12 +87,16 @@ test.describe('playback', () => {
       await lab.menu('add-panel', 'add-ant-system')
       await lab.ready()
       await page.getByTestId('play').click()
-      await expect.poll(async () => (await lab.result(1)).summary?.iteration ?? 0, { timeout: 20_000 }).toBeGreaterThan(2)
+      await expect
+        .poll(async () => (await lab.result(1)).summary?.iteration ?? 0, { timeout: 20_000 })
+        .toBeGreaterThan(2)
       await page.getByTestId('play').click()
       await page.waitForTimeout(300)
       const [first, , third] = await lab.results()
       if (sync === 'time') return
-      expect(Math.abs((first?.summary?.iteration ?? 0) - (third?.summary?.iteration ?? 99))).toBeLessThanOrEqual(1)
+      expect(
+        Math.abs((first?.summary?.iteration ?? 0) - (third?.summary?.iteration ?? 99)),
+      ).toBeLessThanOrEqual(1)
     })
   }
 
@@ -110,7 +115,10 @@ test.describe('playback', () => {
   test('layers, ants and path can be switched while it runs', async ({ page }) => {
     const lab = new Lab(page)
     await page.getByTestId('play').click()
-    for (const layer of await page.getByTestId('layer').locator('option').evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value))) {
+    for (const layer of await page
+      .getByTestId('layer')
+      .locator('option')
+      .evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value))) {
       await page.getByTestId('layer').selectOption(layer)
       await lab.frame()
     }

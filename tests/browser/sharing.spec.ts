@@ -6,7 +6,10 @@ import { freshLab, Lab } from './lab'
 test.describe('share links', () => {
   test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
 
-  test('restore map, planners, parameters and seed, replay the run and verify it', async ({ page, browser }) => {
+  test('restore map, planners, parameters and seed, replay the run and verify it', async ({
+    page,
+    browser,
+  }) => {
     const lab = new Lab(page)
     await page.getByTestId('parameters-1').click()
     await page.getByTestId('param-ants').fill('23')
@@ -32,7 +35,10 @@ test.describe('share links', () => {
       session.panels.map(({ planner, params }) => [planner, params]),
     )
     for (const place of [1, 2, 3]) {
-      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute('data-verified', 'verified')
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
     }
     await other.page.getByTestId('reset').click()
     await other.ready()
@@ -45,7 +51,11 @@ test.describe('share links', () => {
     const lab = new Lab(page)
     await page.evaluate(() => window.formicarium.run())
     const other = await freshLab(browser, await lab.shareLink())
-    await expect(other.page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified', { timeout: 20_000 })
+    await expect(other.page.getByTestId('verified-1')).toHaveAttribute(
+      'data-verified',
+      'verified',
+      { timeout: 20_000 },
+    )
     await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified')
     await other.page.context().close()
   })
@@ -81,7 +91,10 @@ test.describe('share links', () => {
     ['not base64url', (link: string) => `${link.split('#')[0]}#x=%F0%9F%90%9C!`],
     ['empty', (link: string) => `${link.split('#')[0]}#x=`],
   ] as [string, (link: string) => string][]) {
-    test(`a link that is ${what} gets a clear message and a usable page`, async ({ page, browser }) => {
+    test(`a link that is ${what} gets a clear message and a usable page`, async ({
+      page,
+      browser,
+    }) => {
       const link = spoil(await new Lab(page).shareLink())
       const other = await freshLab(browser, link)
       const toast = other.page.getByTestId('toast-error')
@@ -113,7 +126,9 @@ test.describe('share links', () => {
 /** The same link with another digest for the first panel. */
 async function withDigest(link: string, digest: string): Promise<string> {
   const [address, fragment] = link.split('#x=')
-  const session = await unpack(await open(fragment ?? ''), () => Promise.reject(new Error('no generator here')))
+  const session = await unpack(await open(fragment ?? ''), () =>
+    Promise.reject(new Error('no generator here')),
+  )
   const [first, ...rest] = session.panels
   if (!first?.result) throw new Error('the link carries no result')
   const panels = [{ ...first, result: { ...first.result, digest } }, ...rest]

@@ -1,4 +1,5 @@
 //! Every file format: what is accepted, what is refused and in which words, and that nothing is lost on the way out and in.
+#![cfg(not(target_arch = "wasm32"))]
 
 mod matrix;
 mod movingai;

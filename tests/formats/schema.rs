@@ -37,18 +37,8 @@ fn check(root: &Value, schema: &Value, doc: &Value, at: &str, found: &mut Vec<St
                 let keys = rule.as_array().unwrap().iter().map(|k| k.as_str().unwrap());
                 doc.as_object().is_none_or(|o| keys.clone().all(|k| o.contains_key(k)))
             }
-            "items" => {
-                for (i, item) in doc.as_array().into_iter().flatten().enumerate() {
-                    check(root, rule, item, &format!("{at}[{i}]"), found);
-                }
-                true
-            }
-            "properties" => {
-                for (key, sub) in rule.as_object().unwrap() {
-                    if let Some(value) = doc.get(key) {
-                        check(root, sub, value, &format!("{at}.{key}"), found);
-                    }
-                }
+            "items" | "properties" => {
+                children(root, rule, doc, at, found);
                 true
             }
             "additionalProperties" => additional(root, schema, rule, doc, at, found),
@@ -56,6 +46,18 @@ fn check(root: &Value, schema: &Value, doc: &Value, at: &str, found: &mut Vec<St
         };
         if !ok {
             found.push(format!("{at}: {keyword} {rule} refuses {doc}"));
+        }
+    }
+}
+
+/// The items of an array, each against the rule; or the fields of an object, each against its own.
+fn children(root: &Value, rule: &Value, doc: &Value, at: &str, found: &mut Vec<String>) {
+    for (i, item) in doc.as_array().into_iter().flatten().enumerate() {
+        check(root, rule, item, &format!("{at}[{i}]"), found);
+    }
+    for (key, value) in doc.as_object().into_iter().flatten() {
+        if let Some(rule) = rule.get(key) {
+            check(root, rule, value, &format!("{at}.{key}"), found);
         }
     }
 }

@@ -57,14 +57,14 @@ function Loading() {
 }
 
 function StartFailed() {
-  const { message, hint } = describeError(startError.value)
+  const { message } = describeError(startError.value)
   return (
     <main class="empty" data-testid="start-failed">
       <Icon icon={TriangleAlert} size={36} />
       <h2>{t('app.failed')}</h2>
-      <p role="alert">{message}</p>
-      <p class="hint">{hint || t('app.failedHint')}</p>
+      <p role="alert">{t('app.failedHint')}</p>
       <Button label={t('app.retry')} tone="primary" onClick={() => startPage()} />
+      <p class="hint">{message}</p>
     </main>
   )
 }

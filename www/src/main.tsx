@@ -6,6 +6,7 @@ import { listenForKeys } from './help/shortcuts'
 import { startLanguage } from './i18n'
 import { listenForDrops } from './maps/drop'
 import { listenForPaste } from './maps/paste'
+import { announceResults } from './panels/announce_result'
 import { offerScripting } from './scripting'
 import { startPage } from './state'
 
@@ -17,6 +18,7 @@ async function main(): Promise<void> {
   listenForPaste()
   listenForDrops()
   offerScripting()
+  announceResults()
   await startPage()
 }
 

@@ -54,34 +54,50 @@ impl Mode {
     }
 }
 
+/// One build of the engine: its folder in `pkg/`, and cargo's features.
+#[derive(Clone, Copy)]
+struct Build {
+    folder: &'static str,
+    features: &'static [&'static str],
+}
+
+/// The whole engine, and what a page needs before somebody opens or saves a file.
+const BUILDS: [Build; 2] =
+    [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
+
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
 pub fn build(mode: Mode) -> Result<()> {
     install::wasm_target()?;
     install::npm_packages()?;
     println!("engine: compiling…");
-    let compiled = compile(mode)?;
+    let compiled: Vec<PathBuf> = BUILDS.iter().map(|build| compile(mode, build)).collect::<Result<_>>()?;
     let pkg = root().join("pkg");
     let stamp = stamp(mode, &compiled)?;
     if fs::read_to_string(pkg.join(STAMP)).is_ok_and(|old| old == stamp) {
         return Ok(());
     }
     let staging = root().join("pkg.new");
-    package(mode, &compiled, &staging)?;
+    for (build, compiled) in BUILDS.iter().zip(&compiled) {
+        package(mode, compiled, &staging.join(build.folder))?;
+    }
+    fs::copy(root().join("pkg.json"), staging.join("package.json")).context("cannot copy pkg.json")?;
     fs::write(staging.join(STAMP), stamp)?;
     replace(&staging, &pkg)?;
-    let size = fs::metadata(pkg.join(WASM))?.len();
-    println!("engine: pkg/{WASM}, {} KB", size.div_ceil(1024));
+    for build in &BUILDS {
+        let path = Path::new("pkg").join(build.folder).join(WASM);
+        let size = fs::metadata(root().join(&path))?.len();
+        println!("engine: {}, {} KB", path.display(), size.div_ceil(1024));
+    }
     Ok(())
 }
 
-fn package(mode: Mode, compiled: &Path, pkg: &Path) -> Result<()> {
+fn package(mode: Mode, compiled: &Path, folder: &Path) -> Result<()> {
     println!("engine: binding…");
-    bind(compiled, pkg)?;
+    bind(compiled, folder)?;
     if mode == Mode::Release {
         println!("engine: optimizing…");
-        optimize(&pkg.join(WASM))?;
+        optimize(&folder.join(WASM))?;
     }
-    fs::copy(root().join("pkg.json"), pkg.join("package.json")).context("cannot copy pkg.json")?;
     Ok(())
 }
 
@@ -93,13 +109,16 @@ fn replace(staging: &Path, pkg: &Path) -> Result<()> {
     fs::rename(staging, pkg).context("cannot put the new pkg/ in place")
 }
 
-/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization.
-fn compile(mode: Mode) -> Result<PathBuf> {
+/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Both builds leave their file under the same name, so
+/// the answer is a copy.
+fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", mode.profile()];
-    run(tools::cargo().args(args).args(target))?;
+    run(tools::cargo().args(args).args(target).args(build.features))?;
     let folder = tools::target_dir().join("wasm32-unknown-unknown").join(mode.folder());
-    Ok(folder.join("formicarium.wasm"))
+    let copy = folder.join(format!("formicarium-{}.wasm", if build.folder.is_empty() { "whole" } else { build.folder }));
+    fs::copy(folder.join("formicarium.wasm"), &copy).context("the compiled engine is missing")?;
+    Ok(copy)
 }
 
 fn bind(compiled: &Path, pkg: &Path) -> Result<()> {
@@ -123,10 +142,11 @@ fn optimize(wasm: &Path) -> Result<()> {
 }
 
 /// Changes with whatever pkg/ is made from.
-fn stamp(mode: Mode, compiled: &Path) -> Result<String> {
-    let read = |path: &Path| fs::read(path).with_context(|| format!("no {}", path.display()));
+fn stamp(mode: Mode, compiled: &[PathBuf]) -> Result<String> {
+    let read = |path: &PathBuf| fs::read(path).with_context(|| format!("no {}", path.display()));
     let mut hasher = DefaultHasher::new();
-    (mode, read(compiled)?, read(&root().join("pkg.json"))?, FEATURES).hash(&mut hasher);
+    let inputs: Vec<Vec<u8>> = compiled.iter().chain([&root().join("pkg.json")]).map(read).collect::<Result<_>>()?;
+    (mode, inputs, FEATURES).hash(&mut hasher);
     Ok(format!("{:016x}\n", hasher.finish()))
 }
 

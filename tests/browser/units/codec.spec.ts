@@ -8,10 +8,13 @@ import { generate, randomCells, sessionOf } from './sessions'
 const encode = (session: Session) => seal(packBits(session, '0.1.0'))
 const decode = async (text: string) => unpack(await open(text), generate)
 
+// biome-ignore lint/suspicious/noExplicitAny: a document that is to be spoilt has no type
+type Document = any
+
 /** The document of a session, changed by hand and packed again. */
-async function tampered(change: (document: Record<string, any>) => void): Promise<string> {
+async function tampered(change: (document: Document) => void): Promise<string> {
   const bytes = packBits(sessionOf(8, 4), '0.1.0')
-  const length = (bytes[1] ?? 0) & 127 | ((bytes[2] ?? 0) << 7)
+  const length = ((bytes[1] ?? 0) & 127) | ((bytes[2] ?? 0) << 7)
   const document = JSON.parse(new TextDecoder().decode(bytes.subarray(3, 3 + length)))
   change(document)
   const json = new TextEncoder().encode(JSON.stringify(document))
@@ -97,17 +100,23 @@ test.describe('links that cannot be opened', () => {
 
   test('a newer container and a newer document say so', async () => {
     expect((await refusal(seal(Uint8Array.of(2, 0)))).kind).toBe('link-newer')
-    const newer = await refusal(tampered((document) => (document.format = 'formicarium/experiment@9')))
+    const newer = await refusal(
+      tampered((document) => (document.format = 'formicarium/experiment@9')),
+    )
     expect(newer.kind).toBe('link-newer')
     expect(newer.hint).toContain('Reload')
-    expect((await refusal(tampered((document) => (document.format = 'other/thing@1')))).kind).toBe('link-foreign')
+    expect((await refusal(tampered((document) => (document.format = 'other/thing@1')))).kind).toBe(
+      'link-foreign',
+    )
   })
 
   test('claimed sizes are refused before anything is allocated', async () => {
     const huge = await refusal(tampered(({ scenario }) => (scenario.width = 1e9)))
     expect(huge.kind).toBe('link-too-large')
     expect(huge.field).toBe('scenario.width')
-    const crowd = await refusal(tampered((document) => (document.panels = Array(7).fill(document.panels[1]))))
+    const crowd = await refusal(
+      tampered((document) => (document.panels = Array(7).fill(document.panels[1]))),
+    )
     expect(crowd.kind).toBe('link-too-large')
   })
 
@@ -118,7 +127,7 @@ test.describe('links that cannot be opened', () => {
   })
 
   test('wrong values are refused by name', async () => {
-    const cases: [string, (document: Record<string, any>) => void][] = [
+    const cases: [string, (document: Document) => void][] = [
       ['seed', (d) => (d.seed = -1)],
       ['sync', (d) => (d.sync = 'sometimes')],
       ['speed', (d) => (d.speed = 'warp')],

@@ -8,8 +8,17 @@ const walls = (cells: Uint8Array) => cells.reduce((sum, cell) => sum + cell, 0)
 
 test.describe('map edits', () => {
   test('a line joins its ends without holes, in every direction', () => {
-    for (const to of [[9, 0], [9, 5], [0, 5], [3, 5], [9, 2]] as [number, number][]) {
-      for (const [from, end] of [[[0, 0], to], [to, [0, 0]]] as [[number, number], [number, number]][]) {
+    for (const to of [
+      [9, 0],
+      [9, 5],
+      [0, 5],
+      [3, 5],
+      [9, 2],
+    ] as [number, number][]) {
+      for (const [from, end] of [
+        [[0, 0], to],
+        [to, [0, 0]],
+      ] as [[number, number], [number, number]][]) {
         const cells = lineCells(from, end)
         expect(cells[0]).toEqual(from)
         expect(cells.at(-1)).toEqual(end)
@@ -31,7 +40,9 @@ test.describe('map edits', () => {
 
   test('an edit that changes nothing gives the same object back', () => {
     const scenario = blank()
-    expect(applyEditTo(scenario, { kind: 'paint', from: [2, 2], to: [4, 2], blocked: false })).toBe(scenario)
+    expect(applyEditTo(scenario, { kind: 'paint', from: [2, 2], to: [4, 2], blocked: false })).toBe(
+      scenario,
+    )
     expect(applyEditTo(scenario, { kind: 'clear' })).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'resize', width: 10, height: 6 })).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'start', at: [9, 5] })).toBe(scenario)

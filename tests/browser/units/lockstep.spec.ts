@@ -17,7 +17,8 @@ class FakeRun implements Steppable {
 
   advance(by: 'move' | 'iteration', count: number) {
     for (let i = 0; i < count && this.status() === 'running'; i++) {
-      const steps = by === 'move' ? 1 : this.movesPerIteration - (this.moves % this.movesPerIteration)
+      const steps =
+        by === 'move' ? 1 : this.movesPerIteration - (this.moves % this.movesPerIteration)
       this.moves += steps
       this.clock.ms += steps * this.moveMs
     }
@@ -41,14 +42,27 @@ class FakeRun implements Steppable {
 const speed = (id: string): Speed => SPEEDS.find((each) => each.id === id) as Speed
 
 function standing(run: FakeRun, id: number): Standing {
-  return { id, iteration: run.iteration(), paths: run.iteration() * run.ants, ants: run.iteration() ? run.ants : 0 }
+  return {
+    id,
+    iteration: run.iteration(),
+    paths: run.iteration() * run.ants,
+    ants: run.iteration() ? run.ants : 0,
+  }
 }
 
 /** Plays rounds and reports after each what all runs have reached. */
-function play(runs: FakeRun[], sync: Sync, at: Speed, rounds: number, look: (standings: Standing[]) => void): void {
+function play(
+  runs: FakeRun[],
+  sync: Sync,
+  at: Speed,
+  rounds: number,
+  look: (standings: Standing[]) => void,
+): void {
   const steppers = runs.map((run) => new Stepper(run, () => run.clock.ms))
   for (let round = 0; round < rounds; round++) {
-    const running = runs.flatMap((run, id) => (run.status() === 'running' ? [standing(run, id)] : []))
+    const running = runs.flatMap((run, id) =>
+      run.status() === 'running' ? [standing(run, id)] : [],
+    )
     if (running.length === 0) return
     for (const [id, target] of planRound(running, at, sync, 4)) {
       while (!steppers[id]?.advance(target, 8));
@@ -69,8 +83,11 @@ test.describe('lockstep', () => {
       const runs = [new FakeRun(3, 10, 1000), new FakeRun(40, 50, 1000), new FakeRun(1, 0, 20)]
       const batch = { move: 1, 'moves-64': 1, iteration: 1, 'iterations-4': 4, max: 4 }[id] ?? 1
       play(runs, 'iterations', speed(id), 1200, (standings) => {
-        const running = standings.filter((_, i) => runs[i]?.status() === 'running').map((s) => s.iteration)
-        if (running.length > 1) expect(Math.max(...running) - Math.min(...running)).toBeLessThanOrEqual(batch)
+        const running = standings
+          .filter((_, i) => runs[i]?.status() === 'running')
+          .map((s) => s.iteration)
+        if (running.length > 1)
+          expect(Math.max(...running) - Math.min(...running)).toBeLessThanOrEqual(batch)
       })
       expect(runs[2]?.status()).toBe('budget-spent')
       expect(runs[1]?.iteration()).toBeGreaterThan(5)
@@ -86,7 +103,10 @@ test.describe('lockstep', () => {
   })
 
   test('by time: each panel gets its slice, however much it does in it', () => {
-    const runs = [new FakeRun(5, 10, 1e9, { ms: 0 }, 0.001), new FakeRun(5, 10, 1e9, { ms: 0 }, 0.01)]
+    const runs = [
+      new FakeRun(5, 10, 1e9, { ms: 0 }, 0.001),
+      new FakeRun(5, 10, 1e9, { ms: 0 }, 0.01),
+    ]
     play(runs, 'time', speed('max'), 10, () => {})
     for (const run of runs) expect(Math.abs(run.clock.ms - 80)).toBeLessThan(5)
   })
@@ -95,7 +115,11 @@ test.describe('lockstep', () => {
     const run = new FakeRun(100_000, 50, 10, { ms: 0 }, 0.05)
     const stepper = new Stepper(run, () => run.clock.ms)
     let ticks = 0
-    for (let before = 0; !stepper.advance({ kind: 'until-iteration', iteration: 2 }, 8); before = run.clock.ms) {
+    for (
+      let before = 0;
+      !stepper.advance({ kind: 'until-iteration', iteration: 2 }, 8);
+      before = run.clock.ms
+    ) {
       expect(run.clock.ms - before).toBeLessThan(8 + 16 * 0.05 + 0.01)
       ticks++
     }

@@ -22,7 +22,12 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
         planner: 'ant-system',
         preset: 'fire',
         params: { ants: 50, rho: 0.3, dead_end: 'retreat', elitist: true },
-        result: { iterations: 42, status: 'running', length: 38.970562748477136, digest: '0123456789abcdef' },
+        result: {
+          iterations: 42,
+          status: 'running',
+          length: 38.970562748477136,
+          digest: '0123456789abcdef',
+        },
       },
       { planner: 'astar', preset: null, params: {}, result: null },
     ],

@@ -1,5 +1,14 @@
 import { expect, test } from '@playwright/test'
-import { MOST_ZOOM, panBy, placement, type Point, reveal, toMap, type Viewpoint, zoomAt } from '../../../www/src/stage/view'
+import {
+  MOST_ZOOM,
+  type Point,
+  panBy,
+  placement,
+  reveal,
+  toMap,
+  type Viewpoint,
+  zoomAt,
+} from '../../../www/src/stage/view'
 
 const WHOLE: Viewpoint = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 const map = { width: 36, height: 22 }
@@ -7,7 +16,12 @@ const canvas = { width: 640, height: 420 }
 
 test.describe('view', () => {
   test('the whole map fits every canvas, with cells of whole pixels where there is room', () => {
-    for (const size of [canvas, { width: 390, height: 300 }, { width: 50, height: 900 }, { width: 1, height: 1 }]) {
+    for (const size of [
+      canvas,
+      { width: 390, height: 300 },
+      { width: 50, height: 900 },
+      { width: 1, height: 1 },
+    ]) {
       for (const shape of [map, { width: 512, height: 512 }, { width: 1, height: 4096 }]) {
         const { scale, originX, originY } = placement(WHOLE, size, shape)
         expect(scale).toBeGreaterThan(0)
@@ -35,7 +49,9 @@ test.describe('view', () => {
 
   test('zoom has limits, and fully out is the whole map', () => {
     expect(zoomAt(WHOLE, 1e9, [0, 0], canvas, map).zoom).toBe(MOST_ZOOM)
-    expect(zoomAt({ zoom: 3, centreX: 0.1, centreY: 0.9 }, 0.01, [9, 9], canvas, map)).toEqual(WHOLE)
+    expect(zoomAt({ zoom: 3, centreX: 0.1, centreY: 0.9 }, 0.01, [9, 9], canvas, map)).toEqual(
+      WHOLE,
+    )
   })
 
   test('the map cannot be lost by panning', () => {

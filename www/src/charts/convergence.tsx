@@ -76,7 +76,7 @@ function Plot() {
 }
 
 function isEmpty(): boolean {
-  return panels.value.every(({ live }) => (live.value.summary?.iteration ?? 0) === 0)
+  return panels.value.every(({ live }) => !live.value.summary?.metrics)
 }
 
 /** The curve in words, for those who cannot see it; the table beside it has the numbers. */

@@ -1,5 +1,5 @@
 /** One panel: one engine instance, one canvas, at most one run. Everything it does answers a request (see messages.ts). */
-import { initSync, Run, type Status } from '@pkg/formicarium'
+import { initSync, Run, type Status } from '@pkg/core/formicarium'
 import type { Frame, PanelReply, PanelRequest, RunSetup, Target } from '../messages'
 import { Painter } from '../stage/painter'
 import { isEngineError } from './errors'

@@ -3,7 +3,7 @@
  * shows the panel mounts this element, however often the page is rendered anew.
  */
 import type { Frame, PanelReply, PanelRequest, RunSetup, Target, View } from '../messages'
-import { engineModule } from './load'
+import { coreModule } from './load'
 import PanelWorker from './panel.worker?worker'
 
 interface Load {
@@ -94,7 +94,7 @@ export class PanelClient {
     worker.onmessage = (event: MessageEvent<PanelReply>) => this.receive(event.data)
     worker.onerror = (event) => this.crash(event.message || 'the worker could not start')
     try {
-      const module = await engineModule()
+      const module = await coreModule()
       if (this.worker === worker) this.hand(module)
     } catch (error) {
       this.crash(error instanceof Error ? error.message : String(error))

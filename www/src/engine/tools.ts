@@ -12,7 +12,8 @@ import type {
 import type { RunSetup } from '../messages'
 import type { Origin, RecordedResult, Scenario } from '../session'
 import { crash } from './errors'
-import { engineModule } from './load'
+import FilesWorker from './files.worker?worker'
+import { coreModule, wholeModule } from './load'
 import ToolsWorker from './tools.worker?worker'
 
 export type MapFormat = 'movingai-map' | 'movingai-scen' | 'matrix' | 'scenario'
@@ -24,14 +25,18 @@ export type FileKind =
   | 'experiment'
   | 'unknown'
 
-/** What the worker can do, as plain functions on its side. */
-export interface ToolCalls {
-  catalog(): Catalog
-  version(): string
+/** What the files worker can do, as plain functions on its side. */
+export interface FileCalls {
   importMap(bytes: Uint8Array, name: string): Imported
   importScen(bytes: Uint8Array): ScenFile
   sniff(bytes: Uint8Array, name: string): FileKind
   exportMap(spec: ScenarioSpec, cells: Uint8Array, format: MapFormat): string
+}
+
+/** What the tools worker can do, as plain functions on its side. */
+export interface ToolCalls {
+  catalog(): Catalog
+  version(): string
   generate(
     kind: Origin['generator'],
     width: number,
@@ -47,7 +52,7 @@ export interface ToolCalls {
 
 export type ToolRequest =
   | { kind: 'init'; module: WebAssembly.Module }
-  | { kind: 'call'; id: number; call: keyof ToolCalls; args: unknown[] }
+  | { kind: 'call'; id: number; call: string; args: unknown[] }
 export type ToolReply =
   | { id: number; ok: true; value: unknown }
   | { id: number; ok: false; error: EngineError }
@@ -57,18 +62,23 @@ interface Waiting {
   reject(error: EngineError): void
 }
 
+/** Calls as a worker offers them. */
+type Calls<C> = { [K in keyof C]: (...args: never[]) => unknown }
+
 /** One worker and the calls it still owes an answer. */
-class ToolBox {
-  private readonly worker = new ToolsWorker()
+class ToolBox<C extends Calls<C>> {
   private readonly waiting = new Map<number, Waiting>()
   private readonly ready: Promise<void>
   private nextId = 1
   dead = false
 
-  constructor() {
+  constructor(
+    private readonly worker: Worker,
+    compiled: () => Promise<WebAssembly.Module>,
+  ) {
     this.worker.onmessage = (event: MessageEvent<ToolReply>) => this.settle(event.data)
     this.worker.onerror = (event) => this.fail(event.message || 'the worker could not start')
-    this.ready = engineModule().then((module) =>
+    this.ready = compiled().then((module) =>
       this.worker.postMessage({ kind: 'init', module } satisfies ToolRequest),
     )
     this.ready.catch((error: unknown) =>
@@ -76,10 +86,10 @@ class ToolBox {
     )
   }
 
-  async call<K extends keyof ToolCalls>(
+  async call<K extends keyof C & string>(
     call: K,
-    ...args: Parameters<ToolCalls[K]>
-  ): Promise<ReturnType<ToolCalls[K]>> {
+    ...args: Parameters<C[K]>
+  ): Promise<ReturnType<C[K]>> {
     await this.ready.catch((error: unknown) => Promise.reject(crash(String(error))))
     const id = this.nextId++
     return new Promise((resolve, reject) => {
@@ -112,26 +122,28 @@ class ToolBox {
 }
 
 /** A worker made at its first call and replaced after it has failed. */
-function lazyBox(): () => ToolBox {
-  let box: ToolBox | null = null
+function lazyBox<C extends Calls<C>>(make: () => ToolBox<C>): () => ToolBox<C> {
+  let box: ToolBox<C> | null = null
   return () => {
-    if (box === null || box.dead) box = new ToolBox()
+    if (box === null || box.dead) box = make()
     return box
   }
 }
 
-const toolBox = lazyBox()
-/** Exact searches may take a while on large maps: imports and exports must not queue behind them. */
-const searchBox = lazyBox()
+const newToolBox = () => new ToolBox<ToolCalls>(new ToolsWorker(), coreModule)
+const toolBox = lazyBox(newToolBox)
+/** Exact searches may take a while on large maps: nothing must queue behind them. */
+const searchBox = lazyBox(newToolBox)
+const fileBox = lazyBox(() => new ToolBox<FileCalls>(new FilesWorker(), wholeModule))
 
 export const tools = {
   catalog: () => toolBox().call('catalog'),
   version: () => toolBox().call('version'),
-  importMap: (bytes: Uint8Array, name: string) => toolBox().call('importMap', bytes, name),
-  importScen: (bytes: Uint8Array) => toolBox().call('importScen', bytes),
-  sniff: (bytes: Uint8Array, name: string) => toolBox().call('sniff', bytes, name),
+  importMap: (bytes: Uint8Array, name: string) => fileBox().call('importMap', bytes, name),
+  importScen: (bytes: Uint8Array) => fileBox().call('importScen', bytes),
+  sniff: (bytes: Uint8Array, name: string) => fileBox().call('sniff', bytes, name),
   exportMap: (spec: ScenarioSpec, cells: Uint8Array, format: MapFormat) =>
-    toolBox().call('exportMap', spec, cells, format),
+    fileBox().call('exportMap', spec, cells, format),
   generate: (
     kind: Origin['generator'],
     width: number,
@@ -145,7 +157,7 @@ export const tools = {
   optimum: (scenario: Scenario) => searchBox().call('optimum', scenario.spec, scenario.cells),
   /** Repeats a recorded run as far as it went, in a worker of its own: a long one holds nobody up. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
-    const own = new ToolBox()
+    const own = newToolBox()
     try {
       return await own.call('repeat', setup, recorded.iterations)
     } finally {

@@ -1,15 +1,11 @@
-/** The engine's side of tools.ts: answers one call at a time, in order. */
-import * as engine from '@pkg/formicarium'
-import { toEngineError } from './errors'
-import type { ToolCalls, ToolReply, ToolRequest } from './tools'
+/** The core engine's side of tools.ts. */
+import * as engine from '@pkg/core/formicarium'
+import { answerCalls } from './answer'
+import type { ToolCalls } from './tools'
 
 const calls: ToolCalls = {
   catalog: () => engine.catalog(),
   version: () => engine.version(),
-  importMap: (bytes, name) => engine.import_map(bytes, name),
-  importScen: (bytes) => engine.import_scen(bytes),
-  sniff: (bytes, name) => engine.sniff(bytes, name),
-  exportMap: (spec, cells, format) => engine.export_map(spec, cells, format),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),
   check: (spec, cells) => engine.check_scenario(spec, cells),
@@ -38,17 +34,4 @@ function runToEnd(
   }
 }
 
-function answer(request: Exclude<ToolRequest, { kind: 'init' }>): ToolReply {
-  try {
-    const call = calls[request.call] as (...args: unknown[]) => unknown
-    return { id: request.id, ok: true, value: call(...request.args) }
-  } catch (thrown) {
-    return { id: request.id, ok: false, error: toEngineError(thrown) }
-  }
-}
-
-self.onmessage = (event: MessageEvent<ToolRequest>) => {
-  const request = event.data
-  if (request.kind === 'init') engine.initSync({ module: request.module })
-  else self.postMessage(answer(request))
-}
+answerCalls(calls, (module) => engine.initSync({ module }))

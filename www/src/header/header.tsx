@@ -1,7 +1,7 @@
 import { CircleQuestionMark, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
 import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
 import { MapMenu } from '../maps/map_menu'
-import { notifyError, setTheme, type ThemeChoice, theme, themeChoice } from '../state'
+import { notifyError, scenario, setTheme, type ThemeChoice, theme, themeChoice } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
@@ -9,21 +9,24 @@ import { Menu, MenuItem } from '../ui/menu'
 import { Mark } from './mark'
 
 export function Header() {
+  const ready = scenario.value !== null
   return (
     <header class="header">
       <h1 class="brand">
         <Mark />
         <span>Formicarium</span>
       </h1>
-      <MapMenu />
+      {ready && <MapMenu />}
       <span class="spacer" />
-      <Button
-        label={t('header.share')}
-        icon={Share2}
-        tone="primary"
-        testId="share"
-        onClick={() => show('share')}
-      />
+      {ready && (
+        <Button
+          label={t('header.share')}
+          icon={Share2}
+          tone="primary"
+          testId="share"
+          onClick={() => show('share')}
+        />
+      )}
       <ThemeMenu />
       <LanguageMenu />
       <IconButton

@@ -30,6 +30,7 @@ const KEYS: Record<string, () => void> = {
 }
 
 export function listenForKeys(): void {
+  noteHowFocusMoves()
   let swallowed: string | null = null
   addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey || openDialog.value !== null) return
@@ -54,12 +55,29 @@ function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
   return command + (command && shiftKey ? 'Shift+' : '') + key.toLowerCase()
 }
 
-/** Space presses a button that was reached with the keyboard; after a click it plays and pauses as anywhere. */
 function keptByControl({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false
   if (target.closest('[role="menu"], dialog')) return true
   if (target.matches('textarea, select, input:not([type="range"], [type="checkbox"])')) return true
   if (ctrlKey || metaKey) return false
   if (target.matches('input[type="range"]')) return /^(Arrow|Home|End|Page)/.test(key)
-  return key === ' ' && target.matches('button:focus-visible, input:focus-visible')
+  return key === ' ' && target.matches('button, input') && reachedByTab.has(target)
+}
+
+/**
+ * Space presses a control that was reached with Tab. After a click, or when a dialog that was opened by a click gives the focus
+ * back, it plays and pauses as anywhere else.
+ */
+const reachedByTab = new Set<EventTarget>()
+
+function noteHowFocusMoves(): void {
+  let tabbed = false
+  addEventListener('pointerdown', () => reachedByTab.clear())
+  addEventListener('keydown', (event) => {
+    tabbed = event.key === 'Tab'
+  })
+  addEventListener('focusin', (event) => {
+    if (tabbed && event.target) reachedByTab.add(event.target)
+    tabbed = false
+  })
 }

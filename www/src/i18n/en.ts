@@ -92,6 +92,7 @@ export const en = {
     in: 'Zoom in',
     out: 'Zoom out',
     fit: 'Fit the map',
+    shown: 'Colour: {{layer}}',
   },
   family: { 'ant-colony': 'Ant colonies', exact: 'Exact planners' },
   panels: {
@@ -136,7 +137,7 @@ export const en = {
     iterationBest: 'Iteration best',
     mean: 'Mean',
     optimum: 'Optimum {{length}}',
-    empty: 'Path length by iteration appears here as soon as the first iteration ends.',
+    empty: 'Path length by iteration appears here as soon as a path is found.',
   },
   metrics: {
     title: 'Comparison',
@@ -211,6 +212,7 @@ export const en = {
     generateNow: 'Generate',
     shape: 'Size and moves…',
     clear: 'Clear all walls',
+    invert: 'Swap walls and free cells',
     files: 'Files',
     import: 'Import…',
     export: 'Export…',
@@ -329,6 +331,9 @@ export const en = {
   notices: {
     region: 'Messages',
     dismiss: 'Dismiss',
+    calm: 'Nothing moves yet, as your system asks for less motion.',
+    calmHint: 'Press any key or click to start the race.',
+    finished: 'All runs have ended: {{results}}.',
     undone: 'Undone',
     redone: 'Redone',
     pausedForEdit: 'The map has changed, so every run begins again.',

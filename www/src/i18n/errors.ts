@@ -37,5 +37,5 @@ function isCoded(error: unknown): error is Coded {
 function sentence(text: string): string {
   if (text === '') return text
   const capital = text.charAt(0).toUpperCase() + text.slice(1)
-  return /[.!?。！？)]$/.test(capital) ? capital : `${capital}.`
+  return /[.!?。！？]$/.test(capital) ? capital : `${capital}.`
 }

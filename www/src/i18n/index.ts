@@ -2,6 +2,7 @@
 import { computed, effect, signal } from '@preact/signals'
 import i18next from 'i18next'
 import { en } from './en'
+import { enEngine } from './en_engine'
 
 export const LANGUAGES = { en: 'English', 'zh-CN': '简体中文' } as const
 export type Language = keyof typeof LANGUAGES
@@ -22,7 +23,7 @@ i18next.init({
   fallbackLng: 'en',
   initAsync: false,
   interpolation: { escapeValue: false },
-  resources: { en: { translation: en } },
+  resources: { en: { translation: en, engine: enEngine } },
 })
 
 export const language = signal<Language>('en')

@@ -97,6 +97,7 @@ export const zhCN: Shape<typeof en> = {
     in: '放大',
     out: '缩小',
     fit: '适应窗口',
+    shown: '颜色：{{layer}}',
   },
   family: { 'ant-colony': '蚁群算法', exact: '精确规划器' },
   panels: {
@@ -141,7 +142,7 @@ export const zhCN: Shape<typeof en> = {
     iterationBest: '本代最优',
     mean: '平均',
     optimum: '最优 {{length}}',
-    empty: '第一次迭代结束后，这里会显示路径长度随迭代的变化。',
+    empty: '找到路径后，这里会显示路径长度随迭代的变化。',
   },
   metrics: {
     title: '对比',
@@ -210,6 +211,7 @@ export const zhCN: Shape<typeof en> = {
     generateNow: '生成',
     shape: '尺寸与移动规则…',
     clear: '清除所有墙',
+    invert: '交换墙与空地',
     files: '文件',
     import: '导入…',
     export: '导出…',
@@ -315,6 +317,9 @@ export const zhCN: Shape<typeof en> = {
   notices: {
     region: '消息',
     dismiss: '关闭消息',
+    calm: '您的系统要求减少动画，所以尚未开始。',
+    calmHint: '按任意键或点击即可开始。',
+    finished: '所有运行已结束：{{results}}。',
     undone: '已撤销',
     redone: '已重做',
     pausedForEdit: '地图已改变，所有运行将重新开始。',

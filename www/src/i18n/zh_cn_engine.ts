@@ -1,24 +1,94 @@
-/** Chinese for what the engine says: planners, parameters, options, errors by kind. What is missing stays English. */
+/** Chinese for what the engine says: planners, parameters, options, errors and remarks by key. What is missing stays English. */
 export const zhCNEngine = {
   planners: {
     'ant-system': {
       name: '蚂蚁系统 (AS)',
-      summary: '每只蚂蚁按信息素和距离行走；到达的蚂蚁按 1/长度 释放信息素。',
+      summary: '最早的蚁群算法：每只到达的蚂蚁都留下信息素，路径越短留得越多，信息素会挥发。',
     },
-    astar: { name: 'A*', summary: '按 g + h 扩展格子，直到证明到达终点的路径最短。' },
+    dijkstra: {
+      name: 'Dijkstra',
+      summary: '按代价一圈一圈向外探索，直到抵达终点；路径总是最短。',
+    },
+    astar: {
+      name: 'A*',
+      summary: '按已走代价加剩余代价的下界探索；路径总是最短，通常扩展更少的格子。',
+    },
   },
-  params: {},
-  options: {},
-  presets: {},
+  params: {
+    ants: '每次迭代中构造路径的蚂蚁数',
+    iterations: '蚁群停止前的迭代次数',
+    alpha: '选择下一步时信息素 τ 的权重',
+    beta: '选择下一步时启发信息 η 的权重',
+    rho: '挥发率：每次迭代中信息素消失的部分',
+    deposit: '到达的蚂蚁在每一步上留下 Q / 长度',
+    initial_trail: '第一次迭代之前每一步上的信息素',
+    heuristic: '蚂蚁对一步所能看到的信息',
+    dead_end: '没有可走的邻格时蚂蚁怎么做',
+    move_limit: '蚂蚁走满 (宽 + 高) 的这么多倍后放弃；0 表示从不',
+    stagnation: '这么多次迭代没有更短路径就停止；0 表示从不',
+  },
+  options: {
+    detour: '绕行量',
+    goal: '到终点的距离',
+    step: '步长',
+    backtrack: '回退',
+    die: '死亡',
+  },
   notices: {
-    'goal-unreachable': '从起点无法到达终点。',
+    unreachable: '在此移动规则下，起点与终点之间没有通路。',
+    'start-is-goal': '起点与终点是同一格：路径长度为 0。',
+    'ends-chosen': '文件没有给出起点和终点：使用 ({{start}}) 与 ({{goal}})。',
+    'matrix-one-is-blocked':
+      '0 读作空闲，1 读作障碍。若含义相反，请在地图菜单中选择“交换墙与空地”。',
+    'map-type': '地图类型为“{{value}}”，按 octile 读取。',
   },
   errors: {
     'out-of-range': {
       message: '{{field}} = {{value}} 超出范围 {{min}} 至 {{max}}',
-      hint: '请选择范围内的值',
+      hint: '请选择 {{min}} 与 {{max}} 之间的值',
     },
-    'start-blocked': { message: '起点位于障碍上', hint: '清除该格或移动起点' },
-    'goal-blocked': { message: '终点位于障碍上', hint: '清除该格或移动终点' },
+    'wrong-type': { message: '{{field}} 的值 {{value}} 类型不对', hint: '请改正该值' },
+    'unknown-planner': { message: '没有规划器“{{value}}”', hint: '可用的有 {{known}}' },
+    'start-blocked': {
+      message: '起点 ({{x}}, {{y}}) 位于障碍上',
+      hint: '移动起点，或清除该处的墙',
+    },
+    'goal-blocked': { message: '终点 ({{x}}, {{y}}) 位于障碍上', hint: '移动终点，或清除该处的墙' },
+    'map-size': {
+      message: '不能使用 {{width}} × {{height}} 格的地图',
+      hint: '每边 1 到 {{max}} 格',
+    },
+    'unknown-format': {
+      message: '无法识别该文件的格式',
+      hint: '可打开 MovingAI .map 与 .scen、0/1 矩阵，以及 JSON 场景',
+    },
+    'not-text': { message: '该文件不是 UTF-8 文本', hint: '请选择文本格式的地图文件' },
+    'no-free-cell': {
+      message: '地图没有空闲格',
+      hint: '至少清除一格；若 1 表示空闲，请先反转地图',
+    },
+    'too-large': { message: '文件超出可读取的大小 {{max}}', hint: '请先裁剪或缩小地图' },
+    version: {
+      message: '格式版本为“{{value}}”，此版本读取“{{expected}}”',
+      hint: '请刷新页面后重试',
+    },
+    'link-foreign': {
+      message: '这不是 Formicarium 的分享链接',
+      hint: '分享链接的地址后以 #x= 开头；请复制完整链接',
+    },
+    'link-damaged': {
+      message: '链接已损坏',
+      hint: '可能缺少一部分；请重新复制完整链接，或索取文件',
+    },
+    'link-newer': { message: '链接由更新的版本生成', hint: '请刷新页面获取最新版本后再打开' },
+    'link-too-large': {
+      message: '链接的内容太大',
+      hint: '可打开不超过 4096 × 4096 格、六个面板的内容',
+    },
+    'link-invalid': {
+      message: '链接内容无效：{{field}}',
+      hint: '它不是由“分享”生成，或被手工改动过',
+    },
+    'engine-crashed': { message: '引擎已停止', hint: '您绘制的内容没有丢失。重置即可重新启动引擎' },
   },
 }

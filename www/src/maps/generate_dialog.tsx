@@ -3,13 +3,13 @@ import { Dices } from 'lucide'
 import { useState } from 'preact/hooks'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { describeError } from '../i18n/errors'
 import type { Origin } from '../session'
 import { generateMap, notifyError } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { NumberField, Segmented } from '../ui/fields'
+import { FormError } from '../ui/form_error'
 import { MOST_CELLS_A_SIDE } from './limits'
 
 const KINDS: Origin['generator'][] = ['random', 'maze', 'rooms', 'cave']
@@ -113,14 +113,5 @@ function SizeField(props: {
       testId={`generate-${props.name}`}
       onChange={props.onChange}
     />
-  )
-}
-
-export function FormError({ error }: { error: unknown }) {
-  const { message, hint } = describeError(error)
-  return (
-    <p class="field-error" role="alert">
-      {message} {hint}
-    </p>
   )
 }

@@ -1,9 +1,10 @@
 import { useId, useRef, useState } from 'preact/hooks'
 import { t } from '../i18n'
-import { importFiles, importText } from '../state'
+import { openFiles, openText } from '../state'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
+import { FormError } from '../ui/form_error'
 
 const FORMATS = ['map', 'scen', 'matrix', 'json', 'link'] as const
 
@@ -11,9 +12,8 @@ export function ImportDialog() {
   const picker = useRef<HTMLInputElement>(null)
   const [text, setText] = useState('')
   const textId = useId()
-  const settle = async (taken: Promise<boolean>) => {
-    if (await taken) closeDialog()
-  }
+  const [error, setError] = useState<unknown>(null)
+  const settle = (opening: Promise<void>) => opening.then(closeDialog, setError)
   return (
     <Dialog
       title={t('maps.titles.import')}
@@ -25,7 +25,7 @@ export function ImportDialog() {
           tone="primary"
           testId="import-text"
           disabled={text.trim() === ''}
-          onClick={() => settle(importText(text))}
+          onClick={() => settle(openText(text))}
         />
       }
     >
@@ -38,7 +38,7 @@ export function ImportDialog() {
         aria-label={t('maps.chooseFiles')}
         accept=".map,.scen,.txt,.csv,.json"
         data-testid="import-file"
-        onChange={(event) => settle(importFiles(event.currentTarget.files ?? []))}
+        onChange={(event) => settle(openFiles(event.currentTarget.files ?? []))}
       />
       <button type="button" class="drop-target" onClick={() => picker.current?.click()}>
         <strong>{t('maps.chooseFiles')}</strong>
@@ -57,6 +57,7 @@ export function ImportDialog() {
         value={text}
         onInput={(event) => setText(event.currentTarget.value)}
       />
+      {error !== null && <FormError error={error} />}
       <ul class="formats">
         {FORMATS.map((id) => (
           <li key={id}>{t(`maps.formats.${id}`)}</li>

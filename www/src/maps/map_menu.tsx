@@ -1,6 +1,6 @@
-import { Dices, Download, Eraser, Map as MapIcon, Scaling, Upload } from 'lucide'
+import { Contrast, Dices, Download, Eraser, Map as MapIcon, Scaling, Upload } from 'lucide'
 import { t } from '../i18n'
-import { clearWalls, galleryId, openGallery, scenario } from '../state'
+import { clearWalls, galleryId, invertWalls, openGallery, scenario } from '../state'
 import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../ui/menu'
@@ -54,6 +54,7 @@ export function MapMenu() {
         onClick={() => show('resize')}
       />
       <MenuItem icon={Eraser} label={t('maps.clear')} testId="clear" onClick={clearWalls} />
+      <MenuItem icon={Contrast} label={t('maps.invert')} testId="invert" onClick={invertWalls} />
       <MenuHeading text={t('maps.files')} />
       <MenuItem
         icon={Upload}

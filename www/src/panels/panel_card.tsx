@@ -5,6 +5,7 @@ import { describeError } from '../i18n/errors'
 import { Stage } from '../stage/Stage'
 import {
   catalog,
+  layer,
   type Panel,
   plannerEntry,
   removePanel,
@@ -16,7 +17,7 @@ import {
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { showParameters } from './parameters'
-import { panelTitle, plannerName } from './planner_text'
+import { namesakeMark, panelTitle, plannerName } from './planner_text'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 
@@ -51,8 +52,10 @@ export function PanelCard({ panel, place }: PanelCardProps) {
           }))}
           onChange={(planner) => setPlanner(id, planner)}
         />
+        <span class="namesake">{namesakeMark(id)}</span>
         <StatusChip panel={panel} place={place} />
         <span class="spacer" />
+        <LayerCaption planner={setup.planner} />
         <IconButton
           icon={SlidersHorizontal}
           label={t('panels.parametersOf', { planner: title })}
@@ -78,6 +81,14 @@ export function PanelCard({ panel, place }: PanelCardProps) {
       </div>
     </article>
   )
+}
+
+/** What the colours of the map mean: a planner without the chosen layer shows its first one. */
+function LayerCaption({ planner }: { planner: string }) {
+  const offered = plannerEntry(planner)?.layers ?? []
+  const shown = layer.value === 'none' || offered.includes(layer.value) ? layer.value : offered[0]
+  if (!shown || shown === 'none') return null
+  return <span class="layer-caption">{t('view.shown', { layer: t(`view.layers.${shown}`) })}</span>
 }
 
 /** The parameters of the selected panel are on show, and a refused one says there what is wrong. */

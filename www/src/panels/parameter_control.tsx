@@ -1,6 +1,6 @@
 /** The control of one parameter: its kind and range come from the catalog. */
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
-import { useId } from 'preact/hooks'
+import { useEffect, useId, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../messages'
@@ -24,11 +24,12 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
       <label class="parameter-name" for={id}>
         {spec.symbol && <i class="symbol">{spec.symbol}</i>}
         <span>{spec.key.replaceAll('_', ' ')}</span>
-        {spec.unit && <span class="unit">{spec.unit}</span>}
+        {spec.unit && spec.unit !== spec.key && <span class="unit">{spec.unit}</span>}
       </label>
       <Control spec={spec} value={value} error={error} onChange={onChange} id={id} />
       <p class="parameter-meaning" id={`${id}-meaning`}>
         {paramMeaning(spec)}
+        {chosenMeaning(spec, value)}
         {spec.source && <span class="source"> · {spec.source}</span>}
         {changed && (
           <button type="button" class="link" onClick={() => onChange(spec.default)}>
@@ -39,6 +40,13 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
       {error && <ErrorText error={error} id={`${id}-error`} />}
     </div>
   )
+}
+
+/** What the option on show does; the others say so when they are chosen. */
+function chosenMeaning({ kind }: ParamSpec, value: Value): string {
+  if (kind.type !== 'choice') return ''
+  const option = kind.options.find(({ id }) => id === value)
+  return option ? `. ${optionName(option.id)}: ${option.meaning}` : ''
 }
 
 function Control({ spec, value, error, onChange, id }: ParameterControlProps & { id: string }) {
@@ -119,8 +127,10 @@ function Slider({ kind, value, label, onChange }: SliderProps) {
 
 function ErrorText({ error, id }: { error: EngineError; id: string }) {
   const { message, hint } = describeError(error)
+  const text = useRef<HTMLParagraphElement>(null)
+  useEffect(() => text.current?.scrollIntoView({ block: 'nearest' }), [message])
   return (
-    <p class="field-error" id={id} role="alert">
+    <p ref={text} class="field-error" id={id} role="alert">
       {message} {hint}
     </p>
   )

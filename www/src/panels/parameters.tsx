@@ -1,5 +1,5 @@
-import { useComputed } from '@preact/signals'
 import type { CatalogEntry } from '@pkg/formicarium'
+import { useComputed } from '@preact/signals'
 import { t } from '../i18n'
 import type { ParamValues } from '../messages'
 import {
@@ -86,6 +86,7 @@ function Controls({ panel }: { panel: Panel }) {
           }}
         />
       )}
+      <PresetMeaning presets={entry.presets} name={setup.preset} />
       {shown.map((spec) => (
         <ParameterControl
           key={`${setup.planner}.${spec.key}`}
@@ -97,6 +98,11 @@ function Controls({ panel }: { panel: Panel }) {
       ))}
     </div>
   )
+}
+
+function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string | null }) {
+  const preset = props.presets.find(({ name }) => name === props.name)
+  return preset ? <p class="hint">{preset.meaning}</p> : null
 }
 
 function presetOptions(presets: CatalogEntry['presets'], params: ParamValues) {

@@ -23,9 +23,15 @@ export function panelTitle(panelId: number): string {
   const planner = panelById(panelId)?.setup.planner ?? ''
   const entry = plannerEntry(planner)
   const name = entry ? plannerName(entry) : planner
+  return `${name}${namesakeMark(panelId)}`
+}
+
+/** " (2)" for the second of several panels with the same planner; nothing for a planner that runs once. */
+export function namesakeMark(panelId: number): string {
+  const planner = panelById(panelId)?.setup.planner
   const namesakes = panels.value.filter(({ setup }) => setup.planner === planner)
-  if (namesakes.length < 2) return name
-  return `${name} (${namesakes.findIndex(({ id }) => id === panelId) + 1})`
+  if (namesakes.length < 2) return ''
+  return ` (${namesakes.findIndex(({ id }) => id === panelId) + 1})`
 }
 
 function capital(text: string): string {

@@ -22,12 +22,12 @@ export function RaceStrip() {
   return (
     <section class="race-strip" aria-label={t('race.region')}>
       <p class="race-words">
-        <span>{t('race.what', { count: panels.value.length })}</span>
+        {panels.value.length > 0 && <span>{t('race.what', { count: panels.value.length })}</span>}
         <Target />
       </p>
       <ScenarioRemarks />
       <span class="spacer" />
-      <ViewControls />
+      {panels.value.length > 0 && <ViewControls />}
       <AddPlannerMenu />
     </section>
   )
@@ -43,16 +43,22 @@ function Target() {
         ? t('race.target', { length: numbers.value.length.format(best) })
         : t('race.unreachable')
   return (
-    <span class="target" data-testid="optimum" data-value={best ?? ''}>
+    <span
+      class={best === Number.POSITIVE_INFINITY ? 'target remark' : 'target'}
+      data-testid="optimum"
+      data-value={best ?? ''}
+    >
       {words}
     </span>
   )
 }
 
+/** The engine's remarks; that there is no path, the target says already. */
 function ScenarioRemarks() {
+  const remarks = scenarioNotices.value.filter(({ kind }) => kind !== 'unreachable')
   return (
     <>
-      {scenarioNotices.value.map((notice) => (
+      {remarks.map((notice) => (
         <span key={notice.kind} class="remark" role="status">
           {describeNotice(notice)}
         </span>
@@ -73,10 +79,12 @@ function ViewControls() {
         label={t('view.layer')}
         value={layer.value}
         testId="layer"
-        options={LAYERS.filter((id) => id === 'none' || offered.has(id)).map((id) => ({
-          value: id,
-          label: t(`view.layers.${id}`),
-        }))}
+        options={LAYERS.filter((id) => id === layer.value || id === 'none' || offered.has(id)).map(
+          (id) => ({
+            value: id,
+            label: t(`view.layers.${id}`),
+          }),
+        )}
         onChange={(id) => {
           layer.value = id
         }}

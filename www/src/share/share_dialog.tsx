@@ -1,6 +1,6 @@
 import { Copy, FileDown } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
-import { t } from '../i18n'
+import { numbers, t } from '../i18n'
 import { copyText } from '../maps/export_dialog'
 import { plannerName } from '../panels/planner_text'
 import type { Session } from '../session'
@@ -52,7 +52,10 @@ export function ShareDialog() {
       {session && <Contents session={session} />}
       {tooLong ? (
         <p class="banner" data-testid="share-too-long">
-          {t('share.tooLong', { length: link.length, limit: LINK_LIMIT })}
+          {t('share.tooLong', {
+            length: numbers.value.whole.format(link.length),
+            limit: numbers.value.whole.format(LINK_LIMIT),
+          })}
         </p>
       ) : (
         <>

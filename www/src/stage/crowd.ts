@@ -27,6 +27,13 @@ export class Crowd {
     return this.ants[Symbol.iterator]()
   }
 
+  /** Without those that have arrived: they would pile up on the goal and hide it. */
+  underWay(goals: { at: [number, number] }[]): Ant[] {
+    const arrived = ({ x, y, fromX, fromY }: Ant) =>
+      x === fromX && y === fromY && goals.some(({ at }) => at[0] === x && at[1] === y)
+    return this.ants.filter((ant) => !arrived(ant))
+  }
+
   clear(): void {
     this.ants = []
     this.nextId = 0

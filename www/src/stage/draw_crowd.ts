@@ -1,6 +1,6 @@
 /** Ants: three-part bodies that point where they go. All bodies of a crowd are one path, so hundreds cost a few calls. */
 import type { View } from '../messages'
-import type { Ant, Crowd } from './crowd'
+import type { Ant } from './crowd'
 
 type Context = OffscreenCanvasRenderingContext2D
 
@@ -23,13 +23,13 @@ interface Pose {
 }
 
 /** `progress`: how far from the last cell to the present one, 0 to 1. */
-export function drawCrowd(context: Context, view: View, crowd: Crowd, progress: number): void {
-  if (crowd.size === 0) return
+export function drawCrowd(context: Context, view: View, ants: Ant[], progress: number): void {
+  if (ants.length === 0) return
   const { dpr, scale } = view
   const length = Math.min(24 * dpr, Math.max(7 * dpr, 0.85 * scale))
-  const poses = Array.from(crowd, (ant) => pose(ant, view, progress)).filter((p) =>
-    isVisible(p, view, length),
-  )
+  const poses = ants
+    .map((ant) => pose(ant, view, progress))
+    .filter((p) => isVisible(p, view, length))
   const ink = INK[view.theme]
   const bodies = bodiesPath(poses, length)
   context.lineJoin = 'round'

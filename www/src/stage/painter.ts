@@ -90,14 +90,14 @@ export class Painter {
     drawRaster(context, view, raster.canvas)
     drawGrid(context, view, spec)
     if (view.showPath) drawPath(context, view, this.path)
+    if (view.showAnts) this.drawAnts(spec)
     drawEnds(context, view, spec)
-    if (view.showAnts) this.drawAnts()
     drawCursor(context, view)
   }
 
-  private drawAnts(): void {
+  private drawAnts({ goals }: ScenarioSpec): void {
     const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
-    drawCrowd(this.context, this.view, this.crowd, Math.min(1, progress))
+    drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
     cancelAnimationFrame(this.requested)
     if (progress < 1 && this.crowd.size > 0)
       this.requested = requestAnimationFrame(() => this.draw())

@@ -18,7 +18,8 @@ export const theme = computed<'light' | 'dark'>(() => {
 
 export function setTheme(choice: ThemeChoice): void {
   themeChoice.value = choice
-  remember(THEME_KEY, choice)
+  // Nothing stored means: as the system.
+  remember(THEME_KEY, choice === 'system' ? '' : choice)
 }
 
 export const reducedMotion = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches

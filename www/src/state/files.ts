@@ -1,6 +1,6 @@
 /** Files in and out: recognises what was dropped, pasted or chosen, and puts it where it belongs. */
 
-import type { Imported, ScenLine } from '@pkg/formicarium'
+import type { EngineError, Imported, ScenLine } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { type MapFormat, tools } from '../engine/tools'
 import { t } from '../i18n'
@@ -22,26 +22,37 @@ export const scenChoice = signal<ScenChoice | null>(null)
 /** Larger files are refused before they are read. */
 const MAX_BYTES = 64 * 1024 * 1024
 
-/** True when the file was taken; false after an error, which has then been shown. */
-export async function importFile(bytes: Uint8Array, name: string): Promise<boolean> {
-  try {
-    const kind = await tools.sniff(bytes, name)
-    if (kind === 'experiment') loadSession(await sessionFromFile(new TextDecoder().decode(bytes)))
-    else if (kind === 'movingai-scen') await importScen(bytes, name)
-    else await importMap(bytes, name)
-    return true
-  } catch (error) {
-    notifyError(error)
-    return false
-  }
+/** Opens what a file holds; refusals are thrown, and leave the page as it was. */
+async function openFile(bytes: Uint8Array, name: string): Promise<void> {
+  const kind = await tools.sniff(bytes, name)
+  if (kind === 'experiment') loadSession(await sessionFromFile(new TextDecoder().decode(bytes)))
+  else if (kind === 'movingai-scen') await openScen(bytes, name)
+  else await openMap(bytes, name)
 }
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
-export async function importText(text: string): Promise<boolean> {
+export async function openText(text: string): Promise<void> {
   const fragment = /#x=[\w-]+/.exec(text)?.[0]
-  if (!fragment) return importFile(new TextEncoder().encode(text), t('maps.pastedName'))
+  if (fragment) loadSession(await decodeFragment(fragment))
+  else await openFile(new TextEncoder().encode(text), t('maps.pastedName'))
+}
+
+/** Maps before scenarios, so that a .map and its .scen may be opened together. */
+export async function openFiles(files: Iterable<File>): Promise<void> {
+  for (const file of [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))) {
+    if (file.size > MAX_BYTES) throw tooLarge(file.name)
+    await openFile(new Uint8Array(await file.arrayBuffer()), file.name)
+  }
+}
+
+/** As the open-functions, with refusals shown as messages. True when all was taken. */
+export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(bytes, name))
+export const importText = (text: string) => shown(openText(text))
+export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
+
+async function shown(opening: Promise<void>): Promise<boolean> {
   try {
-    loadSession(await decodeFragment(fragment))
+    await opening
     return true
   } catch (error) {
     notifyError(error)
@@ -49,21 +60,15 @@ export async function importText(text: string): Promise<boolean> {
   }
 }
 
-/** Maps before scenarios, so that a .map and its .scen may be dropped together. */
-export async function importFiles(files: Iterable<File>): Promise<boolean> {
-  const sorted = [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))
-  let taken = sorted.length > 0
-  for (const file of sorted) {
-    if (file.size > MAX_BYTES) {
-      notify('error', t('notices.fileTooLarge', { name: file.name }), {
-        hint: t('notices.fileTooLargeHint'),
-      })
-      taken = false
-    } else {
-      taken = (await importFile(new Uint8Array(await file.arrayBuffer()), file.name)) && taken
-    }
+function tooLarge(name: string): EngineError {
+  const message = t('notices.fileTooLarge', { name })
+  return {
+    kind: 'file-too-large',
+    field: name,
+    message,
+    hint: t('notices.fileTooLargeHint'),
+    args: {},
   }
-  return taken
 }
 
 export function chooseScen(line: ScenLine): void {
@@ -106,7 +111,7 @@ export function fileStem(): string {
   )
 }
 
-async function importMap(bytes: Uint8Array, name: string): Promise<void> {
+async function openMap(bytes: Uint8Array, name: string): Promise<void> {
   const imported = await tools.importMap(bytes, name)
   setScenario(toScenario(imported, name), { undoable: true })
   const { width, height } = imported.spec
@@ -119,7 +124,7 @@ function toScenario({ spec, cells }: Imported, name: string): Scenario {
   return { spec: { ...spec, name: spec.name || name }, cells, origin: null }
 }
 
-async function importScen(bytes: Uint8Array, name: string): Promise<void> {
+async function openScen(bytes: Uint8Array, name: string): Promise<void> {
   const { lines, warnings } = await tools.importScen(bytes)
   const now = scenario.peek()?.spec
   const fitting = lines.filter((line) => line.width === now?.width && line.height === now.height)

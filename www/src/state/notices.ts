@@ -24,7 +24,7 @@ let nextId = 1
 
 export function announce(text: string): void {
   // The same words twice in a row are read only when the text node changes.
-  announcement.value = announcement.value === text ? `${text}\u00a0` : text
+  announcement.value = announcement.peek() === text ? `${text}\u00a0` : text
 }
 
 export function notify(

@@ -4,7 +4,7 @@ import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { batch, signal } from '@preact/signals'
 import type { ParamValues } from '../messages'
 import { MAX_PANELS, type PanelSetup } from '../session'
-import { dropRun, restart } from './runs'
+import { dropRun, reset, restart } from './runs'
 import { blankLive, catalog, type Panel, panelById, panels, seed, selectedPanel } from './store'
 
 let nextId = 1
@@ -43,6 +43,7 @@ export function removePanel(id: number): void {
     if (selectedPanel.peek() === id) selectedPanel.value = rest[0]?.id ?? null
   })
   dropRun(id)
+  if (rest.length === 0) reset()
 }
 
 export function setPlanner(id: number, planner: string): void {

@@ -40,6 +40,17 @@ export function clearWalls(): void {
   applyEdit({ kind: 'clear' })
 }
 
+/** For files that mean 1 as free. Start and goal keep free ground under them. */
+export function invertWalls(): void {
+  const before = scenario.peek()
+  if (!before) return
+  const { spec } = before
+  const cells = before.cells.map((cell) => 1 - cell)
+  for (const [x, y] of [spec.start, ...spec.goals.map(({ at }) => at)])
+    cells[y * spec.width + x] = 0
+  setScenario({ ...before, cells, origin: null }, { undoable: true })
+}
+
 export function resizeMap(width: number, height: number): void {
   applyEdit({ kind: 'resize', width, height })
   fitView()

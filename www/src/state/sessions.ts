@@ -87,6 +87,7 @@ export function autoplay(): void {
     play()
     return
   }
+  notify('info', t('notices.calm'), { hint: t('notices.calmHint') })
   const start = () => {
     removeEventListener('click', start)
     removeEventListener('keydown', start)

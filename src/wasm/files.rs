@@ -1,0 +1,85 @@
+//! Files: import, export. Left out of the small build that a page loads first (feature `files`).
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::*;
+
+use super::{Answer, argument, object, plain, scenario, throw};
+use crate::error::{ErrorReport, Notice};
+use crate::formats::{self, Export, Kind, ScenFile};
+use crate::map::{Grid, Movement};
+use crate::scenario::{Scenario, ScenarioSpec};
+
+/// An imported map.
+#[derive(Serialize, Tsify)]
+pub struct Imported {
+    /// The format found.
+    pub kind: Kind,
+    /// The scenario without its cells.
+    pub spec: ScenarioSpec,
+    /// Row by row; 1 = blocked.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub cells: Vec<u8>,
+    /// What is worth saying about the file.
+    pub warnings: Vec<Notice>,
+}
+
+/// The formats that can be written.
+#[derive(serde::Deserialize, Tsify)]
+#[serde(rename_all = "kebab-case")]
+pub enum ExportFormat {
+    /// Cells only.
+    MovingaiMap,
+    /// Start, goal and the exact optimum.
+    MovingaiScen,
+    /// Cells only, 0 and 1.
+    Matrix,
+    /// Everything.
+    Scenario,
+}
+
+/// Tells a file's format; contents decide, the name helps.
+#[wasm_bindgen]
+pub fn sniff(bytes: &[u8], name: &str) -> Ts<Kind> {
+    object(&formats::sniff(bytes, name))
+}
+
+/// Reads a map or scenario of any known format.
+#[wasm_bindgen]
+pub fn import_map(bytes: &[u8], name: &str) -> Answer<Ts<Imported>> {
+    let formats::Imported { kind, grid, spec, notices } = formats::import(bytes, name).map_err(throw)?;
+    Ok(object(&Imported { kind, spec, cells: grid.to_bytes(), warnings: notices }))
+}
+
+/// Reads the lines of a MovingAI .scen file.
+#[wasm_bindgen]
+pub fn import_scen(bytes: &[u8]) -> Answer<Ts<ScenFile>> {
+    Ok(object(&formats::import_scen(bytes).map_err(throw)?))
+}
+
+/// Writes a map or scenario. A .scen line carries the exact optimum of its format's rule (8 moves, no corner cut), computed here; it throws
+/// when there is no path to write down.
+#[wasm_bindgen]
+pub fn export_map(spec: Ts<ScenarioSpec>, cells: &[u8], format: Ts<ExportFormat>) -> Answer<String> {
+    let scenario = scenario(&spec, cells)?;
+    let (grid, spec) = (&scenario.grid, &scenario.spec);
+    let format = match format.to_rust().map_err(|e| argument("format", &e.to_string()))? {
+        ExportFormat::MovingaiMap => Export::MovingaiMap,
+        ExportFormat::MovingaiScen => Export::MovingaiScen { optimal: movingai_optimum(grid, spec)? },
+        ExportFormat::Matrix => Export::Matrix,
+        ExportFormat::Scenario => Export::Scenario,
+    };
+    Ok(formats::export(grid, spec, format))
+}
+
+fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
+    let spec = ScenarioSpec { movement: Movement::default(), ..spec.clone() };
+    let scenario = Arc::new(Scenario::new(grid.clone(), spec).map_err(throw)?);
+    crate::exact::optimum(&scenario).ok_or_else(|| {
+        let message = "a .scen line needs a length, and no path leads from start to goal without cutting a corner";
+        plain(&ErrorReport::new("no-path", "goal", message, "open a way, or export the scenario as JSON"))
+    })
+}

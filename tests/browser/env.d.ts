@@ -1,0 +1,1 @@
+/// <reference path="../../www/node_modules/vite/client.d.ts" />
