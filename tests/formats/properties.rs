@@ -5,6 +5,8 @@ use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
 use formicarium::scenario::{Goal, ScenarioSpec, Vehicle};
 use proptest::prelude::*;
 
+use super::data;
+
 /// Reads bytes as everything; what is accepted must be usable.
 fn read_all(bytes: &[u8]) {
     for name in ["a.map", "a.scen"] {
@@ -124,6 +126,19 @@ proptest! {
         let mut bytes = samples().swap_remove(which);
         spoils.iter().for_each(|s| s.apply(&mut bytes));
         read_all(&bytes);
+    }
+
+    #[test]
+    fn spoiled_published_files_are_read_or_refused(which in 0usize..5, at in 0usize..8000, spoils in spoils()) {
+        const FILES: [&str; 5] =
+            ["movingai/den312d.map", "movingai/arena.map.scen", "movingai/Berlin_0_256.map", "papers/G12_antran_map2.csv", "papers/G20_classic.csv"];
+        if let Some(mut bytes) = data(FILES[which]) {
+            // The damage goes anywhere in the file, not only into its beginning.
+            let mut tail = bytes.split_off(at % bytes.len());
+            spoils.iter().for_each(|s| s.apply(&mut tail));
+            bytes.extend(tail);
+            read_all(&bytes);
+        }
     }
 
     #[test]

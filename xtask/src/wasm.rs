@@ -62,8 +62,7 @@ struct Build {
 }
 
 /// The whole engine, and what a page needs before somebody opens or saves a file.
-const BUILDS: [Build; 2] =
-    [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
+const BUILDS: [Build; 2] = [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
 pub fn build(mode: Mode) -> Result<()> {

@@ -3,9 +3,9 @@ import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
 import { panelTitle } from '../panels/planner_text'
-import { liveTick, optimum, panels, slotColour, theme } from '../state'
+import { liveTick, notifyError, optimum, panels, slotColour, theme } from '../state'
 import { curvesOf } from './curves'
-import { makePlot, type PlotStyle, plotData } from './plot'
+import type { PlotStyle } from './plot'
 
 const showIterationBest = signal(true)
 const showMean = signal(true)
@@ -88,26 +88,34 @@ function describe(): string {
   return `${t('chart.title')}. ${parts.join('; ')}`
 }
 
-/** Makes the plot anew when its lines change, and refills it, at most every REDRAW_MS, when runs go on. */
+/**
+ * Makes the plot anew when its lines change, and refills it, at most every REDRAW_MS, when runs go on. The plotting library is
+ * fetched when there is a first curve to draw: ants should not have to wait for it.
+ */
 function keepDrawn(host: HTMLElement): () => void {
+  let library: typeof import('./plot') | null = null
   let plot: uPlot | null = null
-  let style: PlotStyle | null = null
+  let style = plotStyle()
   let timer = 0
   const refill = () => {
     timer = 0
-    if (style) plot?.setData(plotData(curvesOf(panels.peek()), style))
+    if (library) plot?.setData(library.plotData(curvesOf(panels.peek()), style))
   }
-  const stopRemaking = effect(() => {
-    theme.value
-    style = {
-      colours: panels.value.map(({ slot }) => slotColour(slot)),
-      showIterationBest: showIterationBest.value,
-      showMean: showMean.value,
-      optimum: optimum.value,
-    }
+  const remake = () => {
     plot?.destroy()
-    plot = makePlot(host, style)
+    plot = library?.makePlot(host, style) ?? null
     refill()
+  }
+  const stopFetching = effect(() => {
+    if (library || isEmpty()) return
+    import('./plot').then((fetched) => {
+      library ??= fetched
+      remake()
+    }, notifyError)
+  })
+  const stopRemaking = effect(() => {
+    style = plotStyle()
+    remake()
   })
   const stopRefilling = effect(() => {
     liveTick.value
@@ -119,9 +127,21 @@ function keepDrawn(host: HTMLElement): () => void {
   resized.observe(host)
   return () => {
     clearTimeout(timer)
+    stopFetching()
     stopRemaking()
     stopRefilling()
     resized.disconnect()
     plot?.destroy()
+  }
+}
+
+function plotStyle(): PlotStyle {
+  // The theme's colours are read from the page when the plot is made.
+  theme.value
+  return {
+    colours: panels.value.map(({ slot }) => slotColour(slot)),
+    showIterationBest: showIterationBest.value,
+    showMean: showMean.value,
+    optimum: optimum.value,
   }
 }

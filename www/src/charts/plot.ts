@@ -1,4 +1,5 @@
 /** uPlot, set up for convergence curves in the page's colours. */
+import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
 import type { Curves } from './curves'
 

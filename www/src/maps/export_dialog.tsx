@@ -100,7 +100,7 @@ function useExport(format: Format): string | null {
   useEffect(() => {
     let current = true
     setText(null)
-    const making = format === 'experiment' ? Promise.resolve(exportExperiment()) : exportMap(format)
+    const making = format === 'experiment' ? exportExperiment() : exportMap(format)
     making.then(
       (made) => current && setText(made),
       (error) => current && notifyError(error),

@@ -33,7 +33,7 @@ export function MetricsTable() {
             </th>
             {all.map((panel, index) => (
               <td key={panel.id} class="digest" data-testid={`metric-digest-${index + 1}`}>
-                {panel.live.value.summary?.digest ?? '–'}
+                <span>{panel.live.value.summary?.digest ?? '–'}</span>
               </td>
             ))}
           </tr>

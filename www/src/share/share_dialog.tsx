@@ -109,6 +109,6 @@ function useLink(session: Session | null): string | null {
   return link
 }
 
-function saveFile(): void {
-  download(`${fileStem()}.experiment.json`, exportExperiment(), 'application/json')
+async function saveFile(): Promise<void> {
+  download(`${fileStem()}.experiment.json`, await exportExperiment(), 'application/json')
 }

@@ -5,11 +5,10 @@ import { signal } from '@preact/signals'
 import { type MapFormat, tools } from '../engine/tools'
 import { t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import type { Scenario } from '../session'
-import { decodeFragment, sessionFromFile, sessionToFile } from '../share/link'
+import type { Scenario, Session } from '../session'
 import { notify, notifyError } from './notices'
 import { setScenario } from './scenarios'
-import { currentSession, loadSession } from './sessions'
+import { autoplay, currentSession, loadSession } from './sessions'
 import { engineVersion, scenario } from './store'
 
 export interface ScenChoice {
@@ -19,13 +18,15 @@ export interface ScenChoice {
 
 /** Scenarios of a .scen file, waiting for the reader to choose one. */
 export const scenChoice = signal<ScenChoice | null>(null)
+/** Reading and writing sessions is fetched when it is first needed: most visits only watch. */
+const sessionFormat = () => import('../share/link')
 /** Larger files are refused before they are read. */
 const MAX_BYTES = 64 * 1024 * 1024
 
 /** Opens what a file holds; refusals are thrown, and leave the page as it was. */
 async function openFile(bytes: Uint8Array, name: string): Promise<void> {
   const kind = await tools.sniff(bytes, name)
-  if (kind === 'experiment') loadSession(await sessionFromFile(new TextDecoder().decode(bytes)))
+  if (kind === 'experiment') await openExperiment(bytes)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
   else await openMap(bytes, name)
 }
@@ -33,7 +34,7 @@ async function openFile(bytes: Uint8Array, name: string): Promise<void> {
 /** Pasted or typed text: a share link, or the contents of any file we read. */
 export async function openText(text: string): Promise<void> {
   const fragment = /#x=[\w-]+/.exec(text)?.[0]
-  if (fragment) loadSession(await decodeFragment(fragment))
+  if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
   else await openFile(new TextEncoder().encode(text), t('maps.pastedName'))
 }
 
@@ -49,6 +50,16 @@ export async function openFiles(files: Iterable<File>): Promise<void> {
 export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(bytes, name))
 export const importText = (text: string) => shown(openText(text))
 export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
+
+async function openExperiment(bytes: Uint8Array): Promise<void> {
+  const { sessionFromFile } = await sessionFormat()
+  replay(await sessionFromFile(new TextDecoder().decode(bytes)))
+}
+
+function replay(session: Session): void {
+  loadSession(session)
+  autoplay()
+}
 
 async function shown(opening: Promise<void>): Promise<boolean> {
   try {
@@ -85,7 +96,8 @@ export function exportMap(format: MapFormat): Promise<string> {
   return tools.exportMap(now.spec, now.cells, format)
 }
 
-export function exportExperiment(): string {
+export async function exportExperiment(): Promise<string> {
+  const { sessionToFile } = await sessionFormat()
   const session = currentSession()
   return session ? sessionToFile(session, engineVersion.peek()) : ''
 }

@@ -11,7 +11,7 @@ import { createHistory } from '../stage/history'
 import { fitView } from '../stage/view'
 import { announce, notify } from './notices'
 import { dropResults } from './panels'
-import { pause, reset } from './runs'
+import { pause, play, reset } from './runs'
 import { galleryId, phase, scenario } from './store'
 
 const history = createHistory()
@@ -64,13 +64,15 @@ export function setMovement(movement: Movement): void {
   replace(after)
 }
 
-/** A different scenario altogether; undo brings the one before it back. */
+/** A different scenario altogether; undo brings the one before it back. Runs that played begin again at once. */
 export function setScenario(next: Scenario, options: { undoable: boolean }): void {
   const before = scenario.peek()
+  const wasRunning = phase.peek() === 'running'
   if (before && options.undoable) history.record(before, next)
   else history.clear()
   replace(next)
   fitView()
+  if (wasRunning) play()
 }
 
 export async function openGallery(id: string): Promise<void> {

@@ -4,7 +4,6 @@ import { tools } from '../engine/tools'
 import { t } from '../i18n'
 import { firstScenario, gallery } from '../maps/gallery'
 import { MAX_PANELS, type PanelSetup, type RecordedResult, type Session } from '../session'
-import { decodeFragment } from '../share/link'
 import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live'
 import { notify, notifyError } from './notices'
@@ -61,6 +60,7 @@ export function loadSession(session: Session): void {
 export async function openFragment(hash: string): Promise<boolean> {
   if (!hash.startsWith('#x=')) return false
   try {
+    const { decodeFragment } = await import('../share/link')
     loadSession(await decodeFragment(hash))
     return true
   } catch (error) {

@@ -1,4 +1,7 @@
-/** The signals every part of the page reads. Only the actions beside this file write them. */
+/**
+ * The signals every part of the page reads. What a run depends on is changed by the actions beside this file alone; mere choices of
+ * the reader (tool, layer, speed, …) are written where they are made.
+ */
 
 import type { Catalog, EngineError, Layer, Notice, RunSummary } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'

@@ -1,24 +1,27 @@
-import { HelpDialog } from '../help/help_dialog'
-import { ExportDialog } from '../maps/export_dialog'
-import { GenerateDialog } from '../maps/generate_dialog'
-import { ImportDialog } from '../maps/import_dialog'
-import { ResizeDialog } from '../maps/resize_dialog'
-import { ScenDialog } from '../maps/scen_dialog'
-import { ShareDialog } from '../share/share_dialog'
-import { scenChoice } from '../state'
-import { type DialogName, openDialog } from './dialogs'
+import { effect, signal } from '@preact/signals'
+import { notifyError, scenChoice } from '../state'
+import { closeDialog, openDialog } from './dialogs'
 
-const DIALOGS: Record<DialogName, () => preact.JSX.Element | null> = {
-  share: ShareDialog,
-  import: ImportDialog,
-  export: ExportDialog,
-  generate: GenerateDialog,
-  resize: ResizeDialog,
-  help: HelpDialog,
-}
+const fetched = signal<typeof import('./all_dialogs') | null>(null)
 
+effect(() => {
+  if (fetched.value || (!openDialog.value && !scenChoice.value)) return
+  import('./all_dialogs').then(
+    (dialogs) => {
+      fetched.value = dialogs
+    },
+    (error) => {
+      closeDialog()
+      notifyError(error)
+    },
+  )
+})
+
+/** The dialog that is open, if any. */
 export function Dialogs() {
-  if (scenChoice.value) return <ScenDialog choice={scenChoice.value} />
-  const Open = openDialog.value && DIALOGS[openDialog.value]
+  const dialogs = fetched.value
+  if (!dialogs) return null
+  if (scenChoice.value) return <dialogs.ScenDialog choice={scenChoice.value} />
+  const Open = openDialog.value && dialogs.DIALOGS[openDialog.value]
   return Open ? <Open /> : null
 }
