@@ -45,6 +45,24 @@ impl Value {
     }
 }
 
+impl From<bool> for Value {
+    fn from(v: bool) -> Self {
+        Self::Flag(v)
+    }
+}
+
+impl From<f64> for Value {
+    fn from(v: f64) -> Self {
+        Self::Number(v)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(v: &str) -> Self {
+        Self::Text(v.into())
+    }
+}
+
 /// Values by key; what is absent takes its default.
 pub type Values = BTreeMap<String, Value>;
 
@@ -312,7 +330,7 @@ macro_rules! params {
     (@when $key:ident $($value:literal)+) => {
         Some($crate::params::AppliesWhen {
             key: stringify!($key).into(),
-            values: vec![ $( $crate::params::Value::parse($value) ),+ ],
+            values: vec![ $( $crate::params::Value::from($value) ),+ ],
         })
     };
 }

@@ -174,14 +174,17 @@ pub struct Preset {
     pub source: &'static str,
     /// What it stands for, and what was converted.
     pub meaning: &'static str,
-    /// (key, value as on the command line); what is absent keeps the default.
-    pub values: &'static [(&'static str, &'static str)],
+    /// Numbers by key; what is absent keeps the default.
+    pub numbers: &'static [(&'static str, f64)],
+    /// Ids of choices by key; what is absent keeps the default.
+    pub choices: &'static [(&'static str, &'static str)],
 }
 
 impl Preset {
     /// Its values by key.
     pub fn values(&self) -> Values {
-        self.values.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect()
+        let numbers = self.numbers.iter().map(|&(k, v)| (k.to_string(), Value::from(v)));
+        numbers.chain(self.choices.iter().map(|&(k, v)| (k.to_string(), Value::from(v)))).collect()
     }
 }
 

@@ -3,8 +3,8 @@
 //! Nothing is decided here. Every fallible function throws an `EngineError` object (see [`crate::error::ErrorReport`]); nothing panics on
 //! what a page may send.
 
-#[cfg(feature = "files")]
-mod files;
+#[cfg(feature = "maps")]
+mod maps;
 mod paint;
 mod run;
 
@@ -15,11 +15,11 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Error, ErrorReport, Notice};
-use crate::map::{Generator, Grid, Point};
+use crate::map::Grid;
 use crate::scenario::{Scenario, ScenarioSpec};
 
-#[cfg(feature = "files")]
-pub use files::{export_map, import_map, import_scen, sniff};
+#[cfg(feature = "maps")]
+pub use maps::{export_map, generate, import_map, import_scen, sniff};
 pub use run::Run;
 
 /// No signature mentions what is thrown, so its type is written out here.
@@ -71,21 +71,6 @@ fn scenario(spec: &Ts<ScenarioSpec>, cells: &[u8]) -> Answer<Arc<Scenario>> {
     Ok(Arc::new(Scenario::new(grid, spec).map_err(throw)?))
 }
 
-/// A generated map.
-#[derive(Serialize, Tsify)]
-pub struct Generated {
-    /// Row by row; 1 = blocked.
-    #[serde(with = "serde_bytes")]
-    #[tsify(type = "Uint8Array")]
-    pub cells: Vec<u8>,
-    /// A free cell near the upper left.
-    #[tsify(type = "[number, number]")]
-    pub start: Point,
-    /// A free cell near the lower right, reachable from `start`.
-    #[tsify(type = "[number, number]")]
-    pub goal: Point,
-}
-
 /// Version of the engine.
 #[wasm_bindgen]
 pub fn version() -> String {
@@ -102,14 +87,6 @@ pub fn propose_seed() -> Answer<u32> {
 #[wasm_bindgen]
 pub fn catalog() -> Ts<crate::catalog::Catalog> {
     object(&crate::catalog::catalog())
-}
-
-/// Makes a seeded map; `density` (0..=0.9) counts for `random` only.
-#[wasm_bindgen]
-pub fn generate(kind: Ts<Generator>, width: u32, height: u32, seed: u32, density: f64) -> Answer<Ts<Generated>> {
-    let kind = kind.to_rust().map_err(|e| argument("kind", &e.to_string()))?;
-    let made = crate::map::generate(kind, width, height, seed, density).map_err(throw)?;
-    Ok(object(&Generated { cells: made.grid.to_bytes(), start: made.start, goal: made.goal }))
 }
 
 /// Throws when a scenario cannot be used; otherwise tells what is worth saying, e.g. that the goal cannot be reached.

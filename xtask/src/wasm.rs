@@ -61,7 +61,7 @@ struct Build {
     features: &'static [&'static str],
 }
 
-/// The whole engine, and what a page needs before somebody opens or saves a file.
+/// The whole engine, and what a page needs before somebody opens, saves or makes a map.
 const BUILDS: [Build; 2] = [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
@@ -108,16 +108,14 @@ fn replace(staging: &Path, pkg: &Path) -> Result<()> {
     fs::rename(staging, pkg).context("cannot put the new pkg/ in place")
 }
 
-/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Both builds leave their file under the same name, so
-/// the answer is a copy.
+/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Each build has a target folder of its own: both leave
+/// `formicarium.wasm`, and in one folder each would make cargo think the other's outdated.
 fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
-    let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib"];
+    let target_dir = tools::target_dir().join(build.folder);
+    let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", mode.profile()];
-    run(tools::cargo().args(args).args(target).args(build.features))?;
-    let folder = tools::target_dir().join("wasm32-unknown-unknown").join(mode.folder());
-    let copy = folder.join(format!("formicarium-{}.wasm", if build.folder.is_empty() { "whole" } else { build.folder }));
-    fs::copy(folder.join("formicarium.wasm"), &copy).context("the compiled engine is missing")?;
-    Ok(copy)
+    run(tools::cargo().args(args).arg(&target_dir).args(target).args(build.features))?;
+    Ok(target_dir.join("wasm32-unknown-unknown").join(mode.folder()).join("formicarium.wasm"))
 }
 
 fn bind(compiled: &Path, pkg: &Path) -> Result<()> {

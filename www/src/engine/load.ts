@@ -1,8 +1,8 @@
 /**
  * Fetches and compiles the engine once; workers receive the compiled module and only instantiate it.
  *
- * There are two builds: the core, which a visitor waits for, and the whole engine with all file formats, which is fetched when
- * somebody first opens or saves a file.
+ * There are two builds: the core, which a visitor waits for, and the whole engine with file formats and generators, which is
+ * fetched when somebody first opens, saves or makes a map.
  */
 import coreUrl from '@pkg/core/formicarium_bg.wasm?url'
 import wholeUrl from '@pkg/formicarium_bg.wasm?url'

@@ -12,8 +12,8 @@ import type {
 import type { RunSetup } from '../messages'
 import type { Origin, RecordedResult, Scenario } from '../session'
 import { crash } from './errors'
-import FilesWorker from './files.worker?worker'
 import { coreModule, wholeModule } from './load'
+import MapsWorker from './maps.worker?worker'
 import ToolsWorker from './tools.worker?worker'
 
 export type MapFormat = 'movingai-map' | 'movingai-scen' | 'matrix' | 'scenario'
@@ -25,18 +25,12 @@ export type FileKind =
   | 'experiment'
   | 'unknown'
 
-/** What the files worker can do, as plain functions on its side. */
-export interface FileCalls {
+/** What the maps worker can do, as plain functions on its side. */
+export interface MapCalls {
   importMap(bytes: Uint8Array, name: string): Imported
   importScen(bytes: Uint8Array): ScenFile
   sniff(bytes: Uint8Array, name: string): FileKind
   exportMap(spec: ScenarioSpec, cells: Uint8Array, format: MapFormat): string
-}
-
-/** What the tools worker can do, as plain functions on its side. */
-export interface ToolCalls {
-  catalog(): Catalog
-  version(): string
   generate(
     kind: Origin['generator'],
     width: number,
@@ -44,6 +38,12 @@ export interface ToolCalls {
     seed: number,
     density: number,
   ): Generated
+}
+
+/** What the tools worker can do, as plain functions on its side. */
+export interface ToolCalls {
+  catalog(): Catalog
+  version(): string
   check(spec: ScenarioSpec, cells: Uint8Array): Notice[]
   proposeSeed(): number
   optimum(spec: ScenarioSpec, cells: Uint8Array): number
@@ -134,23 +134,23 @@ const newToolBox = () => new ToolBox<ToolCalls>(new ToolsWorker(), coreModule)
 const toolBox = lazyBox(newToolBox)
 /** Exact searches may take a while on large maps: nothing must queue behind them. */
 const searchBox = lazyBox(newToolBox)
-const fileBox = lazyBox(() => new ToolBox<FileCalls>(new FilesWorker(), wholeModule))
+const mapBox = lazyBox(() => new ToolBox<MapCalls>(new MapsWorker(), wholeModule))
 
 export const tools = {
   catalog: () => toolBox().call('catalog'),
   version: () => toolBox().call('version'),
-  importMap: (bytes: Uint8Array, name: string) => fileBox().call('importMap', bytes, name),
-  importScen: (bytes: Uint8Array) => fileBox().call('importScen', bytes),
-  sniff: (bytes: Uint8Array, name: string) => fileBox().call('sniff', bytes, name),
+  importMap: (bytes: Uint8Array, name: string) => mapBox().call('importMap', bytes, name),
+  importScen: (bytes: Uint8Array) => mapBox().call('importScen', bytes),
+  sniff: (bytes: Uint8Array, name: string) => mapBox().call('sniff', bytes, name),
   exportMap: (spec: ScenarioSpec, cells: Uint8Array, format: MapFormat) =>
-    fileBox().call('exportMap', spec, cells, format),
+    mapBox().call('exportMap', spec, cells, format),
   generate: (
     kind: Origin['generator'],
     width: number,
     height: number,
     seed: number,
     density: number,
-  ) => toolBox().call('generate', kind, width, height, seed, density),
+  ) => mapBox().call('generate', kind, width, height, seed, density),
   check: (spec: ScenarioSpec, cells: Uint8Array) => toolBox().call('check', spec, cells),
   proposeSeed: () => toolBox().call('proposeSeed'),
   /** Length of the shortest path under the scenario's own movement rule; Infinity when there is none. */

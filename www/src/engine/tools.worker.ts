@@ -6,8 +6,6 @@ import type { ToolCalls } from './tools'
 const calls: ToolCalls = {
   catalog: () => engine.catalog(),
   version: () => engine.version(),
-  generate: (kind, width, height, seed, density) =>
-    engine.generate(kind, width, height, seed, density),
   check: (spec, cells) => engine.check_scenario(spec, cells),
   proposeSeed: () => engine.propose_seed(),
   optimum: (spec, cells) => {

@@ -1,4 +1,4 @@
-//! Files: import, export. Left out of the small build that a page loads first (feature `files`).
+//! Maps from and to files, and made-up ones. Left out of the core that a page loads first (feature `maps`).
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 use super::{Answer, argument, object, plain, scenario, throw};
 use crate::error::{ErrorReport, Notice};
 use crate::formats::{self, Export, Kind, ScenFile};
-use crate::map::{Grid, Movement};
+use crate::map::{Generator, Grid, Movement, Point};
 use crate::scenario::{Scenario, ScenarioSpec};
 
 /// An imported map.
@@ -25,6 +25,21 @@ pub struct Imported {
     pub cells: Vec<u8>,
     /// What is worth saying about the file.
     pub warnings: Vec<Notice>,
+}
+
+/// A generated map.
+#[derive(Serialize, Tsify)]
+pub struct Generated {
+    /// Row by row; 1 = blocked.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub cells: Vec<u8>,
+    /// A free cell near the upper left.
+    #[tsify(type = "[number, number]")]
+    pub start: Point,
+    /// A free cell near the lower right, reachable from `start`.
+    #[tsify(type = "[number, number]")]
+    pub goal: Point,
 }
 
 /// The formats that can be written.
@@ -82,4 +97,12 @@ fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
         let message = "a .scen line needs a length, and no path leads from start to goal without cutting a corner";
         plain(&ErrorReport::new("no-path", "goal", message, "open a way, or export the scenario as JSON"))
     })
+}
+
+/// Makes a seeded map; `density` (0..=0.9) counts for `random` only.
+#[wasm_bindgen]
+pub fn generate(kind: Ts<Generator>, width: u32, height: u32, seed: u32, density: f64) -> Answer<Ts<Generated>> {
+    let kind = kind.to_rust().map_err(|e| argument("kind", &e.to_string()))?;
+    let made = crate::map::generate(kind, width, height, seed, density).map_err(throw)?;
+    Ok(object(&Generated { cells: made.grid.to_bytes(), start: made.start, goal: made.goal }))
 }
