@@ -146,12 +146,15 @@ impl Ant {
         self.moves
     }
 
+    /// Length of its way so far in cells, without what it took back.
+    pub fn walked(&self) -> f64 {
+        let straight = self.steps.iter().filter(|&&d| step_length(d) == 1.0).count() as u32;
+        metrics::length(straight, self.steps.len() as u32 - straight)
+    }
+
     /// Length of its way in cells, once it has arrived.
     pub fn length(&self) -> Option<f64> {
-        (self.fate == Fate::Arrived).then(|| {
-            let straight = self.steps.iter().filter(|&&d| step_length(d) == 1.0).count() as u32;
-            metrics::length(straight, self.steps.len() as u32 - straight)
-        })
+        (self.fate == Fate::Arrived).then(|| self.walked())
     }
 
     /// Which of the eight neighbours it has visited, as bits by direction.

@@ -11,7 +11,7 @@ use super::ant::{Ant, Fate, Walk};
 use super::choice::{Choice, without};
 use super::lanes;
 use super::trails::Trails;
-use super::variant::{Iteration, Settings, Variant};
+use super::variant::{Iteration, Settings, Step, Variant};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
 struct Tables {
@@ -73,8 +73,10 @@ impl<V: Variant + 'static> Colony<V> {
         let cells = scenario.grid.len();
         let (width, height) = (scenario.grid.width(), scenario.grid.height());
         let ant = |k| Ant::new(width, height, self.streams.ant(0, k));
+        let mut trails = Trails::new(cells, self.variant.initial_trail(scenario));
+        self.variant.prepare(scenario, &mut trails);
         self.tables = Some(Tables {
-            trails: Trails::new(cells, self.variant.initial_trail(scenario)),
+            trails,
             choice: Choice::new(cells, self.settings.alpha, self.settings.beta),
             ants: (0..self.settings.ants).map(ant).collect(),
         });
@@ -82,8 +84,9 @@ impl<V: Variant + 'static> Colony<V> {
 
     fn begin_iteration(&mut self) {
         let Some(Tables { trails, choice, ants }) = &mut self.tables else { return };
-        let (scenario, variant) = (&*self.scenario, &self.variant);
         let number = self.effort.iterations + 1;
+        self.variant.begin_iteration(number);
+        let (scenario, variant) = (&*self.scenario, &self.variant);
         if variant.heuristic_changes(number) {
             choice.see(scenario, |i, d, j| variant.heuristic(scenario, i, d, j));
             trails.all_changed();
@@ -101,11 +104,11 @@ impl<V: Variant + 'static> Colony<V> {
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         let mut done = true;
         for ant in ants.iter_mut().filter(|a| a.fate() == Fate::Walking) {
-            let i = ant.cell();
-            if let Some(d) = move_one(&self.variant, choice, &walk, ant)
+            let from = ant.cell();
+            if let Some(direction) = move_one(&self.variant, choice, &walk, ant)
                 && V::LOCK_STEP
             {
-                self.variant.on_move(trails, i, d);
+                self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
                 choice.refresh(trails);
             }
             done &= ant.fate() != Fate::Walking;
@@ -140,14 +143,15 @@ impl<V: Variant + 'static> Colony<V> {
         self.effort.constructed_paths += u64::from(self.settings.ants);
         self.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
         let number = self.effort.iterations;
-        let leader = shortest(ants);
+        let (scenario, budget) = (&*self.scenario, self.settings.iterations);
+        let leader = Iteration { scenario, ants, number, budget, best_so_far: None }.iteration_best();
         if let Some((ant, length)) = leader
             && self.best.as_ref().is_none_or(|b| length < b.length)
         {
-            self.best = Some(Solution { path: cells(&self.scenario, ant), length, iteration: number });
+            self.best = Some(Solution { path: cells(scenario, ant), length, iteration: number });
         }
-        self.history.push(record(number, ants, self.best.as_ref()));
-        let iteration = Iteration { scenario: &self.scenario, ants, number };
+        let iteration = Iteration { scenario, ants, number, budget, best_so_far: self.best.as_ref() };
+        self.history.push(record(&iteration));
         self.variant.update_trails(trails, iteration);
         self.variant.daemon_actions(trails, iteration);
         self.status = self.stop();
@@ -180,19 +184,6 @@ fn move_one<V: Variant>(variant: &V, choice: &Choice, walk: &Walk, ant: &mut Ant
     step
 }
 
-/// The arrived ant with the shortest way; the first of equals.
-fn shortest(ants: &[Ant]) -> Option<(&Ant, f64)> {
-    let mut best: Option<(&Ant, f64)> = None;
-    for ant in ants {
-        if let Some(length) = ant.length()
-            && best.is_none_or(|(_, b)| length < b)
-        {
-            best = Some((ant, length));
-        }
-    }
-    best
-}
-
 /// An ant's way as cells.
 fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     let mut at = scenario.start;
@@ -203,21 +194,18 @@ fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     std::iter::once(scenario.start).chain(rest).collect()
 }
 
-fn record(iteration: u32, ants: &[Ant], best: Option<&Solution>) -> Record {
-    let (mut arrived, mut sum, mut min, mut max) = (0u32, 0.0, f64::INFINITY, 0.0f64);
-    for length in ants.iter().filter_map(Ant::length) {
+fn record(iteration: &Iteration) -> Record {
+    let (mut arrived, mut sum) = (0u32, 0.0);
+    for (_, length) in iteration.arrived() {
         arrived += 1;
         sum += length;
-        min = min.min(length);
-        max = max.max(length);
     }
-    let some = |v: f64| (arrived > 0).then_some(v);
     Record {
-        iteration,
-        best_so_far: best.map(|b| b.length),
-        iteration_best: some(min),
-        iteration_mean: some(sum / f64::from(arrived.max(1))),
-        iteration_worst: some(max),
+        iteration: iteration.number,
+        best_so_far: iteration.best_so_far.map(|b| b.length),
+        iteration_best: iteration.iteration_best().map(|(_, length)| length),
+        iteration_mean: (arrived > 0).then(|| sum / f64::from(arrived)),
+        iteration_worst: iteration.iteration_worst().map(|(_, length)| length),
         arrived,
     }
 }

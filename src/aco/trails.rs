@@ -25,6 +25,11 @@ pub struct Trails {
     touched: Vec<Cell>,
     /// Everything has changed.
     all_dirty: bool,
+    /// Cells whose trails no longer are the common background, in the order of their first deposit.
+    active: Vec<Cell>,
+    is_active: Vec<bool>,
+    /// Stored value of every step of a cell that is not active.
+    background: f32,
 }
 
 impl Trails {
@@ -36,7 +41,15 @@ impl Trails {
             dirty: vec![0; cells],
             touched: Vec::new(),
             all_dirty: true,
+            active: Vec::new(),
+            is_active: vec![false; cells],
+            background: initial as f32,
         }
+    }
+
+    /// Forgets everything: the same trail everywhere.
+    pub fn reset(&mut self, initial: f64) {
+        *self = Self::new(self.stored.len(), initial);
     }
 
     /// τ of a step.
@@ -67,10 +80,58 @@ impl Trails {
     #[inline]
     pub fn deposit(&mut self, c: Cell, d: Direction, amount: f64) {
         self.stored[c as usize][d as usize] += (amount / self.scale) as f32;
+        self.touch(c, 1 << d);
+    }
+
+    /// τ ← (1 − rate)·τ + rate·target on one step: the local and the global update of Ant Colony System.
+    #[inline]
+    pub fn blend(&mut self, c: Cell, d: Direction, rate: f64, target: f64) {
+        let t = &mut self.stored[c as usize][d as usize];
+        *t = (f64::from(*t) * (1.0 - rate) + rate * target / self.scale) as f32;
+        self.touch(c, 1 << d);
+    }
+
+    /// min ≤ τ ≤ max everywhere. Costs as much as ants have been around: all other cells share one value.
+    pub fn limit(&mut self, min: f64, max: f64) {
+        let (low, high) = ((min / self.scale) as f32, (max / self.scale) as f32);
+        let background = self.background.clamp(low, high);
+        if background != self.background {
+            self.set_background(background);
+        }
+        for i in 0..self.active.len() {
+            let c = self.active[i];
+            let mut changed = 0;
+            for (d, t) in self.stored[c as usize].iter_mut().enumerate() {
+                let limited = t.clamp(low, high);
+                changed |= u8::from(limited != *t) << d;
+                *t = limited;
+            }
+            if changed != 0 {
+                self.touch(c, changed);
+            }
+        }
+    }
+
+    fn set_background(&mut self, value: f32) {
+        self.background = value;
+        for (row, active) in self.stored.iter_mut().zip(&self.is_active) {
+            if !active {
+                *row = [value; DIRECTIONS];
+            }
+        }
+        self.all_dirty = true;
+    }
+
+    #[inline]
+    fn touch(&mut self, c: Cell, directions: u8) {
         if self.dirty[c as usize] == 0 {
             self.touched.push(c);
         }
-        self.dirty[c as usize] |= 1 << d;
+        self.dirty[c as usize] |= directions;
+        if !self.is_active[c as usize] {
+            self.is_active[c as usize] = true;
+            self.active.push(c);
+        }
     }
 
     /// Every weight is to be computed anew, because η has changed.
@@ -86,6 +147,7 @@ impl Trails {
                 *t = (*t * scale).max(FLOOR);
             }
         }
+        self.background = (self.background * scale).max(FLOOR);
         self.scale = 1.0;
         self.all_dirty = true;
     }
@@ -123,6 +185,34 @@ mod tests {
         seen.clear();
         t.take_changes(|_, c, bits| seen.push((c, bits)));
         assert_eq!(seen, [(1, 0b1001)]);
+    }
+
+    #[test]
+    fn limits_hold_everywhere_as_by_a_sweep() {
+        let mut t = Trails::new(9, 1.0);
+        let mut swept = [[1.0f64; DIRECTIONS]; 9];
+        for i in 0..200u32 {
+            let (c, d) = (i * 7 % 4, (i % 8) as Direction);
+            t.evaporate(0.1);
+            t.deposit(c, d, 0.3);
+            t.limit(0.05, 0.9);
+            swept.iter_mut().flatten().for_each(|v| *v *= 0.9);
+            swept[c as usize][d as usize] += 0.3;
+            swept.iter_mut().flatten().for_each(|v| *v = v.clamp(0.05, 0.9));
+            for c in 0..9 {
+                for d in 0..8 {
+                    assert!((t.get(c, d) - swept[c as usize][d as usize]).abs() < 1e-5, "iteration {i}, cell {c}, direction {d}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn blending_by_hand() {
+        let mut t = Trails::new(1, 1.0);
+        t.blend(0, 2, 0.1, 0.5);
+        assert!((t.get(0, 2) - 0.95).abs() < 1e-7);
+        assert_eq!(t.get(0, 3), 1.0);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
+use crate::planner::Solution;
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -40,8 +41,40 @@ pub struct Iteration<'a> {
     pub scenario: &'a Scenario,
     /// All ants, in index order; lost ones have no length.
     pub ants: &'a [Ant],
-    /// From 1.
+    /// t, from 1.
     pub number: u32,
+    /// T, the budget.
+    pub budget: u32,
+    /// The best path of all iterations, this one included.
+    pub best_so_far: Option<&'a Solution>,
+}
+
+impl<'a> Iteration<'a> {
+    /// The arrived ant with the shortest way; the first of equals.
+    pub fn iteration_best(&self) -> Option<(&'a Ant, f64)> {
+        self.arrived().reduce(|best, next| if next.1 < best.1 { next } else { best })
+    }
+
+    /// The arrived ant with the longest way; the first of equals.
+    pub fn iteration_worst(&self) -> Option<(&'a Ant, f64)> {
+        self.arrived().reduce(|worst, next| if next.1 > worst.1 { next } else { worst })
+    }
+
+    /// The arrived ants with their lengths, in index order.
+    pub fn arrived(&self) -> impl Iterator<Item = (&'a Ant, f64)> + use<'a> {
+        self.ants.iter().filter_map(|ant| ant.length().map(|length| (ant, length)))
+    }
+}
+
+/// One step of an ant, for a local update.
+#[derive(Debug, Clone, Copy)]
+pub struct Step {
+    /// From this cell …
+    pub from: Cell,
+    /// … in this direction.
+    pub direction: Direction,
+    /// Length of the ant's way in cells, this step included.
+    pub walked: f64,
 }
 
 /// A variant of the colony. Every default is Ant System.
@@ -62,6 +95,12 @@ pub trait Variant: Send {
     /// η of the step from `i` in direction `d` to `j`; positive and finite.
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64;
 
+    /// Before the first iteration, once every step has its initial trail.
+    fn prepare(&mut self, _scenario: &Scenario, _trails: &mut Trails) {}
+
+    /// Before the ants of iteration `number` (from 1) start: what depends on the time.
+    fn begin_iteration(&mut self, _number: u32) {}
+
     /// Whether η differs from the iteration before (iterations count from 1).
     fn heuristic_changes(&self, iteration: u32) -> bool {
         iteration == 1
@@ -73,8 +112,8 @@ pub trait Variant: Send {
         random_proportional(weights, stream)
     }
 
-    /// After an ant's step from `i` in direction `d` (only with [`Variant::LOCK_STEP`]).
-    fn on_move(&self, _trails: &mut Trails, _i: Cell, _d: Direction) {}
+    /// After a step of an ant (only with [`Variant::LOCK_STEP`]).
+    fn on_move(&self, _trails: &mut Trails, _step: Step) {}
 
     /// At the end of an iteration: evaporate, then every arrived ant deposits Q/L.
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {

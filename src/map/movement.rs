@@ -175,6 +175,14 @@ impl MoveSet {
         c.wrapping_add_signed(self.delta[d as usize])
     }
 
+    /// The direction of the step between two cells that an allowed step joins.
+    ///
+    /// On maps one or two cells wide several directions add the same to a cell's index; only one of them is allowed.
+    pub fn direction(&self, from: Cell, to: Cell) -> Direction {
+        let joins = |d: &Direction| self.step(from, *d) == to;
+        self.directions(from).find(joins).expect("an allowed step joins the cells of a path")
+    }
+
     /// The allowed directions of a cell, in index order.
     #[inline]
     pub fn directions(&self, c: Cell) -> impl Iterator<Item = Direction> + use<> {
