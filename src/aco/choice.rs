@@ -11,7 +11,21 @@ use rand::Rng;
 use super::trails::{Row, Trails};
 
 /// Smallest weight of a feasible step: it can always be taken when nothing else is left.
-const FLOOR: f32 = 1e-30;
+pub(super) const FLOOR: f32 = 1e-30;
+
+/// Where a walk reads the weights of the steps from a cell.
+pub trait Weights {
+    /// Of the steps from a cell; 0 for infeasible ones.
+    fn row(&mut self, c: Cell) -> &Row;
+}
+
+/// Ready before the walk begins.
+impl Weights for &Choice {
+    #[inline(always)]
+    fn row(&mut self, c: Cell) -> &Row {
+        &self.weights[c as usize]
+    }
+}
 
 /// Cached weights of every step.
 #[derive(Debug, Clone)]
@@ -58,17 +72,11 @@ impl Choice {
             }
         });
     }
-
-    /// The weights of the steps from a cell.
-    #[inline(always)]
-    pub fn row(&self, c: Cell) -> &Row {
-        &self.weights[c as usize]
-    }
 }
 
 /// τ^α · visibility, kept between [`FLOOR`] and what eight of can be summed.
 #[inline(always)]
-fn weight(trail: f32, alpha: f64, seen: f32) -> f32 {
+pub(super) fn weight(trail: f32, alpha: f64, seen: f32) -> f32 {
     let strength = if alpha == 1.0 { trail } else { power(f64::from(trail), alpha) as f32 };
     (strength * seen).clamp(FLOOR, 1e37)
 }

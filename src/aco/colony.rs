@@ -8,15 +8,19 @@ use crate::rng::Streams;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Choice, without};
+use super::choice::{Choice, Weights, without};
 use super::lanes;
+use super::on_demand::OnDemand;
 use super::trails::Trails;
 use super::variant::{Iteration, Settings, Step, Variant};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
 struct Tables {
     trails: Trails,
+    /// The weights of every step, ready before the walk; empty with [`Variant::TIMED`].
     choice: Choice,
+    /// The weights of the steps where ants come by; empty without [`Variant::TIMED`].
+    on_demand: OnDemand,
     ants: Vec<Ant>,
 }
 
@@ -75,23 +79,29 @@ impl<V: Variant + 'static> Colony<V> {
         let ant = |k| Ant::new(width, height, self.streams.ant(0, k));
         let mut trails = Trails::new(cells, self.variant.initial_trail(scenario));
         self.variant.prepare(scenario, &mut trails);
+        let (alpha, beta) = (self.settings.alpha, self.settings.beta);
         self.tables = Some(Tables {
             trails,
-            choice: Choice::new(cells, self.settings.alpha, self.settings.beta),
+            choice: Choice::new(if V::TIMED { 0 } else { cells }, alpha, beta),
+            on_demand: OnDemand::new(if V::TIMED { cells } else { 0 }, alpha, beta),
             ants: (0..self.settings.ants).map(ant).collect(),
         });
     }
 
     fn begin_iteration(&mut self) {
-        let Some(Tables { trails, choice, ants }) = &mut self.tables else { return };
+        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return };
         let number = self.effort.iterations + 1;
         self.variant.begin_iteration(number);
         let (scenario, variant) = (&*self.scenario, &self.variant);
-        if variant.heuristic_changes(number) {
-            choice.see(scenario, |i, d, j| variant.heuristic(scenario, i, d, j));
-            trails.all_changed();
+        match (V::TIMED, variant.heuristic_changes(number)) {
+            (true, true) => on_demand.another_time(),
+            (false, true) => {
+                choice.see(scenario, |i, d, j| variant.heuristic(scenario, i, d, j));
+                trails.all_changed();
+            }
+            (_, false) => {}
         }
-        choice.refresh(trails);
+        take_in_trails::<V>(choice, on_demand, trails);
         for (k, ant) in ants.iter_mut().enumerate() {
             ant.begin(scenario.grid.width(), scenario.start, self.streams.ant(number, k as u32));
         }
@@ -100,16 +110,21 @@ impl<V: Variant + 'static> Colony<V> {
 
     /// One move of every walking ant, in index order; true when none is left.
     fn move_all(&mut self) -> bool {
-        let Some(Tables { trails, choice, ants }) = &mut self.tables else { return true };
+        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return true };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         let mut done = true;
         for ant in ants.iter_mut().filter(|a| a.fate() == Fate::Walking) {
             let from = ant.cell();
-            if let Some(direction) = move_one(&self.variant, choice, &walk, ant)
+            let step = if V::TIMED {
+                move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
+            } else {
+                move_one(&self.variant, &mut &*choice, &walk, ant)
+            };
+            if let Some(direction) = step
                 && V::LOCK_STEP
             {
                 self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
-                choice.refresh(trails);
+                take_in_trails::<V>(choice, on_demand, trails);
             }
             done &= ant.fate() != Fate::Walking;
         }
@@ -122,17 +137,12 @@ impl<V: Variant + 'static> Colony<V> {
             while !self.move_all() {}
             return;
         }
-        let Some(Tables { choice, ants, .. }) = &mut self.tables else { return };
+        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
-        let finish = |ant: &mut Ant| {
-            while ant.fate() == Fate::Walking {
-                move_one(&self.variant, choice, &walk, ant);
-            }
-        };
-        if V::RANDOM_PROPORTIONAL {
-            lanes::walk_all(choice, &walk, ants, finish);
+        if V::TIMED {
+            walk_to_the_end(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ants);
         } else {
-            ants.iter_mut().for_each(finish);
+            walk_to_the_end(&self.variant, &mut &*choice, &walk, ants);
         }
     }
 
@@ -175,10 +185,34 @@ fn walk_rules<'a>(scenario: &'a Scenario, settings: &Settings, max_moves: u32) -
     Walk { moves: &scenario.moves, goal: scenario.goal, dead_end: settings.dead_end, max_moves }
 }
 
+/// Has the weights follow the trails.
+#[inline(always)]
+fn take_in_trails<V: Variant>(choice: &mut Choice, on_demand: &mut OnDemand, trails: &mut Trails) {
+    if V::TIMED {
+        on_demand.outdate(trails);
+    } else {
+        choice.refresh(trails);
+    }
+}
+
+/// Every ant's walk, one after the other or in lanes.
+fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
+    let finish = |weights: &mut W, ant: &mut Ant| {
+        while ant.fate() == Fate::Walking {
+            move_one(variant, weights, walk, ant);
+        }
+    };
+    if V::RANDOM_PROPORTIONAL {
+        lanes::walk_all(weights, walk, ants, finish);
+    } else {
+        ants.iter_mut().for_each(|ant| finish(weights, ant));
+    }
+}
+
 /// One move of one ant; the step it took, if it was one forward.
 #[inline(always)]
-fn move_one<V: Variant>(variant: &V, choice: &Choice, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
-    let weights = without(choice.row(ant.cell()), ant.visited());
+fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
+    let weights = without(weights.row(ant.cell()), ant.visited());
     let step = variant.choose(&weights, &mut ant.stream);
     ant.go(walk, step);
     step

@@ -8,27 +8,27 @@ use rand::Rng;
 use wide::f32x4;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Choice, without};
+use super::choice::{Weights, without};
 use crate::map::{DIRECTIONS, Direction};
 use crate::rng::unit_f32;
 
 const LANES: usize = 4;
 
 /// Lets all walking ants walk to their end. `finish` takes one ant to its end alone.
-pub(super) fn walk_all(choice: &Choice, walk: &Walk, ants: &mut [Ant], finish: impl Fn(&mut Ant)) {
+pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant], finish: impl Fn(&mut W, &mut Ant)) {
     let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
     while let Ok(four) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
-        walk_until_one_ends(choice, walk, four);
+        walk_until_one_ends(weights, walk, four);
         lanes.retain(|a| a.fate() == Fate::Walking);
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
     }
-    lanes.into_iter().for_each(finish);
+    lanes.into_iter().for_each(|ant| finish(weights, ant));
 }
 
-fn walk_until_one_ends(choice: &Choice, walk: &Walk, ants: &mut [&mut Ant; LANES]) {
+fn walk_until_one_ends<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES]) {
     while ants.iter().all(|a| a.fate() == Fate::Walking) {
-        let (steps, totals) = select(choice, ants);
+        let (steps, totals) = select(weights, ants);
         for lane in 0..LANES {
             let step = (totals[lane] > 0.0).then_some(steps[lane]);
             ants[lane].go(walk, step);
@@ -38,8 +38,8 @@ fn walk_until_one_ends(choice: &Choice, walk: &Walk, ants: &mut [&mut Ant; LANES
 
 /// The random proportional rule for four ants at once. A lane whose total is 0 is at a dead end and draws nothing.
 #[inline(always)]
-fn select(choice: &Choice, ants: &mut [&mut Ant; LANES]) -> ([Direction; LANES], [f32; LANES]) {
-    let rows: [_; LANES] = std::array::from_fn(|k| without(choice.row(ants[k].cell()), ants[k].visited()));
+fn select<W: Weights>(weights: &mut W, ants: &mut [&mut Ant; LANES]) -> ([Direction; LANES], [f32; LANES]) {
+    let rows: [_; LANES] = std::array::from_fn(|k| without(weights.row(ants[k].cell()), ants[k].visited()));
     let mut sums = [f32x4::ZERO; DIRECTIONS];
     let mut sum = f32x4::ZERO;
     for d in 0..DIRECTIONS {

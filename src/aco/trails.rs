@@ -83,6 +83,24 @@ impl Trails {
         self.touch(c, 1 << d);
     }
 
+    /// τ ← τ − amount on one step, but not below `floor`, nor below τ where that is smaller already.
+    #[inline]
+    pub fn withdraw(&mut self, c: Cell, d: Direction, amount: f64, floor: f64) {
+        let t = &mut self.stored[c as usize][d as usize];
+        *t = (*t - (amount / self.scale) as f32).max(t.min((floor / self.scale) as f32));
+        self.touch(c, 1 << d);
+    }
+
+    /// τ ← τ + amount on every step of the map, kept above 0; the amount may be negative. One sweep over the map.
+    pub fn shift(&mut self, amount: f64) {
+        let amount = (amount / self.scale) as f32;
+        for t in self.stored.iter_mut().flatten() {
+            *t = (*t + amount).max(FLOOR);
+        }
+        self.background = (self.background + amount).max(FLOOR);
+        self.all_dirty = true;
+    }
+
     /// τ ← (1 − rate)·τ + rate·target on one step: the local and the global update of Ant Colony System.
     #[inline]
     pub fn blend(&mut self, c: Cell, d: Direction, rate: f64, target: f64) {
@@ -205,6 +223,20 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn withdrawing_and_shifting_by_hand() {
+        let mut t = Trails::new(2, 1.0);
+        t.evaporate(0.5);
+        t.withdraw(0, 1, 0.125, 0.25);
+        t.withdraw(0, 2, 0.5, 0.25);
+        t.withdraw(0, 3, 0.5, 0.75);
+        assert_eq!([0, 1, 2, 3].map(|d| t.get(0, d)), [0.5, 0.375, 0.25, 0.5]);
+        t.shift(0.125);
+        assert_eq!((t.get(0, 1), t.get(1, 7)), (0.5, 0.625));
+        t.shift(-9.0);
+        assert!(t.get(1, 7) > 0.0);
     }
 
     #[test]

@@ -86,6 +86,10 @@ pub trait Variant: Send {
     /// Whether [`Variant::choose`] is the random proportional rule, which the four-lane walk computes.
     const RANDOM_PROPORTIONAL: bool = true;
 
+    /// Whether ln η(t) = a + b·w(t), given by [`Variant::log_heuristic`] and [`Variant::time`]. Then an η that changes in every
+    /// iteration is computed only where ants come by.
+    const TIMED: bool = false;
+
     /// The common numbers.
     fn settings(&self) -> Settings;
 
@@ -104,6 +108,16 @@ pub trait Variant: Send {
     /// Whether η differs from the iteration before (iterations count from 1).
     fn heuristic_changes(&self, iteration: u32) -> bool {
         iteration == 1
+    }
+
+    /// (a, b) of ln η(t) = a + b·w(t), the same η as by [`Variant::heuristic`]; only with [`Variant::TIMED`].
+    fn log_heuristic(&self, _scenario: &Scenario, _i: Cell, _d: Direction, _j: Cell) -> (f64, f64) {
+        (0.0, 0.0)
+    }
+
+    /// w(t) of the iteration at work; only with [`Variant::TIMED`].
+    fn time(&self) -> f64 {
+        0.0
     }
 
     /// Selects a step; visited and infeasible ones weigh 0. `None` = dead end.

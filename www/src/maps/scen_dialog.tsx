@@ -2,8 +2,8 @@ import { t } from '../i18n'
 import { chooseScen, type ScenChoice, scenChoice } from '../state'
 import { Dialog } from '../ui/dialog'
 
-/** More rows than these help nobody choose. */
-const MOST_ROWS = 500
+/** The long and hard ones stand last, so only a list beyond all measure is cut. */
+const MOST_ROWS = 5000
 
 export function ScenDialog({ choice }: { choice: ScenChoice }) {
   const { fileName, lines } = choice

@@ -51,7 +51,7 @@ function Row({ row, all }: { row: MetricRow; all: Panel[] }) {
   })
   const best = bestOf(values, row.better)
   return (
-    <tr>
+    <tr class={row.id === 'gap' ? 'leading' : undefined}>
       <th scope="row" title={t(`metrics.hints.${row.id}`)}>
         {t(`metrics.${row.id}`)}
       </th>

@@ -102,7 +102,11 @@ function Controls({ panel }: { panel: Panel }) {
 
 function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string | null }) {
   const preset = props.presets.find(({ name }) => name === props.name)
-  return preset ? <p class="hint">{preset.meaning}</p> : null
+  return preset ? (
+    <p class="hint">
+      {preset.source}: {preset.meaning}
+    </p>
+  ) : null
 }
 
 function presetOptions(presets: CatalogEntry['presets'], params: ParamValues) {
