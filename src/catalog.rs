@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::aco::ant_system;
+use crate::aco::{ant_system, ship};
 use crate::error::ParamError;
 use crate::exact::{astar, dijkstra};
 use crate::params::{ParamSpec, Values};
@@ -12,7 +12,7 @@ use crate::planner::{Entry, Family, Layer, Planner};
 use crate::scenario::Scenario;
 
 /// Every planner, in the order in which people meet them.
-pub static CATALOG: &[&Entry] = &[&ant_system::ENTRY, &dijkstra::ENTRY, &astar::ENTRY];
+pub static CATALOG: &[&Entry] = &[&ant_system::ENTRY, &dijkstra::ENTRY, &astar::ENTRY, &ship::ENTRY];
 
 /// The entry of an id.
 ///

@@ -69,7 +69,7 @@ pub enum ParamError {
         known: String,
     },
     /// A number lies outside its range.
-    #[error("{key} = {value} is outside {min}..={max} ({meaning})")]
+    #[error("{key} = {value} is outside {min} to {max} ({meaning})")]
     OutOfRange {
         /// The parameter.
         key: String,

@@ -8,7 +8,7 @@
 //! 64 bits. [`aco`] holds the colonies, [`exact`] the searches with a proof, [`formats`] the files.
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
-//! agree natively and in every browser. `wasm.rs` is the whole browser boundary, `main.rs` the command line.
+//! agree natively and in every browser. `wasm/` is the whole browser boundary, `main.rs` and `cli/` the command line.
 
 #![warn(missing_docs)]
 

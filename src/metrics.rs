@@ -44,10 +44,15 @@ pub fn path_length(width: u32, path: &[Cell]) -> f64 {
     length(straight, steps - straight)
 }
 
+/// Compares rows and columns: on a map two cells wide a diagonal step changes the index by 1, as a horizontal one does.
 fn is_straight(width: u32, a: Cell, b: Cell) -> bool {
-    let gap = a.abs_diff(b);
-    // A map one cell wide has no horizontal neighbours, so a gap of 1 is a vertical step there: straight all the same.
-    gap == 1 || gap == width
+    let (dx, dy) = offset(width, a, b);
+    dx == 0 || dy == 0
+}
+
+/// (dx, dy) of a step.
+fn offset(width: u32, a: Cell, b: Cell) -> (u32, u32) {
+    ((b % width).wrapping_sub(a % width), (b / width).wrapping_sub(a / width))
 }
 
 impl Metrics {
@@ -58,7 +63,7 @@ impl Metrics {
         let mut turns = 0u32;
         let mut turning = (0u32, 0u32);
         for s in path.windows(3) {
-            if s[1].wrapping_sub(s[0]) != s[2].wrapping_sub(s[1]) {
+            if offset(width, s[0], s[1]) != offset(width, s[1], s[2]) {
                 turns += 1;
                 if is_straight(width, s[1], s[2]) { turning.0 += 1 } else { turning.1 += 1 }
             }
@@ -81,23 +86,22 @@ impl Metrics {
 
 /// Smallest and mean clearance of a path's cells.
 fn clearance(grid: &Grid, path: &[Cell]) -> (f64, f64) {
-    let field = squared_distances(grid);
+    let gaps = gaps_in_rows(grid);
     let (mut min, mut sum) = (f64::INFINITY, 0.0);
     for &c in path {
-        let d = libm::sqrt(f64::from(field[c as usize]));
+        let d = libm::sqrt(f64::from(squared_distance(grid, &gaps, c)));
         min = min.min(d);
         sum += d;
     }
     if path.is_empty() { (0.0, 0.0) } else { (min, sum / path.len() as f64) }
 }
 
-/// Squared Euclidean distance of every cell to the nearest blocked cell or to the ring of cells just outside the map, exact
-/// (rows, then columns, as every separable distance transform).
-fn squared_distances(grid: &Grid) -> Vec<u32> {
+/// Distance of every cell to the nearest blocked cell of its own row; the columns −1 and width count as blocked.
+fn gaps_in_rows(grid: &Grid) -> Vec<u32> {
     let (w, h) = (grid.width() as usize, grid.height() as usize);
-    let mut field = vec![0u32; w * h];
+    let mut gaps = vec![0u32; w * h];
     for y in 0..h {
-        let row = &mut field[y * w..(y + 1) * w];
+        let row = &mut gaps[y * w..(y + 1) * w];
         let mut gap = 0;
         for (x, cell) in row.iter_mut().enumerate() {
             gap = if grid.is_blocked((y * w + x) as Cell) { 0 } else { gap + 1 };
@@ -109,29 +113,22 @@ fn squared_distances(grid: &Grid) -> Vec<u32> {
             *cell = gap.min(*cell);
         }
     }
-    let mut column = vec![0u32; h];
-    for x in 0..w {
-        for (y, g) in column.iter_mut().enumerate() {
-            *g = field[y * w + x];
-        }
-        for y in 0..h {
-            field[y * w + x] = nearest_in_column(&column, y);
-        }
-    }
-    field
+    gaps
 }
 
-/// min over y' of (y − y')² + column[y']², the rows −1 and h counting as blocked; looks outwards until no farther row can be nearer.
-fn nearest_in_column(column: &[u32], y: usize) -> u32 {
-    let border = (y + 1).min(column.len() - y) as u32;
-    let mut best = border.min(column[y]).pow(2);
-    let mut gap = 1u32;
-    while gap * gap < best {
-        let g = gap as usize;
-        let above = y.checked_sub(g).map_or(0, |i| column[i]);
-        let below = column.get(y + g).copied().unwrap_or(0);
-        best = best.min(gap * gap + above.min(below).pow(2));
-        gap += 1;
+/// Squared Euclidean distance of a cell to the nearest blocked cell or to the ring of cells just outside the map, exact:
+/// min over rows y' of (y − y')² + gap², looking outwards until no farther row can be nearer.
+fn squared_distance(grid: &Grid, gaps: &[u32], cell: Cell) -> u32 {
+    let (width, p) = (grid.width(), grid.point(cell));
+    let border = (p.y + 1).min(grid.height() - p.y);
+    let gap_in = |y: u32| gaps[(y * width + p.x) as usize];
+    let mut best = border.min(gap_in(p.y)).pow(2);
+    let mut away = 1u32;
+    while away * away < best {
+        // Both rows lie on the map: the border is farther than what is looked at.
+        let gap = gap_in(p.y - away).min(gap_in(p.y + away));
+        best = best.min(away * away + gap.pow(2));
+        away += 1;
     }
     best
 }
@@ -166,9 +163,21 @@ mod tests {
     }
 
     #[test]
+    fn a_map_two_cells_wide_has_diagonal_steps() {
+        let s = scenario(&["..", "..", ".."]);
+        // SW, S: the first step adds 1 to the index, as a step east does.
+        let m = Metrics::of(&s, &[1, 2, 4]);
+        assert_eq!((m.length, m.turns), (1.0 + SQRT_2, 1));
+        // E, SW: two steps that add 1 each, and yet a turn.
+        let m = Metrics::of(&s, &[0, 1, 2]);
+        assert_eq!((m.length, m.turns), (1.0 + SQRT_2, 1));
+        assert!((m.turn_index - (1.0 + 1.2 * SQRT_2)).abs() < 1e-12);
+    }
+
+    #[test]
     fn clearance_agrees_with_brute_force() {
         let s = scenario(&["......#", ".......", "..#....", ".......", ".......", "#......", "......."]);
-        let field = squared_distances(&s.grid);
+        let gaps = gaps_in_rows(&s.grid);
         for y in 0..7i64 {
             for x in 0..7i64 {
                 let mut best = i64::MAX;
@@ -179,7 +188,8 @@ mod tests {
                         }
                     }
                 }
-                assert_eq!(i64::from(field[(y * 7 + x) as usize]), best, "at ({x}, {y})");
+                let found = squared_distance(&s.grid, &gaps, (y * 7 + x) as Cell);
+                assert_eq!(i64::from(found), best, "at ({x}, {y})");
             }
         }
     }

@@ -48,7 +48,7 @@ pub enum Flaw {
 /// Checks a path of points against the scenario: ends, obstacles, adjacency, corner rule.
 ///
 /// # Errors
-/// The first [`Flaw`] in path order.
+/// The first [`Flaw`]: cells outside or blocked come first, then the start, the steps, the goal.
 pub fn audit(scenario: &Scenario, path: &[Point]) -> Result<(), Flaw> {
     let (grid, spec) = (&scenario.grid, &scenario.spec);
     let (Some(&first), Some(&last)) = (path.first(), path.last()) else { return Err(Flaw::Empty) };

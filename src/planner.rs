@@ -54,7 +54,7 @@ pub struct Effort {
     pub iterations: u32,
     /// Walks that were begun and ended: at the goal, at a dead end, or at the cap on moves.
     pub constructed_paths: u64,
-    /// Steps of ants, backtracking steps included.
+    /// Moves of ants: steps, steps back, and the move in which an ant finds itself lost at a dead end.
     pub ant_moves: u64,
     /// Cells taken from the open list of a search.
     pub cell_expansions: u64,

@@ -145,7 +145,7 @@ fn unusable_input_ends_with_code_2_and_a_hint() {
         (&["plan", "small.map", "--planner", "bee"], "there is no planner `bee`", "ant-system"),
         (
             &["plan", "small.map", "--planner", "ant-system", "--set", "rho=1.5"],
-            "rho = 1.5 is outside 0..=1",
+            "rho = 1.5 is outside 0 to 1",
             "choose rho between",
         ),
         (&["plan", "small.map", "--planner", "ant-system", "--set", "rhoo=1"], "no parameter `rhoo`", "rho"),

@@ -120,6 +120,28 @@ pub fn random_proportional(weights: &Row, stream: &mut Stream) -> Option<Directi
     Some(sums.iter().map(|&s| u8::from(s <= threshold)).sum())
 }
 
+/// Threshold rule (Lai and Guo 2014, step 5): random proportional among the steps with probability w_d / Σ w ≤ λ; if there is none, any
+/// feasible step, uniformly. `None` when no step is left.
+#[inline]
+pub fn threshold(weights: &Row, lambda: f64, stream: &mut Stream) -> Option<Direction> {
+    // In f64: beside a step of weight 1, a probability of 1 − 1e-8 is not yet 1.
+    let total: f64 = weights.iter().map(|&w| f64::from(w)).sum();
+    let candidates = weights.map(|w| if f64::from(w) <= lambda * total { w } else { 0.0 });
+    random_proportional(&candidates, stream).or_else(|| random_proportional(&any(weights, 0.0), stream))
+}
+
+/// The step of the largest weight; equal ones are drawn from uniformly. `None` when no step is left.
+#[inline]
+pub fn maximal(weights: &Row, stream: &mut Stream) -> Option<Direction> {
+    let largest = weights.iter().fold(0.0f32, |m, &w| m.max(w));
+    random_proportional(&any(weights, largest), stream)
+}
+
+/// 1 for the feasible steps that weigh at least this much, 0 for the others.
+fn any(weights: &Row, least: f32) -> Row {
+    weights.map(|w| f32::from(u8::from(w > 0.0 && w >= least)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,6 +7,7 @@
 //! | η, what an ant can see | `heuristic.rs` |
 //! | τ, evaporation, limits | `trails.rs` |
 //! | τ^α·η^β by cell and direction, selection rules | `choice.rs` |
+//! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
@@ -15,6 +16,9 @@
 //! | variant | initial trail | η | selection | on each move | update | daemon |
 //! |---|---|---|---|---|---|---|
 //! | `ant-system` | τ0 | goal, step or detour | random proportional | – | evaporate, every arrived ant deposits Q/L | – |
+//! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
+//! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
+//! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | – |
 
 pub mod ant;
 pub mod choice;
@@ -23,9 +27,12 @@ pub mod dead_end;
 pub mod deposit;
 pub mod heuristic;
 mod lanes;
+pub mod on_demand;
 pub mod trails;
 pub mod variant;
 
 mod classics;
+mod papers;
 
 pub use classics::ant_system;
+pub use papers::{Reading, ship, threshold};

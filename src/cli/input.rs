@@ -94,6 +94,8 @@ impl ScenarioArgs {
         }
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
+            // Ends that do not fit are errors of the scenario; another size would pass unnoticed.
+            map.notices.extend(formats::misfit(&line, &map.grid).filter(|n| n.kind == "scen-size"));
             set_ends(&mut map, Some(line.start), Some(line.goal));
         }
         set_ends(&mut map, self.from, self.to);

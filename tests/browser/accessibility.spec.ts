@@ -76,6 +76,7 @@ test('everything can be reached and done with the keyboard alone', async ({ page
   await page.keyboard.press('?')
   await expect(page.getByTestId('help-dialog')).toBeVisible()
   await page.keyboard.press('Escape')
+  await expect(page.getByTestId('help-dialog')).toBeHidden()
   await page.keyboard.press('End')
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,

@@ -25,9 +25,10 @@ export class Lab {
 
   async ready(): Promise<void> {
     await expect(this.page.getByTestId('play')).toBeVisible()
-    await expect
-      .poll(() => this.results().then((all) => all.every((one) => one.summary !== null)))
-      .toBe(true)
+    await this.page.waitForFunction(() => {
+      const all = window.formicarium?.session() && window.formicarium.results()
+      return all?.every((one) => one.summary !== null)
+    })
   }
 
   /** Opens the page and brings every run back to its beginning. */

@@ -143,5 +143,6 @@ function plotStyle(): PlotStyle {
     showIterationBest: showIterationBest.value,
     showMean: showMean.value,
     optimum: optimum.value,
+    axisLabels: { x: t('chart.iteration'), y: t('chart.length') },
   }
 }

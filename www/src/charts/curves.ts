@@ -1,5 +1,5 @@
 /** The histories of all panels on one axis of iterations, thinned to what a screen can show. */
-import { historyOf, type Panel } from '../state'
+import { historyOf, type Panel, plannerEntry } from '../state'
 import type { HistoryRows } from '../state/history_rows'
 
 /** Columns of a history row (see messages.ts). */
@@ -37,6 +37,7 @@ function curves(panel: Panel, points: number, stride: number): PanelCurves {
   const rows = historyOf(panel.id)
   const best = column(rows, BEST_SO_FAR, points, stride)
   if (hasEnded(panel)) prolong(best)
+  if (isExact(panel)) best.fill(best.at(-1) ?? null)
   return {
     best,
     iterationBest: column(rows, ITERATION_BEST, points, stride),
@@ -62,6 +63,11 @@ function prolong(curve: Curve): void {
     if (curve[i] === null) curve[i] = last
     else last = curve[i] ?? null
   }
+}
+
+/** An exact planner has no iterations: its length is drawn as one level across. */
+function isExact({ setup }: Panel): boolean {
+  return plannerEntry(setup.planner)?.family === 'exact'
 }
 
 function hasEnded(panel: Panel): boolean {

@@ -3,11 +3,14 @@ import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
 import type { Curves } from './curves'
 
+const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
+
 export interface PlotStyle {
   colours: string[]
   showIterationBest: boolean
   showMean: boolean
   optimum: number | null
+  axisLabels: { x: string; y: string }
 }
 
 export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
@@ -36,6 +39,9 @@ function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
     grid: { stroke: colour('--line'), width: 1 },
     ticks: { show: false },
     gap: 6,
+    labelFont: font,
+    labelSize: 16,
+    labelGap: 0,
   }
   return {
     width: Math.max(1, host.clientWidth),
@@ -45,8 +51,8 @@ function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
     cursor: { drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: xRange }, y: { range: yRange } },
     axes: [
-      { ...axis, size: 26, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] },
-      { ...axis, size: 46 },
+      { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
+      { ...axis, label: style.axisLabels.y, size: 40 },
     ],
     series: [{}, optimumSeries(colour('--text')), ...style.colours.flatMap(panelSeries(style))],
   }

@@ -108,6 +108,7 @@ export const en = {
     restart: 'Start it again',
   },
   status: {
+    refused: 'Cannot run',
     ready: 'Ready',
     exploring: 'Exploring',
     searching: 'Searching',
@@ -136,6 +137,8 @@ export const en = {
     title: 'Convergence',
     iterationBest: 'Iteration best',
     mean: 'Mean',
+    iteration: 'Iteration',
+    length: 'Length of path',
     optimum: 'Optimum {{length}}',
     empty: 'Path length by iteration appears here as soon as a path is found.',
   },

@@ -113,6 +113,7 @@ export const zhCN: Shape<typeof en> = {
     restart: '重新启动',
   },
   status: {
+    refused: '无法运行',
     ready: '就绪',
     exploring: '探索中',
     searching: '搜索中',
@@ -141,6 +142,8 @@ export const zhCN: Shape<typeof en> = {
     title: '收敛曲线',
     iterationBest: '本代最优',
     mean: '平均',
+    iteration: '迭代',
+    length: '路径长度',
     optimum: '最优 {{length}}',
     empty: '找到路径后，这里会显示路径长度随迭代的变化。',
   },

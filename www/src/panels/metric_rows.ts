@@ -1,5 +1,5 @@
 /** The rows of the comparison table: where each number comes from and which way is better. */
-import type { RunSummary } from '@pkg/formicarium'
+import type { Family, RunSummary } from '@pkg/formicarium'
 import { numbers } from '../i18n'
 
 export type MetricId =
@@ -19,6 +19,8 @@ export type MetricId =
 export interface MetricRow {
   id: MetricId
   better: 'lower' | 'higher' | null
+  /** The only family that has it; the others show a dash. */
+  family?: Family
   value(summary: RunSummary, gap: number | null): number | null
   format(value: number): string
 }
@@ -35,11 +37,17 @@ export const METRIC_ROWS: MetricRow[] = [
   { id: 'minClearance', better: 'higher', value: ofPath('min_clearance'), format: decimal },
   { id: 'meanClearance', better: 'higher', value: ofPath('mean_clearance'), format: decimal },
   { id: 'travelTime', better: 'lower', value: ofPath('travel_time'), format: decimal },
-  { id: 'iterations', better: null, value: ofEffort('iterations'), format: whole },
-  { id: 'iterationOfBest', better: null, value: (s) => s.iteration_of_best, format: whole },
-  { id: 'constructedPaths', better: null, value: ofEffort('constructed_paths'), format: whole },
-  { id: 'antMoves', better: null, value: ofEffort('ant_moves'), format: whole },
-  { id: 'cellExpansions', better: null, value: ofEffort('cell_expansions'), format: whole },
+  colony('iterations', ofEffort('iterations')),
+  colony('iterationOfBest', (summary) => summary.iteration_of_best),
+  colony('constructedPaths', ofEffort('constructed_paths')),
+  colony('antMoves', ofEffort('ant_moves')),
+  {
+    id: 'cellExpansions',
+    better: null,
+    family: 'exact',
+    value: ofEffort('cell_expansions'),
+    format: whole,
+  },
 ]
 
 /** Indices of the best values of a row; none when they all agree or the row does not rank. */
@@ -50,6 +58,10 @@ export function bestOf(values: (number | null)[], better: MetricRow['better']): 
     return new Set()
   }
   return new Set(values.flatMap((value, index) => (value === best ? [index] : [])))
+}
+
+function colony(id: MetricId, value: MetricRow['value']): MetricRow {
+  return { id, better: null, family: 'ant-colony', value, format: whole }
 }
 
 function ofPath(key: keyof NonNullable<RunSummary['metrics']>): MetricRow['value'] {

@@ -1,5 +1,5 @@
 import { t } from '../i18n'
-import { optimum, type Panel, panels, slotColour } from '../state'
+import { optimum, type Panel, panels, plannerEntry, slotColour } from '../state'
 import { gapOf } from './gap'
 import { bestOf, METRIC_ROWS, type MetricRow } from './metric_rows'
 import { panelTitle } from './planner_text'
@@ -46,6 +46,7 @@ export function MetricsTable() {
 function Row({ row, all }: { row: MetricRow; all: Panel[] }) {
   const values = all.map((panel) => {
     const { summary } = panel.live.value
+    if (row.family && row.family !== plannerEntry(panel.setup.planner)?.family) return null
     const gap = gapOf(summary?.metrics?.length, optimum.value)
     return summary && row.value(summary, gap)
   })

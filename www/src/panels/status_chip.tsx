@@ -5,6 +5,7 @@ import { type Panel, type Phase, phase, plannerEntry, type Verification } from '
 import { Icon } from '../ui/icon'
 
 type StatusWord =
+  | 'refused'
   | 'ready'
   | 'exploring'
   | 'searching'
@@ -16,9 +17,9 @@ type StatusWord =
 
 /** What the panel's run is doing, in one word. */
 export function StatusChip({ panel, place }: { panel: Panel; place: number }) {
-  const { summary, verified } = panel.live.value
+  const { summary, verified, error } = panel.live.value
   const exact = plannerEntry(panel.setup.planner)?.family === 'exact'
-  const word = statusWord(summary, phase.value, exact)
+  const word = error ? 'refused' : statusWord(summary, phase.value, exact)
   return (
     <>
       <span class={`chip status-${word}`} data-testid={`status-${place}`} data-status={word}>

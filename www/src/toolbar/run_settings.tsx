@@ -35,6 +35,7 @@ function SeedField() {
         min={0}
         max={0xffffffff}
         step={1}
+        nearest
         testId="seed"
         onChange={setSeed}
       />

@@ -52,6 +52,8 @@ interface NumberFieldProps {
   hideLabel?: boolean
   invalid?: boolean
   describedBy?: string
+  /** Replaces a number outside the limits by the nearest whole one inside, where nobody else would refuse it. */
+  nearest?: boolean
 }
 
 /** Reports what can be read as a number and leaves the range to whoever knows it: the engine names the limits. */
@@ -75,13 +77,22 @@ export function NumberField(props: NumberFieldProps) {
         aria-describedby={props.describedBy}
         data-testid={props.testId}
         onChange={(event) => {
-          const value = event.currentTarget.valueAsNumber
-          if (Number.isNaN(value)) event.currentTarget.value = String(props.value)
-          else props.onChange(value)
+          const field = event.currentTarget
+          const typed = field.valueAsNumber
+          const value = props.nearest ? nearestWhole(typed, props.min, props.max) : typed
+          if (Number.isNaN(value)) field.value = String(props.value)
+          else {
+            if (value !== typed) field.value = String(value)
+            props.onChange(value)
+          }
         }}
       />
     </span>
   )
+}
+
+function nearestWhole(value: number, min: number, max: number): number {
+  return Math.min(max, Math.max(min, Math.round(value)))
 }
 
 interface SegmentedProps<T extends string> {

@@ -1,0 +1,329 @@
+//! Rescue robot in a ship's engine room: 范学兴, 张彬, 刘世翔, 朱文斌 (Fan, Zhang, Liu, Zhu), 基于改进蚁群算法的船舶机舱救援机器人路径规划
+//! (Path planning for ship engine room rescue robot based on improved ant colony algorithm), Journal of Dalian Maritime University 52(1)
+//! (2026) 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009.
+//!
+//! | override point | source |
+//! |---|---|
+//! | initial trail | as Ant System |
+//! | heuristic | Eq. 6–7: pull of the goal, direction, obstacle density, with a weight ω(t) that grows |
+//! | selection | Eq. 1: as Ant System |
+//! | on each move | as Ant System (nothing) |
+//! | update | Eq. 9–11 and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
+//! | daemon actions | none; **the path refinement of its section 3.3 is not part of this planner**: paths stay cell by cell |
+//!
+//! `reading` decides where the printed formula does not do what its text says:
+//!
+//! | Eq. | `printed` | `repaired` |
+//! |---|---|---|
+//! | 7, f_a | a constant, 1 | 1 / max(d(j, E), 1): "the nearer, the stronger" |
+//! | 7, θ in h | at i, between the directions to the goal and to the obstacles around i | at i, between the directions to the goal and to j |
+//! | 7, α_obs | blocked share of the cells around i | blocked share of the cells around j |
+//! | 8, Δω\* | one number, added to every step of the map | its gain on the iteration's best path, its loss on the worst |
+//!
+//! Printed, all of Eq. 7 but 1/d_ij depends on i alone and cancels in Eq. 1: η then only prefers straight steps.
+//!
+//! Where the paper is silent, we: start from τ0 = 1; let α(t) grow from 0.5 to 1, β(t) fall from 1 to 0.5, γ(t) rise from 0 to 0.5 in the
+//! second half of the iterations, all linearly (Eq. 10–11 give no formula); set μ = 10, γ = 1, ω from 2 to 4, both k = 1 (no value is
+//! given); weaken no step below `trail_min` (its proof needs positive trails); take what lies beyond the border for an obstacle; take
+//! d(i, E) as at least 1; let ants at a dead end step back. Its section 4 calls Q = 10 the initial trail, Eq. 5 and 10 the intensity of a
+//! deposit: we use it as the equations do. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here.
+
+use std::sync::Arc;
+
+use super::Reading;
+use crate::aco::ant::Ant;
+use crate::aco::colony::Colony;
+use crate::aco::dead_end::DeadEnd;
+use crate::aco::deposit;
+use crate::aco::trails::Trails;
+use crate::aco::variant::{Iteration, Settings, Variant};
+use crate::error::ParamError;
+use crate::map::{Cell, Direction, OFFSETS, Point, step_length};
+use crate::params::{Params, Values};
+use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::scenario::Scenario;
+use crate::{choice, params};
+
+choice! {
+    /// Which of the paper's two trail updates.
+    pub enum Update {
+        /// equations 9–11 and 14: weighted deposits on global-best and iteration-best path, a withdrawal on the iteration-worst
+        Weighted = "weighted",
+        /// equation 12, which the paper's step 4 names: every arrived ant deposits, as in Ant System
+        AllAnts = "all-ants",
+    }
+}
+
+params! {
+    /// Parameters of the engine-room planner.
+    pub struct ShipParams {
+        /// how the paper's formulas are read where they do not do what its text says
+        reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
+        /// which of the paper's two trail updates
+        update: Update = Update::Weighted, "", [], "", "Fan et al. 2026, eq. 14; its step 4 names eq. 12";
+        /// ants that build a path in each iteration
+        ants: u32 = 50, "M", [1..=1024], "ants", "Fan et al. 2026, section 4";
+        /// iterations after which the colony stops
+        iterations: u32 = 100, "T", [1..=100_000], "iterations", "Fan et al. 2026, section 4";
+        /// weight of the trail τ in the choice of a step
+        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "Fan et al. 2026, section 4";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 2.0, "β", [0.0..=50.0], "", "Fan et al. 2026, section 4";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.8, "ρ", [0.0..=1.0], "", "Fan et al. 2026, section 4";
+        /// intensity of every deposit: Q / length
+        deposit: f64 = 10.0, "Q", [1e-6..=1e6], "cells", "Fan et al. 2026, section 4, where it is called the initial trail";
+        /// strength of the goal's pull
+        goal_pull: f64 = 10.0, "μ", [1.0..=100.0], "", "our choice: not given";
+        /// weight of the goal's pull at the beginning
+        omega_min: f64 = 2.0, "ω_min", [0.0..=6.0], "", "our choice: not given";
+        /// weight of the goal's pull at the end
+        omega_max: f64 = 4.0, "ω_max", [0.0..=6.0], "", "our choice: not given";
+        /// how strongly obstacles around a cell repel
+        obstacle_push: f64 = 1.0, "γ", [0.0..=50.0], "", "our choice: not given";
+        /// weight of the iteration's best path in the additional trail
+        k_best: f64 = 1.0, "k_best", [0.0..=100.0], "", "our choice: not given";
+        /// weight of the iteration's worst path in the additional trail
+        k_worst: f64 = 1.0, "k_worst", [0.0..=100.0], "", "our choice: not given";
+        /// trail on every step before the first iteration
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
+        /// the worst path is not weakened below this trail
+        trail_min: f64 = 1e-6, "τ_min", [1e-30..=1.0], "", "our choice: the paper's proof needs positive trails";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice: not given";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
+        /// stops after this many iterations without a shorter path; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+/// Eq. 6: ω(t) = ω_min + (ω_max − ω_min)·t/T.
+pub fn omega(p: &ShipParams, t: u32) -> f64 {
+    p.omega_min + (p.omega_max - p.omega_min) * f64::from(t) / f64::from(p.iterations)
+}
+
+/// The four quantities of Eq. 7 that ω(t) and the parameters act on, for the step from i to j.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// d(i, E), at least 1.
+    pub distance: f64,
+    /// f_a, the exponent of μ.
+    pub pull: f64,
+    /// h = ½(1 + cos θ), the exponent of d(i, E).
+    pub angle: f64,
+    /// α_obs, from 0 to 1.
+    pub density: f64,
+}
+
+/// What an ant at `i` sees of the step in direction `d` to `j` (Eq. 7).
+pub fn sight(reading: Reading, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> Sight {
+    let (at, next, goal) = (scenario.grid.point(i), scenario.grid.point(j), scenario.grid.point(scenario.goal));
+    let to_goal = vector(at, goal);
+    let (step_x, step_y) = OFFSETS[d as usize];
+    let (pull, beside, around) = match reading {
+        Reading::Printed => (1.0, obstacle_direction(scenario, at), at),
+        Reading::Repaired => (1.0 / norm(vector(next, goal)).max(1.0), (f64::from(step_x), f64::from(step_y)), next),
+    };
+    Sight { distance: norm(to_goal).max(1.0), pull, angle: 0.5 * (1.0 + cosine(to_goal, beside)), density: density(scenario, around) }
+}
+
+/// Eq. 7: η_ij(t) = (μ^f_a · d(i,E)^h)^ω(t) / d_ij · exp(−γ·α_obs).
+pub fn eta(p: &ShipParams, omega: f64, sight: &Sight, step: f64) -> f64 {
+    let attraction = libm::pow(p.goal_pull, sight.pull) * libm::pow(sight.distance, sight.angle);
+    libm::pow(attraction, omega) / step * libm::exp(-p.obstacle_push * sight.density)
+}
+
+/// Eq. 7 as ln η = a + b·ω(t): what stays in time, and what ω(t) multiplies.
+pub fn log_eta(p: &ShipParams, sight: &Sight, step: f64) -> (f64, f64) {
+    let fixed = -libm::log(step) - p.obstacle_push * sight.density;
+    (fixed, sight.pull * libm::log(p.goal_pull) + sight.angle * libm::log(sight.distance))
+}
+
+/// α_obs: the share of blocked cells among the eight around a cell; beyond the border is blocked.
+pub fn density(scenario: &Scenario, at: Point) -> f64 {
+    f64::from(obstacles(scenario, at).count() as u32) / OFFSETS.len() as f64
+}
+
+/// The offsets of the blocked cells around a cell.
+fn obstacles(scenario: &Scenario, at: Point) -> impl Iterator<Item = (i32, i32)> {
+    let (x, y) = (i64::from(at.x), i64::from(at.y));
+    OFFSETS.into_iter().filter(move |&(dx, dy)| !scenario.grid.is_free_at(x + i64::from(dx), y + i64::from(dy)))
+}
+
+/// Sum of the directions to the blocked cells around a cell; (0, 0) where there is none.
+fn obstacle_direction(scenario: &Scenario, at: Point) -> (f64, f64) {
+    obstacles(scenario, at).fold((0.0, 0.0), |sum, (dx, dy)| {
+        let length = norm((f64::from(dx), f64::from(dy)));
+        (sum.0 + f64::from(dx) / length, sum.1 + f64::from(dy) / length)
+    })
+}
+
+fn vector(from: Point, to: Point) -> (f64, f64) {
+    (f64::from(to.x) - f64::from(from.x), f64::from(to.y) - f64::from(from.y))
+}
+
+fn norm((x, y): (f64, f64)) -> f64 {
+    libm::sqrt(x * x + y * y)
+}
+
+/// cos θ between two directions; 1, no deviation, where one of them is none.
+fn cosine(a: (f64, f64), b: (f64, f64)) -> f64 {
+    let lengths = norm(a) * norm(b);
+    // Vectors that cancel to a rounding error have no direction.
+    if lengths < 1e-9 { 1.0 } else { ((a.0 * b.0 + a.1 * b.1) / lengths).clamp(-1.0, 1.0) }
+}
+
+/// α(t), β(t), γ(t) of Eq. 10–11.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathWeights {
+    /// α(t), of the global-best path: grows from 0.5 to 1.
+    pub global_best: f64,
+    /// β(t), of the iteration-best path: falls from 1 to 0.5.
+    pub iteration_best: f64,
+    /// γ(t), of the iteration-worst path: 0, in the second half growing to 0.5.
+    pub iteration_worst: f64,
+}
+
+/// Eq. 10–11: the adaptive weights at iteration t of T.
+pub fn path_weights(t: u32, budget: u32) -> PathWeights {
+    let s = f64::from(t) / f64::from(budget);
+    PathWeights { global_best: 0.5 + 0.5 * s, iteration_best: 1.0 - 0.5 * s, iteration_worst: (s - 0.5).max(0.0) }
+}
+
+/// The two terms of Eq. 8, Δω* = k_best·Q/L_best − k_worst·Q/L_worst.
+pub fn extra_trail(p: &ShipParams, best: f64, worst: f64) -> (f64, f64) {
+    (p.k_best * p.deposit / best, p.k_worst * p.deposit / worst)
+}
+
+/// The planner of the paper, without its path refinement.
+#[derive(Debug, Clone, Copy)]
+pub struct Ship {
+    params: ShipParams,
+    /// ω(t) of the iteration at work.
+    omega: f64,
+}
+
+impl Ship {
+    /// With these parameters.
+    pub fn new(params: ShipParams) -> Self {
+        Self { params, omega: omega(&params, 0) }
+    }
+
+    /// Eq. 9–11 without what evaporates: +Δτ⁺ on the best paths; what Δτ⁻ takes from the worst is returned.
+    fn weighted(&self, trails: &mut Trails, iteration: &Iteration) -> f64 {
+        let (q, weights) = (self.params.deposit, path_weights(iteration.number, iteration.budget));
+        if let Some(best) = iteration.best_so_far {
+            deposit::along_path(trails, iteration.scenario, &best.path, weights.global_best * q / best.length);
+        }
+        if let Some((ant, length)) = iteration.iteration_best() {
+            deposit::along(trails, iteration.scenario, ant, weights.iteration_best * q / length);
+        }
+        iteration.iteration_worst().map_or(0.0, |(_, length)| weights.iteration_worst * q / length)
+    }
+}
+
+/// Takes the same amount from each step of a walk, not below `floor`.
+fn withdraw_along(trails: &mut Trails, scenario: &Scenario, ant: &Ant, amount: f64, floor: f64) {
+    let mut at = scenario.start;
+    for &d in ant.steps() {
+        trails.withdraw(at, d, amount, floor);
+        at = scenario.moves.step(at, d);
+    }
+}
+
+impl Variant for Ship {
+    const TIMED: bool = true;
+
+    fn settings(&self) -> Settings {
+        let p = &self.params;
+        Settings {
+            ants: p.ants,
+            iterations: p.iterations,
+            stagnation: p.stagnation,
+            alpha: p.alpha,
+            beta: p.beta,
+            rho: p.rho,
+            deposit: p.deposit,
+            dead_end: p.dead_end,
+            move_limit: p.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.params.initial_trail
+    }
+
+    fn begin_iteration(&mut self, number: u32) {
+        self.omega = omega(&self.params, number);
+    }
+
+    fn heuristic_changes(&self, _: u32) -> bool {
+        true
+    }
+
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        eta(&self.params, self.omega, &sight(self.params.reading, scenario, i, d, j), step_length(d))
+    }
+
+    fn log_heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> (f64, f64) {
+        log_eta(&self.params, &sight(self.params.reading, scenario, i, d, j), step_length(d))
+    }
+
+    fn time(&self) -> f64 {
+        self.omega
+    }
+
+    /// Eq. 14, or Eq. 12. What is taken from the worst path is taken last, so that the floor holds for the sum.
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        let p = &self.params;
+        trails.evaporate(p.rho);
+        let mut taken = match p.update {
+            Update::Weighted => self.weighted(trails, &iteration),
+            Update::AllAnts => {
+                deposit::ant_cycle(trails, iteration.scenario, iteration.ants, p.deposit);
+                0.0
+            }
+        };
+        let (Some((best, shortest)), Some((worst, longest))) = (iteration.iteration_best(), iteration.iteration_worst()) else {
+            return;
+        };
+        let (gain, loss) = extra_trail(p, shortest, longest);
+        match p.reading {
+            Reading::Printed => trails.shift(gain - loss),
+            Reading::Repaired => {
+                deposit::along(trails, iteration.scenario, best, gain);
+                taken += loss;
+            }
+        }
+        if taken > 0.0 {
+            withdraw_along(trails, iteration.scenario, worst, taken, p.trail_min);
+        }
+    }
+}
+
+fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let variant = Ship::new(ShipParams::read(ENTRY.id, values)?);
+    Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ENTRY.id, seed, 0)))
+}
+
+const PRESETS: &[Preset] = &[Preset {
+    name: "printed",
+    source: "rescue robot in a ship's engine room (Fan et al. 2026)",
+    meaning: "everything literally: eq. 7 and 8 as printed, and eq. 12 for the update, as its step 4 says",
+    numbers: &[],
+    choices: &[("reading", "printed"), ("update", "all-ants")],
+}];
+
+/// The engine-room planner in the catalog.
+pub const ENTRY: Entry = Entry {
+    id: "ship",
+    name: "Engine-room ACO",
+    family: Family::AntColony,
+    summary: "Ants see goal, direction and obstacles around a cell; best paths gain pheromone and the worst loses some (Fan et al. 2026, without its path refinement).",
+    source: "Fan, Zhang, Liu, Zhu 2026, J. Dalian Maritime Univ. 52(1), 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009",
+    presets: PRESETS,
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    specs: ShipParams::specs,
+    build,
+};

@@ -1,0 +1,317 @@
+//! ACOST and ACOMSP: Lai Zhi-Ming, Guo Gong-De, "Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning"
+//! (基于自适应阈值蚁群算法的路径规划算法), 2014, in Chinese with an English abstract. The copy that we read gives no DOI. ACOMSP is the method
+//! that it compares with (its ref. 13: Tang, Zhang, Jiang, Zhang, Journal of Computational Information Systems 8 (2012) 10325–10332), built
+//! here from the one sentence and the table row that this paper gives it.
+//!
+//! | override point | ACOST | ACOMSP | the paper's ACO (`acost --preset aco`) |
+//! |---|---|---|---|
+//! | initial trail | τ0, step 1 | as ACOST | as ACOST |
+//! | heuristic | Eq. 4, Euclidean (Eq. 2) | as ACOST | as ACOST |
+//! | selection | Eq. 5 and 6, step 5: [`choice::threshold`] | [`choice::maximal`] of Eq. 5 | Eq. 5, as Ant System |
+//! | on each move | Eq. 7–9: τ + Q1/l | nothing (no Q1 in table 1) | as ACOST |
+//! | dead end | the ant stops (step 3, case 1) | as ACOST | as ACOST |
+//! | update | Eq. 10–12: evaporate, Q2/L_min on the iteration's shortest path | as ACOST | evaporate (no Q2 in table 1) |
+//! | daemon actions | none | none | none |
+//!
+//! Two places run in two readings (`reading`):
+//!
+//! - **t.** Step 1 counts from 0, so Eq. 6 gives λ_0 = 0 and every step of the first iteration is drawn uniformly, η or not. *repaired*
+//!   counts from 1. (Step 7 would also make T_max + 1 iterations; both readings make T_max, its stated maximum.)
+//! - **Eq. 11 and 12.** Eq. 11 sums over all m ants a term that no longer depends on the ant: m·Q2/L_min. *repaired* gives the reward once,
+//!   as the text says.
+//!
+//! Where the print does not decide and one reading is left:
+//!
+//! - **ρ** is called 消逝程度, how much vanishes, yet Eq. 10 multiplies by it, so it is what stays. `rho` is the part that leaves, 1 − ρ; at
+//!   the paper's 0.5 both are the same.
+//! - **D** of Eq. 4 has no value; it cancels in Eq. 5 and is left out. Eq. 5 prints η_j(g_i); we take η of the cell stepped to.
+//! - **At the goal** Eq. 4 divides by 0: the distance counts as 0.01 there, so that p is 1 up to rounding. Under the threshold rule such a
+//!   step is no candidate while λ < 1: ants beside the goal walk on. That is the printed rule, and we keep it.
+//! - **Eq. 8** adds Q1/l where ⟨g_i, g_j⟩ ∈ tabu_k. Eq. 7 is about the step just taken, from g_i to g_j, for which this is always true.
+//! - **Step 8**, where a dead end leads, is not printed. The text says 无路可走; the ant stops, the others walk on.
+//! - **λ = 1.** In 64 bits Eq. 6 rounds to 1 from t² > 37·T_max on (t = 43 of 50): then the rule is Ant System's.
+//!
+//! Where the paper is silent: τ0 is 1; trails are directed, as its arcs are; all trails evaporate, also when no ant has arrived; ants of an
+//! iteration move in turn, one step each; equal largest probabilities are drawn from uniformly; there is no cap on moves.
+
+use std::sync::Arc;
+
+use super::Reading;
+use crate::aco::choice;
+use crate::aco::colony::Colony;
+use crate::aco::dead_end::DeadEnd;
+use crate::aco::deposit;
+use crate::aco::heuristic::Heuristic;
+use crate::aco::trails::{Row, Trails};
+use crate::aco::variant::{Iteration, Settings, Step, Variant};
+use crate::error::ParamError;
+use crate::map::{Cell, Direction};
+use crate::params;
+use crate::params::{Params, Values};
+use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::rng::Stream;
+use crate::scenario::Scenario;
+
+crate::choice! {
+    /// How an ant of ACOST selects a step.
+    pub enum Rule {
+        /// roulette among the steps of at most threshold probability; if there is none, any step
+        Threshold = "threshold",
+        /// roulette among all steps, as in Ant System
+        Proportional = "proportional",
+    }
+}
+
+params! {
+    /// Parameters of ACOST.
+    pub struct AcostParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 10, "m", [1..=1024], "ants", "table 1";
+        /// iterations after which the colony stops
+        iterations: u32 = 50, "T_max", [1..=100_000], "iterations", "table 1; also in eq. 6";
+        /// weight of the trail τ in the choice of a step
+        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "table 1";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 25.0, "β", [0.0..=50.0], "", "table 1";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "table 1; eq. 10 multiplies by what stays, also 0.5";
+        /// after each move an ant leaves Q1 / length walked so far on that step
+        move_deposit: f64 = 1.0, "Q1", [0.0..=1e6], "cells", "table 1, eq. 8";
+        /// the iteration's shortest path gets Q2 / its length on each step
+        path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
+        /// how an ant selects a step
+        rule: Rule = Rule::Threshold, "", [], "", "step 5; proportional: the paper's ACO";
+        /// how to take what the paper prints against its own text
+        reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 6 from t = 1, eq. 12 once";
+        /// trail on every step before the first iteration
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Die, "", [], "", "step 3, case 1";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 0.0, "", [0.0..=1000.0], "× (width + height)", "our addition; the paper has no cap";
+        /// stops after this many iterations without a shorter path; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+params! {
+    /// Parameters of ACOMSP.
+    pub struct AcomspParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 10, "m", [1..=1024], "ants", "table 1";
+        /// iterations after which the colony stops
+        iterations: u32 = 50, "T_max", [1..=100_000], "iterations", "table 1";
+        /// weight of the trail τ in the choice of a step
+        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "table 1";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 15.0, "β", [0.0..=50.0], "", "table 1";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "table 1; eq. 10 multiplies by what stays, also 0.5";
+        /// the iteration's shortest path gets Q2 / its length on each step
+        path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
+        /// how to take what the paper prints against its own text
+        reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 12 once";
+        /// trail on every step before the first iteration
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Die, "", [], "", "step 3, case 1";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 0.0, "", [0.0..=1000.0], "× (width + height)", "our addition; the paper has no cap";
+        /// stops after this many iterations without a shorter path; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+/// t of Eq. 6 in iteration `number` (from 1).
+pub fn time(reading: Reading, number: u32) -> u32 {
+    match reading {
+        Reading::Repaired => number,
+        Reading::Printed => number - 1,
+    }
+}
+
+/// Eq. 6: λ_t = 1 − exp(−t²/T_max).
+pub fn threshold(t: u32, t_max: u32) -> f64 {
+    let t = f64::from(t);
+    1.0 - libm::exp(-t * t / f64::from(t_max))
+}
+
+/// Eq. 10–12: τ ← (1 − rho)·τ, then Q2/L_min on the iteration's shortest path; *printed* adds this m times.
+pub fn reward_shortest(trails: &mut Trails, iteration: &Iteration, rho: f64, q2: f64, reading: Reading) {
+    trails.evaporate(rho);
+    let times = match reading {
+        Reading::Repaired => 1.0,
+        Reading::Printed => iteration.ants.len() as f64,
+    };
+    if let Some((ant, length)) = iteration.iteration_best() {
+        deposit::along(trails, iteration.scenario, ant, times * q2 / length);
+    }
+}
+
+/// ACOST.
+#[derive(Debug, Clone, Copy)]
+pub struct Acost {
+    params: AcostParams,
+    /// λ_t.
+    lambda: f64,
+}
+
+impl Acost {
+    /// With these parameters.
+    pub fn new(params: AcostParams) -> Self {
+        Self { params, lambda: 0.0 }
+    }
+}
+
+impl Variant for Acost {
+    const LOCK_STEP: bool = true;
+    const RANDOM_PROPORTIONAL: bool = false;
+
+    fn settings(&self) -> Settings {
+        let p = &self.params;
+        Settings {
+            ants: p.ants,
+            iterations: p.iterations,
+            stagnation: p.stagnation,
+            alpha: p.alpha,
+            beta: p.beta,
+            rho: p.rho,
+            deposit: p.path_deposit,
+            dead_end: p.dead_end,
+            move_limit: p.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.params.initial_trail
+    }
+
+    /// Eq. 4 with D = 1.
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        Heuristic::Goal.of(scenario, i, d, j)
+    }
+
+    /// Step 4.
+    fn begin_iteration(&mut self, number: u32) {
+        self.lambda = threshold(time(self.params.reading, number), self.params.iterations);
+    }
+
+    /// Step 5.
+    #[inline(always)]
+    fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
+        match self.params.rule {
+            Rule::Threshold => choice::threshold(weights, self.lambda, stream),
+            Rule::Proportional => choice::random_proportional(weights, stream),
+        }
+    }
+
+    /// Eq. 7–9.
+    fn on_move(&self, trails: &mut Trails, step: Step) {
+        trails.deposit(step.from, step.direction, self.params.move_deposit / step.walked);
+    }
+
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        reward_shortest(trails, &iteration, self.params.rho, self.params.path_deposit, self.params.reading);
+    }
+}
+
+/// ACOMSP.
+#[derive(Debug, Clone, Copy)]
+pub struct Acomsp {
+    params: AcomspParams,
+}
+
+impl Acomsp {
+    /// With these parameters.
+    pub fn new(params: AcomspParams) -> Self {
+        Self { params }
+    }
+}
+
+impl Variant for Acomsp {
+    const RANDOM_PROPORTIONAL: bool = false;
+
+    fn settings(&self) -> Settings {
+        let p = &self.params;
+        Settings {
+            ants: p.ants,
+            iterations: p.iterations,
+            stagnation: p.stagnation,
+            alpha: p.alpha,
+            beta: p.beta,
+            rho: p.rho,
+            deposit: p.path_deposit,
+            dead_end: p.dead_end,
+            move_limit: p.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.params.initial_trail
+    }
+
+    /// Eq. 4 with D = 1.
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        Heuristic::Goal.of(scenario, i, d, j)
+    }
+
+    #[inline(always)]
+    fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
+        choice::maximal(weights, stream)
+    }
+
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        reward_shortest(trails, &iteration, self.params.rho, self.params.path_deposit, self.params.reading);
+    }
+}
+
+fn build_acost(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let variant = Acost::new(AcostParams::read(ACOST.id, values)?);
+    Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ACOST.id, seed, 0)))
+}
+
+fn build_acomsp(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let variant = Acomsp::new(AcomspParams::read(ACOMSP.id, values)?);
+    Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ACOMSP.id, seed, 0)))
+}
+
+/// ACOST in the catalog.
+pub const ACOST: Entry = Entry {
+    id: "acost",
+    name: "Adaptive-threshold ACO",
+    family: Family::AntColony,
+    summary: "Early on, steps whose probability exceeds a threshold are barred, so that ants spread; the threshold rises to 1.",
+    source: "Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning",
+    presets: &[
+        Preset {
+            name: "aco",
+            source: "Lai, Guo 2014, table 1: ACO",
+            meaning: "the paper's classic ACO: every step by its probability, Q1 after each move, no reward of the shortest path",
+            numbers: &[("path_deposit", 0.0)],
+            choices: &[("rule", "proportional")],
+        },
+        Preset {
+            name: "printed",
+            source: "Lai, Guo 2014, as printed",
+            meaning: "t from 0, so that the first iteration walks uniformly; eq. 11 and 12 reward the shortest path m times",
+            numbers: &[],
+            choices: &[("reading", "printed")],
+        },
+    ],
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    specs: AcostParams::specs,
+    build: build_acost,
+};
+
+/// ACOMSP in the catalog.
+pub const ACOMSP: Entry = Entry {
+    id: "acomsp",
+    name: "Maximum-probability ACO",
+    family: Family::AntColony,
+    summary: "Every ant takes the most probable step; the iteration's shortest path is rewarded. Often every ant ends in the same dead end.",
+    source: "Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332",
+    presets: &[],
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    specs: AcomspParams::specs,
+    build: build_acomsp,
+};
