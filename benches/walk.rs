@@ -8,9 +8,10 @@ use std::time::{Duration, Instant};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use formicarium::aco::heuristic::Heuristic;
+use formicarium::catalog::CATALOG;
 use formicarium::map::{Generator, Movement, generate};
 use formicarium::params::Values;
-use formicarium::planner::{Granularity, Planner};
+use formicarium::planner::{Family, Granularity, Planner};
 use formicarium::scenario::Scenario;
 
 #[path = "reference/mod.rs"]
@@ -21,9 +22,9 @@ fn random_map(side: u32) -> Arc<Scenario> {
     Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("a valid scenario"))
 }
 
-fn colony(scenario: &Arc<Scenario>) -> Box<dyn Planner> {
+fn colony(id: &str, scenario: &Arc<Scenario>) -> Box<dyn Planner> {
     let values: Values = [("iterations".to_string(), formicarium::params::Value::Number(100_000.0))].into();
-    formicarium::catalog::build(scenario, "ant-system", None, &values, 1).expect("valid parameters")
+    formicarium::catalog::build(scenario, id, None, &values, 1).expect("valid parameters")
 }
 
 /// Time for `moves` ant moves: whole iterations, choice refresh, deposit and evaporation included.
@@ -41,7 +42,7 @@ fn moves(c: &mut Criterion) {
     group.throughput(Throughput::Elements(1));
     let scenario = random_map(100);
     group.bench_function("engine", |b| {
-        let mut planner = colony(&scenario);
+        let mut planner = colony("ant-system", &scenario);
         b.iter_custom(|n| {
             timed(n, || {
                 planner.advance(Granularity::Iteration);
@@ -68,7 +69,7 @@ fn sizes(c: &mut Criterion) {
     for side in [20, 200, 512] {
         let scenario = random_map(side);
         group.bench_function(format!("{side}x{side}"), |b| {
-            let mut planner = colony(&scenario);
+            let mut planner = colony("ant-system", &scenario);
             b.iter_custom(|n| {
                 timed(n, || {
                     planner.advance(Granularity::Iteration);
@@ -94,7 +95,7 @@ fn arena2(c: &mut Criterion) {
     let mut group = c.benchmark_group("ant move on arena2, 50 ants");
     group.throughput(Throughput::Elements(1));
     group.bench_function("engine", |b| {
-        let mut planner = colony(&scenario);
+        let mut planner = colony("ant-system", &scenario);
         b.iter_custom(|n| {
             timed(n, || {
                 planner.advance(Granularity::Iteration);
@@ -105,5 +106,24 @@ fn arena2(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, moves, sizes, arena2);
+/// Every colony of the catalog with its defaults, beside Ant System.
+fn colonies(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ant move by colony, 100x100, 20 % walls");
+    group.throughput(Throughput::Elements(1));
+    let scenario = random_map(100);
+    for entry in CATALOG.iter().filter(|e| e.family == Family::AntColony) {
+        group.bench_function(entry.id, |b| {
+            let mut planner = colony(entry.id, &scenario);
+            b.iter_custom(|n| {
+                timed(n, || {
+                    planner.advance(Granularity::Iteration);
+                    planner.effort().ant_moves
+                })
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, moves, sizes, colonies, arena2);
 criterion_main!(benches);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::aco::{ant_system, ship};
+use crate::aco::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system, ship, threshold};
 use crate::error::ParamError;
 use crate::exact::{astar, dijkstra};
 use crate::params::{ParamSpec, Values};
@@ -12,7 +12,18 @@ use crate::planner::{Entry, Family, Layer, Planner};
 use crate::scenario::Scenario;
 
 /// Every planner, in the order in which people meet them.
-pub static CATALOG: &[&Entry] = &[&ant_system::ENTRY, &dijkstra::ENTRY, &astar::ENTRY, &ship::ENTRY];
+pub static CATALOG: &[&Entry] = &[
+    &ant_system::ENTRY,
+    &elitist_ant_system::ENTRY,
+    &rank_based_ant_system::ENTRY,
+    &max_min_ant_system::ENTRY,
+    &ant_colony_system::ENTRY,
+    &dijkstra::ENTRY,
+    &astar::ENTRY,
+    &ship::ENTRY,
+    &threshold::ACOST,
+    &threshold::ACOMSP,
+];
 
 /// The entry of an id.
 ///

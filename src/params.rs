@@ -247,11 +247,19 @@ impl<T: Choice> ParamType for T {
 pub trait Params: Sized {
     /// All rows, in the order in which people should meet them.
     fn specs() -> Vec<ParamSpec>;
+    /// Reads the values of its own rows over the defaults; other keys are somebody else's.
+    ///
+    /// # Errors
+    /// [`ParamError`] for a wrong type, or a value outside its range.
+    fn pick(values: &Values) -> Result<Self, ParamError>;
     /// Reads values over the defaults.
     ///
     /// # Errors
     /// [`ParamError`] for an unknown key, a wrong type, or a value outside its range.
-    fn read(planner: &str, values: &Values) -> Result<Self, ParamError>;
+    fn read(planner: &str, values: &Values) -> Result<Self, ParamError> {
+        check_keys(planner, &Self::specs(), values)?;
+        Self::pick(values)
+    }
 }
 
 /// Refuses keys that no row describes.
@@ -292,38 +300,73 @@ macro_rules! choice {
 }
 
 /// Declares a parameter set. A row: doc comment = meaning; `key: type = default, "symbol", [range], "unit", "source", when(key: values)`.
+/// `..field: Set;` after a row takes in the rows of another set at that place, as a field.
 #[macro_export]
 macro_rules! params {
-    ($(#[$meta:meta])* pub struct $name:ident { $(
-        #[doc = $meaning:literal]
-        $key:ident : $type:ty = $default:expr, $symbol:literal, [$($range:expr)?], $unit:literal, $source:literal
-            $(, when($when:ident : $($value:literal)|+))? ;
-    )+ }) => {
+    ($(#[$meta:meta])* pub struct $name:ident {
+        $(
+            #[doc = $meaning:literal]
+            $key:ident : $type:ty = $default:expr, $symbol:literal, [$($range:expr)?], $unit:literal, $source:literal
+                $(, when($when:ident : $($value:literal)|+))? ;
+        )+
+        $(
+            ..$shared:ident : $set:ty ;
+            $(
+                #[doc = $meaning2:literal]
+                $key2:ident : $type2:ty = $default2:expr, $symbol2:literal, [$($range2:expr)?], $unit2:literal, $source2:literal
+                    $(, when($when2:ident : $($value2:literal)|+))? ;
+            )*
+        )*
+    }) => {
         $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct $name { $( #[doc = $meaning] pub $key: $type, )+ }
+        pub struct $name {
+            $( #[doc = $meaning] pub $key: $type, )+
+            $(
+                #[doc = concat!("Shared rows: [`", stringify!($set), "`].")]
+                pub $shared: $set,
+                $( #[doc = $meaning2] pub $key2: $type2, )*
+            )*
+        }
         impl Default for $name {
-            fn default() -> Self { Self { $( $key: $default, )+ } }
+            fn default() -> Self {
+                Self { $( $key: $default, )+ $( $shared: <$set>::default(), $( $key2: $default2, )* )* }
+            }
         }
         impl $crate::params::Params for $name {
             fn specs() -> Vec<$crate::params::ParamSpec> {
-                vec![ $( $crate::params::ParamSpec {
-                    key: stringify!($key).into(),
-                    symbol: $symbol.into(),
-                    kind: <$type as $crate::params::ParamType>::kind(($($range)?)),
-                    default: <$type as $crate::params::ParamType>::value($default),
-                    unit: $unit.into(),
-                    meaning: $meaning.trim().into(),
-                    source: $source.into(),
-                    applies_when: $crate::params!(@when $($when $($value)+)?),
-                }, )+ ]
+                let mut specs = Vec::new();
+                $( specs.push($crate::params!(@spec $meaning, $key, $type, $default, $symbol, ($($range)?), $unit, $source, $($when $($value)+)?)); )+
+                $(
+                    specs.extend(<$set as $crate::params::Params>::specs());
+                    $( specs.push($crate::params!(
+                        @spec $meaning2, $key2, $type2, $default2, $symbol2, ($($range2)?), $unit2, $source2, $($when2 $($value2)+)?
+                    )); )*
+                )*
+                specs
             }
-            fn read(planner: &str, values: &$crate::params::Values) -> Result<Self, $crate::error::ParamError> {
-                let specs = Self::specs();
-                $crate::params::check_keys(planner, &specs, values)?;
-                let default = Self::default();
-                Ok(Self { $( $key: $crate::params::read_one(&specs, stringify!($key), values, default.$key)?, )+ })
+            fn pick(values: &$crate::params::Values) -> Result<Self, $crate::error::ParamError> {
+                let (specs, default) = (Self::specs(), Self::default());
+                Ok(Self {
+                    $( $key: $crate::params::read_one(&specs, stringify!($key), values, default.$key)?, )+
+                    $(
+                        $shared: <$set as $crate::params::Params>::pick(values)?,
+                        $( $key2: $crate::params::read_one(&specs, stringify!($key2), values, default.$key2)?, )*
+                    )*
+                })
             }
+        }
+    };
+    (@spec $meaning:literal, $key:ident, $type:ty, $default:expr, $symbol:literal, $range:expr, $unit:literal, $source:literal, $($when:tt)*) => {
+        $crate::params::ParamSpec {
+            key: stringify!($key).into(),
+            symbol: $symbol.into(),
+            kind: <$type as $crate::params::ParamType>::kind($range),
+            default: <$type as $crate::params::ParamType>::value($default),
+            unit: $unit.into(),
+            meaning: $meaning.trim().into(),
+            source: $source.into(),
+            applies_when: $crate::params!(@when $($when)*),
         }
     };
     (@when) => { None };

@@ -84,7 +84,7 @@ pub struct Solution {
     pub path: Path,
     /// Its length in cells.
     pub length: f64,
-    /// The iteration (from 1) that found it.
+    /// The iteration (from 1) that found it; 0 where none was needed, because the start is the goal.
     pub iteration: u32,
 }
 
@@ -103,18 +103,56 @@ pub enum Layer {
     Cost,
 }
 
+/// Where a planner stands; every planner keeps one.
+#[derive(Debug, Clone)]
+pub struct Progress {
+    /// Whether and how it has ended.
+    pub status: Status,
+    /// The best path of the finished iterations.
+    pub best: Option<Solution>,
+    /// What has been spent.
+    pub effort: Effort,
+    history: Vec<Record>,
+    /// Over the history, kept up to date so that a long one is not hashed again for every question.
+    digest: Digest,
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        let (best, effort, history, digest) = (None, Effort::default(), Vec::new(), Digest::default());
+        Self { status: Status::Running, best, effort, history, digest }
+    }
+}
+
+impl Progress {
+    /// Adds a finished iteration to the history.
+    pub fn record(&mut self, r: Record) {
+        self.digest.u32(r.iteration);
+        for v in [r.best_so_far, r.iteration_best, r.iteration_mean, r.iteration_worst] {
+            self.digest.f64(v.unwrap_or(f64::NAN));
+        }
+        self.digest.u32(r.arrived);
+        self.history.push(r);
+    }
+
+    /// Digest over the history, the best path, and its length.
+    fn digest(&self) -> Digest {
+        let mut digest = self.digest;
+        if let Some(best) = &self.best {
+            digest.u32(best.path.len() as u32);
+            best.path.iter().for_each(|&c| digest.u32(c));
+            digest.f64(best.length);
+        }
+        digest
+    }
+}
+
 /// A planner at work on one scenario.
 pub trait Planner: Send {
     /// Goes one step further; inert once finished.
     fn advance(&mut self, by: Granularity) -> Status;
     /// Where it stands.
-    fn status(&self) -> Status;
-    /// The best path of the finished iterations.
-    fn best(&self) -> Option<&Solution>;
-    /// One record per finished iteration.
-    fn history(&self) -> &[Record];
-    /// What has been spent.
-    fn effort(&self) -> Effort;
+    fn progress(&self) -> &Progress;
     /// The budget of iterations; `None` for a search, which ends by itself.
     fn budget(&self) -> Option<u32>;
     /// Number of ants per iteration; 0 for a search.
@@ -124,23 +162,29 @@ pub trait Planner: Send {
     /// Writes the cell of every living ant of the current iteration.
     fn ants(&self, out: &mut Vec<Cell>);
 
-    /// Digest over best path, its length, and the history.
+    /// Whether and how it has ended.
+    fn status(&self) -> Status {
+        self.progress().status
+    }
+
+    /// The best path of the finished iterations.
+    fn best(&self) -> Option<&Solution> {
+        self.progress().best.as_ref()
+    }
+
+    /// One record per finished iteration.
+    fn history(&self) -> &[Record] {
+        &self.progress().history
+    }
+
+    /// What has been spent.
+    fn effort(&self) -> Effort {
+        self.progress().effort
+    }
+
+    /// Digest over the history, the best path, and its length.
     fn digest(&self) -> Digest {
-        let mut digest = Digest::default();
-        let real = |d: &mut Digest, v: Option<f64>| d.f64(v.unwrap_or(f64::NAN));
-        if let Some(best) = self.best() {
-            digest.u32(best.path.len() as u32);
-            best.path.iter().for_each(|&c| digest.u32(c));
-            digest.f64(best.length);
-        }
-        for r in self.history() {
-            digest.u32(r.iteration);
-            for v in [r.best_so_far, r.iteration_best, r.iteration_mean, r.iteration_worst] {
-                real(&mut digest, v);
-            }
-            digest.u32(r.arrived);
-        }
-        digest
+        self.progress().digest()
     }
 
     /// Advances by iterations until finished.

@@ -125,6 +125,14 @@ fn plan_takes_its_scenario_from_four_places() {
 }
 
 #[test]
+fn a_scen_line_for_a_map_of_another_size_is_noticed() {
+    let folder = Folder::new("size");
+    folder.write("other.scen", &SCEN.replace("\t5\t4\t", "\t6\t4\t"));
+    let said = &["made for a map of 6 × 4 cells, not of 5 × 4"];
+    folder.run(&["plan", "small.map", "--scen", "other.scen:2", "--planner", "astar"]).ends(0).says(said);
+}
+
+#[test]
 fn no_path_is_an_answer_with_code_1() {
     let folder = Folder::new("none");
     folder.write("wall.csv", "0,1,0\n0,1,0\n");

@@ -96,32 +96,24 @@ impl Naive {
         }
     }
 
-    /// τ·(η/η_max)^β of every neighbour that is free and not visited.
+    /// (τ/τ_max)·(η/η_max)^β of every neighbour that is free and not visited.
     fn weights(&self, at: Cell, visited: &[bool]) -> [f32; 8] {
         let s = &*self.scenario;
         let eta = |d: Direction| self.heuristic.of(s, at, d, s.moves.step(at, d));
         let largest = s.moves.directions(at).map(eta).fold(0.0, f64::max);
+        let tau = |d: Direction| self.trails.relative(at)[d as usize];
+        let strongest = s.moves.directions(at).map(tau).fold(0.0, f32::max);
         let mut weights = [0.0; 8];
         for d in s.moves.directions(at).filter(|&d| !visited[s.moves.step(at, d) as usize]) {
             let seen = (libm::pow(eta(d) / largest, self.beta) as f32).max(1e-30);
-            let trail = libm::pow(f64::from(self.trails.relative(at)[d as usize]), 1.0) as f32;
-            weights[d as usize] = (trail * seen).clamp(1e-30, 1e37);
+            let trail = libm::pow(f64::from(tau(d) / strongest), 1.0) as f32;
+            weights[d as usize] = (trail * seen).max(1e-30);
         }
         weights
     }
 
     pub fn digest(&self) -> String {
         let mut digest = Digest::default();
-        if let Some((way, length)) = &self.best {
-            let mut at = self.scenario.start;
-            digest.u32(way.len() as u32 + 1);
-            digest.u32(at);
-            for &d in way {
-                at = self.scenario.moves.step(at, d);
-                digest.u32(at);
-            }
-            digest.f64(*length);
-        }
         for (i, (best, lengths)) in self.history.iter().enumerate() {
             let sum: f64 = lengths.iter().fold(0.0, |a, b| a + b);
             let some = |v: f64| if lengths.is_empty() { f64::NAN } else { v };
@@ -131,6 +123,16 @@ impl Naive {
             digest.f64(some(sum / lengths.len() as f64));
             digest.f64(some(lengths.iter().copied().fold(0.0, f64::max)));
             digest.u32(lengths.len() as u32);
+        }
+        if let Some((way, length)) = &self.best {
+            let mut at = self.scenario.start;
+            digest.u32(way.len() as u32 + 1);
+            digest.u32(at);
+            for &d in way {
+                at = self.scenario.moves.step(at, d);
+                digest.u32(at);
+            }
+            digest.f64(*length);
         }
         digest.hex()
     }

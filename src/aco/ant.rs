@@ -1,6 +1,6 @@
 //! One ant: where it is, how it came there, which cells it has visited, and its own random stream.
 
-use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, opposite, step_length};
+use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, is_diagonal, opposite};
 use crate::metrics;
 use crate::rng::Stream;
 
@@ -71,6 +71,8 @@ pub struct Ant {
     position: u32,
     moves: u32,
     steps: Vec<Direction>,
+    /// How many of the steps are diagonal.
+    diagonals: u32,
     /// Bit positions that were left by backtracking and are still on the tabu list.
     abandoned: Vec<u32>,
     tabu: Tabu,
@@ -95,7 +97,17 @@ impl Ant {
     /// An ant of a colony on a map of this size; it begins to walk by [`Ant::begin`].
     pub fn new(width: u32, height: u32, stream: Stream) -> Self {
         let tabu = Tabu::new(width, height);
-        Self { fate: Fate::Lost, cell: 0, position: 0, moves: 0, steps: Vec::new(), abandoned: Vec::new(), tabu, stream }
+        Self {
+            fate: Fate::Lost,
+            cell: 0,
+            position: 0,
+            moves: 0,
+            steps: Vec::new(),
+            diagonals: 0,
+            abandoned: Vec::new(),
+            tabu,
+            stream,
+        }
     }
 
     /// Puts the ant on the start with an empty tabu list.
@@ -105,6 +117,7 @@ impl Ant {
         self.tabu.insert(self.position);
         self.cell = start;
         self.moves = 0;
+        self.diagonals = 0;
         self.steps.clear();
         self.stream = stream;
         self.fate = Fate::Walking;
@@ -148,8 +161,7 @@ impl Ant {
 
     /// Length of its way so far in cells, without what it took back.
     pub fn walked(&self) -> f64 {
-        let straight = self.steps.iter().filter(|&&d| step_length(d) == 1.0).count() as u32;
-        metrics::length(straight, self.steps.len() as u32 - straight)
+        metrics::length(self.steps.len() as u32 - self.diagonals, self.diagonals)
     }
 
     /// Length of its way in cells, once it has arrived.
@@ -179,6 +191,7 @@ impl Ant {
     #[inline(always)]
     fn step(&mut self, walk: &Walk, d: Direction) {
         self.steps.push(d);
+        self.diagonals += u32::from(is_diagonal(d));
         self.cell = walk.moves.step(self.cell, d);
         self.position = self.position.wrapping_add_signed(self.tabu.delta[d as usize]);
         self.tabu.insert(self.position);
@@ -192,6 +205,7 @@ impl Ant {
         match (walk.dead_end, self.steps.pop()) {
             (DeadEnd::Backtrack, Some(d)) => {
                 self.abandoned.push(self.position);
+                self.diagonals -= u32::from(is_diagonal(d));
                 let back = opposite(d);
                 self.cell = walk.moves.step(self.cell, back);
                 self.position = self.position.wrapping_add_signed(self.tabu.delta[back as usize]);

@@ -1,7 +1,8 @@
 //! Choice information τ^α·η^β, cached per cell and direction, and the rules that select a step from it.
 //!
-//! η^β is divided by the largest η^β of the cell: selection compares steps of one cell only, and with β = 25 the plain power would leave
-//! the range of f32. A feasible step keeps at least [`FLOOR`], an infeasible one has 0.
+//! τ and η are divided by the largest of the cell's feasible steps before they are raised: selection compares steps of one cell only,
+//! plain powers would leave the range of f32 (β = 25), and trails far from all paths evaporate for hundreds of iterations. So the best
+//! step of a cell weighs about 1 whatever the scale of its trails; a feasible step keeps at least [`FLOOR`], an infeasible one has 0.
 
 use crate::map::{Cell, DIRECTIONS, Direction};
 use crate::rng::{Stream, unit_f32};
@@ -23,7 +24,7 @@ pub trait Weights {
 impl Weights for &Choice {
     #[inline(always)]
     fn row(&mut self, c: Cell) -> &Row {
-        &self.weights[c as usize]
+        Choice::row(self, c)
     }
 }
 
@@ -63,22 +64,28 @@ impl Choice {
     /// Recomputes the weights whose trail has changed.
     pub fn refresh(&mut self, trails: &mut Trails) {
         let (alpha, visibility, weights) = (self.alpha, &self.visibility, &mut self.weights);
-        trails.take_changes(|row, c, bits| {
-            let (seen, out) = (&visibility[c as usize], &mut weights[c as usize]);
-            for d in 0..DIRECTIONS {
-                if bits >> d & 1 == 1 && seen[d] > 0.0 {
-                    out[d] = weight(row[d], alpha, seen[d]);
-                }
-            }
-        });
+        trails.take_changes(|row, c| weights[c as usize] = weigh(row, alpha, &visibility[c as usize]));
+    }
+
+    /// The weights of the steps from a cell.
+    #[inline(always)]
+    pub fn row(&self, c: Cell) -> &Row {
+        &self.weights[c as usize]
     }
 }
 
-/// τ^α · visibility, kept between [`FLOOR`] and what eight of can be summed.
-#[inline(always)]
-pub(super) fn weight(trail: f32, alpha: f64, seen: f32) -> f32 {
-    let strength = if alpha == 1.0 { trail } else { power(f64::from(trail), alpha) as f32 };
-    (strength * seen).clamp(FLOOR, 1e37)
+/// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).
+#[inline]
+pub(super) fn weigh(trail: &Row, alpha: f64, seen: &Row) -> Row {
+    let mut largest = f32::MIN_POSITIVE;
+    for d in 0..DIRECTIONS {
+        largest = if seen[d] > 0.0 && trail[d] > largest { trail[d] } else { largest };
+    }
+    std::array::from_fn(|d| {
+        let ratio = trail[d] / largest;
+        let strength = if alpha == 1.0 { ratio } else { power(f64::from(ratio), alpha) as f32 };
+        if seen[d] > 0.0 { (strength * seen[d]).max(FLOOR) } else { 0.0 }
+    })
 }
 
 /// x^e for x ≥ 0. Whole exponents up to 64 by multiplication (libm's pow costs about 100 ns), others by libm: the same bits everywhere.
@@ -142,6 +149,27 @@ fn any(weights: &Row, least: f32) -> Row {
     weights.map(|w| f32::from(u8::from(w > 0.0 && w >= least)))
 }
 
+/// Pseudo-random proportional rule (Ant Colony System): with probability q0 the step of the largest weight, the first of equals;
+/// otherwise the random proportional rule. `None` when no step is left.
+///
+/// Draws q first, and for the random proportional rule a second number; at a dead end none at all.
+#[inline(always)]
+pub fn pseudo_random_proportional(weights: &Row, q0: f64, stream: &mut Stream) -> Option<Direction> {
+    let mut best = 0;
+    for d in 1..DIRECTIONS {
+        if weights[d] > weights[best] {
+            best = d;
+        }
+    }
+    if weights[best] <= 0.0 {
+        None
+    } else if f64::from(unit_f32(stream.next_u32())) <= q0 {
+        Some(best as Direction)
+    } else {
+        random_proportional(weights, stream)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,6 +200,52 @@ mod tests {
                     Some(d) => assert!(case >> d & 1 == 1),
                 }
             }
+        }
+    }
+
+    #[test]
+    fn pseudo_random_proportional_takes_the_first_of_the_best_with_q0() {
+        let weights = [0.0, 1.0, 0.0, 2.0, 0.0, 2.0, 0.0, 0.0];
+        let mut stream = Streams::new(3, "test", 0).ant(0, 0);
+        let mut counts = [0u32; DIRECTIONS];
+        for _ in 0..50_000 {
+            assert_eq!(pseudo_random_proportional(&weights, 1.0, &mut stream), Some(3));
+            counts[pseudo_random_proportional(&weights, 0.5, &mut stream).unwrap() as usize] += 1;
+        }
+        // Half of the draws go to direction 3; the other half is shared 1 : 2 : 2.
+        for (d, expected) in [(1, 5_000.0), (3, 35_000.0), (5, 10_000.0)] {
+            assert!((f64::from(counts[d]) - expected).abs() <= 3.5 * f64::sqrt(expected), "direction {d}: {}", counts[d]);
+        }
+    }
+
+    #[test]
+    fn pseudo_random_proportional_draws_q_then_the_roulette_and_nothing_at_a_dead_end() {
+        let fresh = || Streams::new(4, "test", 0).ant(0, 0);
+        for (weights, q0, draws) in [([0.0; DIRECTIONS], 0.5, 0), ([1.0; DIRECTIONS], 1.0, 1), ([1.0; DIRECTIONS], 0.0, 2)] {
+            let (mut used, mut counted) = (fresh(), fresh());
+            pseudo_random_proportional(&weights, q0, &mut used);
+            let skipped = (0..draws).map(|_| counted.next_u32()).count();
+            assert_eq!(skipped, draws);
+            assert_eq!(used.next_u32(), counted.next_u32(), "q0 = {q0}");
+        }
+    }
+
+    #[test]
+    fn weights_are_the_same_at_every_scale_of_the_trails() {
+        let seen: Row = [1.0, 0.0, 0.5, 0.25, 0.0, 0.125, 1e-11, 0.0];
+        let trail: Row = [3.0, 99.0, 1.5, 0.75, 99.0, 0.375, 3.0, 99.0];
+        for alpha in [0.0, 0.5, 1.0, 2.0, 5.0] {
+            let weights = weigh(&trail, alpha, &seen);
+            for scale in [1e-28f32, 1e-9, 1e9, 1e30] {
+                let other = weigh(&trail.map(|t| t * scale), alpha, &seen);
+                for d in 0..DIRECTIONS {
+                    assert!((weights[d] - other[d]).abs() <= 1e-5 * weights[d], "alpha {alpha}, scale {scale}, direction {d}");
+                }
+            }
+            assert_eq!(weights[1], 0.0);
+            assert_eq!(weights[0], 1.0);
+            let expected = libm::pow(0.5, alpha) * 0.5;
+            assert!((f64::from(weights[2]) - expected).abs() < 1e-6);
         }
     }
 

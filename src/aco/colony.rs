@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::planner::{Effort, Granularity, Layer, Planner, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -34,10 +34,7 @@ pub struct Colony<V> {
     tables: Option<Tables>,
     /// An iteration has begun and not ended.
     constructing: bool,
-    status: Status,
-    best: Option<Solution>,
-    history: Vec<Record>,
-    effort: Effort,
+    progress: Progress,
 }
 
 impl<V: Variant + 'static> Colony<V> {
@@ -54,10 +51,7 @@ impl<V: Variant + 'static> Colony<V> {
             max_moves: if settings.move_limit == 0.0 { u32::MAX } else { cap as u32 },
             tables: None,
             constructing: false,
-            status: Status::Running,
-            best: None,
-            history: Vec::new(),
-            effort: Effort::default(),
+            progress: Progress::default(),
         }
     }
 
@@ -65,10 +59,10 @@ impl<V: Variant + 'static> Colony<V> {
     fn settle(&mut self) {
         let s = &self.scenario;
         if s.start == s.goal {
-            self.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0 });
-            self.status = Status::Optimal;
+            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0 });
+            self.progress.status = Status::Optimal;
         } else if !s.moves.connected(s.start, s.goal) {
-            self.status = Status::NoPath;
+            self.progress.status = Status::NoPath;
         }
     }
 
@@ -90,7 +84,7 @@ impl<V: Variant + 'static> Colony<V> {
 
     fn begin_iteration(&mut self) {
         let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return };
-        let number = self.effort.iterations + 1;
+        let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
         let (scenario, variant) = (&*self.scenario, &self.variant);
         match (V::TIMED, variant.heuristic_changes(number)) {
@@ -149,28 +143,30 @@ impl<V: Variant + 'static> Colony<V> {
     fn end_iteration(&mut self) {
         let Some(Tables { trails, ants, .. }) = &mut self.tables else { return };
         self.constructing = false;
-        self.effort.iterations += 1;
-        self.effort.constructed_paths += u64::from(self.settings.ants);
-        self.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
-        let number = self.effort.iterations;
+        self.progress.effort.iterations += 1;
+        self.progress.effort.constructed_paths += u64::from(self.settings.ants);
+        self.progress.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
+        let number = self.progress.effort.iterations;
         let (scenario, budget) = (&*self.scenario, self.settings.iterations);
-        let leader = Iteration { scenario, ants, number, budget, best_so_far: None }.iteration_best();
+        let iteration = Iteration { scenario, ants, number, budget, best_so_far: None };
+        let leader = iteration.iteration_best();
         if let Some((ant, length)) = leader
-            && self.best.as_ref().is_none_or(|b| length < b.length)
+            && self.progress.best.as_ref().is_none_or(|b| length < b.length)
         {
-            self.best = Some(Solution { path: cells(scenario, ant), length, iteration: number });
+            self.progress.best = Some(Solution { path: cells(scenario, ant), length, iteration: number });
         }
-        let iteration = Iteration { scenario, ants, number, budget, best_so_far: self.best.as_ref() };
-        self.history.push(record(&iteration));
+        let record = record(&Iteration { best_so_far: self.progress.best.as_ref(), ..iteration });
+        self.progress.record(record);
+        let iteration = Iteration { best_so_far: self.progress.best.as_ref(), ..iteration };
         self.variant.update_trails(trails, iteration);
         self.variant.daemon_actions(trails, iteration);
-        self.status = self.stop();
+        self.progress.status = self.stop();
     }
 
     fn stop(&self) -> Status {
-        let (done, settings) = (self.effort.iterations, &self.settings);
-        let since = done - self.best.as_ref().map_or(0, |b| b.iteration);
-        if settings.stagnation > 0 && self.best.is_some() && since >= settings.stagnation {
+        let (done, settings) = (self.progress.effort.iterations, &self.settings);
+        let since = done - self.progress.best.as_ref().map_or(0, |b| b.iteration);
+        if settings.stagnation > 0 && self.progress.best.is_some() && since >= settings.stagnation {
             Status::Stagnated
         } else if done >= settings.iterations {
             Status::BudgetSpent
@@ -246,13 +242,13 @@ fn record(iteration: &Iteration) -> Record {
 
 impl<V: Variant + 'static> Planner for Colony<V> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.status.is_finished() {
-            return self.status;
+        if self.progress.status.is_finished() {
+            return self.progress.status;
         }
         if self.tables.is_none() {
             self.settle();
-            if self.status.is_finished() {
-                return self.status;
+            if self.progress.status.is_finished() {
+                return self.progress.status;
             }
             self.prepare();
         }
@@ -269,23 +265,11 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         if done {
             self.end_iteration();
         }
-        self.status
+        self.progress.status
     }
 
-    fn status(&self) -> Status {
-        self.status
-    }
-
-    fn best(&self) -> Option<&Solution> {
-        self.best.as_ref()
-    }
-
-    fn history(&self) -> &[Record] {
-        &self.history
-    }
-
-    fn effort(&self) -> Effort {
-        self.effort
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
     fn budget(&self) -> Option<u32> {

@@ -4,6 +4,7 @@
 //!
 //! | component | file |
 //! |---|---|
+//! | parameter rows that many share | `shared_params.rs` |
 //! | η, what an ant can see | `heuristic.rs` |
 //! | τ, evaporation, limits | `trails.rs` |
 //! | τ^α·η^β by cell and direction, selection rules | `choice.rs` |
@@ -16,6 +17,10 @@
 //! | variant | initial trail | η | selection | on each move | update | daemon |
 //! |---|---|---|---|---|---|---|
 //! | `ant-system` | τ0 | goal, step or detour | random proportional | – | evaporate, every arrived ant deposits Q/L | – |
+//! | `elitist-ant-system` | (e + m)·Q/(ρ·L_open) | as Ant System | as Ant System | – | as Ant System, and e·Q/L_bs on the best so far | – |
+//! | `rank-based-ant-system` | w·(w − 1)/2·Q/(ρ·L_open) | as Ant System | as Ant System | – | evaporate, (w − r)·Q/L_r by rank, w·Q/L_bs | – |
+//! | `max-min-ant-system` | τ_max | as Ant System | as Ant System | – | evaporate, 1/L_ib or 1/L_bs, limits | restart at τ_max |
+//! | `ant-colony-system` | 1/(n·L_open) | as Ant System | pseudo-random proportional | blend τ0 in by ξ | blend 1/L_bs in by ρ on the best so far | – |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | – |
@@ -28,11 +33,12 @@ pub mod deposit;
 pub mod heuristic;
 mod lanes;
 pub mod on_demand;
+pub mod shared_params;
 pub mod trails;
 pub mod variant;
 
 mod classics;
 mod papers;
 
-pub use classics::ant_system;
+pub use classics::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system};
 pub use papers::{Reading, ship, threshold};

@@ -7,7 +7,7 @@
 use crate::map::{Cell, DIRECTIONS};
 use crate::scenario::Scenario;
 
-use super::choice::{FLOOR, Weights, weight};
+use super::choice::{FLOOR, Weights, weigh};
 use super::trails::{Row, Trails};
 use super::variant::Variant;
 
@@ -48,7 +48,7 @@ impl OnDemand {
     /// The weights whose trail has changed no longer hold.
     pub fn outdate(&mut self, trails: &mut Trails) {
         let state = &mut self.state;
-        trails.take_changes(|_, c, _| state[c as usize] = state[c as usize].min(OUTDATED));
+        trails.take_changes(|_, c| state[c as usize] = state[c as usize].min(OUTDATED));
     }
 
     /// The tables as a walk reads them now.
@@ -90,11 +90,8 @@ impl<V: Variant> Now<'_, V> {
         let (fixed, timed, trail) = (&tables.fixed[i], &tables.timed[i], self.trails.relative(c));
         let logs: Row = std::array::from_fn(|d| fixed[d] + timed[d] * self.time);
         let largest = logs.iter().fold(f32::NEG_INFINITY, |m, &x| if x > m { x } else { m });
-        for (d, out) in tables.weights[i].iter_mut().enumerate() {
-            if logs[d] > f32::NEG_INFINITY {
-                *out = weight(trail[d], tables.alpha, libm::exp2f(logs[d] - largest).max(FLOOR));
-            }
-        }
+        let seen = logs.map(|x| if x > f32::NEG_INFINITY { libm::exp2f(x - largest).max(FLOOR) } else { 0.0 });
+        tables.weights[i] = weigh(&trail, tables.alpha, &seen);
     }
 
     /// Takes in ln η of a cell's feasible steps.

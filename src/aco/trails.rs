@@ -11,6 +11,8 @@ pub type Row = [f32; DIRECTIONS];
 
 /// Stored trails never fall below this, so that τ stays positive however long it evaporates.
 const FLOOR: f32 = 1e-30;
+/// Largest stored trail that a limit may ask for.
+const CEILING: f32 = 1e30;
 /// Below this scale the stored values are brought back to size in one sweep.
 const SWEEP_BELOW: f64 = 1e-9;
 
@@ -19,16 +21,16 @@ const SWEEP_BELOW: f64 = 1e-9;
 pub struct Trails {
     stored: Vec<Row>,
     scale: f64,
-    /// Bit d of entry c: changed since the choice information was last computed.
-    dirty: Vec<u8>,
-    /// The cells with a dirty bit.
+    /// Changed since the choice information was last computed.
+    dirty: Vec<bool>,
+    /// The dirty cells.
     touched: Vec<Cell>,
     /// Everything has changed.
     all_dirty: bool,
     /// Cells whose trails no longer are the common background, in the order of their first deposit.
     active: Vec<Cell>,
     is_active: Vec<bool>,
-    /// Stored value of every step of a cell that is not active.
+    /// Stored value of every step of a cell that is not active; what `stored` has there may be outdated.
     background: f32,
 }
 
@@ -38,7 +40,7 @@ impl Trails {
         Self {
             stored: vec![[initial as f32; DIRECTIONS]; cells],
             scale: 1.0,
-            dirty: vec![0; cells],
+            dirty: vec![false; cells],
             touched: Vec::new(),
             all_dirty: true,
             active: Vec::new(),
@@ -54,18 +56,18 @@ impl Trails {
 
     /// τ of a step.
     pub fn get(&self, c: Cell, d: Direction) -> f64 {
-        f64::from(self.stored[c as usize][d as usize]) * self.scale
+        f64::from(self.relative(c)[d as usize]) * self.scale
     }
 
     /// The largest τ of the steps from a cell.
     pub fn strongest(&self, c: Cell) -> f32 {
-        let stored = self.stored[c as usize].iter().fold(0.0f32, |m, &t| if t > m { t } else { m });
+        let stored = self.relative(c).iter().fold(0.0f32, |m, &t| if t > m { t } else { m });
         (f64::from(stored) * self.scale) as f32
     }
 
     /// τ / scale of all steps from a cell: enough to compare them.
-    pub fn relative(&self, c: Cell) -> &Row {
-        &self.stored[c as usize]
+    pub fn relative(&self, c: Cell) -> Row {
+        if self.is_active[c as usize] { self.stored[c as usize] } else { [self.background; DIRECTIONS] }
     }
 
     /// τ ← (1 − ρ)·τ everywhere; ρ is the part that leaves.
@@ -79,16 +81,16 @@ impl Trails {
     /// τ ← τ + amount on one step.
     #[inline]
     pub fn deposit(&mut self, c: Cell, d: Direction, amount: f64) {
+        self.touch(c);
         self.stored[c as usize][d as usize] += (amount / self.scale) as f32;
-        self.touch(c, 1 << d);
     }
 
     /// τ ← τ − amount on one step, but not below `floor`, nor below τ where that is smaller already.
     #[inline]
     pub fn withdraw(&mut self, c: Cell, d: Direction, amount: f64, floor: f64) {
+        self.touch(c);
         let t = &mut self.stored[c as usize][d as usize];
-        *t = (*t - (amount / self.scale) as f32).max(t.min((floor / self.scale) as f32));
-        self.touch(c, 1 << d);
+        *t = (*t - (amount / self.scale) as f32).max(t.min((floor / self.scale) as f32)).max(FLOOR);
     }
 
     /// τ ← τ + amount on every step of the map, kept above 0; the amount may be negative. One sweep over the map.
@@ -104,52 +106,44 @@ impl Trails {
     /// τ ← (1 − rate)·τ + rate·target on one step: the local and the global update of Ant Colony System.
     #[inline]
     pub fn blend(&mut self, c: Cell, d: Direction, rate: f64, target: f64) {
+        self.touch(c);
         let t = &mut self.stored[c as usize][d as usize];
-        *t = (f64::from(*t) * (1.0 - rate) + rate * target / self.scale) as f32;
-        self.touch(c, 1 << d);
+        *t = (f64::from(*t) * (1.0 - rate) + rate * target / self.scale).max(f64::from(FLOOR)) as f32;
     }
 
-    /// min ≤ τ ≤ max everywhere. Costs as much as ants have been around: all other cells share one value.
+    /// min ≤ τ ≤ max everywhere; where both cannot be, max gives way. Costs as much as ants have deposited around: all other cells share
+    /// one value, and as selection compares the steps of one cell only, their weights need not follow it.
     pub fn limit(&mut self, min: f64, max: f64) {
-        let (low, high) = ((min / self.scale) as f32, (max / self.scale) as f32);
-        let background = self.background.clamp(low, high);
-        if background != self.background {
-            self.set_background(background);
-        }
+        let low = ((min / self.scale) as f32).max(FLOOR).min(CEILING);
+        let high = ((max / self.scale) as f32).max(low).min(CEILING);
+        self.background = self.background.clamp(low, high);
         for i in 0..self.active.len() {
             let c = self.active[i];
-            let mut changed = 0;
-            for (d, t) in self.stored[c as usize].iter_mut().enumerate() {
-                let limited = t.clamp(low, high);
-                changed |= u8::from(limited != *t) << d;
-                *t = limited;
-            }
-            if changed != 0 {
-                self.touch(c, changed);
+            let limited = self.stored[c as usize].map(|t| t.clamp(low, high));
+            if limited != self.stored[c as usize] {
+                self.touch(c);
+                self.stored[c as usize] = limited;
             }
         }
     }
 
-    fn set_background(&mut self, value: f32) {
-        self.background = value;
-        for (row, active) in self.stored.iter_mut().zip(&self.is_active) {
-            if !active {
-                *row = [value; DIRECTIONS];
-            }
-        }
-        self.all_dirty = true;
-    }
-
+    /// Before the trails of a cell change.
     #[inline]
-    fn touch(&mut self, c: Cell, directions: u8) {
-        if self.dirty[c as usize] == 0 {
+    fn touch(&mut self, c: Cell) {
+        if !self.dirty[c as usize] {
+            self.dirty[c as usize] = true;
             self.touched.push(c);
         }
-        self.dirty[c as usize] |= directions;
         if !self.is_active[c as usize] {
-            self.is_active[c as usize] = true;
-            self.active.push(c);
+            self.activate(c);
         }
+    }
+
+    /// The first change of a cell: from here on it has trails of its own, which begin as the background.
+    fn activate(&mut self, c: Cell) {
+        self.is_active[c as usize] = true;
+        self.active.push(c);
+        self.stored[c as usize] = [self.background; DIRECTIONS];
     }
 
     /// Every weight is to be computed anew, because η has changed.
@@ -170,16 +164,14 @@ impl Trails {
         self.all_dirty = true;
     }
 
-    /// Calls `refresh(cell, directions as bits)` for what has changed since the last call.
-    pub fn take_changes(&mut self, mut refresh: impl FnMut(&Row, Cell, u8)) {
+    /// Calls `refresh` for every cell that has changed since the last call.
+    pub fn take_changes(&mut self, mut refresh: impl FnMut(&Row, Cell)) {
         if std::mem::take(&mut self.all_dirty) {
-            self.stored.iter().enumerate().for_each(|(c, row)| refresh(row, c as Cell, u8::MAX));
-            self.touched.iter().for_each(|&c| self.dirty[c as usize] = 0);
+            (0..self.stored.len() as Cell).for_each(|c| refresh(&self.relative(c), c));
         } else {
-            for &c in &self.touched {
-                refresh(&self.stored[c as usize], c, std::mem::take(&mut self.dirty[c as usize]));
-            }
+            self.touched.iter().for_each(|&c| refresh(&self.stored[c as usize], c));
         }
+        self.touched.iter().for_each(|&c| self.dirty[c as usize] = false);
         self.touched.clear();
     }
 }
@@ -196,13 +188,25 @@ mod tests {
         assert_eq!(t.get(0, 3), 0.5);
         assert_eq!(t.get(1, 3), 0.75);
         let mut seen = Vec::new();
-        t.take_changes(|_, c, bits| seen.push((c, bits)));
-        assert_eq!(seen, [(0, u8::MAX), (1, u8::MAX)]);
+        t.take_changes(|_, c| seen.push(c));
+        assert_eq!(seen, [0, 1]);
         t.deposit(1, 3, 0.25);
         t.deposit(1, 0, 0.25);
         seen.clear();
-        t.take_changes(|_, c, bits| seen.push((c, bits)));
-        assert_eq!(seen, [(1, 0b1001)]);
+        t.take_changes(|_, c| seen.push(c));
+        assert_eq!(seen, [1]);
+    }
+
+    #[test]
+    fn limits_that_cannot_be_are_mended() {
+        for (min, max) in [(1.0, 0.5), (f64::NAN, 1.0), (0.1, f64::NAN), (1e300, 1e301), (0.0, 0.0)] {
+            let mut t = Trails::new(2, 1.0);
+            t.deposit(0, 0, 1.0);
+            t.limit(min, max);
+            for c in 0..2 {
+                assert!(t.get(c, 0) > 0.0 && t.get(c, 0).is_finite(), "{min} {max}: {}", t.get(c, 0));
+            }
+        }
     }
 
     #[test]

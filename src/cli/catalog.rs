@@ -61,8 +61,8 @@ fn param_row(spec: &ParamSpec) -> [String; 4] {
 fn range(spec: &ParamSpec) -> String {
     let unit = if spec.unit.is_empty() { String::new() } else { format!(" {}", spec.unit) };
     match &spec.kind {
-        ParamKind::Integer { min, max } => format!("{min}..={max}{unit}"),
-        ParamKind::Real { min, max } => format!("{min:?}..={max:?}{unit}"),
+        ParamKind::Integer { min, max } => format!("{min} to {max}{unit}"),
+        ParamKind::Real { min, max } => format!("{min} to {max}{unit}"),
         ParamKind::Flag => "true | false".into(),
         ParamKind::Choice { options } => options.iter().map(|o| o.id.as_str()).collect::<Vec<_>>().join(" | "),
     }

@@ -26,10 +26,10 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: (u32, u32),
     /// The same seed gives the same map on every machine
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true)]
     seed: u32,
     /// Share of obstacles, 0 to 0.9 (random only)
-    #[arg(long, default_value_t = 0.3)]
+    #[arg(long, default_value_t = 0.3, allow_negative_numbers = true)]
     density: f64,
     /// File to write; its ending tells the format [default: standard output]
     #[arg(long)]

@@ -38,7 +38,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME")]
     preset: Option<String>,
     /// The same seed gives the same run, bit for bit, on every machine
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, allow_negative_numbers = true)]
     seed: u32,
     /// A parameter, over preset and default; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]

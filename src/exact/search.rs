@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::map::{Cell, DIRECTIONS, Direction, opposite, step_length};
 use crate::metrics::path_length;
 use crate::path::Path;
-use crate::planner::{Effort, Granularity, Layer, Planner, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
 /// A lower bound of the remaining cost that never drops by more than a step costs.
@@ -47,10 +47,7 @@ pub(super) struct Search<E> {
     base: f64,
     /// Cost of the best way to the goal so far.
     bound: f64,
-    status: Status,
-    best: Option<Solution>,
-    history: Vec<Record>,
-    effort: Effort,
+    progress: Progress,
 }
 
 impl<E: Estimate> Search<E> {
@@ -65,10 +62,7 @@ impl<E: Estimate> Search<E> {
             bucket: 0,
             base: 0.0,
             bound: f64::INFINITY,
-            status: Status::Running,
-            best: None,
-            history: Vec::new(),
-            effort: Effort::default(),
+            progress: Progress::default(),
         }
     }
 
@@ -119,7 +113,7 @@ impl<E: Estimate> Search<E> {
         let (x, y) = (cell % width, cell / width);
         let g = self.g[cell as usize];
         self.expanded[cell as usize] = true;
-        self.effort.cell_expansions += 1;
+        self.progress.effort.cell_expansions += 1;
         let mut bits = self.scenario.moves.bits[cell as usize];
         while bits != 0 {
             let d = bits.trailing_zeros() as Direction;
@@ -141,7 +135,11 @@ impl<E: Estimate> Search<E> {
             }
             let more = self.bucket + 1 < self.buckets.len();
             let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CELL == 0.0;
-            self.bucket += usize::from(more);
+            if more {
+                // Given back: on a large map the emptied buckets would hold more than all tables together.
+                self.buckets[self.bucket] = Vec::new();
+                self.bucket += 1;
+            }
             if !more || ends_contour {
                 self.close_contour(!more);
                 return false;
@@ -150,14 +148,14 @@ impl<E: Estimate> Search<E> {
     }
 
     fn close_contour(&mut self, exhausted: bool) {
-        self.effort.iterations += 1;
+        self.progress.effort.iterations += 1;
         let floor = self.base + self.bucket as f64 / BUCKETS_PER_CELL;
         if exhausted || floor >= self.bound - SAME {
             self.finish();
         }
-        let length = self.best.as_ref().map(|b| b.length);
-        self.history.push(Record {
-            iteration: self.effort.iterations,
+        let length = self.progress.best.as_ref().map(|b| b.length);
+        self.progress.record(Record {
+            iteration: self.progress.effort.iterations,
             best_so_far: length,
             iteration_best: length,
             iteration_mean: length,
@@ -168,14 +166,14 @@ impl<E: Estimate> Search<E> {
 
     fn finish(&mut self) {
         if !self.bound.is_finite() {
-            self.status = Status::NoPath;
+            self.progress.status = Status::NoPath;
             return;
         }
         let path = self.path();
         let length = path_length(self.scenario.grid.width(), &path);
-        self.effort.constructed_paths = 1;
-        self.best = Some(Solution { path, length, iteration: self.effort.iterations });
-        self.status = Status::Optimal;
+        self.progress.effort.constructed_paths = 1;
+        self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations });
+        self.progress.status = Status::Optimal;
     }
 
     fn path(&self) -> Path {
@@ -203,34 +201,22 @@ const STEP: [f64; DIRECTIONS] = {
 
 impl<E: Estimate> Planner for Search<E> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.status.is_finished() {
-            return self.status;
+        if self.progress.status.is_finished() {
+            return self.progress.status;
         }
         if self.g.is_empty() {
             self.prepare();
         }
         match by {
             // A move that finds its contour empty goes on into the next one, so that every move expands a cell.
-            Granularity::Move => while !self.advance_one() && !self.status.is_finished() {},
+            Granularity::Move => while !self.advance_one() && !self.progress.status.is_finished() {},
             Granularity::Iteration => while self.advance_one() {},
         }
-        self.status
+        self.progress.status
     }
 
-    fn status(&self) -> Status {
-        self.status
-    }
-
-    fn best(&self) -> Option<&Solution> {
-        self.best.as_ref()
-    }
-
-    fn history(&self) -> &[Record] {
-        &self.history
-    }
-
-    fn effort(&self) -> Effort {
-        self.effort
+    fn progress(&self) -> &Progress {
+        &self.progress
     }
 
     fn budget(&self) -> Option<u32> {

@@ -6,4 +6,6 @@ mod movement;
 
 pub use generate::{Generated, Generator, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
-pub use movement::{CornerRule, DIRECTIONS, Direction, MoveSet, Movement, Moves, OFFSETS, octile, opposite, step_length};
+pub use movement::{
+    CornerRule, DIRECTIONS, Direction, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, opposite, step_length,
+};

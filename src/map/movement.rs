@@ -18,7 +18,9 @@ pub const DIRECTIONS: usize = 8;
 pub const OFFSETS: [(i32, i32); DIRECTIONS] = [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)];
 
 /// Whether a direction is diagonal.
-const DIAGONAL: [bool; DIRECTIONS] = [true, false, true, false, false, true, false, true];
+pub const fn is_diagonal(d: Direction) -> bool {
+    0b1010_0101 >> d & 1 == 1
+}
 
 /// The direction that leads back.
 pub const fn opposite(d: Direction) -> Direction {
@@ -27,7 +29,7 @@ pub const fn opposite(d: Direction) -> Direction {
 
 /// Length of one step in cells: 1 or √2.
 pub const fn step_length(d: Direction) -> f64 {
-    if DIAGONAL[d as usize] { SQRT_2 } else { 1.0 }
+    if is_diagonal(d) { SQRT_2 } else { 1.0 }
 }
 
 /// Octile distance in cells: the length of the shortest path with 8 moves on an open map.
@@ -114,7 +116,7 @@ impl Movement {
         if !grid.is_free_at(x + dx, y + dy) {
             return false;
         }
-        !DIAGONAL[d as usize]
+        !is_diagonal(d)
             || (self.moves == Moves::Eight && self.corner_rule.allows(grid.is_free_at(x + dx, y), grid.is_free_at(x, y + dy)))
     }
 }

@@ -65,6 +65,34 @@ test.describe('editing with the mouse', () => {
     expect(await lab.walls()).toBe(0)
   })
 
+  test('start and goal dragged across walls free only the cell they are dropped on', async ({
+    page,
+  }) => {
+    const lab = new Lab(page)
+    for (const x of [10, 11, 12]) {
+      await lab.drag([
+        [x, 15],
+        [x, 22],
+      ])
+    }
+    const before = (await lab.session()).scenario
+    expect(before.cells.reduce((sum, cell) => sum + cell, 0)).toBe(24)
+    for (const [end, from] of [
+      ['start', before.spec.start],
+      ['goal', before.spec.goals[0]?.at ?? [0, 0]],
+    ] as const) {
+      // Slowly, so that it is seen on every wall it passes.
+      await lab.drag([from, [14, 17], [12, 17], [11, 17], [10, 17], [9, 18], [10, 18], [11, 18]])
+      const { spec, cells } = (await lab.session()).scenario
+      expect(end === 'start' ? spec.start : spec.goals[0]?.at).toEqual([11, 18])
+      const expected = before.cells.slice()
+      expected[18 * spec.width + 11] = 0
+      expect(cells).toEqual(expected)
+      await page.getByTestId('undo').click()
+      expect((await lab.session()).scenario).toEqual(before)
+    }
+  })
+
   test('an edit while it plays pauses, begins again and says so', async ({ page }) => {
     const lab = new Lab(page)
     await page.getByTestId('play').click()

@@ -119,6 +119,31 @@ export class Lab {
     await this.frame()
   }
 
+  /**
+   * Prints how much processor time the page's own thread takes per frame: scripts, style, layout and painting
+   * together. A number to read, not to pass: it depends on the machine and on what else it does.
+   */
+  async reportPageThread(what: string): Promise<void> {
+    const cdp = await this.page.context().newCDPSession(this.page)
+    await cdp.send('Performance.enable', { timeDomain: 'threadTicks' })
+    const busy = async () => {
+      const { metrics } = await cdp.send('Performance.getMetrics')
+      return 1000 * (metrics.find(({ name }) => name === 'TaskDuration')?.value ?? 0)
+    }
+    const perFrame: number[] = []
+    for (let sample = 0; sample < 40; sample++) {
+      const before = await busy()
+      for (let frame = 0; frame < 3; frame++) await this.frame()
+      perFrame.push(((await busy()) - before) / 6)
+    }
+    perFrame.sort((a, b) => a - b)
+    expect(perFrame[0]).toBeGreaterThan(0)
+    const [median, worst] = [perFrame[perFrame.length >> 1], perFrame.at(-1)]
+    console.log(
+      `page thread, ${what}: median ${median?.toFixed(2)} ms a frame, worst ${worst?.toFixed(2)} ms`,
+    )
+  }
+
   /** Lets the page draw and act once. */
   async frame(): Promise<void> {
     await this.page.evaluate(

@@ -45,6 +45,54 @@ test.describe('panels', () => {
     expect(second?.summary?.digest).toBe(first?.summary?.digest)
   })
 
+  test('that they will walk alike is said, until one of them differs', async ({ page }) => {
+    const lab = new Lab(page)
+    const hint = page.getByTestId('twin-hint')
+    await page.getByTestId('parameters-1').click()
+    await expect(hint).toBeHidden()
+    await lab.menu('add-panel', 'add-ant-system')
+    await expect(hint).toBeVisible()
+    await page.getByTestId('param-ants').fill('7')
+    await page.getByTestId('param-ants').press('Enter')
+    await expect(hint).toBeHidden()
+  })
+
+  test('a refused field that is emptied or left with Escape goes back to its last good value', async ({
+    page,
+  }) => {
+    const lab = new Lab(page)
+    await page.getByTestId('parameters-1').click()
+    const field = page.getByTestId('param-rho')
+    const stage = page.getByTestId('panel-1').locator('.panel-stage')
+    await field.fill('0.3')
+    await field.press('Enter')
+    for (const leave of ['empty', 'Escape']) {
+      await field.fill('1.5')
+      await field.press('Enter')
+      await expect(field).toHaveAttribute('aria-invalid', 'true')
+      await expect(stage).toHaveAttribute('data-refused', 'true')
+      if (leave === 'empty') {
+        await field.fill('')
+        await field.press('Tab')
+      } else await field.press('Escape')
+      await expect(field).toHaveValue('0.3')
+      await expect(field).toHaveAttribute('aria-invalid', 'false')
+      await expect(stage).toHaveAttribute('data-refused', 'false')
+    }
+    expect((await lab.session()).panels[0]?.params.rho).toBe(0.3)
+  })
+
+  test('the bar of a colony shows how much of its iterations is done', async ({ page }) => {
+    const lab = new Lab(page)
+    const bars = page.getByRole('progressbar')
+    await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+    const budget = (await lab.result(1)).summary?.iteration_budget ?? 0
+    const share = String(Math.round((100 * 5) / budget))
+    await expect(bars.first()).toHaveAttribute('aria-valuenow', share)
+    await page.evaluate(() => window.formicarium.run())
+    await expect(bars.nth(1)).toHaveAttribute('aria-valuenow', '100')
+  })
+
   test('a parameter out of range is refused at its field, by name, and can be mended', async ({
     page,
   }) => {

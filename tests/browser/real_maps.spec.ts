@@ -28,8 +28,9 @@ test('Berlin_0_256.map imports and is solved', async ({ page }) => {
   await lab.importByButton('Berlin_0_256.map', map)
   await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(256)
   await lab.ready()
-  await lab.setSpeed(8)
   await page.getByTestId('play').click()
+  await lab.reportPageThread('two panels on Berlin_0_256')
+  await lab.setSpeed(8)
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,
   })

@@ -74,3 +74,5 @@ export const SPEEDS: readonly Speed[] = [
 
 /** Slow enough to watch ants walk, fast enough to see them agree on a corridor within half a minute. */
 export const DEFAULT_SPEED = 3
+/** The slowest that counts iterations. */
+export const ITERATION_SPEED = SPEEDS.findIndex(({ unit }) => unit === 'iteration')

@@ -1,7 +1,7 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './state/appearance'
 export * from './state/files'
-export { historyOf, onReply } from './state/live'
+export { historyOf, latest, onReply } from './state/live'
 export {
   announce,
   announcement,
@@ -23,6 +23,7 @@ export {
 } from './state/panels'
 export { pause, play, reset, runToEnd, stepIteration, stepMove, toggle } from './state/runs'
 export * from './state/scenarios'
-export { currentSession, loadSession, openFragment } from './state/sessions'
+export { currentSession, loadSession, openFragment, startOver } from './state/sessions'
+export { chooseSpeed } from './state/speed'
 export { startPage } from './state/start'
 export * from './state/store'

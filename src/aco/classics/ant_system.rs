@@ -1,6 +1,6 @@
 //! Ant System: Dorigo, Maniezzo, Colorni, "Ant System: optimization by a colony of cooperating agents", IEEE Transactions on Systems,
 //! Man, and Cybernetics B 26 (1996) 29–41, doi:10.1109/3477.484436; parameters after Dorigo and Stützle, *Ant Colony Optimization*
-//! (MIT Press, 2004), table 3.1.
+//! (MIT Press, 2004), box 3.1.
 //!
 //! | override point | source |
 //! |---|---|
@@ -20,8 +20,7 @@
 use std::sync::Arc;
 
 use crate::aco::colony::Colony;
-use crate::aco::dead_end::DeadEnd;
-use crate::aco::heuristic::Heuristic;
+use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
@@ -35,26 +34,14 @@ params! {
     pub struct AntSystemParams {
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
-        /// iterations after which the colony stops
-        iterations: u32 = 100, "K", [1..=100_000], "iterations", "papers' common value";
-        /// weight of the trail τ in the choice of a step
-        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "Dorigo and Stützle 2004, table 3.1";
-        /// weight of the heuristic η in the choice of a step
-        beta: f64 = 5.0, "β", [0.0..=50.0], "", "Dorigo and Stützle 2004, table 3.1: 2 to 5";
+        ..choice: ChoiceParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
-        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, table 3.1";
+        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// an arrived ant leaves Q / length on each of its steps
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.5: 1 / length";
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: no tour to derive it from";
-        /// what an ant sees of a step
-        heuristic: Heuristic = Heuristic::Detour, "η", [], "", "our choice; papers: goal or step";
-        /// what an ant does where no neighbour is left
-        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice; papers differ or are silent";
-        /// an ant gives up after this many times width + height moves; 0 = never
-        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "measured: 0.8 % of ants lost on large maps, same best";
-        /// stops after this many iterations without a shorter path; 0 = never
-        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        ..walk: WalkParams;
     }
 }
 
@@ -74,17 +61,7 @@ impl AntSystem {
 impl Variant for AntSystem {
     fn settings(&self) -> Settings {
         let p = &self.params;
-        Settings {
-            ants: p.ants,
-            iterations: p.iterations,
-            stagnation: p.stagnation,
-            alpha: p.alpha,
-            beta: p.beta,
-            rho: p.rho,
-            deposit: p.deposit,
-            dead_end: p.dead_end,
-            move_limit: p.move_limit,
-        }
+        settings(p.ants, p.rho, p.deposit, &p.choice, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
@@ -92,7 +69,7 @@ impl Variant for AntSystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.heuristic.of(scenario, i, d, j)
+        self.params.walk.heuristic.of(scenario, i, d, j)
     }
 }
 

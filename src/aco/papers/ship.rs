@@ -125,7 +125,12 @@ pub fn sight(reading: Reading, scenario: &Scenario, i: Cell, d: Direction, j: Ce
         Reading::Printed => (1.0, obstacle_direction(scenario, at), at),
         Reading::Repaired => (1.0 / norm(vector(next, goal)).max(1.0), (f64::from(step_x), f64::from(step_y)), next),
     };
-    Sight { distance: norm(to_goal).max(1.0), pull, angle: 0.5 * (1.0 + cosine(to_goal, beside)), density: density(scenario, around) }
+    Sight {
+        distance: norm(to_goal).max(1.0),
+        pull,
+        angle: 0.5 * (1.0 + cosine(to_goal, beside)),
+        density: density(scenario, around),
+    }
 }
 
 /// Eq. 7: η_ij(t) = (μ^f_a · d(i,E)^h)^ω(t) / d_ij · exp(−γ·α_obs).

@@ -25,11 +25,12 @@
 //! - **ρ** is called 消逝程度, how much vanishes, yet Eq. 10 multiplies by it, so it is what stays. `rho` is the part that leaves, 1 − ρ; at
 //!   the paper's 0.5 both are the same.
 //! - **D** of Eq. 4 has no value; it cancels in Eq. 5 and is left out. Eq. 5 prints η_j(g_i); we take η of the cell stepped to.
-//! - **At the goal** Eq. 4 divides by 0: the distance counts as 0.01 there, so that p is 1 up to rounding. Under the threshold rule such a
-//!   step is no candidate while λ < 1: ants beside the goal walk on. That is the printed rule, and we keep it.
+//! - **At the goal** Eq. 4 divides by 0: the distance counts as ε there (`goal_distance`; 0.01, as in our Ant System). With β = 25 the step onto
+//!   the goal then has p = 1 up to rounding, and under the threshold rule it is no candidate while λ < 1: ants beside the goal walk on, unless
+//!   no other step is left. That follows from the printed rule, and we keep it.
 //! - **Eq. 8** adds Q1/l where ⟨g_i, g_j⟩ ∈ tabu_k. Eq. 7 is about the step just taken, from g_i to g_j, for which this is always true.
 //! - **Step 8**, where a dead end leads, is not printed. The text says 无路可走; the ant stops, the others walk on.
-//! - **λ = 1.** In 64 bits Eq. 6 rounds to 1 from t² > 37·T_max on (t = 43 of 50): then the rule is Ant System's.
+//! - **λ = 1.** Eq. 6 never reaches 1; in 64 bits it rounds to 1 once t² > 37.4·T_max (t = 44 of 50): then the rule is Ant System's.
 //!
 //! Where the paper is silent: τ0 is 1; trails are directed, as its arcs are; all trails evaporate, also when no ant has arrived; ants of an
 //! iteration move in turn, one step each; equal largest probabilities are drawn from uniformly; there is no cap on moves.
@@ -41,11 +42,10 @@ use crate::aco::choice;
 use crate::aco::colony::Colony;
 use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
-use crate::aco::heuristic::Heuristic;
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
-use crate::map::{Cell, Direction};
+use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
 use crate::planner::{Entry, Family, Layer, Planner, Preset};
@@ -83,6 +83,8 @@ params! {
         rule: Rule = Rule::Threshold, "", [], "", "step 5; proportional: the paper's ACO";
         /// how to take what the paper prints against its own text
         reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 6 from t = 1, eq. 12 once";
+        /// distance that stands for 0 where an ant sees the goal itself
+        goal_distance: f64 = 0.01, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
         /// what an ant does where no neighbour is left
@@ -111,6 +113,8 @@ params! {
         path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
         /// how to take what the paper prints against its own text
         reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 12 once";
+        /// distance that stands for 0 where an ant sees the goal itself
+        goal_distance: f64 = 0.01, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
         /// what an ant does where no neighbour is left
@@ -120,6 +124,12 @@ params! {
         /// stops after this many iterations without a shorter path; 0 = never
         stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
     }
+}
+
+/// Eq. 4 with D = 1, over the distance of Eq. 2; `at_goal` stands for 0.
+pub fn visibility(j: Point, goal: Point, at_goal: f64) -> f64 {
+    let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
+    1.0 / libm::sqrt(dx * dx + dy * dy).max(at_goal)
 }
 
 /// t of Eq. 6 in iteration `number` (from 1).
@@ -186,9 +196,8 @@ impl Variant for Acost {
         self.params.initial_trail
     }
 
-    /// Eq. 4 with D = 1.
-    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        Heuristic::Goal.of(scenario, i, d, j)
+    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
+        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.params.goal_distance)
     }
 
     /// Step 4.
@@ -250,9 +259,8 @@ impl Variant for Acomsp {
         self.params.initial_trail
     }
 
-    /// Eq. 4 with D = 1.
-    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        Heuristic::Goal.of(scenario, i, d, j)
+    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
+        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.params.goal_distance)
     }
 
     #[inline(always)]

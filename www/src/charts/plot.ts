@@ -64,14 +64,24 @@ function optimumSeries(stroke: string): uPlot.Series {
 
 function panelSeries({ showIterationBest, showMean }: PlotStyle) {
   return (stroke: string): uPlot.Series[] => {
-    const faint = { stroke: `${stroke}99`, width: 1, points: { show: false }, spanGaps: true }
+    const points = { show: isLone, size: 7, stroke, fill: stroke }
+    const faint = { stroke: `${stroke}99`, width: 1, points, spanGaps: true }
     const stepped = uPlot.paths.stepped?.({ align: 1 })
     return [
       { ...faint, dash: [4, 3], show: showMean },
       { ...faint, show: showIterationBest },
-      { stroke, width: 2.5, paths: stepped, points: { show: false }, spanGaps: true },
+      { stroke, width: 2.5, paths: stepped, points, spanGaps: true },
     ]
   }
+}
+
+/** One value makes no line: it is shown as a point. */
+const isLone: uPlot.Series.Points.Show = (plot, series) => {
+  let values = 0
+  for (const value of plot.data[series] ?? []) {
+    if (value != null && ++values > 1) return false
+  }
+  return values === 1
 }
 
 const xRange: uPlot.Range.Function = (_, min, max) => [min ?? 1, max ?? 10]

@@ -1,6 +1,15 @@
-import { Contrast, Dices, Download, Eraser, Map as MapIcon, Scaling, Upload } from 'lucide'
+import {
+  Contrast,
+  Dices,
+  Download,
+  Eraser,
+  Map as MapIcon,
+  RotateCcw,
+  Scaling,
+  Upload,
+} from 'lucide'
 import { t } from '../i18n'
-import { clearWalls, galleryId, invertWalls, openGallery, scenario } from '../state'
+import { clearWalls, galleryId, invertWalls, openGallery, scenario, startOver } from '../state'
 import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../ui/menu'
@@ -39,6 +48,13 @@ export function MapMenu() {
           onClick={() => openGallery(id)}
         />
       ))}
+      <MenuItem
+        icon={RotateCcw}
+        label={t('maps.startOver')}
+        note={t('maps.startOverNote')}
+        testId="start-over"
+        onClick={startOver}
+      />
       <MenuHeading text={t('maps.make')} />
       <MenuItem
         icon={Dices}

@@ -33,7 +33,7 @@ export function MetricsTable() {
             </th>
             {all.map((panel, index) => (
               <td key={panel.id} class="digest" data-testid={`metric-digest-${index + 1}`}>
-                <span>{panel.live.value.summary?.digest ?? '–'}</span>
+                <span>{digestOf(panel)}</span>
               </td>
             ))}
           </tr>
@@ -41,6 +41,13 @@ export function MetricsTable() {
       </table>
     </section>
   )
+}
+
+/** Before the first step every run has the digest of nothing. */
+function digestOf(panel: Panel): string {
+  const { summary } = panel.live.value
+  const begun = summary && summary.effort.ant_moves + summary.effort.cell_expansions > 0
+  return begun ? summary.digest : '–'
 }
 
 function Row({ row, all }: { row: MetricRow; all: Panel[] }) {

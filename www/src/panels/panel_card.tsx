@@ -1,4 +1,5 @@
 import type { EngineError } from '@pkg/formicarium'
+import { useComputed } from '@preact/signals'
 import { SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
@@ -7,6 +8,7 @@ import {
   catalog,
   layer,
   type Panel,
+  panelById,
   plannerEntry,
   removePanel,
   reset,
@@ -16,7 +18,7 @@ import {
 } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
-import { showParameters } from './parameters'
+import { cardId, showParameters } from './parameters'
 import { namesakeMark, panelTitle, plannerName } from './planner_text'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
@@ -33,6 +35,7 @@ export function PanelCard({ panel, place }: PanelCardProps) {
   return (
     <article
       class="panel"
+      id={cardId(id)}
       style={{ '--panel-colour': slotColour(slot) }}
       aria-label={t('panels.label', { place, planner: title })}
       data-testid={`panel-${place}`}
@@ -75,11 +78,20 @@ export function PanelCard({ panel, place }: PanelCardProps) {
         />
       </header>
       <Readout panel={panel} place={place} />
-      <div class="panel-stage">
-        <Stage panelId={id} />
-        <PanelTrouble panel={panel} />
-      </div>
+      <PanelStage panel={panel} />
     </article>
+  )
+}
+
+function PanelStage({ panel }: { panel: Panel }) {
+  const { id } = panel
+  // The numbers of the run change many times a second; the stage only cares for a refusal.
+  const refused = useComputed(() => (panelById(id)?.live.value.error ?? null) !== null)
+  return (
+    <div class="panel-stage" data-refused={refused}>
+      <Stage panelId={id} />
+      <PanelTrouble panel={panel} />
+    </div>
   )
 }
 

@@ -8,6 +8,7 @@ import { optionName, paramMeaning } from './planner_text'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]
+type Ranged = Extract<ParamKind, { min: number }>
 
 interface ParameterControlProps {
   spec: ParamSpec
@@ -85,25 +86,59 @@ function Control({ spec, value, error, onChange, id }: ParameterControlProps & {
   return (
     <span class="number-pair">
       <Slider kind={kind} value={Number(value)} label={spec.key} onChange={onChange} />
-      <input
+      <NumberInput
         {...common}
-        class="input number"
-        type="number"
-        inputMode="decimal"
-        step="any"
         value={Number(value)}
-        aria-invalid={error !== null}
-        onChange={(event) => {
-          const { valueAsNumber } = event.currentTarget
-          if (!Number.isNaN(valueAsNumber)) onChange(valueAsNumber)
-        }}
+        fallback={Number(spec.default)}
+        kind={kind}
+        refused={error !== null}
+        onChange={onChange}
       />
     </span>
   )
 }
 
+interface NumberInputProps {
+  id: string
+  kind: Ranged
+  value: number
+  fallback: number
+  refused: boolean
+  onChange: (value: number) => void
+}
+
+/** Emptied or left with Escape, the field goes back to the last value that could be used: so there is a way out of a refusal. */
+function NumberInput(props: NumberInputProps) {
+  const { kind, value, fallback, refused, onChange, ...common } = props
+  const usable = useRef(fallback)
+  if (!refused && value >= kind.min && value <= kind.max) usable.current = value
+  const restore = (field: HTMLInputElement) => {
+    const last = refused && usable.current === value ? fallback : usable.current
+    field.value = String(last)
+    if (last !== value) onChange(last)
+  }
+  return (
+    <input
+      {...common}
+      class="input number"
+      type="number"
+      inputMode="decimal"
+      step="any"
+      value={value}
+      aria-invalid={refused}
+      onChange={({ currentTarget }) => {
+        if (Number.isNaN(currentTarget.valueAsNumber)) restore(currentTarget)
+        else onChange(currentTarget.valueAsNumber)
+      }}
+      onKeyDown={({ key, currentTarget }) => {
+        if (key === 'Escape') restore(currentTarget)
+      }}
+    />
+  )
+}
+
 interface SliderProps {
-  kind: Extract<ParamKind, { min: number }>
+  kind: Ranged
   value: number
   label: string
   onChange: (value: number) => void

@@ -1,5 +1,6 @@
 import type { CatalogEntry } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
+import { ArrowUp } from 'lucide'
 import { t } from '../i18n'
 import type { ParamValues } from '../messages'
 import {
@@ -8,11 +9,13 @@ import {
   panels,
   paramValue,
   plannerEntry,
+  reducedMotion,
   selectedPanel,
   setParam,
   setPreset,
   slotColour,
 } from '../state'
+import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { ParameterControl } from './parameter_control'
 import { panelTitle, plannerSummary, presetName } from './planner_text'
@@ -22,7 +25,15 @@ const SECTION_ID = 'parameters'
 /** Selects a panel and brings its parameters into sight. */
 export function showParameters(panelId: number): void {
   selectedPanel.value = panelId
-  document.getElementById(SECTION_ID)?.scrollIntoView({ block: 'nearest' })
+  bringIntoSight(SECTION_ID)
+}
+
+export const cardId = (panelId: number) => `panel-${panelId}`
+
+/** Smoothly, so that the reader sees where on the page it went; at once for those who prefer less motion. */
+function bringIntoSight(elementId: string): void {
+  const behavior = reducedMotion() ? 'auto' : 'smooth'
+  document.getElementById(elementId)?.scrollIntoView({ block: 'nearest', behavior })
 }
 
 export function Parameters() {
@@ -32,9 +43,25 @@ export function Parameters() {
       <header class="dock-head">
         <h2>{t('parameters.title')}</h2>
         <PanelTabs />
+        {selected && <BackToMap panelId={selected.id} />}
       </header>
       {selected ? <Controls panel={selected} /> : <p class="hint">{t('parameters.none')}</p>}
     </section>
+  )
+}
+
+/** On a phone the parameters stand a long way below the map they change; elsewhere it is hidden. */
+function BackToMap({ panelId }: { panelId: number }) {
+  return (
+    <span class="back-to-map">
+      <Button
+        icon={ArrowUp}
+        label={t('parameters.toMap')}
+        tone="quiet"
+        testId="back-to-map"
+        onClick={() => bringIntoSight(cardId(panelId))}
+      />
+    </span>
   )
 }
 
@@ -87,6 +114,7 @@ function Controls({ panel }: { panel: Panel }) {
         />
       )}
       <PresetMeaning presets={entry.presets} name={setup.preset} />
+      <TwinHint panel={panel} />
       {shown.map((spec) => (
         <ParameterControl
           key={`${setup.planner}.${spec.key}`}
@@ -98,6 +126,22 @@ function Controls({ panel }: { panel: Panel }) {
       ))}
     </div>
   )
+}
+
+/** One seed for all: equal parameters make equal runs, which looks like a fault to those who expect chance. */
+function TwinHint({ panel }: { panel: Panel }) {
+  const twin = panels.value.find((other) => other.id !== panel.id && runAlike(other, panel))
+  return twin ? (
+    <p class="hint" role="status" data-testid="twin-hint">
+      {t('parameters.twin', { planner: panelTitle(twin.id) })}
+    </p>
+  ) : null
+}
+
+function runAlike({ setup: a }: Panel, { setup: b }: Panel): boolean {
+  if (a.planner !== b.planner) return false
+  const params = plannerEntry(a.planner)?.params ?? []
+  return params.every((spec) => paramValue(a, spec) === paramValue(b, spec))
 }
 
 function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string | null }) {

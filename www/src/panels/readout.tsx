@@ -1,6 +1,8 @@
+import type { RunSummary } from '@pkg/formicarium'
 import { numbers, t } from '../i18n'
 import { optimum, type Panel, plannerEntry } from '../state'
 import { gapOf } from './gap'
+import { panelTitle } from './planner_text'
 
 /** The panel's result at a glance: how far from the proven optimum, how long, how far it has come. */
 export function Readout({ panel, place }: { panel: Panel; place: number }) {
@@ -20,7 +22,7 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
         </Fact>
         <ProgressFacts panel={panel} place={place} />
       </dl>
-      <RaceBar closeness={closeness(length, optimum.value)} />
+      <ProgressBar panel={panel} />
     </div>
   )
 }
@@ -59,18 +61,27 @@ function Fact(props: { label: string; testId: string; children: string }) {
   )
 }
 
-/** Full when the path is as short as any can be: two panels' bars show who leads. */
-function RaceBar({ closeness }: { closeness: number }) {
+function ProgressBar({ panel }: { panel: Panel }) {
+  const share = progress(panel.live.value.summary)
   return (
-    <div class="race-bar" aria-hidden="true">
-      <span style={{ transform: `scaleX(${closeness})` }} />
+    <div
+      class="progress-bar"
+      role="progressbar"
+      aria-label={t('panels.progress', { planner: panelTitle(panel.id) })}
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={Math.round(100 * share)}
+    >
+      <span style={{ transform: `scaleX(${share})` }} />
     </div>
   )
 }
 
-function closeness(length: number | null, best: number | null): number {
-  if (length === null || best === null || !Number.isFinite(best) || length === 0) return 0
-  return Math.min(1, best / length)
+/** The share of the iterations a colony may take. An exact planner cannot know how far it is until it has its proof. */
+function progress(summary: RunSummary | null): number {
+  if (!summary) return 0
+  if (!summary.iteration_budget) return summary.status === 'running' ? 0 : 1
+  return Math.min(1, summary.iteration / summary.iteration_budget)
 }
 
 function gapWords(length: number | null, gap: number | null): string {

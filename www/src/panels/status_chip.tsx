@@ -25,7 +25,7 @@ export function StatusChip({ panel, place }: { panel: Panel; place: number }) {
       <span class={`chip status-${word}`} data-testid={`status-${place}`} data-status={word}>
         {t(`status.${word}`)}
       </span>
-      <VerifiedChip verified={verified} place={place} />
+      <VerifiedChip panel={panel} verified={verified} exact={exact} place={place} />
     </>
   )
 }
@@ -36,8 +36,17 @@ function statusWord(summary: RunSummary | null, now: Phase, exact: boolean): Sta
   return now === 'editing' ? 'ready' : 'paused'
 }
 
-function VerifiedChip({ verified, place }: { verified: Verification; place: number }) {
+interface VerifiedChipProps {
+  panel: Panel
+  verified: Verification
+  exact: boolean
+  place: number
+}
+
+/** Says what was verified: the run on show has only begun, the recorded one was repeated as far as it went. */
+function VerifiedChip({ panel, verified, exact, place }: VerifiedChipProps) {
   if (verified === 'none') return null
+  const count = panel.setup.result?.iterations ?? 0
   const icon = { pending: null, verified: BadgeCheck, differs: TriangleAlert }[verified]
   return (
     <span
@@ -47,7 +56,9 @@ function VerifiedChip({ verified, place }: { verified: Verification; place: numb
       title={t(`verified.${verified}Hint`)}
     >
       {icon && <Icon icon={icon} size={14} />}
-      {t(`verified.${verified}`)}
+      {exact && verified !== 'pending'
+        ? t(`verified.${verified}Exact`)
+        : t(`verified.${verified}`, { count })}
     </span>
   )
 }

@@ -1,7 +1,10 @@
 /**
  * A session as bytes, and back:
  *
- *     u8 container version (1) · varint n · n bytes of JSON (experiment.ts) · the map
+ *     u32 checksum · u8 container version (1) · varint n · n bytes of JSON (experiment.ts) · the map
+ *
+ * The checksum (FNV-1a, lowest byte first) covers all that follows and stands first in every version: a damaged link must never
+ * pass for a newer one, or for another map.
  *
  * The map is 1 bit per cell, row by row from the upper left, most significant bit first; or, when the JSON's `map` says
  * `edits`, the cells to toggle after the generator call in `scenario.origin`: varint count, then varint gaps.
@@ -15,6 +18,7 @@ import { type Described, documentOf, readDocument } from './experiment'
 export type Generate = (origin: Origin, width: number, height: number) => Promise<Uint8Array>
 
 const VERSION = 1
+const CHECKSUM_BYTES = 4
 /** No honest container is larger: a full map of bits, or as many bytes of edits, and a generous document. */
 export const MAX_BYTES = (4096 * 4096) / 8 + (1 << 18)
 
@@ -40,7 +44,7 @@ export async function packEdits(
 }
 
 export async function unpack(bytes: Uint8Array, generate: Generate): Promise<Session> {
-  const reader = new Reader(bytes)
+  const reader = new Reader(intact(bytes))
   const version = reader.byte()
   if (version > VERSION)
     throw new LinkError(
@@ -63,12 +67,36 @@ function container(
   tail: Uint8Array,
 ): Uint8Array<ArrayBuffer> {
   const json = new TextEncoder().encode(JSON.stringify({ ...document, map }))
-  const head = [VERSION, ...varint(json.length)]
-  const bytes = new Uint8Array(head.length + json.length + tail.length)
-  bytes.set(head)
-  bytes.set(json, head.length)
-  bytes.set(tail, head.length + json.length)
+  return withChecksum([[VERSION, ...varint(json.length)], json, tail])
+}
+
+/** The parts one after the other, their checksum before them. */
+export function withChecksum(parts: ArrayLike<number>[]): Uint8Array<ArrayBuffer> {
+  const length = parts.reduce((sum, part) => sum + part.length, CHECKSUM_BYTES)
+  const bytes = new Uint8Array(length)
+  let at = CHECKSUM_BYTES
+  for (const part of parts) {
+    bytes.set(part, at)
+    at += part.length
+  }
+  new DataView(bytes.buffer).setUint32(0, checksum(bytes.subarray(CHECKSUM_BYTES)), true)
   return bytes
+}
+
+/** What the checksum covers, if it agrees. */
+function intact(bytes: Uint8Array): Uint8Array {
+  if (bytes.length < CHECKSUM_BYTES) throw damaged('it ends too early')
+  const noted = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true)
+  const covered = bytes.subarray(CHECKSUM_BYTES)
+  if (checksum(covered) !== noted) throw damaged('it is not the same as when it was made')
+  return covered
+}
+
+/** FNV-1a, 32 bits: enough against slips and cuts, and no claim of more. */
+function checksum(bytes: Uint8Array): number {
+  let hash = 0x811c9dc5
+  for (const byte of bytes) hash = Math.imul(hash ^ byte, 0x01000193)
+  return hash >>> 0
 }
 
 export function bitsOf(cells: Uint8Array): Uint8Array {

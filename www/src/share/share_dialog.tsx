@@ -3,13 +3,15 @@ import { useEffect, useState } from 'preact/hooks'
 import { numbers, t } from '../i18n'
 import { copyText } from '../maps/export_dialog'
 import { plannerName } from '../panels/planner_text'
-import type { Session } from '../session'
+import type { PanelSetup, Session } from '../session'
 import {
   currentSession,
   download,
   exportExperiment,
   fileStem,
+  latest,
   notifyError,
+  panels,
   plannerEntry,
 } from '../state'
 import { Button } from '../ui/buttons'
@@ -18,7 +20,9 @@ import { closeDialog } from '../ui/dialogs'
 import { encodeSession, LINK_LIMIT } from './link'
 
 export function ShareDialog() {
+  // Runs may go on behind the dialog: what it says and what the link carries are of one moment.
   const [session] = useState(currentSession)
+  const [expanded] = useState(expandedCells)
   const link = useLink(session)
   const tooLong = link !== null && link.length > LINK_LIMIT
   return (
@@ -49,7 +53,7 @@ export function ShareDialog() {
       }
     >
       <p>{t('share.what')}</p>
-      {session && <Contents session={session} />}
+      {session && <Contents session={session} expanded={expanded} />}
       {tooLong ? (
         <p class="banner" data-testid="share-too-long">
           {t('share.tooLong', {
@@ -75,22 +79,35 @@ export function ShareDialog() {
 }
 
 /** What the link will bring back, so that nothing is shared unseen. */
-function Contents({ session }: { session: Session }) {
+function Contents({ session, expanded }: { session: Session; expanded: (number | null)[] }) {
   const { spec } = session.scenario
   return (
     <ul class="share-contents">
       <li>{t('share.map', { name: spec.name, width: spec.width, height: spec.height })}</li>
       {session.panels.map((panel, index) => (
         <li key={index}>
-          {panelName(panel.planner)}
-          {panel.result
-            ? ` · ${t('share.result', { iterations: panel.result.iterations, digest: panel.result.digest })}`
-            : ` · ${t('share.noResult')}`}
+          {panelName(panel.planner)} · {resultWords(panel, expanded[index] ?? null)}
         </li>
       ))}
       <li>{t('share.seed', { seed: session.seed })}</li>
     </ul>
   )
+}
+
+/** Colonies count iterations, exact planners the cells they have looked at: known when the run on show is the recorded one. */
+function resultWords({ planner, result }: PanelSetup, expanded: number | null): string {
+  if (!result) return t('share.noResult')
+  const { iterations, digest } = result
+  if (plannerEntry(planner)?.family !== 'exact') return t('share.result', { iterations, digest })
+  if (expanded === null) return t('share.resultRecorded', { digest })
+  return t('share.resultExact', { count: expanded, digest })
+}
+
+function expandedCells(): (number | null)[] {
+  return panels.peek().map(({ id }) => {
+    const { summary } = latest(id)
+    return summary && summary.iteration > 0 ? summary.effort.cell_expansions : null
+  })
 }
 
 function panelName(id: string): string {

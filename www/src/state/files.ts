@@ -9,6 +9,7 @@ import type { Scenario, Session } from '../session'
 import { notify, notifyError } from './notices'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
+import { suitSpeed } from './speed'
 import { engineVersion, scenario } from './store'
 
 export interface ScenChoice {
@@ -24,11 +25,11 @@ const sessionFormat = () => import('../share/link')
 const MAX_BYTES = 64 * 1024 * 1024
 
 /** Opens what a file holds; refusals are thrown, and leave the page as it was. */
-async function openFile(bytes: Uint8Array, name: string): Promise<void> {
+async function openFile(bytes: Uint8Array, name: string, scenFollows = false): Promise<void> {
   const kind = await tools.sniff(bytes, name)
   if (kind === 'experiment') await openExperiment(bytes)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
-  else await openMap(bytes, name)
+  else await openMap(bytes, name, scenFollows)
 }
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
@@ -40,9 +41,11 @@ export async function openText(text: string): Promise<void> {
 
 /** Maps before scenarios, so that a .map and its .scen may be opened together. */
 export async function openFiles(files: Iterable<File>): Promise<void> {
-  for (const file of [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))) {
+  const inOrder = [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))
+  const scenFollows = inOrder.some(isScen)
+  for (const file of inOrder) {
     if (file.size > MAX_BYTES) throw tooLarge(file.name)
-    await openFile(new Uint8Array(await file.arrayBuffer()), file.name)
+    await openFile(new Uint8Array(await file.arrayBuffer()), file.name, scenFollows)
   }
 }
 
@@ -123,12 +126,16 @@ export function fileStem(): string {
   )
 }
 
-async function openMap(bytes: Uint8Array, name: string): Promise<void> {
+async function openMap(bytes: Uint8Array, name: string, scenFollows: boolean): Promise<void> {
   const imported = await tools.importMap(bytes, name)
-  setScenario(toScenario(imported, name), { undoable: true })
+  const opened = toScenario(imported, name)
+  suitSpeed(opened)
+  setScenario(opened, { undoable: true })
+  // Which cells stand in for start and goal is of no interest when the reader is about to choose them.
+  const told = imported.warnings.filter(({ kind }) => !(scenFollows && kind === 'ends-chosen'))
   const { width, height } = imported.spec
   notify('success', t('notices.imported', { name, width, height }), {
-    hint: imported.warnings.map(describeNotice).join(' '),
+    hint: told.map(describeNotice).join(' '),
   })
 }
 

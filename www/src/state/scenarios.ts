@@ -12,20 +12,34 @@ import { fitView } from '../stage/view'
 import { announce, notify } from './notices'
 import { dropResults } from './panels'
 import { pause, play, reset } from './runs'
+import { suitSpeed } from './speed'
 import { galleryId, phase, scenario } from './store'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
 
+/** Scenarios are immutable and undo brings back the very same object, so the object tells where it came from. */
+const galleryIds = new WeakMap<Scenario, string>()
+
+/** The walls before start or goal was taken up: those it passes over stay, only the cell it is left on becomes free. */
+let dragged: { gesture: number; cells: Uint8Array } | null = null
+
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
 export function applyEdit(edit: Edit, gesture?: number): void {
   const before = scenario.peek()
   if (!before) return
-  const after = applyEditTo(before, edit)
-  if (after === before) return
+  const base = beforeDrag(before, edit, gesture)
+  const after = applyEditTo(base, edit)
+  if (after === base) return
   history.record(before, after, gesture)
   pauseForEdit()
   replace(after)
+}
+
+function beforeDrag(now: Scenario, { kind }: Edit, gesture?: number): Scenario {
+  if (gesture === undefined || (kind !== 'start' && kind !== 'goal')) return now
+  if (dragged?.gesture !== gesture) dragged = { gesture, cells: now.cells }
+  return now.cells === dragged.cells ? now : { ...now, cells: dragged.cells }
 }
 
 export function setStart(at: Cell, gesture?: number): void {
@@ -78,8 +92,15 @@ export function setScenario(next: Scenario, options: { undoable: boolean }): voi
 export async function openGallery(id: string): Promise<void> {
   const entry = gallery.find((each) => each.id === id)
   if (!entry) return
-  setScenario(await entry.scenario(), { undoable: true })
-  galleryId.value = id
+  const opened = fromGallery(id, await entry.scenario())
+  suitSpeed(opened)
+  setScenario(opened, { undoable: true })
+}
+
+/** Notes that a scenario is a built-in one: it has its tick in the gallery for as long as it is unchanged, or is so again. */
+export function fromGallery(id: string, built: Scenario): Scenario {
+  galleryIds.set(built, id)
+  return built
 }
 
 export async function generateMap(
@@ -93,21 +114,20 @@ export async function generateMap(
   const now = scenario.peek()
   if (!now) return
   const [goal] = now.spec.goals
-  setScenario(
-    {
-      spec: {
-        ...now.spec,
-        name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
-        width,
-        height,
-        start: made.start,
-        goals: [{ name: goal?.name ?? 'goal', at: made.goal }],
-      },
-      cells: made.cells,
-      origin: { generator: kind, seed, density },
+  const generated: Scenario = {
+    spec: {
+      ...now.spec,
+      name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
+      width,
+      height,
+      start: made.start,
+      goals: [{ name: goal?.name ?? 'goal', at: made.goal }],
     },
-    { undoable: true },
-  )
+    cells: made.cells,
+    origin: { generator: kind, seed, density },
+  }
+  suitSpeed(generated)
+  setScenario(generated, { undoable: true })
 }
 
 export function undo(): void {
@@ -125,6 +145,7 @@ function travel(
   const now = scenario.peek()
   const next = now && step(now)
   if (!now || !next) return
+  suitSpeed(next)
   replace(next)
   if (now.spec.width !== next.spec.width || now.spec.height !== next.spec.height) fitView()
   announce(t(said))
@@ -134,7 +155,7 @@ function travel(
 function replace(next: Scenario): void {
   batch(() => {
     scenario.value = next
-    galleryId.value = null
+    galleryId.value = galleryIds.get(next) ?? null
     dropResults()
     reset()
   })

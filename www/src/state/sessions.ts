@@ -2,16 +2,22 @@
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { firstScenario, gallery } from '../maps/gallery'
-import { MAX_PANELS, type PanelSetup, type RecordedResult, type Session } from '../session'
+import { firstScenario } from '../maps/gallery'
+import {
+  DEFAULT_SPEED,
+  MAX_PANELS,
+  type PanelSetup,
+  type RecordedResult,
+  type Session,
+} from '../session'
 import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live'
 import { notify, notifyError } from './notices'
 import { bareSetup, makePanel, plannerEntry } from './panels'
 import { dropRun, pause, play, reset, runSetup } from './runs'
-import { setScenario } from './scenarios'
+import { fromGallery, setScenario } from './scenarios'
+import { setSpeedOfSession } from './speed'
 import {
-  galleryId,
   layer,
   type Panel,
   panelById,
@@ -25,6 +31,7 @@ import {
 } from './store'
 
 const FIRST_PLANNERS = ['ant-system', 'astar']
+const FIRST_MAP = 'two-corridors'
 
 export function currentSession(): Session | null {
   const now = scenario.peek()
@@ -45,7 +52,7 @@ export function loadSession(session: Session): void {
   batch(() => {
     seed.value = session.seed
     sync.value = session.sync
-    speed.value = session.speed
+    setSpeedOfSession(session.speed)
     layer.value = session.layer
     panels.value = []
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
@@ -70,15 +77,27 @@ export async function openFragment(hash: string): Promise<boolean> {
 }
 
 export function openFirstSession(): void {
-  loadSession({
+  const session = firstSession()
+  fromGallery(FIRST_MAP, session.scenario)
+  loadSession(session)
+}
+
+/** As on a first visit. A link in the address is left behind, or a reload would bring it back. */
+export function startOver(): void {
+  history.replaceState(null, '', location.pathname + location.search)
+  openFirstSession()
+  autoplay()
+}
+
+export function firstSession(): Session {
+  return {
     scenario: firstScenario(),
     panels: FIRST_PLANNERS.map(bareSetup),
     seed: 1,
-    sync: sync.peek(),
-    speed: speed.peek(),
+    sync: 'moves',
+    speed: DEFAULT_SPEED,
     layer: 'trail',
-  })
-  galleryId.value = gallery[0]?.id ?? null
+  }
 }
 
 /** Plays at once, or, when the reader prefers less motion, after the first key or click. */

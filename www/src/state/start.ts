@@ -1,6 +1,7 @@
 /** From an empty page to a running one. */
 import { toEngineError } from '../engine/errors'
 import { tools } from '../engine/tools'
+import { keepSession, openKept } from './keep'
 import { watchScenario } from './optimum'
 import { autoplay, openFirstSession, openFragment } from './sessions'
 import { catalog, engineVersion, startError } from './store'
@@ -19,13 +20,14 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
-  if (!(await openFragment(location.hash))) openFirstSession()
+  if (!(await openFragment(location.hash)) && !(await openKept())) openFirstSession()
   autoplay()
 }
 
 function watch(): void {
   watching = true
   watchScenario()
+  keepSession()
   addEventListener('hashchange', async () => {
     if (await openFragment(location.hash)) autoplay()
   })

@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks'
 import { t } from '../i18n'
 import { SPEEDS } from '../session'
-import { speed } from '../state'
+import { chooseSpeed, speed } from '../state'
 
 export function SpeedField() {
   const id = useId()
@@ -21,9 +21,7 @@ export function SpeedField() {
         value={speed.value}
         aria-valuetext={name}
         data-testid="speed"
-        onInput={(event) => {
-          speed.value = event.currentTarget.valueAsNumber
-        }}
+        onInput={(event) => chooseSpeed(event.currentTarget.valueAsNumber)}
       />
       <output class="speed-name" for={id}>
         {name}

@@ -1,0 +1,235 @@
+//! Fan, Zhang, Liu, Zhu 2026 (rescue robot in a ship's engine room).
+
+use std::sync::Arc;
+
+use formicarium::aco::Reading;
+use formicarium::aco::ant::{Ant, Walk};
+use formicarium::aco::choice::Weights;
+use formicarium::aco::dead_end::DeadEnd;
+use formicarium::aco::on_demand::OnDemand;
+use formicarium::aco::ship::{Ship, ShipParams, Update, density, eta, extra_trail, log_eta, omega, path_weights, sight};
+use formicarium::aco::trails::Trails;
+use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
+use formicarium::planner::Solution;
+use formicarium::rng::Streams;
+use formicarium::scenario::Scenario;
+
+const SQRT2: f64 = std::f64::consts::SQRT_2;
+const NE: Direction = 2;
+const E: Direction = 4;
+const S: Direction = 6;
+const SE: Direction = 7;
+
+/// 9 × 9 cells, walls at (3, 1) and (4, 1), goal (5, 6): from (2, 2) the goal lies at (+3, +4), 5 cells away.
+fn two_walls() -> Scenario {
+    let mut grid = Grid::open(9, 9).expect("a usable size");
+    for wall in [Point::new(3, 1), Point::new(4, 1)] {
+        grid.set_blocked(grid.cell(wall), true);
+    }
+    Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(5, 6)).expect("usable")
+}
+
+/// η of the step from (2, 2) at this ω by Eq. 7, with μ = 10 and γ = 1.
+fn eta_at(reading: Reading, omega: f64, d: Direction) -> f64 {
+    let s = two_walls();
+    let i = s.grid.cell(Point::new(2, 2));
+    eta(&ShipParams::default(), omega, &sight(reading, &s, i, d, s.moves.step(i, d)), step_length(d))
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
+}
+
+#[test]
+fn eq_6_omega_grows_linearly_from_its_least_to_its_largest() {
+    let p = ShipParams::default();
+    assert_eq!([0, 50, 100].map(|t| omega(&p, t)), [2.0, 3.0, 4.0], "in both readings");
+    let falling = ShipParams { omega_min: 3.0, omega_max: 1.0, iterations: 4, ..p };
+    assert_eq!(omega(&falling, 1), 2.5);
+}
+
+#[test]
+fn eq_7_repaired_looks_at_the_candidate() {
+    let s = two_walls();
+    let i = s.grid.cell(Point::new(2, 2));
+    // East to (3, 2): goal at (+2, +4) from there, cos θ = 3/5, two of eight cells blocked.
+    let east = sight(Reading::Repaired, &s, i, E, s.moves.step(i, E));
+    assert!(close(east.pull, 1.0 / 20f64.sqrt()) && close(east.angle, 0.8), "{east:?}");
+    assert_eq!((east.distance, east.density), (5.0, 0.25));
+    // (10^0.2236068 · 5^0.8)^2 · e^−0.25 = (1.673427 · 3.623898)^2 · 0.778801
+    assert!(close(eta_at(Reading::Repaired, 2.0, E), 28.6412509), "{}", eta_at(Reading::Repaired, 2.0, E));
+    // South to (2, 3): goal at (+3, +3), cos θ = 4/5, no wall: (10^0.2357023 · 5^0.9)^2
+    assert!(close(eta_at(Reading::Repaired, 2.0, S), 53.6476285), "{}", eta_at(Reading::Repaired, 2.0, S));
+    // South-east to (3, 3): goal at (+2, +3), cos θ = 7 / (5√2), no wall: (10^0.2773501 · 5^0.9949747)^2 / √2
+    assert!(close(eta_at(Reading::Repaired, 2.0, SE), 62.3878766), "{}", eta_at(Reading::Repaired, 2.0, SE));
+}
+
+#[test]
+fn eq_7_printed_looks_at_the_cell_itself_and_prefers_straight_steps_only() {
+    let s = two_walls();
+    let i = s.grid.cell(Point::new(2, 2));
+    // One wall around (2, 2), to the north-east: cos θ = (3 − 4) / (5√2), h = 0.4292893, α_obs = 1/8, f_a = 1.
+    for d in [E, S, SE] {
+        let seen = sight(Reading::Printed, &s, i, d, s.moves.step(i, d));
+        assert!(close(seen.angle, 0.4292893) && seen.pull == 1.0 && seen.density == 0.125, "{seen:?}");
+    }
+    // (10 · 5^0.4292893)^2 · e^−0.125, and divided by √2
+    assert!(close(eta_at(Reading::Printed, 2.0, E), 351.4260152), "{}", eta_at(Reading::Printed, 2.0, E));
+    assert_eq!(eta_at(Reading::Printed, 2.0, E), eta_at(Reading::Printed, 2.0, S));
+    assert!(close(eta_at(Reading::Printed, 2.0, SE) * SQRT2, 351.4260152));
+}
+
+#[test]
+fn eq_7_density_counts_the_border_as_blocked() {
+    let s = two_walls();
+    assert_eq!(density(&s, Point::new(0, 0)), 0.625, "5 of 8 lie beyond the corner");
+    assert_eq!(density(&s, Point::new(3, 2)), 0.25);
+    assert_eq!(density(&s, Point::new(5, 6)), 0.0);
+}
+
+#[test]
+fn eq_1_and_7_weights_on_demand_are_those_of_the_formula() {
+    let made = generate(Generator::Random, 24, 24, 3, 0.25).expect("a usable size");
+    let s = Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("usable");
+    for reading in [Reading::Repaired, Reading::Printed] {
+        let p = ShipParams { reading, ..ShipParams::default() };
+        let (mut ship, mut trails) = (Ship::new(p), Trails::new(s.grid.len(), 1.0));
+        let mut tables = OnDemand::new(s.grid.len(), p.alpha, p.beta);
+        for t in [1, 37, 100] {
+            trails.evaporate(0.25);
+            for c in s.moves.directions(s.start).map(|d| s.moves.step(s.start, d)) {
+                s.moves.directions(c).for_each(|d| trails.deposit(c, d, f64::from(d)));
+            }
+            ship.begin_iteration(t);
+            tables.another_time();
+            tables.outdate(&mut trails);
+            for c in 0..s.grid.len() as Cell {
+                let seen = |d| ship.heuristic(&s, c, d, s.moves.step(c, d));
+                let largest = s.moves.directions(c).map(seen).fold(0.0, f64::max);
+                let row = *tables.now(&s, &ship, &trails).row(c);
+                for d in s.moves.directions(c) {
+                    let weight = f64::from(trails.relative(c)[d as usize]) * (seen(d) / largest).powi(2);
+                    let got = f64::from(row[d as usize]);
+                    assert!((got - weight).abs() <= 1e-4 * weight.max(1e-25), "{reading:?}, t = {t}, cell {c}: {got}, {weight}");
+                    let (a, b) = ship.log_heuristic(&s, c, d, s.moves.step(c, d));
+                    assert!(close(a + b * ship.time(), seen(d).ln()));
+                }
+                assert!((0..8).all(|d| row[d] == 0.0 || s.moves.bits[c as usize] >> d & 1 == 1), "an infeasible step");
+            }
+        }
+    }
+}
+
+#[test]
+fn eq_8_the_additional_trail() {
+    let p = ShipParams { k_best: 1.5, k_worst: 0.8, ..ShipParams::default() };
+    // 1.5 · 10/5 and 0.8 · 10/8
+    assert_eq!(extra_trail(&p, 5.0, 8.0), (3.0, 1.0));
+}
+
+#[test]
+fn eq_10_and_11_weights_of_the_paths() {
+    let at = |t| {
+        let w = path_weights(t, 100);
+        [w.global_best, w.iteration_best, w.iteration_worst]
+    };
+    assert_eq!(at(0), [0.5, 1.0, 0.0]);
+    assert_eq!(at(50), [0.75, 0.75, 0.0]);
+    assert_eq!(at(75), [0.875, 0.625, 0.25]);
+    assert_eq!(at(100), [1.0, 0.5, 0.5]);
+}
+
+/// 3 × 2 free cells, from (0, 0) to (2, 0): an ant east twice (length 2), or one over (1, 1) (length 2√2), or both.
+struct Corridor {
+    scenario: Arc<Scenario>,
+    ants: Vec<Ant>,
+}
+
+impl Corridor {
+    fn walked(ways: &[[Direction; 2]]) -> Self {
+        let grid = Grid::open(3, 2).expect("a usable size");
+        let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(2, 0)).expect("usable");
+        let walk = Walk { moves: &scenario.moves, goal: scenario.goal, dead_end: DeadEnd::Die, max_moves: 9 };
+        let ants = ways.iter().map(|way| {
+            let stream = || Streams::new(1, "test", 0).ant(0, 0);
+            let mut ant = Ant::new(3, 2, stream());
+            ant.begin(3, scenario.start, stream());
+            way.iter().for_each(|&d| ant.go(&walk, Some(d)));
+            ant
+        });
+        let ants = ants.collect();
+        Self { scenario: Arc::new(scenario), ants }
+    }
+
+    /// τ of a step of the short way, of one of the long way and of one that nobody took, after the update at t of 100; before it all are
+    /// 10, and half evaporates.
+    fn updated(&self, reading: Reading, update: Update, t: u32) -> [f64; 3] {
+        let mut ship = Ship::new(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() });
+        let mut trails = Trails::new(self.scenario.grid.len(), 10.0);
+        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1 };
+        let iteration =
+            Iteration { scenario: &self.scenario, ants: &self.ants, number: t, budget: 100, best_so_far: Some(&best) };
+        ship.update_trails(&mut trails, iteration);
+        [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
+    }
+}
+
+const BOTH: [[Direction; 2]; 2] = [[E, E], [SE, NE]];
+
+fn all_close(got: [f64; 3], expected: [f64; 3]) {
+    assert!(got.iter().zip(expected).all(|(&a, b)| close(a, b)), "{got:?}, expected {expected:?}");
+}
+
+#[test]
+fn eq_9_to_11_and_14_repaired() {
+    let both = Corridor::walked(&BOTH);
+    // Q/L = 5 and 3.5355339. t = 50: 5 + 0.75·5 + 0.75·5 + 5, and 5 − 0·3.5355339 − 3.5355339
+    all_close(both.updated(Reading::Repaired, Update::Weighted, 50), [17.5, 1.4644661, 5.0]);
+    // t = 75: 5 + (0.875 + 0.625)·5 + 5, and 5 − (0.25 + 1)·3.5355339
+    all_close(both.updated(Reading::Repaired, Update::Weighted, 75), [17.5, 0.5805826, 5.0]);
+    // t = 100: 5 − (0.5 + 1)·3.5355339 < 0 stops at τ_min
+    all_close(both.updated(Reading::Repaired, Update::Weighted, 100), [17.5, 1e-6, 5.0]);
+    // Only the long way in this iteration: it is best and worst. 5 + 1·5, and 5 + (0.5 − 0.5 + 1 − 1)·3.5355339
+    let long = Corridor::walked(&[[SE, NE]]);
+    all_close(long.updated(Reading::Repaired, Update::Weighted, 100), [10.0, 5.0, 5.0]);
+    // Nobody arrived: only the global best gains.
+    let lost = Corridor::walked(&[[SE, 3]]);
+    all_close(lost.updated(Reading::Repaired, Update::Weighted, 100), [10.0, 5.0, 5.0]);
+}
+
+#[test]
+fn eq_9_to_11_and_14_printed() {
+    let both = Corridor::walked(&BOTH);
+    // Δω* = 5 − 3.5355339 = 1.4644661 on every step. t = 50: 5 + 7.5 + Δω*, 5 + Δω*, 5 + Δω*
+    all_close(both.updated(Reading::Printed, Update::Weighted, 50), [13.9644661, 6.4644661, 6.4644661]);
+    // t = 100: the long way loses 0.5·3.5355339
+    all_close(both.updated(Reading::Printed, Update::Weighted, 100), [13.9644661, 4.6966991, 6.4644661]);
+}
+
+#[test]
+fn eq_12_in_both_readings() {
+    let both = Corridor::walked(&BOTH);
+    // repaired: 5 + 5 + 5, and 5 + 3.5355339 − 3.5355339
+    all_close(both.updated(Reading::Repaired, Update::AllAnts, 50), [15.0, 5.0, 5.0]);
+    // printed: 5 + 5 + 1.4644661, 5 + 3.5355339 + 1.4644661, 5 + 1.4644661
+    all_close(both.updated(Reading::Printed, Update::AllAnts, 50), [11.4644661, 10.0, 6.4644661]);
+}
+
+#[test]
+fn eq_13_the_heuristic_is_bounded() {
+    let made = generate(Generator::Random, 32, 32, 5, 0.3).expect("a usable size");
+    let s = Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("usable");
+    let farthest = 31.0 * SQRT2;
+    for reading in [Reading::Repaired, Reading::Printed] {
+        let p = ShipParams { reading, ..ShipParams::default() };
+        for c in 0..s.grid.len() as Cell {
+            for d in s.moves.directions(c) {
+                let seen = sight(reading, &s, c, d, s.moves.step(c, d));
+                let (low, high) = ((-1f64).exp() / SQRT2, (10.0 * farthest).powi(4));
+                assert!((low..=high).contains(&eta(&p, 4.0, &seen, step_length(d))), "{seen:?}");
+                assert!(log_eta(&p, &seen, step_length(d)).1 >= 0.0, "η grows with ω");
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! Lai and Guo 2014 (ACOST, ACOMSP).
+
+use std::sync::Arc;
+
+use formicarium::aco::Reading;
+use formicarium::aco::ant::{Ant, Walk};
+use formicarium::aco::choice;
+use formicarium::aco::dead_end::DeadEnd;
+use formicarium::aco::threshold::{Acomsp, AcomspParams, Acost, AcostParams, Rule, reward_shortest, threshold, time, visibility};
+use formicarium::aco::trails::{Row, Trails};
+use formicarium::aco::variant::{Iteration, Step, Variant};
+use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
+use formicarium::rng::{Stream, Streams};
+use formicarium::scenario::Scenario;
+
+const SQRT2: f64 = std::f64::consts::SQRT_2;
+
+fn stream() -> Stream {
+    Streams::new(1, "test", 0).ant(0, 0)
+}
+
+fn open(width: u32, height: u32, goal: Point) -> Arc<Scenario> {
+    let grid = Grid::from_bytes(width, height, &vec![0; (width * height) as usize]).expect("a rectangle");
+    let movement = Movement { moves: Moves::Eight, corner_rule: CornerRule::OneFree };
+    Arc::new(Scenario::on(grid, movement, Point::new(0, 0), goal).expect("usable"))
+}
+
+fn direction(s: &Scenario, from: (u32, u32), to: (u32, u32)) -> Direction {
+    let cell = |(x, y)| y * s.grid.width() + x;
+    s.moves.direction(cell(from), cell(to))
+}
+
+/// How often each direction is selected in 40 000 draws.
+fn counts(mut select: impl FnMut(&mut Stream) -> Option<Direction>) -> [u32; 8] {
+    let (mut stream, mut counts) = (stream(), [0; 8]);
+    for _ in 0..40_000 {
+        counts[select(&mut stream).expect("a step is left") as usize] += 1;
+    }
+    counts
+}
+
+fn near(count: u32, share: f64) -> bool {
+    (f64::from(count) / 40_000.0 - share).abs() < 0.01
+}
+
+#[test]
+fn eq_2_and_4_the_heuristic_is_one_over_the_euclidean_distance() {
+    let goal = Point::new(4, 3);
+    assert_eq!(visibility(Point::new(0, 0), goal, 0.01), 0.2, "a 3-4-5 triangle");
+    assert_eq!(visibility(Point::new(4, 1), goal, 0.01), 0.5);
+    assert!((visibility(Point::new(3, 2), goal, 0.01) - 1.0 / SQRT2).abs() < 1e-15);
+    assert_eq!(visibility(goal, goal, 0.01), 100.0, "the print divides by 0");
+    let s = open(5, 4, goal);
+    assert_eq!(Acost::new(AcostParams::default()).heuristic(&s, 1, 3, 0), 0.2);
+    assert_eq!(Acomsp::new(AcomspParams::default()).heuristic(&s, 1, 3, 0), 0.2);
+}
+
+#[test]
+fn eq_5_probabilities_are_proportional_to_trail_and_heuristic() {
+    // τ = 2 and 1, η = 0.5 and 1, α = 1, β = 2: weights 2·0.25 and 1·1, so p = 1/3 and 2/3.
+    let goal = Point::new(0, 3);
+    let s = open(1, 4, goal);
+    let mut trails = Trails::new(4, 1.0);
+    let up = direction(&s, (0, 1), (0, 0));
+    let down = direction(&s, (0, 1), (0, 2));
+    trails.deposit(1, up, 1.0);
+    let mut table = choice::Choice::new(4, 1.0, 2.0);
+    table.see(&s, |_, d, _| if d == up { 0.5 } else { 1.0 });
+    table.refresh(&mut trails);
+    let variant = Acost::new(AcostParams { rule: Rule::Proportional, ..AcostParams::default() });
+    let row = *table.row(1);
+    let seen = counts(|stream| variant.choose(&row, stream));
+    assert!(near(seen[up as usize], 1.0 / 3.0) && near(seen[down as usize], 2.0 / 3.0), "{seen:?}");
+}
+
+#[test]
+fn eq_6_the_threshold_rises_with_the_square_of_time() {
+    assert_eq!(threshold(0, 50), 0.0);
+    assert!((threshold(1, 50) - 0.019_801_326_693_244_7).abs() < 1e-15, "1 − exp(−0.02)");
+    assert!((threshold(5, 50) - 0.393_469_340_287_366_6).abs() < 1e-15, "1 − exp(−0.5)");
+    assert!((threshold(10, 50) - 0.864_664_716_763_387_3).abs() < 1e-15, "1 − exp(−2)");
+    assert!(threshold(43, 50) < 1.0 && threshold(44, 50) == 1.0, "where 64 bits round to 1");
+    assert_eq!((time(Reading::Repaired, 1), time(Reading::Printed, 1)), (1, 0));
+}
+
+/// Probabilities 0.1, 0.3 and 0.6.
+const WEIGHTS: Row = [0.0, 1.0, 0.0, 3.0, 6.0, 0.0, 0.0, 0.0];
+
+#[test]
+fn step_5_roulette_among_the_steps_up_to_the_threshold() {
+    let with = |lambda| counts(|stream| choice::threshold(&WEIGHTS, lambda, stream));
+    let (none, one, two, all) = (with(0.05), with(0.2), with(0.5), with(1.0));
+    assert!([1, 3, 4].iter().all(|&d| near(none[d], 1.0 / 3.0)), "no candidate: uniform among all, {none:?}");
+    assert_eq!(one[1], 40_000, "only 0.1 ≤ 0.2");
+    assert!(near(two[1], 0.25) && near(two[3], 0.75) && two[4] == 0, "0.1 and 0.3 of 0.4: {two:?}");
+    assert!(near(all[1], 0.1) && near(all[3], 0.3) && near(all[4], 0.6), "as Ant System: {all:?}");
+    assert_eq!(choice::threshold(&[0.0; 8], 0.5, &mut stream()), None, "a dead end");
+}
+
+#[test]
+fn step_4_and_5_the_variant_takes_the_threshold_of_its_time() {
+    let mut variant = Acost::new(AcostParams { reading: Reading::Printed, ..AcostParams::default() });
+    variant.begin_iteration(1);
+    let first = counts(|stream| variant.choose(&WEIGHTS, stream));
+    assert!([1, 3, 4].iter().all(|&d| near(first[d], 1.0 / 3.0)), "λ_0 = 0: a uniform walk, {first:?}");
+    // λ_4 = 1 − exp(−16/50) = 0.274: only 0.1 is below. λ_5 = 0.393: 0.3, too.
+    variant.begin_iteration(5);
+    assert_eq!(counts(|stream| variant.choose(&WEIGHTS, stream))[1], 40_000);
+    let mut repaired = Acost::new(AcostParams::default());
+    repaired.begin_iteration(5);
+    assert!(near(counts(|stream| repaired.choose(&WEIGHTS, stream))[3], 0.75));
+}
+
+#[test]
+fn a_step_that_is_certain_up_to_rounding_is_barred_until_the_threshold_is_one() {
+    // Beside the goal with β = 25: the other step is left although it weighs 1e-30.
+    let beside_the_goal = [1.0, 1e-30, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let at = |t| choice::threshold(&beside_the_goal, threshold(t, 50), &mut stream());
+    assert_eq!((at(1), at(43), at(44)), (Some(1), Some(1), Some(0)));
+}
+
+#[test]
+fn acomsp_takes_the_most_probable_step_and_draws_between_equal_ones() {
+    let variant = Acomsp::new(AcomspParams::default());
+    assert_eq!(counts(|stream| variant.choose(&WEIGHTS, stream))[4], 40_000);
+    let tied = counts(|stream| choice::maximal(&[0.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0], stream));
+    assert!(near(tied[1], 0.5) && near(tied[3], 0.5), "{tied:?}");
+    assert_eq!(choice::maximal(&[0.0; 8], &mut stream()), None);
+}
+
+#[test]
+fn eq_7_to_9_each_move_leaves_q1_over_the_length_walked() {
+    let s = open(4, 2, Point::new(3, 1));
+    let variant = Acost::new(AcostParams { move_deposit: 3.0, ..AcostParams::default() });
+    let mut trails = Trails::new(8, 1.0);
+    // (0,0) → (1,1) → (2,1): l = √2, then 1 + √2.
+    let (first, second) = (direction(&s, (0, 0), (1, 1)), direction(&s, (1, 1), (2, 1)));
+    variant.on_move(&mut trails, Step { from: 0, direction: first, walked: SQRT2 });
+    variant.on_move(&mut trails, Step { from: 5, direction: second, walked: 1.0 + SQRT2 });
+    assert!((trails.get(0, first) - (1.0 + 3.0 / SQRT2)).abs() < 1e-6, "3.1213");
+    assert!((trails.get(5, second) - (1.0 + 3.0 / (1.0 + SQRT2))).abs() < 1e-6, "2.2426");
+    assert_eq!(trails.get(5, first), 1.0, "nothing elsewhere");
+}
+
+/// Ants on a 3 × 2 map that went straight (length 2), round (1 + √2), and nowhere; then `update`.
+fn updated(update: impl Fn(&mut Trails, Iteration)) -> (Trails, Arc<Scenario>) {
+    let s = open(3, 2, Point::new(2, 0));
+    let walk = Walk { moves: &s.moves, goal: s.goal, dead_end: DeadEnd::Die, max_moves: u32::MAX };
+    let way = |steps: &[Direction]| {
+        let mut ant = Ant::new(3, 2, stream());
+        ant.begin(3, s.start, stream());
+        steps.iter().for_each(|&d| ant.go(&walk, Some(d)));
+        ant
+    };
+    let (east, south, north_east) = (direction(&s, (0, 0), (1, 0)), direction(&s, (0, 0), (0, 1)), direction(&s, (1, 1), (2, 0)));
+    let mut lost = way(&[south]);
+    lost.go(&walk, None);
+    let ants = [way(&[east, east]), way(&[south, east, north_east]), lost];
+    let mut trails = Trails::new(6, 1.0);
+    update(&mut trails, Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None });
+    (trails, s)
+}
+
+#[test]
+fn eq_10_to_12_trails_evaporate_and_the_shortest_path_is_rewarded() {
+    // L_min = 2, Q2 = 3, 0.8 stays: 0.8 + 3/2 on the shortest path, 0.8 elsewhere; printed: three ants, 0.8 + 3·3/2.
+    for (reading, on_path) in [(Reading::Repaired, 2.3), (Reading::Printed, 5.3)] {
+        let (trails, s) = updated(|trails, iteration| reward_shortest(trails, &iteration, 0.2, 3.0, reading));
+        let east = direction(&s, (0, 0), (1, 0));
+        for cell in [0, 1] {
+            assert!((trails.get(cell, east) - on_path).abs() < 1e-6, "{reading:?}: {}", trails.get(cell, east));
+        }
+        assert!((trails.get(3, east) - 0.8).abs() < 1e-6, "the longer way gets nothing");
+    }
+}
+
+#[test]
+fn eq_10_to_12_both_variants_update_so_and_the_papers_aco_only_evaporates() {
+    let defaults = AcostParams::default();
+    let acost = |p: AcostParams| updated(|trails, iteration| Acost::new(p).update_trails(trails, iteration));
+    let acomsp = updated(|trails, iteration| Acomsp::new(AcomspParams::default()).update_trails(trails, iteration));
+    let aco = acost(AcostParams { rule: Rule::Proportional, path_deposit: 0.0, ..defaults });
+    // Half stays; 1/2 more on the path.
+    for ((trails, s), on_path) in [(acost(defaults), 1.0), (acomsp, 1.0), (aco, 0.5)] {
+        let east = direction(&s, (0, 0), (1, 0));
+        assert!((trails.get(0, east) - on_path).abs() < 1e-6 && (trails.get(3, east) - 0.5).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn the_iteration_without_arrivals_only_evaporates() {
+    let s = open(3, 2, Point::new(2, 0));
+    let mut trails = Trails::new(6, 1.0);
+    let iteration = Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None };
+    reward_shortest(&mut trails, &iteration, 0.5, 1.0, Reading::Repaired);
+    assert!((0..6).all(|c| (0..8).all(|d| trails.get(c, d) == 0.5)));
+}
+
+#[test]
+fn table_1_is_the_default() {
+    let (acost, acomsp) = (AcostParams::default(), AcomspParams::default());
+    assert_eq!((acost.alpha, acost.beta, acost.ants, acost.iterations, acost.rho), (1.0, 25.0, 10, 50, 0.5));
+    assert_eq!((acost.move_deposit, acost.path_deposit, acost.dead_end), (1.0, 1.0, DeadEnd::Die));
+    assert_eq!((acomsp.alpha, acomsp.beta, acomsp.ants, acomsp.iterations, acomsp.rho), (1.0, 15.0, 10, 50, 0.5));
+    assert_eq!((acomsp.path_deposit, acomsp.dead_end), (1.0, DeadEnd::Die));
+}
