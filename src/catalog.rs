@@ -39,7 +39,7 @@ pub fn find(id: &str) -> Result<&'static Entry, ParamError> {
 /// Makes a planner: the entry's defaults, then the preset's values, then `values`.
 ///
 /// # Errors
-/// [`ParamError`] for an unknown planner, preset or key, or a value that does not fit.
+/// [`ParamError`] for an unknown planner, preset or key, a value that does not fit, or tables that would not fit into memory.
 pub fn build(
     scenario: &Arc<Scenario>,
     id: &str,
@@ -50,7 +50,18 @@ pub fn build(
     let entry = find(id)?;
     let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
     all.extend(values.clone());
-    (entry.build)(scenario, &all, seed)
+    let planner = (entry.build)(scenario, &all, seed)?;
+    check_memory(scenario, planner.colony_size())?;
+    Ok(planner)
+}
+
+/// Refuses what would run out of memory at the first step. Bytes per cell: trails, weights, flags, and what the page draws.
+fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
+    const PER_CELL: u64 = 150;
+    const LIMIT_MB: u64 = 3000;
+    let cells = scenario.grid.len() as u64;
+    let megabytes = (cells * PER_CELL + u64::from(ants) * (cells / 8 + 4096)) / 1_000_000;
+    if megabytes > LIMIT_MB { Err(ParamError::Memory { ants, megabytes, limit: LIMIT_MB }) } else { Ok(()) }
 }
 
 fn preset_values(entry: &Entry, name: &str) -> Result<Values, ParamError> {

@@ -94,6 +94,16 @@ pub enum ParamError {
         /// What the parameter means.
         meaning: String,
     },
+    /// The tables of a colony would not fit into the address space of WebAssembly; the same limit natively, so that a link runs everywhere.
+    #[error("{ants} ants on this map need {megabytes} MB, more than {limit}")]
+    Memory {
+        /// Ants asked for.
+        ants: u32,
+        /// What they and the map's tables need.
+        megabytes: u64,
+        /// What there is.
+        limit: u64,
+    },
 }
 
 /// A scenario cannot be planned on.
@@ -270,6 +280,12 @@ impl ParamError {
                     .with("value", value)
                     .with("min", min)
                     .with("max", max)
+            }
+            Self::Memory { ants, megabytes, limit } => {
+                ErrorReport::new("memory", "ants", message, "use fewer ants, or crop or resample the map")
+                    .with("value", ants)
+                    .with("megabytes", megabytes)
+                    .with("max", limit)
             }
             Self::WrongType { key, value, expected, .. } => {
                 ErrorReport::new("wrong-type", key, message, format!("{key} takes {expected}"))

@@ -335,15 +335,18 @@ macro_rules! params {
         }
         impl $crate::params::Params for $name {
             fn specs() -> Vec<$crate::params::ParamSpec> {
-                let mut specs = Vec::new();
-                $( specs.push($crate::params!(@spec $meaning, $key, $type, $default, $symbol, ($($range)?), $unit, $source, $($when $($value)+)?)); )+
-                $(
-                    specs.extend(<$set as $crate::params::Params>::specs());
-                    $( specs.push($crate::params!(
-                        @spec $meaning2, $key2, $type2, $default2, $symbol2, ($($range2)?), $unit2, $source2, $($when2 $($value2)+)?
-                    )); )*
-                )*
-                specs
+                [
+                    vec![ $( $crate::params!(
+                        @spec $meaning, $key, $type, $default, $symbol, ($($range)?), $unit, $source, $($when $($value)+)?
+                    ), )+ ],
+                    $(
+                        <$set as $crate::params::Params>::specs(),
+                        vec![ $( $crate::params!(
+                            @spec $meaning2, $key2, $type2, $default2, $symbol2, ($($range2)?), $unit2, $source2, $($when2 $($value2)+)?
+                        ), )* ],
+                    )*
+                ]
+                .concat()
             }
             fn pick(values: &$crate::params::Values) -> Result<Self, $crate::error::ParamError> {
                 let (specs, default) = (Self::specs(), Self::default());

@@ -250,6 +250,17 @@ fn unknown_names_are_refused_with_what_is_known() {
 }
 
 #[test]
+fn what_would_run_out_of_memory_is_refused() {
+    let grid = formicarium::map::Grid::open(4096, 4096).expect("the largest map");
+    let ends = (formicarium::map::Point::new(0, 0), formicarium::map::Point::new(9, 9));
+    let scenario = Arc::new(Scenario::on(grid, Movement::default(), ends.0, ends.1).expect("usable"));
+    let with = |ants: f64| catalog::build(&scenario, "ant-system", None, &[("ants".to_string(), Value::Number(ants))].into(), 1);
+    assert!(with(50.0).is_ok());
+    let report = with(1024.0).err().expect("too many ants").report();
+    assert_eq!((report.kind.as_str(), report.field.as_str()), ("memory", "ants"));
+}
+
+#[test]
 fn the_catalog_is_complete_and_its_presets_run() {
     let scenario = common::random(16, 0.2, 1, Movement::default());
     for (i, entry) in CATALOG.iter().enumerate() {

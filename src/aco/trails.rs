@@ -113,6 +113,7 @@ impl Trails {
 
     /// min ≤ τ ≤ max everywhere; where both cannot be, max gives way. Costs as much as ants have deposited around: all other cells share
     /// one value, and as selection compares the steps of one cell only, their weights need not follow it.
+    #[expect(clippy::manual_clamp, reason = "clamp would keep NaN")]
     pub fn limit(&mut self, min: f64, max: f64) {
         let low = ((min / self.scale) as f32).max(FLOOR).min(CEILING);
         let high = ((max / self.scale) as f32).max(low).min(CEILING);

@@ -89,7 +89,7 @@ fn eq_7_density_counts_the_border_as_blocked() {
 }
 
 #[test]
-fn eq_1_and_7_weights_on_demand_are_those_of_the_formula() {
+fn eq_1_and_7_probabilities_on_demand_are_those_of_the_formula() {
     let made = generate(Generator::Random, 24, 24, 3, 0.25).expect("a usable size");
     let s = Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("usable");
     for reading in [Reading::Repaired, Reading::Printed] {
@@ -106,12 +106,13 @@ fn eq_1_and_7_weights_on_demand_are_those_of_the_formula() {
             tables.outdate(&mut trails);
             for c in 0..s.grid.len() as Cell {
                 let seen = |d| ship.heuristic(&s, c, d, s.moves.step(c, d));
-                let largest = s.moves.directions(c).map(seen).fold(0.0, f64::max);
+                let weight = |d: Direction| trails.get(c, d) * seen(d).powi(2);
+                let sum: f64 = s.moves.directions(c).map(weight).sum();
                 let row = *tables.now(&s, &ship, &trails).row(c);
+                let got: f64 = row.iter().map(|&w| f64::from(w)).sum();
                 for d in s.moves.directions(c) {
-                    let weight = f64::from(trails.relative(c)[d as usize]) * (seen(d) / largest).powi(2);
-                    let got = f64::from(row[d as usize]);
-                    assert!((got - weight).abs() <= 1e-4 * weight.max(1e-25), "{reading:?}, t = {t}, cell {c}: {got}, {weight}");
+                    let (p, expected) = (f64::from(row[d as usize]) / got, weight(d) / sum);
+                    assert!((p - expected).abs() <= 1e-4 * expected, "{reading:?}, t = {t}, cell {c}: {p}, {expected}");
                     let (a, b) = ship.log_heuristic(&s, c, d, s.moves.step(c, d));
                     assert!(close(a + b * ship.time(), seen(d).ln()));
                 }

@@ -44,12 +44,12 @@ pub const GOLDENS: &[Golden] = &[
         digest: "e51a47a1ed60d87f",
     },
     Golden {
-        map: (Generator::Rooms, 50, 50, 3, 0.0),
+        map: (Generator::Random, 50, 50, 3, 0.15),
         movement: eight(CornerRule::Always),
         planner: "ant-system",
         values: &[("beta", "25"), ("dead_end", "die"), ("heuristic", "detour"), ("iterations", "60"), ("move_limit", "0")],
         seed: 4_294_967_295,
-        digest: "f451bdf2c40baf59",
+        digest: "752e418bfd16aa17",
     },
     Golden {
         map: (Generator::Maze, 41, 41, 4, 0.0),
