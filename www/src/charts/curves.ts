@@ -37,7 +37,10 @@ function curves(panel: Panel, points: number, stride: number): PanelCurves {
   const rows = historyOf(panel.id)
   const best = column(rows, BEST_SO_FAR, points, stride)
   if (hasEnded(panel)) prolong(best)
-  if (isExact(panel)) best.fill(best.at(-1) ?? null)
+  if (isExact(panel)) {
+    const none: Curve = best.map(() => null)
+    return { best: best.fill(best.at(-1) ?? null), iterationBest: none, mean: none }
+  }
   return {
     best,
     iterationBest: column(rows, ITERATION_BEST, points, stride),
