@@ -71,9 +71,9 @@ pub type Values = BTreeMap<String, Value>;
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ChoiceOption {
     /// Its id, as it stands in links and files.
-    pub id: String,
+    pub id: &'static str,
     /// What it does.
-    pub meaning: String,
+    pub meaning: &'static str,
 }
 
 /// What values a parameter takes.
@@ -109,7 +109,7 @@ pub enum ParamKind {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct AppliesWhen {
     /// The other parameter …
-    pub key: String,
+    pub key: &'static str,
     /// … has one of these values.
     pub values: Vec<Value>,
 }
@@ -119,19 +119,19 @@ pub struct AppliesWhen {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ParamSpec {
     /// Stable key in links, files and on the command line.
-    pub key: String,
+    pub key: &'static str,
     /// The symbol of the literature, e.g. ρ.
-    pub symbol: String,
+    pub symbol: &'static str,
     /// Type and range.
     pub kind: ParamKind,
     /// Value when none is given.
     pub default: Value,
     /// Unit; empty for a pure number.
-    pub unit: String,
+    pub unit: &'static str,
     /// What it does.
-    pub meaning: String,
+    pub meaning: &'static str,
     /// Where the definition or the default comes from.
-    pub source: String,
+    pub source: &'static str,
     /// None when it always has an effect.
     pub applies_when: Option<AppliesWhen>,
 }
@@ -139,10 +139,10 @@ pub struct ParamSpec {
 impl ParamSpec {
     fn wrong_type(&self, value: &Value, expected: impl Into<String>) -> ParamError {
         ParamError::WrongType {
-            key: self.key.clone(),
+            key: self.key.into(),
             value: value.to_string(),
             expected: expected.into(),
-            meaning: self.meaning.clone(),
+            meaning: self.meaning.into(),
         }
     }
 
@@ -155,7 +155,7 @@ impl ParamSpec {
         };
         let &Value::Number(v) = value else { return Err(self.wrong_type(value, "a number")) };
         if !(min..=max).contains(&v) {
-            let (key, meaning) = (self.key.clone(), self.meaning.clone());
+            let (key, meaning) = (self.key.into(), self.meaning.into());
             return Err(ParamError::OutOfRange { key, value: value.to_string(), min, max, meaning });
         }
         if whole && v.fract() != 0.0 { Err(self.wrong_type(value, "a whole number")) } else { Ok(v) }
@@ -228,7 +228,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 impl<T: Choice> ParamType for T {
     type Range = ();
     fn kind((): ()) -> ParamKind {
-        let option = |&(_, id, meaning): &(T, &str, &str)| ChoiceOption { id: id.into(), meaning: meaning.trim().into() };
+        let option = |&(_, id, meaning): &(T, &'static str, &'static str)| ChoiceOption { id, meaning: meaning.trim() };
         ParamKind::Choice { options: T::OPTIONS.iter().map(option).collect() }
     }
     fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
@@ -267,10 +267,10 @@ pub trait Params: Sized {
 /// # Errors
 /// [`ParamError::UnknownKey`] for the first such key.
 pub fn check_keys(planner: &str, specs: &[ParamSpec], values: &Values) -> Result<(), ParamError> {
-    match values.keys().find(|k| specs.iter().all(|s| s.key != **k)) {
+    match values.keys().find(|k| specs.iter().all(|s| s.key != k.as_str())) {
         None => Ok(()),
         Some(key) => {
-            let known = specs.iter().map(|s| s.key.as_str()).collect::<Vec<_>>().join(", ");
+            let known = specs.iter().map(|s| s.key).collect::<Vec<_>>().join(", ");
             Err(ParamError::UnknownKey { planner: planner.into(), key: key.clone(), known })
         }
     }

@@ -199,7 +199,7 @@ fn ends(spec: &ParamSpec) -> (Vec<Value>, Vec<Value>) {
         ),
         ParamKind::Flag => (vec![Value::Flag(true), Value::Flag(false)], vec![Value::Number(1.0)]),
         ParamKind::Choice { options } => (
-            options.iter().map(|o| Value::Text(o.id.clone())).collect(),
+            options.iter().map(|o| Value::from(o.id)).collect(),
             vec![Value::Text("no such option".into()), Value::Number(0.0)],
         ),
     }
@@ -213,7 +213,7 @@ fn range_ends_run_and_what_is_outside_is_refused_by_name() {
             let (inside, outside) = ends(&spec);
             for value in inside {
                 let mut values = short(entry);
-                values.insert(spec.key.clone(), value.clone());
+                values.insert(spec.key.into(), value.clone());
                 let built = catalog::build(&scenario, entry.id, None, &values, 1);
                 let mut planner = built.unwrap_or_else(|e| panic!("{} {} = {value}: {e}", entry.id, spec.key));
                 for _ in 0..8 {
@@ -225,11 +225,11 @@ fn range_ends_run_and_what_is_outside_is_refused_by_name() {
                 }
             }
             for value in outside {
-                let values: Values = [(spec.key.clone(), value.clone())].into();
+                let values: Values = [(spec.key.to_string(), value.clone())].into();
                 let error = catalog::build(&scenario, entry.id, None, &values, 1).err();
                 let report = error.unwrap_or_else(|| panic!("{} {} = {value} was accepted", entry.id, spec.key)).report();
                 assert_eq!(report.field, spec.key);
-                assert!(report.message.contains(&spec.meaning) && !report.hint.is_empty(), "{report:?}");
+                assert!(report.message.contains(spec.meaning) && !report.hint.is_empty(), "{report:?}");
             }
         }
     }
@@ -268,7 +268,7 @@ fn the_catalog_is_complete_and_its_presets_run() {
         assert!(!entry.source.is_empty() && !entry.summary.is_empty() && !entry.layers.is_empty(), "{}", entry.id);
         for spec in (entry.specs)() {
             assert!(!spec.meaning.is_empty() && !spec.source.is_empty(), "{} {}", entry.id, spec.key);
-            let keys: Vec<_> = (entry.specs)().iter().map(|s| s.key.clone()).collect();
+            let keys: Vec<_> = (entry.specs)().iter().map(|s| s.key).collect();
             assert!(spec.applies_when.is_none_or(|w| keys.contains(&w.key)), "{} {}", entry.id, spec.key);
         }
         for preset in entry.presets {

@@ -28,6 +28,9 @@ impl Weights for &Choice {
     }
 }
 
+/// η(i, direction, j) of a feasible step. Borrowed as an object: one copy of the loops over the map serves all variants.
+pub type Eta<'a> = dyn Fn(Cell, Direction, Cell) -> f64 + 'a;
+
 /// Cached weights of every step.
 #[derive(Debug, Clone)]
 pub struct Choice {
@@ -46,7 +49,8 @@ impl Choice {
     }
 
     /// Takes in η(i, direction, j) of every feasible step.
-    pub fn see(&mut self, scenario: &Scenario, eta: impl Fn(Cell, Direction, Cell) -> f64) {
+    #[inline(never)]
+    pub fn see(&mut self, scenario: &Scenario, eta: &Eta) {
         for c in 0..scenario.grid.len() as Cell {
             let mut row = [0.0f64; DIRECTIONS];
             for d in scenario.moves.directions(c) {
@@ -62,6 +66,7 @@ impl Choice {
     }
 
     /// Recomputes the weights whose trail has changed.
+    #[inline(never)]
     pub fn refresh(&mut self, trails: &mut Trails) {
         let (alpha, visibility, weights) = (self.alpha, &self.visibility, &mut self.weights);
         trails.take_changes(|row, c| weights[c as usize] = weigh(row, alpha, &visibility[c as usize]));

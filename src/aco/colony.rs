@@ -8,7 +8,7 @@ use crate::rng::Streams;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Choice, Weights, without};
+use super::choice::{Choice, Eta, Weights, without};
 use super::lanes;
 use super::on_demand::OnDemand;
 use super::trails::Trails;
@@ -22,6 +22,28 @@ struct Tables {
     /// The weights of the steps where ants come by; empty without [`Variant::TIMED`].
     on_demand: OnDemand,
     ants: Vec<Ant>,
+}
+
+impl Tables {
+    #[inline(never)]
+    fn new(scenario: &Scenario, settings: &Settings, trails: Trails, timed: bool, streams: Streams) -> Self {
+        let (cells, alpha, beta) = (scenario.grid.len(), settings.alpha, settings.beta);
+        let (width, height) = (scenario.grid.width(), scenario.grid.height());
+        let ant = |k| Ant::new(width, height, streams.ant(0, k));
+        Self {
+            trails,
+            choice: Choice::new(if timed { 0 } else { cells }, alpha, beta),
+            on_demand: OnDemand::new(if timed { cells } else { 0 }, alpha, beta),
+            ants: (0..settings.ants).map(ant).collect(),
+        }
+    }
+
+    #[inline(never)]
+    fn place_ants(&mut self, scenario: &Scenario, streams: Streams, iteration: u32) {
+        for (k, ant) in self.ants.iter_mut().enumerate() {
+            ant.begin(scenario.grid.width(), scenario.start, streams.ant(iteration, k as u32));
+        }
+    }
 }
 
 /// A colony at work on one scenario.
@@ -68,37 +90,27 @@ impl<V: Variant + 'static> Colony<V> {
 
     fn prepare(&mut self) {
         let scenario = &self.scenario;
-        let cells = scenario.grid.len();
-        let (width, height) = (scenario.grid.width(), scenario.grid.height());
-        let ant = |k| Ant::new(width, height, self.streams.ant(0, k));
-        let mut trails = Trails::new(cells, self.variant.initial_trail(scenario));
+        let mut trails = Trails::new(scenario.grid.len(), self.variant.initial_trail(scenario));
         self.variant.prepare(scenario, &mut trails);
-        let (alpha, beta) = (self.settings.alpha, self.settings.beta);
-        self.tables = Some(Tables {
-            trails,
-            choice: Choice::new(if V::TIMED { 0 } else { cells }, alpha, beta),
-            on_demand: OnDemand::new(if V::TIMED { cells } else { 0 }, alpha, beta),
-            ants: (0..self.settings.ants).map(ant).collect(),
-        });
+        self.tables = Some(Tables::new(scenario, &self.settings, trails, V::TIMED, self.streams));
     }
 
     fn begin_iteration(&mut self) {
-        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return };
+        let Some(tables) = &mut self.tables else { return };
+        let Tables { trails, choice, on_demand, .. } = &mut *tables;
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
         let (scenario, variant) = (&*self.scenario, &self.variant);
         match (V::TIMED, variant.heuristic_changes(number)) {
             (true, true) => on_demand.another_time(),
             (false, true) => {
-                choice.see(scenario, |i, d, j| variant.heuristic(scenario, i, d, j));
+                choice.see(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j));
                 trails.all_changed();
             }
             (_, false) => {}
         }
         take_in_trails::<V>(choice, on_demand, trails);
-        for (k, ant) in ants.iter_mut().enumerate() {
-            ant.begin(scenario.grid.width(), scenario.start, self.streams.ant(number, k as u32));
-        }
+        tables.place_ants(scenario, self.streams, number);
         self.constructing = true;
     }
 
@@ -193,15 +205,14 @@ fn take_in_trails<V: Variant>(choice: &mut Choice, on_demand: &mut OnDemand, tra
 
 /// Every ant's walk, one after the other or in lanes.
 fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
-    let finish = |weights: &mut W, ant: &mut Ant| {
+    if V::RANDOM_PROPORTIONAL {
+        lanes::walk_all(weights, walk, ants);
+        return;
+    }
+    for ant in ants {
         while ant.fate() == Fate::Walking {
             move_one(variant, weights, walk, ant);
         }
-    };
-    if V::RANDOM_PROPORTIONAL {
-        lanes::walk_all(weights, walk, ants, finish);
-    } else {
-        ants.iter_mut().for_each(|ant| finish(weights, ant));
     }
 }
 
@@ -215,6 +226,7 @@ fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, a
 }
 
 /// An ant's way as cells.
+#[inline(never)]
 fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     let mut at = scenario.start;
     let rest = ant.steps().iter().map(|&d| {
@@ -224,6 +236,7 @@ fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     std::iter::once(scenario.start).chain(rest).collect()
 }
 
+#[inline(never)]
 fn record(iteration: &Iteration) -> Record {
     let (mut arrived, mut sum) = (0u32, 0.0);
     for (_, length) in iteration.arrived() {
@@ -287,7 +300,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         out.resize(count, 0.0);
         match (kind, &self.tables) {
             (Layer::Cost, _) => return false,
-            (Layer::Heuristic, _) => mean_heuristic(&self.variant, scenario, out),
+            (Layer::Heuristic, _) => mean_heuristic(scenario, out, &|i, d, j| self.variant.heuristic(scenario, i, d, j)),
             (Layer::Trail, Some(tables)) => {
                 out.iter_mut().enumerate().for_each(|(c, t)| *t = tables.trails.strongest(c as Cell));
             }
@@ -310,12 +323,13 @@ impl<V: Variant + 'static> Planner for Colony<V> {
 }
 
 /// Mean η of the steps that lead into each cell.
-fn mean_heuristic<V: Variant>(variant: &V, scenario: &Scenario, out: &mut [f32]) {
+#[inline(never)]
+fn mean_heuristic(scenario: &Scenario, out: &mut [f32], eta: &Eta) {
     let mut ways = vec![0.0f32; out.len()];
     for i in 0..out.len() as Cell {
         for d in scenario.moves.directions(i) {
             let j = scenario.moves.step(i, d);
-            out[j as usize] += variant.heuristic(scenario, i, d, j) as f32;
+            out[j as usize] += eta(i, d, j) as f32;
             ways[j as usize] += 1.0;
         }
     }

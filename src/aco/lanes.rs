@@ -8,14 +8,15 @@ use rand::Rng;
 use wide::f32x4;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Weights, without};
+use super::choice::{Weights, random_proportional, without};
 use crate::map::{DIRECTIONS, Direction};
 use crate::rng::unit_f32;
 
 const LANES: usize = 4;
 
-/// Lets all walking ants walk to their end. `finish` takes one ant to its end alone.
-pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant], finish: impl Fn(&mut W, &mut Ant)) {
+/// Lets all walking ants walk to their end. One copy for all variants that select by this rule.
+#[inline(never)]
+pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
     let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
     while let Ok(four) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
@@ -23,7 +24,16 @@ pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant
         lanes.retain(|a| a.fate() == Fate::Walking);
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
     }
-    lanes.into_iter().for_each(|ant| finish(weights, ant));
+    lanes.into_iter().for_each(|ant| walk_alone(weights, walk, ant));
+}
+
+/// The last ants, with the same numbers.
+fn walk_alone<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant) {
+    while ant.fate() == Fate::Walking {
+        let left = without(weights.row(ant.cell()), ant.visited());
+        let step = random_proportional(&left, &mut ant.stream);
+        ant.go(walk, step);
+    }
 }
 
 fn walk_until_one_ends<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES]) {

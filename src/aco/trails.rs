@@ -36,6 +36,7 @@ pub struct Trails {
 
 impl Trails {
     /// The same trail everywhere.
+    #[inline(never)]
     pub fn new(cells: usize, initial: f64) -> Self {
         Self {
             stored: vec![[initial as f32; DIRECTIONS]; cells],
@@ -94,6 +95,7 @@ impl Trails {
     }
 
     /// τ ← τ + amount on every step of the map, kept above 0; the amount may be negative. One sweep over the map.
+    #[inline(never)]
     pub fn shift(&mut self, amount: f64) {
         let amount = (amount / self.scale) as f32;
         for t in self.stored.iter_mut().flatten() {
@@ -114,6 +116,7 @@ impl Trails {
     /// min ≤ τ ≤ max everywhere; where both cannot be, max gives way. Costs as much as ants have deposited around: all other cells share
     /// one value, and as selection compares the steps of one cell only, their weights need not follow it.
     #[expect(clippy::manual_clamp, reason = "clamp would keep NaN")]
+    #[inline(never)]
     pub fn limit(&mut self, min: f64, max: f64) {
         let low = ((min / self.scale) as f32).max(FLOOR).min(CEILING);
         let high = ((max / self.scale) as f32).max(low).min(CEILING);
@@ -153,6 +156,7 @@ impl Trails {
     }
 
     /// Writes the scale into the stored values. With ρ = 1 it is 0, and the floor is all that remains.
+    #[inline(never)]
     fn sweep(&mut self) {
         let scale = self.scale as f32;
         for row in &mut self.stored {

@@ -54,7 +54,7 @@ fn table(planner: &CatalogEntry) -> String {
 
 /// Key, default, range, meaning.
 fn param_row(spec: &ParamSpec) -> [String; 4] {
-    [spec.key.clone(), spec.default.to_string(), range(spec), spec.meaning.clone()]
+    [spec.key.into(), spec.default.to_string(), range(spec), spec.meaning.into()]
 }
 
 /// What a parameter takes, in short.
@@ -64,6 +64,6 @@ fn range(spec: &ParamSpec) -> String {
         ParamKind::Integer { min, max } => format!("{min} to {max}{unit}"),
         ParamKind::Real { min, max } => format!("{min} to {max}{unit}"),
         ParamKind::Flag => "true | false".into(),
-        ParamKind::Choice { options } => options.iter().map(|o| o.id.as_str()).collect::<Vec<_>>().join(" | "),
+        ParamKind::Choice { options } => options.iter().map(|o| o.id).collect::<Vec<_>>().join(" | "),
     }
 }

@@ -65,7 +65,7 @@ fn eq_5_probabilities_are_proportional_to_trail_and_heuristic() {
     let down = direction(&s, (0, 1), (0, 2));
     trails.deposit(1, up, 1.0);
     let mut table = choice::Choice::new(4, 1.0, 2.0);
-    table.see(&s, |_, d, _| if d == up { 0.5 } else { 1.0 });
+    table.see(&s, &|_, d, _| if d == up { 0.5 } else { 1.0 });
     table.refresh(&mut trails);
     let variant = Acost::new(AcostParams { rule: Rule::Proportional, ..AcostParams::default() });
     let row = *table.row(1);
