@@ -198,10 +198,9 @@ fn ends(spec: &ParamSpec) -> (Vec<Value>, Vec<Value>) {
             ],
         ),
         ParamKind::Flag => (vec![Value::Flag(true), Value::Flag(false)], vec![Value::Number(1.0)]),
-        ParamKind::Choice { options } => (
-            options.iter().map(|o| Value::from(o.id)).collect(),
-            vec![Value::Text("no such option".into()), Value::Number(0.0)],
-        ),
+        ParamKind::Choice { options } => {
+            (options.iter().map(|o| Value::from(o.id)).collect(), vec![Value::Text("no such option".into()), Value::Number(0.0)])
+        }
     }
 }
 
