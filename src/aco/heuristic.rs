@@ -18,12 +18,12 @@ choice! {
 }
 
 /// d(goal, goal) where a formula divides by it: η = 100 at the goal, as in the textbook MATLAB program.
-const AT_GOAL: f64 = 0.01;
+pub const AT_GOAL: f64 = 0.01;
 
-/// η by goal distance: 1 / d(j, goal).
-pub fn goal_distance(j: Point, goal: Point) -> f64 {
+/// η by goal distance: 1 / d(j, goal), Euclidean; `at_goal` stands for the distance 0.
+pub fn goal_distance(j: Point, goal: Point, at_goal: f64) -> f64 {
     let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
-    1.0 / libm::sqrt(dx * dx + dy * dy).max(AT_GOAL)
+    1.0 / libm::sqrt(dx * dx + dy * dy).max(at_goal)
 }
 
 /// η by detour: 1 / (1 + c_ij + d(j) − d(i)), d = length of the shortest path on an open map. Between 1/(1 + 2√2) and 1.
@@ -38,7 +38,7 @@ impl Heuristic {
         let (from, to) = (scenario.grid.point(i), scenario.grid.point(j));
         match self {
             Self::Detour => detour(&Distance::of(scenario), from, to, d),
-            Self::Goal => goal_distance(to, scenario.grid.point(scenario.goal)),
+            Self::Goal => goal_distance(to, scenario.grid.point(scenario.goal), AT_GOAL),
             Self::Step => 1.0 / step_length(d),
         }
     }

@@ -6,7 +6,9 @@ use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::choice;
 use formicarium::aco::dead_end::DeadEnd;
-use formicarium::aco::threshold::{Acomsp, AcomspParams, Acost, AcostParams, Rule, reward_shortest, threshold, time, visibility};
+use formicarium::aco::threshold::{
+    Acomsp, AcomspParams, Acost, AcostParams, CommonParams, Rule, reward_shortest, threshold, time, visibility,
+};
 use formicarium::aco::trails::{Row, Trails};
 use formicarium::aco::variant::{Iteration, Step, Variant};
 use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
@@ -99,7 +101,8 @@ fn step_5_roulette_among_the_steps_up_to_the_threshold() {
 
 #[test]
 fn step_4_and_5_the_variant_takes_the_threshold_of_its_time() {
-    let mut variant = Acost::new(AcostParams { reading: Reading::Printed, ..AcostParams::default() });
+    let common = CommonParams { reading: Reading::Printed, ..CommonParams::default() };
+    let mut variant = Acost::new(AcostParams { common, ..AcostParams::default() });
     variant.begin_iteration(1);
     let first = counts(|stream| variant.choose(&WEIGHTS, stream));
     assert!([1, 3, 4].iter().all(|&d| near(first[d], 1.0 / 3.0)), "λ_0 = 0: a uniform walk, {first:?}");
@@ -165,7 +168,8 @@ fn updated(update: impl Fn(&mut Trails, Iteration)) -> (Trails, Arc<Scenario>) {
 fn eq_10_to_12_trails_evaporate_and_the_shortest_path_is_rewarded() {
     // L_min = 2, Q2 = 3, 0.8 stays: 0.8 + 3/2 on the shortest path, 0.8 elsewhere; printed: three ants, 0.8 + 3·3/2.
     for (reading, on_path) in [(Reading::Repaired, 2.3), (Reading::Printed, 5.3)] {
-        let (trails, s) = updated(|trails, iteration| reward_shortest(trails, &iteration, 0.2, 3.0, reading));
+        let p = CommonParams { rho: 0.2, path_deposit: 3.0, reading, ..CommonParams::default() };
+        let (trails, s) = updated(|trails, iteration| reward_shortest(trails, &iteration, &p));
         let east = direction(&s, (0, 0), (1, 0));
         for cell in [0, 1] {
             assert!((trails.get(cell, east) - on_path).abs() < 1e-6, "{reading:?}: {}", trails.get(cell, east));
@@ -179,7 +183,8 @@ fn eq_10_to_12_both_variants_update_so_and_the_papers_aco_only_evaporates() {
     let defaults = AcostParams::default();
     let acost = |p: AcostParams| updated(|trails, iteration| Acost::new(p).update_trails(trails, iteration));
     let acomsp = updated(|trails, iteration| Acomsp::new(AcomspParams::default()).update_trails(trails, iteration));
-    let aco = acost(AcostParams { rule: Rule::Proportional, path_deposit: 0.0, ..defaults });
+    let common = CommonParams { path_deposit: 0.0, ..CommonParams::default() };
+    let aco = acost(AcostParams { rule: Rule::Proportional, common, ..defaults });
     // Half stays; 1/2 more on the path.
     for ((trails, s), on_path) in [(acost(defaults), 1.0), (acomsp, 1.0), (aco, 0.5)] {
         let east = direction(&s, (0, 0), (1, 0));
@@ -192,15 +197,16 @@ fn the_iteration_without_arrivals_only_evaporates() {
     let s = open(3, 2, Point::new(2, 0));
     let mut trails = Trails::new(6, 1.0);
     let iteration = Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None };
-    reward_shortest(&mut trails, &iteration, 0.5, 1.0, Reading::Repaired);
+    reward_shortest(&mut trails, &iteration, &CommonParams::default());
     assert!((0..6).all(|c| (0..8).all(|d| trails.get(c, d) == 0.5)));
 }
 
 #[test]
 fn table_1_is_the_default() {
     let (acost, acomsp) = (AcostParams::default(), AcomspParams::default());
-    assert_eq!((acost.alpha, acost.beta, acost.ants, acost.iterations, acost.rho), (1.0, 25.0, 10, 50, 0.5));
-    assert_eq!((acost.move_deposit, acost.path_deposit, acost.dead_end), (1.0, 1.0, DeadEnd::Die));
-    assert_eq!((acomsp.alpha, acomsp.beta, acomsp.ants, acomsp.iterations, acomsp.rho), (1.0, 15.0, 10, 50, 0.5));
-    assert_eq!((acomsp.path_deposit, acomsp.dead_end), (1.0, DeadEnd::Die));
+    assert_eq!((acost.beta, acost.move_deposit, acomsp.beta), (25.0, 1.0, 15.0));
+    for p in [acost.common, acomsp.common] {
+        assert_eq!((p.alpha, p.ants, p.iterations, p.rho, p.path_deposit), (1.0, 10, 50, 0.5, 1.0));
+        assert_eq!(p.dead_end, DeadEnd::Die);
+    }
 }

@@ -42,6 +42,7 @@ use crate::aco::choice;
 use crate::aco::colony::Colony;
 use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
+use crate::aco::heuristic::{self, AT_GOAL};
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
@@ -63,28 +64,22 @@ crate::choice! {
 }
 
 params! {
-    /// Parameters of ACOST.
-    pub struct AcostParams {
+    /// What ACOST and ACOMSP have in common: most of table 1, and what the paper leaves open.
+    pub struct CommonParams {
         /// ants that build a path in each iteration
         ants: u32 = 10, "m", [1..=1024], "ants", "table 1";
         /// iterations after which the colony stops
         iterations: u32 = 50, "T_max", [1..=100_000], "iterations", "table 1; also in eq. 6";
         /// weight of the trail τ in the choice of a step
         alpha: f64 = 1.0, "α", [0.0..=10.0], "", "table 1";
-        /// weight of the heuristic η in the choice of a step
-        beta: f64 = 25.0, "β", [0.0..=50.0], "", "table 1";
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "table 1; eq. 10 multiplies by what stays, also 0.5";
-        /// after each move an ant leaves Q1 / length walked so far on that step
-        move_deposit: f64 = 1.0, "Q1", [0.0..=1e6], "cells", "table 1, eq. 8";
         /// the iteration's shortest path gets Q2 / its length on each step
         path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
-        /// how an ant selects a step
-        rule: Rule = Rule::Threshold, "", [], "", "step 5; proportional: the paper's ACO";
         /// how to take what the paper prints against its own text
         reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 6 from t = 1, eq. 12 once";
         /// distance that stands for 0 where an ant sees the goal itself
-        goal_distance: f64 = 0.01, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
+        goal_distance: f64 = AT_GOAL, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
         /// what an ant does where no neighbour is left
@@ -97,39 +92,51 @@ params! {
 }
 
 params! {
+    /// Parameters of ACOST.
+    pub struct AcostParams {
+        /// how an ant selects a step
+        rule: Rule = Rule::Threshold, "", [], "", "step 5; proportional: the paper's ACO";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 25.0, "β", [0.0..=50.0], "", "table 1";
+        /// after each move an ant leaves Q1 / length walked so far on that step
+        move_deposit: f64 = 1.0, "Q1", [0.0..=1e6], "cells", "table 1, eq. 8";
+        ..common: CommonParams;
+    }
+}
+
+params! {
     /// Parameters of ACOMSP.
     pub struct AcomspParams {
-        /// ants that build a path in each iteration
-        ants: u32 = 10, "m", [1..=1024], "ants", "table 1";
-        /// iterations after which the colony stops
-        iterations: u32 = 50, "T_max", [1..=100_000], "iterations", "table 1";
-        /// weight of the trail τ in the choice of a step
-        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "table 1";
         /// weight of the heuristic η in the choice of a step
         beta: f64 = 15.0, "β", [0.0..=50.0], "", "table 1";
-        /// evaporation rate: the part of every trail that leaves in each iteration
-        rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "table 1; eq. 10 multiplies by what stays, also 0.5";
-        /// the iteration's shortest path gets Q2 / its length on each step
-        path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
-        /// how to take what the paper prints against its own text
-        reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 12 once";
-        /// distance that stands for 0 where an ant sees the goal itself
-        goal_distance: f64 = 0.01, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
-        /// trail on every step before the first iteration
-        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
-        /// what an ant does where no neighbour is left
-        dead_end: DeadEnd = DeadEnd::Die, "", [], "", "step 3, case 1";
-        /// an ant gives up after this many times width + height moves; 0 = never
-        move_limit: f64 = 0.0, "", [0.0..=1000.0], "× (width + height)", "our addition; the paper has no cap";
-        /// stops after this many iterations without a shorter path; 0 = never
-        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        ..common: CommonParams;
+    }
+}
+
+impl CommonParams {
+    fn settings(&self, beta: f64) -> Settings {
+        Settings {
+            ants: self.ants,
+            iterations: self.iterations,
+            stagnation: self.stagnation,
+            alpha: self.alpha,
+            beta,
+            rho: self.rho,
+            deposit: self.path_deposit,
+            dead_end: self.dead_end,
+            move_limit: self.move_limit,
+        }
+    }
+
+    /// Eq. 4 of the step to `j`.
+    fn heuristic(&self, scenario: &Scenario, j: Cell) -> f64 {
+        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.goal_distance)
     }
 }
 
 /// Eq. 4 with D = 1, over the distance of Eq. 2; `at_goal` stands for 0.
 pub fn visibility(j: Point, goal: Point, at_goal: f64) -> f64 {
-    let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
-    1.0 / libm::sqrt(dx * dx + dy * dy).max(at_goal)
+    heuristic::goal_distance(j, goal, at_goal)
 }
 
 /// t of Eq. 6 in iteration `number` (from 1).
@@ -147,14 +154,14 @@ pub fn threshold(t: u32, t_max: u32) -> f64 {
 }
 
 /// Eq. 10–12: τ ← (1 − rho)·τ, then Q2/L_min on the iteration's shortest path; *printed* adds this m times.
-pub fn reward_shortest(trails: &mut Trails, iteration: &Iteration, rho: f64, q2: f64, reading: Reading) {
-    trails.evaporate(rho);
-    let times = match reading {
+pub fn reward_shortest(trails: &mut Trails, iteration: &Iteration, p: &CommonParams) {
+    trails.evaporate(p.rho);
+    let times = match p.reading {
         Reading::Repaired => 1.0,
         Reading::Printed => iteration.ants.len() as f64,
     };
     if let Some((ant, length)) = iteration.iteration_best() {
-        deposit::along(trails, iteration.scenario, ant, times * q2 / length);
+        deposit::along(trails, iteration.scenario, ant, times * p.path_deposit / length);
     }
 }
 
@@ -178,31 +185,21 @@ impl Variant for Acost {
     const RANDOM_PROPORTIONAL: bool = false;
 
     fn settings(&self) -> Settings {
-        let p = &self.params;
-        Settings {
-            ants: p.ants,
-            iterations: p.iterations,
-            stagnation: p.stagnation,
-            alpha: p.alpha,
-            beta: p.beta,
-            rho: p.rho,
-            deposit: p.path_deposit,
-            dead_end: p.dead_end,
-            move_limit: p.move_limit,
-        }
+        self.params.common.settings(self.params.beta)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
-        self.params.initial_trail
+        self.params.common.initial_trail
     }
 
     fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
-        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.params.goal_distance)
+        self.params.common.heuristic(scenario, j)
     }
 
     /// Step 4.
     fn begin_iteration(&mut self, number: u32) {
-        self.lambda = threshold(time(self.params.reading, number), self.params.iterations);
+        let p = &self.params.common;
+        self.lambda = threshold(time(p.reading, number), p.iterations);
     }
 
     /// Step 5.
@@ -220,7 +217,7 @@ impl Variant for Acost {
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
-        reward_shortest(trails, &iteration, self.params.rho, self.params.path_deposit, self.params.reading);
+        reward_shortest(trails, &iteration, &self.params.common);
     }
 }
 
@@ -241,26 +238,15 @@ impl Variant for Acomsp {
     const RANDOM_PROPORTIONAL: bool = false;
 
     fn settings(&self) -> Settings {
-        let p = &self.params;
-        Settings {
-            ants: p.ants,
-            iterations: p.iterations,
-            stagnation: p.stagnation,
-            alpha: p.alpha,
-            beta: p.beta,
-            rho: p.rho,
-            deposit: p.path_deposit,
-            dead_end: p.dead_end,
-            move_limit: p.move_limit,
-        }
+        self.params.common.settings(self.params.beta)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
-        self.params.initial_trail
+        self.params.common.initial_trail
     }
 
     fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
-        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.params.goal_distance)
+        self.params.common.heuristic(scenario, j)
     }
 
     #[inline(always)]
@@ -269,7 +255,7 @@ impl Variant for Acomsp {
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
-        reward_shortest(trails, &iteration, self.params.rho, self.params.path_deposit, self.params.reading);
+        reward_shortest(trails, &iteration, &self.params.common);
     }
 }
 
