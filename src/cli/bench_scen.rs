@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use clap::ValueEnum;
 use formicarium::catalog;
 use formicarium::formats::{self, ScenFile, ScenLine, misfit};
 use formicarium::map::CornerRule;
@@ -16,7 +15,7 @@ use rand::Rng;
 use serde::Serialize;
 
 use super::error::CliError;
-use super::{Outcome, input, text, text::row};
+use super::{Outcome, input, text, text::TextOrJson, text::row};
 
 /// Runs an exact planner on the scenarios of a MovingAI .scen and compares with the listed optima
 #[derive(clap::Args)]
@@ -48,19 +47,13 @@ pub struct Args {
     #[arg(long, value_name = "RULE", default_value = "both-free", hide_possible_values = true, value_parser = input::corner_rules())]
     corner_rule: CornerRule,
     /// text or json
-    #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
-    format: Format,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Text,
-    Json,
+    #[arg(long, value_enum, hide_possible_values = true, default_value_t = TextOrJson::Text)]
+    format: TextOrJson,
 }
 
 impl Args {
     pub fn wants_json(&self) -> bool {
-        self.format == Format::Json
+        self.format == TextOrJson::Json
     }
 }
 
@@ -78,8 +71,8 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         bench.run(entry, &mut scenario, &line)?;
     }
     let text = match args.format {
-        Format::Text => bench.text(entry, &scenario),
-        Format::Json => text::json(&bench, 2),
+        TextOrJson::Text => bench.text(entry, &scenario),
+        TextOrJson::Json => text::json(&bench, 2),
     };
     Ok(Outcome { text, fine: bench.misfits.is_empty() })
 }

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use formicarium::formats::{Imported, read_path};
 use formicarium::map::{Grid, MoveSet, Movement, Point};
 use formicarium::metrics::Metrics;
@@ -12,7 +11,7 @@ use serde::Serialize;
 
 use super::error::CliError;
 use super::input::{self, MovementArgs};
-use super::{Outcome, text, text::row};
+use super::{Outcome, text, text::TextOrJson, text::row};
 
 /// Audits a path: collisions, cut corners, jumps, ends; and measures it
 #[derive(clap::Args)]
@@ -41,19 +40,13 @@ pub struct Args {
     #[arg(long)]
     rows_first: bool,
     /// text or json
-    #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
-    format: Format,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Text,
-    Json,
+    #[arg(long, value_enum, hide_possible_values = true, default_value_t = TextOrJson::Text)]
+    format: TextOrJson,
 }
 
 impl Args {
     pub fn wants_json(&self) -> bool {
-        self.format == Format::Json
+        self.format == TextOrJson::Json
     }
 }
 
@@ -64,8 +57,8 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     path.iter_mut().try_for_each(|p| args.shift(p))?;
     let findings = Findings::of(&map, &path);
     let text = match args.format {
-        Format::Text => findings.text(&map, path.len()),
-        Format::Json => text::json(&findings, 2),
+        TextOrJson::Text => findings.text(&map, path.len()),
+        TextOrJson::Json => text::json(&findings, 2),
     };
     Ok(Outcome { text, fine: findings.ok })
 }

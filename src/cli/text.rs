@@ -9,6 +9,13 @@ use formicarium::metrics::Metrics;
 use serde::Serialize;
 use serde_json::ser::Formatter;
 
+/// How a command answers.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum TextOrJson {
+    Text,
+    Json,
+}
+
 /// JSON for people and programs: fields in their order, one a line down to a depth, everything deeper on one line.
 pub fn json(value: &impl Serialize, depth: usize) -> String {
     let mut out = Vec::new();
