@@ -48,6 +48,9 @@ pub fn build(
     seed: u32,
 ) -> Result<Box<dyn Planner>, ParamError> {
     let entry = find(id)?;
+    if scenario.goals.len() > entry.max_goals as usize {
+        return Err(ParamError::TooManyGoals { planner: id.into(), most: entry.max_goals, got: scenario.goals.len() });
+    }
     let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
     all.extend(values.clone());
     let planner = (entry.build)(scenario, &all, seed)?;
@@ -102,6 +105,8 @@ pub struct CatalogEntry {
     pub params: Vec<ParamSpec>,
     /// The layers it can draw.
     pub layers: Vec<Layer>,
+    /// Most goals that it can visit.
+    pub max_goals: u32,
 }
 
 /// One preset as data.
@@ -136,6 +141,7 @@ pub fn catalog() -> Catalog {
         presets: e.presets.iter().map(preset).collect(),
         params: (e.specs)(),
         layers: e.layers.to_vec(),
+        max_goals: e.max_goals,
     };
     Catalog { format: "formicarium/catalog@1".into(), planners: CATALOG.iter().map(entry).collect() }
 }

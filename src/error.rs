@@ -94,6 +94,16 @@ pub enum ParamError {
         /// What the parameter means.
         meaning: String,
     },
+    /// The planner cannot visit that many goals.
+    #[error("`{planner}` plans for {most} goal(s) at most; the scenario has {got}")]
+    TooManyGoals {
+        /// The planner.
+        planner: String,
+        /// Most goals it can visit.
+        most: u32,
+        /// Goals of the scenario.
+        got: usize,
+    },
     /// The tables of a colony would not fit into the address space of WebAssembly; the same limit natively, so that a link runs everywhere.
     #[error("{ants} ants on this map need {megabytes} MB, more than {limit}")]
     Memory {
@@ -151,11 +161,19 @@ pub enum ScenarioError {
         /// Row.
         y: u32,
     },
-    /// The scenario has no goal, or more than the planner can visit.
-    #[error("the scenario has {got} goals where exactly one is needed")]
+    /// The scenario has no goal, or more than [`crate::scenario::MAX_GOALS`].
+    #[error("the scenario has {got} goals where 1 to {} are possible", crate::scenario::MAX_GOALS)]
     GoalCount {
         /// Goals found.
         got: usize,
+    },
+    /// Two goals share a cell.
+    #[error("two goals lie on the cell ({x}, {y})")]
+    GoalTwice {
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
     },
     /// A physical quantity is not a positive, finite number (or not in its set).
     #[error("{field} = {value} cannot be used: it must be {allowed}")]
@@ -281,6 +299,11 @@ impl ParamError {
                     .with("min", min)
                     .with("max", max)
             }
+            Self::TooManyGoals { most, got, .. } => {
+                ErrorReport::new("too-many-goals", "goals", message, "remove goals, or choose a planner that visits more of them")
+                    .with("value", got)
+                    .with("max", most)
+            }
             Self::Memory { ants, megabytes, limit } => {
                 ErrorReport::new("memory", "ants", message, "use fewer ants, or crop or resample the map")
                     .with("value", ants)
@@ -324,8 +347,11 @@ impl ScenarioError {
                     .with("y", y)
             }
             Self::GoalCount { got } => {
-                ErrorReport::new("goal-count", "goals", message, "keep one goal, or use a planner that visits several")
-                    .with("value", got)
+                let hint = format!("use 1 to {} goals", crate::scenario::MAX_GOALS);
+                ErrorReport::new("goal-count", "goals", message, hint).with("value", got).with("max", crate::scenario::MAX_GOALS)
+            }
+            Self::GoalTwice { x, y } => {
+                ErrorReport::new("goal-twice", "goals", message, "move one of them, or remove it").with("x", x).with("y", y)
             }
             Self::Quantity { field, value, allowed } => {
                 ErrorReport::new("quantity", *field, message, format!("give {allowed}")).with("value", value)

@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 
 use serde::Serialize;
 
-use crate::map::{Cell, Grid};
+use crate::map::{Cell, Grid, OFFSETS};
 use crate::scenario::Scenario;
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
@@ -14,7 +14,7 @@ pub const TURN_WEIGHT: f64 = 1.2;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Metrics {
-    /// Length in cells: straight steps + √2 · diagonal steps.
+    /// Length in cells: straight steps + √2 · diagonal steps + oblique segments.
     pub length: f64,
     /// Length in metres.
     pub length_metres: f64,
@@ -22,7 +22,7 @@ pub struct Metrics {
     pub steps: u32,
     /// Number of steps whose direction differs from the step before.
     pub turns: u32,
-    /// V(d, r) = Σ dᵢ·rᵢ in cells, rᵢ = 1.2 if step i turns, else 1.
+    /// V(d, r) = Σ dᵢ·rᵢ in cells, rᵢ = 1.2 if step i turns, else 1. The steps of a polyline are its segments.
     pub turn_index: f64,
     /// Smallest distance in cells from a cell's centre of the path to the nearest obstacle's centre; the world beyond the border is an obstacle.
     pub min_clearance: f64,
@@ -37,35 +37,61 @@ pub fn length(straight: u32, diagonal: u32) -> f64 {
     f64::from(straight) + f64::from(diagonal) * SQRT_2
 }
 
-/// Length in cells of a path of neighbouring cells on a map of this width.
+/// Length in cells of a path on a map of this width: of allowed steps or of straight segments between cells. Rows, columns and exact
+/// diagonals are counted, so that a path of steps and the same path with its straight stretches merged have equal bits.
 pub fn path_length(width: u32, path: &[Cell]) -> f64 {
-    let steps = path.len().saturating_sub(1) as u32;
-    let straight = path.windows(2).filter(|s| is_straight(width, s[0], s[1])).count() as u32;
-    length(straight, steps - straight)
+    let mut tally = Tally::default();
+    path.windows(2).for_each(|s| tally.add(offset(width, s[0], s[1])));
+    tally.length()
 }
 
-/// Compares rows and columns: on a map two cells wide a diagonal step changes the index by 1, as a horizontal one does.
-fn is_straight(width: u32, a: Cell, b: Cell) -> bool {
-    let (dx, dy) = offset(width, a, b);
-    dx == 0 || dy == 0
+/// Straight and diagonal cells walked, and the length of everything else.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tally {
+    straight: u32,
+    diagonal: u32,
+    oblique: f64,
 }
 
-/// (dx, dy) of a step.
-fn offset(width: u32, a: Cell, b: Cell) -> (u32, u32) {
-    ((b % width).wrapping_sub(a % width), (b / width).wrapping_sub(a / width))
+impl Tally {
+    fn add(&mut self, (dx, dy): (i32, i32)) {
+        let (nx, ny) = (dx.unsigned_abs(), dy.unsigned_abs());
+        match (nx.min(ny), nx.max(ny)) {
+            (0, n) => self.straight += n,
+            (n, m) if n == m => self.diagonal += n,
+            (n, m) => self.oblique += libm::sqrt(f64::from(n * n + m * m)),
+        }
+    }
+
+    fn length(&self) -> f64 {
+        length(self.straight, self.diagonal) + self.oblique
+    }
+}
+
+/// (dx, dy) of a step or segment. By rows and columns: on a map two cells wide a diagonal step changes the index by 1, as a horizontal
+/// one does.
+fn offset(width: u32, a: Cell, b: Cell) -> (i32, i32) {
+    ((b % width) as i32 - (a % width) as i32, (b / width) as i32 - (a / width) as i32)
+}
+
+/// Whether two steps or segments lead in different directions.
+fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
+    let cross = i64::from(a.0) * i64::from(b.1) - i64::from(a.1) * i64::from(b.0);
+    let dot = i64::from(a.0) * i64::from(b.0) + i64::from(a.1) * i64::from(b.1);
+    cross != 0 || dot < 0
 }
 
 impl Metrics {
-    /// Measures a valid path.
+    /// Measures a valid path of either kind.
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Self {
         let width = scenario.grid.width();
         let length = path_length(width, path);
-        let mut turns = 0u32;
-        let mut turning = (0u32, 0u32);
+        let (mut turns, mut turning) = (0u32, Tally::default());
         for s in path.windows(3) {
-            if offset(width, s[0], s[1]) != offset(width, s[1], s[2]) {
+            let (before, after) = (offset(width, s[0], s[1]), offset(width, s[1], s[2]));
+            if self::turns(before, after) {
                 turns += 1;
-                if is_straight(width, s[1], s[2]) { turning.0 += 1 } else { turning.1 += 1 }
+                turning.add(after);
             }
         }
         let (min_clearance, mean_clearance) = clearance(&scenario.grid, path);
@@ -76,12 +102,24 @@ impl Metrics {
             length_metres: metres,
             steps: path.len().saturating_sub(1) as u32,
             turns,
-            turn_index: length + (TURN_WEIGHT - 1.0) * self::length(turning.0, turning.1),
+            turn_index: length + (TURN_WEIGHT - 1.0) * turning.length(),
             min_clearance,
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
         }
     }
+}
+
+/// Share of blocked cells among the eight around a cell, 0 to 1; beyond the border is blocked.
+pub fn obstacle_density(scenario: &Scenario, cell: Cell) -> f64 {
+    f64::from(obstacles_around(scenario, cell).count() as u32) / OFFSETS.len() as f64
+}
+
+/// The offsets (dx, dy) of the blocked cells among the eight around a cell; beyond the border is blocked.
+pub fn obstacles_around(scenario: &Scenario, cell: Cell) -> impl Iterator<Item = (i32, i32)> + use<'_> {
+    let at = scenario.grid.point(cell);
+    let (x, y) = (i64::from(at.x), i64::from(at.y));
+    OFFSETS.into_iter().filter(move |&(dx, dy)| !scenario.grid.is_free_at(x + i64::from(dx), y + i64::from(dy)))
 }
 
 /// Smallest and mean clearance of a path's cells.

@@ -1,11 +1,24 @@
-//! A path as a list of cells, and its audit: is it really one, under the scenario's rules?
+//! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
-use crate::map::{Cell, OFFSETS, Point};
+use crate::map::{Cell, Moves, OFFSETS, Point};
 use crate::scenario::Scenario;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Cells from start to goal, both included.
 pub type Path = Vec<Cell>;
+
+/// How the cells of a path follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum PathKind {
+    /// By allowed steps from cell to neighbouring cell.
+    #[default]
+    Steps,
+    /// By straight segments between centres of cells in line of sight.
+    Polyline,
+}
 
 /// The first thing wrong with a path. Steps and cells are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -30,6 +43,19 @@ pub enum Flaw {
         /// Where it is.
         at: Point,
     },
+    /// Two cells in a row do not see each other.
+    #[error("segment {index} of the path, from ({}, {}) to ({}, {}), touches an obstacle", from.x, from.y, to.x, to.y)]
+    OutOfSight {
+        /// Which segment.
+        index: usize,
+        /// From here.
+        from: Point,
+        /// To there.
+        to: Point,
+    },
+    /// It does not come by a goal.
+    #[error("the path misses the goal at ({}, {})", .0.x, .0.y)]
+    MissedGoal(Point),
     /// Two cells in a row are not neighbours.
     #[error("step {0} of the path leads to a cell that is no neighbour")]
     NotAdjacent(usize),
@@ -45,11 +71,11 @@ pub enum Flaw {
     },
 }
 
-/// Checks a path of points against the scenario: ends, obstacles, adjacency, corner rule.
+/// Checks a path of points against the scenario: obstacles, ends, joints, and that it comes by every goal and ends at one.
 ///
 /// # Errors
-/// The first [`Flaw`]: cells outside or blocked come first, then the start, the steps, the goal.
-pub fn audit(scenario: &Scenario, path: &[Point]) -> Result<(), Flaw> {
+/// The first [`Flaw`]: cells outside or blocked come first, then the start, the joints, the goals.
+pub fn audit(scenario: &Scenario, path: &[Point], kind: PathKind) -> Result<(), Flaw> {
     let (grid, spec) = (&scenario.grid, &scenario.spec);
     let (Some(&first), Some(&last)) = (path.first(), path.last()) else { return Err(Flaw::Empty) };
     for (index, &at) in path.iter().enumerate() {
@@ -63,17 +89,74 @@ pub fn audit(scenario: &Scenario, path: &[Point]) -> Result<(), Flaw> {
     if first != spec.start {
         return Err(Flaw::WrongStart(first));
     }
-    for (index, step) in path.windows(2).enumerate() {
-        let (from, to) = (step[0], step[1]);
-        let d = direction_between(from, to).ok_or(Flaw::NotAdjacent(index))?;
-        if !spec.movement.allows(grid, i64::from(from.x), i64::from(from.y), d) {
-            return Err(Flaw::ForbiddenMove { index, from, to });
+    for (index, joint) in path.windows(2).enumerate() {
+        match kind {
+            PathKind::Steps => audit_step(scenario, index, joint[0], joint[1])?,
+            PathKind::Polyline => audit_segment(scenario, index, joint[0], joint[1])?,
         }
     }
-    if last != spec.goals[0].at {
+    if spec.goals.iter().all(|g| g.at != last) {
         return Err(Flaw::WrongEnd(last));
     }
-    Ok(())
+    match spec.goals.iter().find(|g| !path.contains(&g.at)) {
+        Some(missed) => Err(Flaw::MissedGoal(missed.at)),
+        None => Ok(()),
+    }
+}
+
+fn audit_step(scenario: &Scenario, index: usize, from: Point, to: Point) -> Result<(), Flaw> {
+    let d = direction_between(from, to).ok_or(Flaw::NotAdjacent(index))?;
+    let allowed = scenario.spec.movement.allows(&scenario.grid, i64::from(from.x), i64::from(from.y), d);
+    if allowed { Ok(()) } else { Err(Flaw::ForbiddenMove { index, from, to }) }
+}
+
+fn audit_segment(scenario: &Scenario, index: usize, from: Point, to: Point) -> Result<(), Flaw> {
+    if line_of_sight(scenario, from, to) { Ok(()) } else { Err(Flaw::OutOfSight { index, from, to }) }
+}
+
+/// Whether the straight segment between the centres of two cells of the map touches no obstacle, under the scenario's corner rule: every
+/// cell that it crosses is free, and where it passes exactly through a corner of cells, the rule allows the diagonal step there. With
+/// 4 moves there is sight along rows and columns only. Whole-number arithmetic, so it is exact.
+pub fn line_of_sight(scenario: &Scenario, from: Point, to: Point) -> bool {
+    let (grid, movement) = (&scenario.grid, scenario.spec.movement);
+    let (dx, dy) = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
+    if movement.moves == Moves::Four && dx != 0 && dy != 0 {
+        return false;
+    }
+    let (nx, ny, sx, sy) = (dx.abs(), dy.abs(), dx.signum(), dy.signum());
+    let (mut x, mut y) = (i64::from(from.x), i64::from(from.y));
+    let (mut ix, mut iy) = (0, 0);
+    let mut free = grid.is_free_at(x, y);
+    while free && (ix < nx || iy < ny) {
+        // Where the segment leaves the cell: its side in x comes at (1 + 2·ix) / 2·nx, its side in y at (1 + 2·iy) / 2·ny.
+        let order = ((1 + 2 * ix) * ny).cmp(&((1 + 2 * iy) * nx));
+        if order.is_eq() {
+            free = movement.corner_rule.allows(grid.is_free_at(x + sx, y), grid.is_free_at(x, y + sy));
+        }
+        if order.is_le() {
+            (x, ix) = (x + sx, ix + 1);
+        }
+        if order.is_ge() {
+            (y, iy) = (y + sy, iy + 1);
+        }
+        free = free && grid.is_free_at(x, y);
+    }
+    free
+}
+
+/// Refinement by line of sight (engine-room paper, section 3.3): from the start on, the farthest later node in sight is kept and those
+/// between are dropped. A path of steps becomes a polyline, never a longer one.
+pub fn refine(scenario: &Scenario, path: &[Cell]) -> Path {
+    let at = |k: usize| scenario.grid.point(path[k]);
+    let mut refined: Path = path.first().copied().into_iter().collect();
+    let mut here = 0;
+    while here + 1 < path.len() {
+        // Neighbours on a path always see each other.
+        let farthest = (here + 2..path.len()).rev().find(|&k| line_of_sight(scenario, at(here), at(k)));
+        here = farthest.unwrap_or(here + 1);
+        refined.push(path[here]);
+    }
+    refined
 }
 
 /// The direction of the step between two neighbouring cells.
@@ -85,4 +168,43 @@ pub fn direction_between(from: Point, to: Point) -> Option<u8> {
 /// A path's cells as points.
 pub fn points(scenario: &Scenario, path: &[Cell]) -> Vec<Point> {
     path.iter().map(|&c| scenario.grid.point(c)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::{CornerRule, Grid, Movement};
+
+    fn scenario(rows: &[&str], corner_rule: CornerRule) -> Scenario {
+        let cells: Vec<u8> = rows.iter().flat_map(|r| r.bytes().map(|b| u8::from(b == b'#'))).collect();
+        let grid = Grid::from_bytes(rows[0].len() as u32, rows.len() as u32, &cells).expect("a map");
+        let end = Point::new(grid.width() - 1, grid.height() - 1);
+        Scenario::on(grid, Movement { moves: Moves::Eight, corner_rule }, Point::new(0, 0), end).expect("usable")
+    }
+
+    #[test]
+    fn sight_by_hand() {
+        let seen =
+            |rows: &[&str], to: (u32, u32), rule| line_of_sight(&scenario(rows, rule), Point::new(0, 0), Point::new(to.0, to.1));
+        // (0,0) → (2,1) crosses (1,0) and (1,1); (0,0) → (3,1) crosses (1,0) and (2,1) and, between them, no corner.
+        assert!(seen(&["...", "#..", "..."], (2, 1), CornerRule::BothFree));
+        assert!(!seen(&["...", ".#.", "..."], (2, 1), CornerRule::Always));
+        assert!(!seen(&[".#.", "...", "..."], (2, 1), CornerRule::Always));
+        // A unit diagonal is the step that the rule allows or not, also in the middle of a longer segment.
+        for (rule, one, two) in
+            [(CornerRule::Always, true, true), (CornerRule::OneFree, true, false), (CornerRule::BothFree, false, false)]
+        {
+            assert_eq!(seen(&["...", "..#", "..."], (2, 2), rule), one, "{rule:?}");
+            assert_eq!(seen(&["...", "..#", ".#."], (2, 2), rule), two, "{rule:?}");
+        }
+    }
+
+    #[test]
+    fn refinement_drops_what_lies_in_sight() {
+        let s = scenario(&["....", ".##.", "....", "...."], CornerRule::BothFree);
+        // (0,0) down to (0,2), then east to (3,2), then south: only the bend at (0,2) stays, for (0,2) sees (3,3).
+        assert_eq!(refine(&s, &[0, 4, 8, 9, 10, 11, 15]), [0, 8, 15]);
+        assert_eq!(refine(&s, &[0]), [0]);
+        assert_eq!(refine(&s, &[]), Path::new());
+    }
 }

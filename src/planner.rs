@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use crate::digest::Digest;
 use crate::error::ParamError;
 use crate::map::Cell;
+use crate::metrics::Metrics;
 use crate::params::{ParamSpec, Value, Values};
-use crate::path::Path;
+use crate::path::{Path, PathKind};
 use crate::scenario::Scenario;
 
 /// How far one call of [`Planner::advance`] goes.
@@ -80,12 +81,73 @@ pub struct Record {
 /// The best path so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// Cells from start to goal.
+    /// Cells from start to goal, as the planner found them; a polyline where [`Planner::objective`] says so.
     pub path: Path,
     /// Its length in cells.
     pub length: f64,
     /// The iteration (from 1) that found it; 0 where none was needed, because the start is the goal.
     pub iteration: u32,
+    /// The same path after line-of-sight refinement, where that is part of the planner.
+    pub refined: Option<Refined>,
+}
+
+/// What line-of-sight refinement makes of a path of steps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refined {
+    /// A polyline from start to goal.
+    pub path: Path,
+    /// Its length in cells.
+    pub length: f64,
+}
+
+impl Solution {
+    /// The planner's result: the refined path where there is one. Cells, kind and length in cells.
+    pub fn result(&self) -> (&Path, f64) {
+        self.refined.as_ref().map_or((&self.path, self.length), |r| (&r.path, r.length))
+    }
+}
+
+/// What a planner's result is measured by, and over which paths: it tells which exact planner is its yardstick.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Objective {
+    /// Length of a path of steps to the goal.
+    #[default]
+    Length,
+    /// Length of a polyline to the goal, its segments in line of sight.
+    PolylineLength,
+    /// V(d, r) of a path of steps to the goal.
+    TurnIndex,
+    /// Length of a path of steps by all goals.
+    TourLength,
+    /// Σ R of a path of steps by all goals: the length of each leg times the weight of the goal that it leads to.
+    TourWeight,
+}
+
+impl Objective {
+    /// The kind of the paths that it compares.
+    pub fn path_kind(self) -> PathKind {
+        if self == Self::PolylineLength { PathKind::Polyline } else { PathKind::Steps }
+    }
+}
+
+/// In which order several goals are visited, and what each leg costs.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Tour {
+    /// The goals' indices in the scenario, in visiting order.
+    pub order: Vec<u32>,
+    /// Length of each leg in cells, by which the order was chosen.
+    pub planned: Vec<f64>,
+    /// Length of each leg in cells as walked on the best path; empty while there is none.
+    pub walked: Vec<f64>,
+    /// Σ of the planned lengths.
+    pub planned_length: f64,
+    /// Σ R of the planned lengths.
+    pub planned_weight: f64,
+    /// Σ R of the walked lengths; none while there is no path.
+    pub walked_weight: Option<f64>,
 }
 
 /// A field over the map that can be drawn.
@@ -101,6 +163,14 @@ pub enum Layer {
     Heuristic,
     /// A search's cost from the start, in cells; infinite where none is known.
     Cost,
+    /// Share of blocked cells among the eight around a cell; beyond the border is blocked.
+    Density,
+    /// The strongest trail that leaves a cell before the first iteration.
+    InitialTrail,
+    /// The path that seeded the trails, 1 on its cells; of a hybrid's first stage.
+    SeedPath,
+    /// The numbers by which a decoded path is chosen, one a cell: a firework's or a particle's position.
+    Priority,
 }
 
 /// Where a planner stands; every planner keeps one.
@@ -112,6 +182,8 @@ pub struct Progress {
     pub best: Option<Solution>,
     /// What has been spent.
     pub effort: Effort,
+    /// The order of the goals, of planners that choose one.
+    pub tour: Option<Tour>,
     history: Vec<Record>,
     /// Over the history, kept up to date so that a long one is not hashed again for every question.
     digest: Digest,
@@ -119,8 +191,8 @@ pub struct Progress {
 
 impl Default for Progress {
     fn default() -> Self {
-        let (best, effort, history, digest) = (None, Effort::default(), Vec::new(), Digest::default());
-        Self { status: Status::Running, best, effort, history, digest }
+        let (effort, history, digest) = (Effort::default(), Vec::new(), Digest::default());
+        Self { status: Status::Running, best: None, effort, tour: None, history, digest }
     }
 }
 
@@ -135,14 +207,19 @@ impl Progress {
         self.history.push(r);
     }
 
-    /// Digest over the history, the best path, and its length.
+    /// Digest over the history, the best path and its length, the refined path and its length, and the order of the goals.
     fn digest(&self) -> Digest {
         let mut digest = self.digest;
-        if let Some(best) = &self.best {
-            digest.u32(best.path.len() as u32);
-            best.path.iter().for_each(|&c| digest.u32(c));
-            digest.f64(best.length);
+        let paths = self
+            .best
+            .iter()
+            .flat_map(|b| std::iter::once((&b.path, b.length)).chain(b.refined.as_ref().map(|r| (&r.path, r.length))));
+        for (path, length) in paths {
+            digest.u32(path.len() as u32);
+            path.iter().for_each(|&c| digest.u32(c));
+            digest.f64(length);
         }
+        self.tour.iter().flat_map(|t| &t.order).for_each(|&goal| digest.u32(goal));
         digest
     }
 }
@@ -161,6 +238,20 @@ pub trait Planner: Send {
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool;
     /// Writes the cell of every living ant of the current iteration.
     fn ants(&self, out: &mut Vec<Cell>);
+
+    /// What its result is measured by.
+    fn objective(&self) -> Objective {
+        Objective::Length
+    }
+
+    /// Its result's value by its own objective, in cells, given the metrics of that result; none while there is none.
+    fn value(&self, metrics: &Metrics) -> Option<f64> {
+        match self.objective() {
+            Objective::Length | Objective::PolylineLength | Objective::TourLength => self.best().map(|b| b.result().1),
+            Objective::TurnIndex => Some(metrics.turn_index),
+            Objective::TourWeight => self.tour().and_then(|t| t.walked_weight),
+        }
+    }
 
     /// Whether and how it has ended.
     fn status(&self) -> Status {
@@ -182,7 +273,12 @@ pub trait Planner: Send {
         self.progress().effort
     }
 
-    /// Digest over the history, the best path, and its length.
+    /// The order of the goals, of planners that choose one.
+    fn tour(&self) -> Option<&Tour> {
+        self.progress().tour.as_ref()
+    }
+
+    /// Digest over the history, the best path, its refinement, and the order of the goals.
     fn digest(&self) -> Digest {
         self.progress().digest()
     }
@@ -203,8 +299,12 @@ pub trait Planner: Send {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum Family {
-    /// Ant colonies.
+    /// Ant colonies, also as a part of hybrids.
     AntColony,
+    /// Particle swarms and fireworks.
+    Swarm,
+    /// Searches without a proof.
+    Search,
     /// Searches with a proof.
     Exact,
 }
@@ -249,6 +349,8 @@ pub struct Entry {
     pub presets: &'static [Preset],
     /// The layers it can draw.
     pub layers: &'static [Layer],
+    /// Most goals that it can visit: 1 for a planner from one place to another.
+    pub max_goals: u32,
     /// The rows of its parameters.
     pub specs: fn() -> Vec<ParamSpec>,
     /// Makes one, after checking the values.

@@ -5,7 +5,10 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Notice, ScenarioError};
 use crate::map::{Cell, Grid, MoveSet, Movement, Point};
 
-/// A place to reach.
+/// Largest number of goals of a scenario.
+pub const MAX_GOALS: usize = 64;
+
+/// A place to reach. Area, strength and danger say how urgent it is, for planners that choose the order of several goals.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Goal {
@@ -14,6 +17,24 @@ pub struct Goal {
     pub at: Point,
     /// Its name in tables; may be empty.
     pub name: String,
+    /// s, how large it is (a fire's area), above 0.
+    pub area: f64,
+    /// w, how strong it is, above 0.
+    pub strength: f64,
+    /// a, how dangerous it is, above 0.
+    pub danger: f64,
+}
+
+impl Goal {
+    /// A goal like any other: area, strength and danger are 1.
+    pub fn new(at: Point, name: impl Into<String>) -> Self {
+        Self { at, name: name.into(), area: 1.0, strength: 1.0, danger: 1.0 }
+    }
+
+    /// b = 1 / (s·w·a): how much of a way to this goal counts in the comprehensive weight (fire-fighting paper, Eq. 7).
+    pub fn weight(&self) -> f64 {
+        1.0 / (self.area * self.strength * self.danger)
+    }
 }
 
 /// What turns a path into seconds.
@@ -49,7 +70,7 @@ pub struct ScenarioSpec {
     /// Where ants and searches start.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
     pub start: Point,
-    /// Where they are to arrive. The planners of today take exactly one.
+    /// Where they are to arrive: all of them, in an order that the planner chooses. 1 to [`MAX_GOALS`].
     pub goals: Vec<Goal>,
     /// For the travel time.
     pub vehicle: Vehicle,
@@ -65,7 +86,7 @@ impl ScenarioSpec {
             resolution: 1.0,
             movement: Movement::default(),
             start,
-            goals: vec![Goal { at: goal, name: String::new() }],
+            goals: vec![Goal::new(goal, "")],
             vehicle: Vehicle::default(),
         }
     }
@@ -82,8 +103,10 @@ pub struct Scenario {
     pub moves: MoveSet,
     /// Start cell.
     pub start: Cell,
-    /// Goal cell.
+    /// Goal cell; the first of several.
     pub goal: Cell,
+    /// All goal cells, in the scenario's order; never two the same.
+    pub goals: Vec<Cell>,
 }
 
 impl Scenario {
@@ -100,12 +123,17 @@ impl Scenario {
         let turn = spec.vehicle.seconds_per_turn;
         quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
         let start = free_cell(&grid, "start", spec.start)?;
-        let [goal] = spec.goals.as_slice() else {
-            return Err(ScenarioError::GoalCount { got: spec.goals.len() });
-        };
-        let goal = free_cell(&grid, "goal", goal.at)?;
+        let goals = goal_cells(&grid, &spec.goals)?;
         let moves = MoveSet::new(&grid, spec.movement);
-        Ok(Self { grid, spec, moves, start, goal })
+        Ok(Self { grid, spec, moves, start, goal: goals[0], goals })
+    }
+
+    /// The same map with another start and one goal: a leg of a tour. Both must be free cells.
+    #[must_use]
+    pub fn leg(&self, start: Cell, goal: Cell) -> Self {
+        let goals = vec![Goal::new(self.grid.point(goal), "")];
+        let spec = ScenarioSpec { start: self.grid.point(start), goals, ..self.spec.clone() };
+        Self { grid: self.grid.clone(), spec, moves: self.moves.clone(), start, goal, goals: vec![goal] }
     }
 
     /// From one goal on a grid, with the defaults of [`ScenarioSpec::new`] and the given movement.
@@ -120,17 +148,44 @@ impl Scenario {
     /// What is worth saying about a usable scenario: an unreachable goal, a start that is the goal.
     pub fn notices(&self) -> Vec<Notice> {
         let mut notices = Vec::new();
-        if self.start == self.goal {
+        if self.goals == [self.start] {
             notices.push(Notice::new("start-is-goal", "start and goal are the same cell: the path has length 0"));
-        } else if !self.moves.connected(self.start, self.goal) {
+        } else if !self.reachable() {
             notices.push(Notice::new("unreachable", "no path leads from start to goal under this movement"));
         }
         notices
+    }
+
+    /// Whether every goal can be reached from the start.
+    pub fn reachable(&self) -> bool {
+        let reached = self.moves.reached_from(self.start);
+        self.goals.iter().all(|&g| reached[g as usize])
     }
 }
 
 fn quantity(field: &'static str, value: f64, ok: bool, allowed: &'static str) -> Result<(), ScenarioError> {
     if ok && value.is_finite() { Ok(()) } else { Err(ScenarioError::Quantity { field, value: value.to_string(), allowed }) }
+}
+
+/// The cells of the goals.
+fn goal_cells(grid: &Grid, goals: &[Goal]) -> Result<Vec<Cell>, ScenarioError> {
+    const POSITIVE: &str = "a positive number";
+    if !(1..=MAX_GOALS).contains(&goals.len()) {
+        return Err(ScenarioError::GoalCount { got: goals.len() });
+    }
+    let mut cells = Vec::with_capacity(goals.len());
+    for goal in goals {
+        let cell = free_cell(grid, "goal", goal.at)?;
+        if cells.contains(&cell) {
+            return Err(ScenarioError::GoalTwice { x: goal.at.x, y: goal.at.y });
+        }
+        cells.push(cell);
+        for (field, value) in [("area", goal.area), ("strength", goal.strength), ("danger", goal.danger)] {
+            quantity(field, value, value > 0.0, POSITIVE)?;
+        }
+        quantity("weight of a goal", goal.weight(), goal.weight() > 0.0, "a positive number: 1 / (area · strength · danger)")?;
+    }
+    Ok(cells)
 }
 
 fn free_cell(grid: &Grid, role: &'static str, p: Point) -> Result<Cell, ScenarioError> {

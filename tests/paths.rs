@@ -5,13 +5,17 @@ use std::sync::Arc;
 
 use formicarium::catalog::{self, CATALOG};
 use formicarium::exact;
-use formicarium::map::{CornerRule, Grid, Movement, Moves, Point, octile};
+use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
-use formicarium::path::{audit, points};
+use formicarium::path::{PathKind, audit, points};
 use formicarium::planner::{Family, Planner, Status};
 use formicarium::scenario::Scenario;
 use proptest::prelude::*;
+
+fn euclidean(a: Point, b: Point) -> f64 {
+    f64::from(a.x.abs_diff(b.x)).hypot(f64::from(a.y.abs_diff(b.y)))
+}
 
 fn movement() -> impl Strategy<Value = Movement> {
     prop_oneof![
@@ -54,12 +58,16 @@ proptest! {
             let planner = solve(&scenario, entry.id, entry.family, seed);
             prop_assert_eq!(planner.status() == Status::NoPath, !reachable, "{}", entry.id);
             let Some(best) = planner.best() else { continue };
-            let path = points(&scenario, &best.path);
-            prop_assert_eq!(audit(&scenario, &path), Ok(()), "{}", entry.id);
-            prop_assert!(best.length >= optimum.unwrap_or(f64::INFINITY) - 1e-9);
-            let metrics = Metrics::of(&scenario, &best.path);
-            prop_assert_eq!(metrics.length, best.length);
-            prop_assert!(metrics.length >= octile(path[0], path[path.len() - 1]) - 1e-9);
+            let (path, length) = best.result();
+            let metrics = Metrics::of(&scenario, path);
+            let (path, kind) = (points(&scenario, path), planner.objective().path_kind());
+            prop_assert_eq!(audit(&scenario, &path, kind), Ok(()), "{}", entry.id);
+            let least = match kind {
+                PathKind::Steps => optimum.unwrap_or(f64::INFINITY),
+                PathKind::Polyline => euclidean(path[0], path[path.len() - 1]),
+            };
+            prop_assert!(length >= least - 1e-9, "{}", entry.id);
+            prop_assert_eq!(metrics.length, length);
             prop_assert!(metrics.turn_index >= metrics.length && metrics.turn_index <= 1.2 * metrics.length + 1e-9);
             prop_assert!(metrics.min_clearance >= 1.0 && metrics.min_clearance <= metrics.mean_clearance);
             prop_assert!(metrics.turns < metrics.steps.max(1));
@@ -92,7 +100,7 @@ proptest! {
             let mut path = points(&scenario, &best.path);
             let i = which.index(path.len());
             path[i] = Point::new(path[i].x + 2, path[i].y);
-            prop_assert!(audit(&scenario, &path).is_err());
+            prop_assert!(audit(&scenario, &path, PathKind::Steps).is_err());
         }
     }
 }

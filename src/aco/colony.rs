@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
+use crate::metrics::{obstacle_density, path_length};
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -81,7 +82,7 @@ impl<V: Variant + 'static> Colony<V> {
     fn settle(&mut self) {
         let s = &self.scenario;
         if s.start == s.goal {
-            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0 });
+            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0, refined: None });
             self.progress.status = Status::Optimal;
         } else if !s.moves.connected(s.start, s.goal) {
             self.progress.status = Status::NoPath;
@@ -89,10 +90,16 @@ impl<V: Variant + 'static> Colony<V> {
     }
 
     fn prepare(&mut self) {
-        let scenario = &self.scenario;
-        let mut trails = Trails::new(scenario.grid.len(), self.variant.initial_trail(scenario));
-        self.variant.prepare(scenario, &mut trails);
-        self.tables = Some(Tables::new(scenario, &self.settings, trails, V::TIMED, self.streams));
+        self.variant.prepare(&self.scenario);
+        let trails = self.initial_trails();
+        self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
+    }
+
+    /// The trails before the first iteration.
+    fn initial_trails(&self) -> Trails {
+        let mut trails = Trails::new(self.scenario.grid.len(), self.variant.initial_trail(&self.scenario));
+        self.variant.shape_trails(&self.scenario, &mut trails);
+        trails
     }
 
     fn begin_iteration(&mut self) {
@@ -165,7 +172,10 @@ impl<V: Variant + 'static> Colony<V> {
         if let Some((ant, length)) = leader
             && self.progress.best.as_ref().is_none_or(|b| length < b.length)
         {
-            self.progress.best = Some(Solution { path: cells(scenario, ant), length, iteration: number });
+            let path = cells(scenario, ant);
+            let refined = self.variant.refine(scenario, &path);
+            let refined = refined.map(|path| Refined { length: path_length(scenario.grid.width(), &path), path });
+            self.progress.best = Some(Solution { path, length, iteration: number, refined });
         }
         let record = record(&Iteration { best_so_far: self.progress.best.as_ref(), ..iteration });
         self.progress.record(record);
@@ -293,17 +303,23 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         self.settings.ants
     }
 
+    fn objective(&self) -> Objective {
+        if self.variant.refines() { Objective::PolylineLength } else { Objective::Length }
+    }
+
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         let scenario = &self.scenario;
         let count = scenario.grid.len();
         out.clear();
         out.resize(count, 0.0);
         match (kind, &self.tables) {
-            (Layer::Cost, _) => return false,
-            (Layer::Heuristic, _) => mean_heuristic(scenario, out, &|i, d, j| self.variant.heuristic(scenario, i, d, j)),
-            (Layer::Trail, Some(tables)) => {
-                out.iter_mut().enumerate().for_each(|(c, t)| *t = tables.trails.strongest(c as Cell));
+            (Layer::Cost | Layer::SeedPath | Layer::Priority, _) => return false,
+            (Layer::Density, _) => {
+                out.iter_mut().enumerate().for_each(|(c, v)| *v = obstacle_density(scenario, c as Cell) as f32)
             }
+            (Layer::InitialTrail, _) => strongest(&self.initial_trails(), out),
+            (Layer::Heuristic, _) => mean_heuristic(scenario, out, &|i, d, j| self.variant.heuristic(scenario, i, d, j)),
+            (Layer::Trail, Some(tables)) => strongest(&tables.trails, out),
             (Layer::Visits, Some(tables)) => {
                 for ant in &tables.ants {
                     cells(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
@@ -320,6 +336,12 @@ impl<V: Variant + 'static> Planner for Colony<V> {
             out.extend(tables.ants.iter().filter(|a| a.fate() != Fate::Lost).map(Ant::cell));
         }
     }
+}
+
+/// The strongest trail that leaves each cell.
+#[inline(never)]
+fn strongest(trails: &Trails, out: &mut [f32]) {
+    out.iter_mut().enumerate().for_each(|(c, t)| *t = trails.strongest(c as Cell));
 }
 
 /// Mean η of the steps that lead into each cell.

@@ -1,6 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
+use crate::path::{Path, refine};
 use crate::planner::Solution;
 use crate::rng::Stream;
 use crate::scenario::Scenario;
@@ -99,8 +100,11 @@ pub trait Variant: Send {
     /// η of the step from `i` in direction `d` to `j`; positive and finite.
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64;
 
-    /// Before the first iteration, once every step has its initial trail.
-    fn prepare(&mut self, _scenario: &Scenario, _trails: &mut Trails) {}
+    /// Before the first iteration.
+    fn prepare(&mut self, _scenario: &Scenario) {}
+
+    /// What the trails are before the first iteration beyond [`Variant::initial_trail`], e.g. more along a path that is known already.
+    fn shape_trails(&self, _scenario: &Scenario, _trails: &mut Trails) {}
 
     /// Before the ants of iteration `number` (from 1) start: what depends on the time.
     fn begin_iteration(&mut self, _number: u32) {}
@@ -136,6 +140,16 @@ pub trait Variant: Send {
         deposit::ant_cycle(trails, iteration.scenario, iteration.ants, settings.deposit);
     }
 
-    /// What no single ant could do: reinitialise, refine the best path…
+    /// Whether the best path is refined: it is then measured as a polyline.
+    fn refines(&self) -> bool {
+        false
+    }
+
+    /// The refined best path, where [`Variant::refines`].
+    fn refine(&self, scenario: &Scenario, path: &[Cell]) -> Option<Path> {
+        self.refines().then(|| refine(scenario, path))
+    }
+
+    /// What no single ant could do: reinitialise…
     fn daemon_actions(&mut self, _trails: &mut Trails, _iteration: Iteration) {}
 }

@@ -183,6 +183,6 @@ fn measure(map: &Imported, path: &[Point]) -> Option<Metrics> {
     let cells: Vec<_> = path.iter().map(|&p| map.grid.cell(p)).collect();
     let (&start, &goal) = (cells.first()?, cells.last()?);
     let moves = MoveSet::new(&map.grid, map.spec.movement);
-    let scenario = Scenario { grid: map.grid.clone(), spec: map.spec.clone(), moves, start, goal };
+    let scenario = Scenario { grid: map.grid.clone(), spec: map.spec.clone(), moves, start, goal, goals: vec![goal] };
     Some(Metrics::of(&scenario, &cells))
 }

@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::ValueEnum;
+use formicarium::exact;
 use formicarium::formats::{self, Export, Imported};
 use formicarium::map::Movement;
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
-use super::{Outcome, input, plan, text};
+use super::{Outcome, input, text};
 
 /// Converts a map to another format, told by the output's ending
 #[derive(clap::Args)]
@@ -77,7 +78,7 @@ impl Format {
 fn listed_optimum(map: &Imported) -> Result<f64, CliError> {
     let spec = ScenarioSpec { movement: Movement::default(), ..map.spec.clone() };
     let scenario = Arc::new(Scenario::new(map.grid.clone(), spec)?);
-    plan::shortest(&scenario)?.ok_or_else(|| {
+    exact::optimum(&scenario).ok_or_else(|| {
         CliError::usage("no path leads from start to goal, so there is no optimum to list", "choose other ends, or write a .map")
     })
 }

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use formicarium::catalog;
+use formicarium::exact::{self, Reference};
 use formicarium::map::Point;
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
 use formicarium::path::points;
-use formicarium::planner::{Effort, Planner, Record, Status};
-use formicarium::scenario::Scenario;
+use formicarium::planner::{Effort, Objective, Planner, Record, Status, Tour};
+use formicarium::scenario::{Scenario, ScenarioSpec};
 use serde::Serialize;
 
 use super::error::CliError;
@@ -74,10 +75,14 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     let status = planner.run();
     let best = planner.best();
-    let metrics = best.map(|b| Metrics::of(&scenario, &b.path));
-    let optimum = optimum(&scenario, planner.as_ref(), status)?;
-    let gap = metrics.zip(optimum).map(|(m, o)| if o > 0.0 { (m.length / o - 1.0).max(0.0) } else { 0.0 });
-    let report = Report { args, scenario: &scenario, name: entry.name, planner: planner.as_ref(), status, metrics, optimum, gap };
+    let metrics = best.map(|b| Metrics::of(&scenario, b.result().0));
+    let value = metrics.as_ref().and_then(|m| planner.value(m));
+    let reference = reference(&scenario, planner.as_ref(), status, value);
+    let gap = value.zip(reference.value()).map(|(v, o)| if o > 0.0 { v / o - 1.0 } else { 0.0 });
+    // Rounding may put an optimal result a hair below.
+    let gap = gap.map(|g| if g.abs() < 1e-9 { 0.0 } else { g });
+    let report =
+        Report { args, scenario: &scenario, name: entry.name, planner: planner.as_ref(), status, metrics, value, reference, gap };
     let text = match args.format {
         Format::Text => report.text(),
         Format::Json => text::json(&report.result(), 2),
@@ -86,20 +91,13 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     Ok(Outcome { text, fine: metrics.is_some() })
 }
 
-/// Length of the shortest path under the scenario's rules: what was just proven, or an A* run.
-fn optimum(scenario: &Arc<Scenario>, planner: &dyn Planner, status: Status) -> Result<Option<f64>, CliError> {
-    match status {
-        Status::Optimal => Ok(planner.best().map(|b| b.length)),
-        Status::NoPath => Ok(None),
-        _ => shortest(scenario),
+/// The yardstick of the planner's objective: what was just proven, or a run of the exact planner.
+fn reference(scenario: &Arc<Scenario>, planner: &dyn Planner, status: Status, value: Option<f64>) -> Reference {
+    match (status, value) {
+        (Status::Optimal, Some(value)) => Reference::Proven { value },
+        (Status::NoPath, _) => Reference::NoPath,
+        _ => exact::reference(scenario, planner.objective()),
     }
-}
-
-/// Length of the shortest path by A*; none if there is no path.
-pub fn shortest(scenario: &Arc<Scenario>) -> Result<Option<f64>, CliError> {
-    let mut astar = catalog::build(scenario, "astar", None, &Values::new(), 0)?;
-    astar.run();
-    Ok(astar.best().map(|b| b.length))
 }
 
 /// What `--format json` prints; docs/schema/result.schema.json describes it.
@@ -112,10 +110,15 @@ struct PlanResult<'a> {
     length: Option<f64>,
     turns: Option<u32>,
     metrics: Option<Metrics>,
+    objective: Objective,
+    value: Option<f64>,
+    unrefined_length: Option<f64>,
     iteration_of_best: Option<u32>,
     history: &'a [Record],
+    reference: Reference,
     optimum: Option<f64>,
     gap: Option<f64>,
+    tour: Option<&'a Tour>,
     effort: Effort,
     digest: String,
     path: Vec<Point>,
@@ -129,7 +132,8 @@ struct Report<'a> {
     planner: &'a dyn Planner,
     status: Status,
     metrics: Option<Metrics>,
-    optimum: Option<f64>,
+    value: Option<f64>,
+    reference: Reference,
     gap: Option<f64>,
 }
 
@@ -144,13 +148,18 @@ impl Report<'_> {
             length: self.metrics.map(|m| m.length),
             turns: self.metrics.map(|m| m.turns),
             metrics: self.metrics,
+            objective: self.planner.objective(),
+            value: self.value,
+            unrefined_length: best.filter(|b| b.refined.is_some()).map(|b| b.length),
             iteration_of_best: best.map(|b| b.iteration),
             history: self.planner.history(),
-            optimum: self.optimum,
+            reference: self.reference,
+            optimum: self.optimum(),
             gap: self.gap,
+            tour: self.planner.tour(),
             effort: self.planner.effort(),
             digest: self.planner.digest().hex(),
-            path: best.map_or_else(Vec::new, |b| points(self.scenario, &b.path)),
+            path: best.map_or_else(Vec::new, |b| points(self.scenario, b.result().0)),
         }
     }
 
@@ -159,20 +168,54 @@ impl Report<'_> {
         let on = if spec.name.is_empty() { String::new() } else { format!(" on {}", spec.name) };
         let size = format!("{} × {}, {} free cells", grid.width(), grid.height(), grouped(grid.free_count() as u64));
         let mut out = format!("{}{on} ({size})\n\n", self.name);
-        row(&mut out, "from, to", format!("{} → {}", text::cell(spec.start), text::cell(spec.goals[0].at)));
+        row(&mut out, "from, to", from_to(spec));
         row(&mut out, "status", self.status_text());
-        match (&self.metrics, self.optimum) {
-            (Some(metrics), optimum) => {
-                if let Some((optimum, gap)) = optimum.zip(self.gap) {
-                    row(&mut out, "gap", format!("{} above the optimum of {optimum:.4} cells", text::percent(gap)));
-                }
+        match &self.metrics {
+            Some(metrics) => {
+                self.gap_text(&mut out);
                 text::metrics(&mut out, metrics);
             }
-            (None, Some(optimum)) => row(&mut out, "optimum", format!("{optimum:.4} cells: a path exists, none was found")),
-            (None, None) => {}
+            None => {
+                if let Some(optimum) = self.optimum() {
+                    row(&mut out, "optimum", format!("{optimum:.4} cells: a path exists, none was found"));
+                }
+            }
         }
+        self.tour_text(&mut out);
         self.run_text(&mut out);
         out
+    }
+
+    /// The proven optimum.
+    fn optimum(&self) -> Option<f64> {
+        if let Reference::Proven { value } = self.reference { Some(value) } else { None }
+    }
+
+    fn gap_text(&self, out: &mut String) {
+        let (Some(gap), Some(value)) = (self.gap, self.reference.value()) else { return };
+        let of = match self.reference {
+            Reference::Proven { .. } => "the optimum",
+            _ => "a good result, not proven the best,",
+        };
+        row(
+            out,
+            "gap",
+            format!("{} above {of} of {value:.4} cells ({})", text::percent(gap), objective_text(self.planner.objective())),
+        );
+    }
+
+    /// The order of the goals, and what it costs.
+    fn tour_text(&self, out: &mut String) {
+        let Some(tour) = self.planner.tour() else { return };
+        let name = |&i: &u32| {
+            let goal = &self.scenario.spec.goals[i as usize];
+            if goal.name.is_empty() { text::cell(goal.at) } else { goal.name.clone() }
+        };
+        row(out, "order", tour.order.iter().map(name).collect::<Vec<_>>().join(" → "));
+        row(out, "planned", format!("length {:.4}, weight R {:.4} cells", tour.planned_length, tour.planned_weight));
+        if let Some(weight) = tour.walked_weight {
+            row(out, "walked", format!("weight R {weight:.4} cells"));
+        }
     }
 
     fn status_text(&self) -> String {
@@ -194,6 +237,23 @@ impl Report<'_> {
         row(out, "effort", effort_text(&effort));
         row(out, "seed", self.args.seed);
         row(out, "digest", self.planner.digest().hex());
+    }
+}
+
+fn from_to(spec: &ScenarioSpec) -> String {
+    match spec.goals.as_slice() {
+        [goal] => format!("{} → {}", text::cell(spec.start), text::cell(goal.at)),
+        goals => format!("{} → {} goals", text::cell(spec.start), goals.len()),
+    }
+}
+
+fn objective_text(objective: Objective) -> &'static str {
+    match objective {
+        Objective::Length => "length by steps",
+        Objective::PolylineLength => "length of a polyline",
+        Objective::TurnIndex => "turn index V",
+        Objective::TourLength => "length by all goals",
+        Objective::TourWeight => "weight R by all goals",
     }
 }
 

@@ -53,6 +53,7 @@ pub const ENTRY: Entry = Entry {
     source: "Hart, Nilsson, Raphael 1968, IEEE Trans. Systems Science and Cybernetics 4, 100–107, doi:10.1109/TSSC.1968.300136",
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
+    max_goals: 1,
     specs: Vec::new,
     build,
 };

@@ -34,6 +34,7 @@ pub const ENTRY: Entry = Entry {
     source: "Dijkstra 1959, Numerische Mathematik 1, 269–271, doi:10.1007/BF01386390",
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
+    max_goals: 1,
     specs: Vec::new,
     build,
 };

@@ -172,7 +172,7 @@ impl<E: Estimate> Search<E> {
         let path = self.path();
         let length = path_length(self.scenario.grid.width(), &path);
         self.progress.effort.constructed_paths = 1;
-        self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations });
+        self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations, refined: None });
         self.progress.status = Status::Optimal;
     }
 
@@ -232,7 +232,7 @@ impl<E: Estimate> Planner for Search<E> {
         match kind {
             Layer::Visits => out.extend(self.expanded.iter().map(|&e| f32::from(u8::from(e)))),
             Layer::Cost => out.extend(self.g.iter().map(|&g| g as f32)),
-            Layer::Trail | Layer::Heuristic => return false,
+            _ => return false,
         }
         // Before the first step: nothing expanded, no cost known.
         out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });

@@ -75,7 +75,10 @@ fn complete(object: &mut Object) {
         fill(movement, "corner_rule", json_value(&CornerRule::default()));
     }
     if let Some(Value::Array(goals)) = object.get_mut("goals") {
-        goals.iter_mut().filter_map(Value::as_object_mut).for_each(|goal| fill(goal, "name", json!("")));
+        for goal in goals.iter_mut().filter_map(Value::as_object_mut) {
+            fill(goal, "name", json!(""));
+            ["area", "strength", "danger"].into_iter().for_each(|key| fill(goal, key, json!(1.0)));
+        }
     }
 }
 

@@ -198,23 +198,25 @@ impl MoveSet {
         })
     }
 
-    /// Whether `goal` can be reached from `start` (flood fill).
+    /// Whether `goal` can be reached from `start`.
     pub fn connected(&self, start: Cell, goal: Cell) -> bool {
-        let mut seen = vec![false; self.bits.len()];
+        self.reached_from(start)[goal as usize]
+    }
+
+    /// Which cells can be reached from `start`, itself included (flood fill).
+    pub fn reached_from(&self, start: Cell) -> Vec<bool> {
+        let mut reached = vec![false; self.bits.len()];
         let mut open = vec![start];
-        seen[start as usize] = true;
+        reached[start as usize] = true;
         while let Some(c) = open.pop() {
-            if c == goal {
-                return true;
-            }
             for d in self.directions(c) {
                 let next = self.step(c, d);
-                if !std::mem::replace(&mut seen[next as usize], true) {
+                if !std::mem::replace(&mut reached[next as usize], true) {
                     open.push(next);
                 }
             }
         }
-        false
+        reached
     }
 }
 

@@ -15,7 +15,9 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Error, ErrorReport, Notice};
+use crate::exact::Reference;
 use crate::map::Grid;
+use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "maps")]
@@ -93,4 +95,11 @@ pub fn catalog() -> Ts<crate::catalog::Catalog> {
 #[wasm_bindgen]
 pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &[u8]) -> Answer<Vec<Ts<Notice>>> {
     Ok(scenario(&spec, cells)?.notices().iter().map(object).collect())
+}
+
+/// The yardstick of an objective on a scenario: what results are compared with.
+#[wasm_bindgen]
+pub fn reference(spec: Ts<ScenarioSpec>, cells: &[u8], objective: Ts<Objective>) -> Answer<Ts<Reference>> {
+    let objective = objective.to_rust().map_err(|e| argument("objective", &e.to_string()))?;
+    Ok(object(&crate::exact::reference(&scenario(&spec, cells)?, objective)))
 }

@@ -12,7 +12,7 @@ use super::paint::{Canvas, Theme};
 use super::{Answer, argument, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::params::Values;
-use crate::planner::{Effort, Granularity, Layer, Planner, Record, Status};
+use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
 use crate::scenario::{Scenario, ScenarioSpec};
 
 /// Parameter values by key.
@@ -34,6 +34,14 @@ pub struct RunSummary {
     pub iteration_of_best: Option<u32>,
     /// Metrics of the best path; null while there is none.
     pub metrics: Option<Metrics>,
+    /// What the result is measured by; `value` is compared with this objective's reference.
+    pub objective: Objective,
+    /// The result's value by that objective, in cells; null while there is none.
+    pub value: Option<f64>,
+    /// Length in cells before refinement; null where the planner does not refine its path.
+    pub unrefined_length: Option<f64>,
+    /// The order of the goals; null for a planner that chooses none.
+    pub tour: Option<Tour>,
     /// What has been spent.
     pub effort: Effort,
     /// Ants that arrived in the last finished iteration.
@@ -98,6 +106,10 @@ impl Run {
             iteration_budget: planner.budget(),
             iteration_of_best: planner.best().map(|b| b.iteration),
             metrics: self.metrics(),
+            objective: planner.objective(),
+            value: self.metrics().and_then(|m| planner.value(&m)),
+            unrefined_length: planner.best().filter(|b| b.refined.is_some()).map(|b| b.length),
+            tour: planner.tour().cloned(),
             effort: planner.effort(),
             arrived: last.map_or(0, |r| r.arrived),
             ants: planner.colony_size(),
@@ -122,9 +134,9 @@ impl Run {
         self.planner.history().len()
     }
 
-    /// The best path as x0, y0, x1, y1, …; empty while there is none.
+    /// The best path, refined where the planner does so, as x0, y0, x1, y1, …; empty while there is none.
     pub fn best_path(&self) -> Vec<u32> {
-        self.planner.best().map_or_else(Vec::new, |b| self.points(&b.path))
+        self.planner.best().map_or_else(Vec::new, |b| self.points(b.result().0))
     }
 
     /// x, y of every living ant of the current iteration.
@@ -162,7 +174,7 @@ impl Run {
         let best = self.planner.best()?;
         let mut measured = self.measured.borrow_mut();
         if measured.is_none_or(|(iteration, _)| iteration != best.iteration) {
-            *measured = Some((best.iteration, Metrics::of(&self.scenario, &best.path)));
+            *measured = Some((best.iteration, Metrics::of(&self.scenario, best.result().0)));
         }
         measured.map(|(_, metrics)| metrics)
     }

@@ -76,7 +76,7 @@ fn walked(scenario: &Scenario, steps: &[Direction]) -> Ant {
 fn updated<V: Variant>(variant: &mut V, initial: f64, iteration: Iteration) -> Trails {
     let scenario = iteration.scenario;
     let mut trails = Trails::new(scenario.grid.len(), initial);
-    variant.prepare(scenario, &mut trails);
+    variant.prepare(scenario);
     variant.update_trails(&mut trails, iteration);
     trails
 }
@@ -120,7 +120,7 @@ mod rank_based_ant_system {
     fn eq_3_8_by_rank() {
         let room = room();
         let ants = [&[S, E, E, N][..], &[SE, NE], &[E, E]].map(|steps| walked(&room, steps));
-        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1 };
+        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = RankBasedAntSystemParams { ranks: 3, rho: 0.5, ..Default::default() };
         let iteration = Iteration { scenario: &room, ants: &ants, number: 1, budget: 9, best_so_far: Some(&best) };
         let trails = updated(&mut RankBasedAntSystem::new(params), 3.0, iteration);
@@ -171,7 +171,7 @@ mod max_min_ant_system {
     fn eq_3_9_the_best_so_far_has_its_turn() {
         let room = room();
         let ants = [walked(&room, &[SE, NE])];
-        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1 };
+        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = MaxMinAntSystemParams { rho: 0.25, p_best: 0.9, best_every: 3, ..Default::default() };
         for number in 2..=6 {
             let iteration = Iteration { scenario: &room, ants: &ants, number, budget: 9, best_so_far: Some(&best) };

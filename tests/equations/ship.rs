@@ -7,10 +7,11 @@ use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::choice::Weights;
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::on_demand::OnDemand;
-use formicarium::aco::ship::{Ship, ShipParams, Update, density, eta, extra_trail, log_eta, omega, path_weights, sight};
+use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
+use formicarium::metrics::obstacle_density;
 use formicarium::planner::Solution;
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
@@ -83,9 +84,9 @@ fn eq_7_printed_looks_at_the_cell_itself_and_prefers_straight_steps_only() {
 #[test]
 fn eq_7_density_counts_the_border_as_blocked() {
     let s = two_walls();
-    assert_eq!(density(&s, Point::new(0, 0)), 0.625, "5 of 8 lie beyond the corner");
-    assert_eq!(density(&s, Point::new(3, 2)), 0.25);
-    assert_eq!(density(&s, Point::new(5, 6)), 0.0);
+    assert_eq!(obstacle_density(&s, s.grid.cell(Point::new(0, 0))), 0.625, "5 of 8 lie beyond the corner");
+    assert_eq!(obstacle_density(&s, s.grid.cell(Point::new(3, 2))), 0.25);
+    assert_eq!(obstacle_density(&s, s.grid.cell(Point::new(5, 6))), 0.0);
 }
 
 #[test]
@@ -168,7 +169,7 @@ impl Corridor {
     fn updated(&self, reading: Reading, update: Update, t: u32) -> [f64; 3] {
         let mut ship = Ship::new(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() });
         let mut trails = Trails::new(self.scenario.grid.len(), 10.0);
-        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1 };
+        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let iteration =
             Iteration { scenario: &self.scenario, ants: &self.ants, number: t, budget: 100, best_so_far: Some(&best) };
         ship.update_trails(&mut trails, iteration);

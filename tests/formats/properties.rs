@@ -45,7 +45,7 @@ fn specs() -> impl Strategy<Value = (Grid, ScenarioSpec)> {
     let decimal = (1u32..1_000_000, 0i32..6).prop_map(|(n, e)| f64::from(n) / 10f64.powi(e));
     (maps(), "\\PC{0,12}", decimal.clone(), decimal, moves, rules).prop_map(
         |(grid, name, resolution, speed, moves, corner_rule)| {
-            let goal = Goal { at: Point::new(0, 0), name: name.clone() };
+            let goal = Goal { area: resolution, ..Goal::new(Point::new(0, 0), name.clone()) };
             let spec = ScenarioSpec {
                 name,
                 resolution,

@@ -15,7 +15,7 @@ const FULL: &str = r#"{
   "resolution": 0.05,
   "movement": {"moves":8,"corner_rule":"one-free"},
   "start": [0,0],
-  "goals": [{"at":[2,1],"name":"door"}],
+  "goals": [{"at":[2,1],"name":"door","area":2.5,"strength":1.0,"danger":0.25}],
   "vehicle": {"speed":0.25,"seconds_per_turn":2.5},
   "map": {"rows": [
     "..@",
@@ -54,7 +54,7 @@ fn what_is_left_out_takes_its_default() {
 #[test]
 fn errors_name_the_field() {
     type Edit = fn(&mut Value);
-    let cases: [(Edit, &str, &str); 13] = [
+    let cases: [(Edit, &str, &str); 15] = [
         (|v| v["colour"] = json!("red"), "syntax", "`colour`"),
         (|v| v["movement"]["diagonal"] = json!(true), "syntax", "`movement.diagonal`"),
         (|v| v["goals"][0]["weight"] = json!(1), "syntax", "`goals.weight`"),
@@ -68,6 +68,8 @@ fn errors_name_the_field() {
         (|v| v["start"] = json!([2, 0]), "start-blocked", "(2, 0)"),
         (|v| v["resolution"] = json!(0), "quantity", "resolution = 0"),
         (|v| v["goals"] = json!([]), "goal-count", "0 goals"),
+        (|v| v["goals"] = json!([{"at": [2, 1]}, {"at": [2, 1]}]), "goal-twice", "(2, 1)"),
+        (|v| v["goals"][0]["danger"] = json!(0), "quantity", "danger = 0"),
     ];
     for (edit, kind, message) in cases {
         let report = refused(&edited(edit));

@@ -1,5 +1,5 @@
 /** What a session is: everything a link, an experiment file and undo must be able to bring back. */
-import type { Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 
 /** How the panels keep step while they play. */
@@ -10,6 +10,11 @@ export interface Origin {
   generator: 'random' | 'maze' | 'rooms' | 'cave'
   seed: number
   density: number
+}
+
+/** A goal like any other: area, strength and danger are 1. */
+export function goalAt(at: [number, number], name: string): Goal {
+  return { at, name, area: 1, strength: 1, danger: 1 }
 }
 
 /** One map and the question asked on it. `cells`: row by row from the upper left, 1 = blocked. */

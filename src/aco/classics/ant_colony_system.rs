@@ -79,7 +79,7 @@ impl Variant for AntColonySystem {
         self.params.walk.heuristic.of(scenario, i, d, j)
     }
 
-    fn prepare(&mut self, scenario: &Scenario, _: &mut Trails) {
+    fn prepare(&mut self, scenario: &Scenario) {
         self.initial = self.initial_trail(scenario);
     }
 
@@ -115,6 +115,7 @@ pub const ENTRY: Entry = Entry {
     source: "Dorigo, Gambardella 1997, IEEE Trans. Evolutionary Computation 1, 53–66, doi:10.1109/4235.585892",
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: AntColonySystemParams::specs,
     build,
 };

@@ -96,6 +96,7 @@ pub const ENTRY: Entry = Entry {
     source: "Dorigo, Maniezzo, Colorni 1996, IEEE Trans. SMC-B 26, 29–41, doi:10.1109/3477.484436",
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: ElitistAntSystemParams::specs,
     build,
 };

@@ -126,7 +126,7 @@ impl Variant for MaxMinAntSystem {
         self.params.walk.heuristic.of(scenario, i, d, j)
     }
 
-    fn prepare(&mut self, scenario: &Scenario, _: &mut Trails) {
+    fn prepare(&mut self, scenario: &Scenario) {
         self.options = mean_options(scenario);
     }
 
@@ -170,6 +170,7 @@ pub const ENTRY: Entry = Entry {
     source: "Stützle, Hoos 2000, Future Generation Computer Systems 16, 889–914, doi:10.1016/S0167-739X(00)00043-1",
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: MaxMinAntSystemParams::specs,
     build,
 };

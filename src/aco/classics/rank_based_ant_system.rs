@@ -101,6 +101,7 @@ pub const ENTRY: Entry = Entry {
     source: "Bullnheimer, Hartl, Strauss 1999, Central European J. Operations Research and Economics 7, 25–38",
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: RankBasedAntSystemParams::specs,
     build,
 };

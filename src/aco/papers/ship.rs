@@ -39,6 +39,7 @@ use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction, OFFSETS, Point, step_length};
+use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::planner::{Entry, Family, Layer, Planner, Preset};
 use crate::scenario::Scenario;
@@ -122,14 +123,14 @@ pub fn sight(reading: Reading, scenario: &Scenario, i: Cell, d: Direction, j: Ce
     let to_goal = vector(at, goal);
     let (step_x, step_y) = OFFSETS[d as usize];
     let (pull, beside, around) = match reading {
-        Reading::Printed => (1.0, obstacle_direction(scenario, at), at),
-        Reading::Repaired => (1.0 / norm(vector(next, goal)).max(1.0), (f64::from(step_x), f64::from(step_y)), next),
+        Reading::Printed => (1.0, obstacle_direction(scenario, i), i),
+        Reading::Repaired => (1.0 / norm(vector(next, goal)).max(1.0), (f64::from(step_x), f64::from(step_y)), j),
     };
     Sight {
         distance: norm(to_goal).max(1.0),
         pull,
         angle: 0.5 * (1.0 + cosine(to_goal, beside)),
-        density: density(scenario, around),
+        density: obstacle_density(scenario, around),
     }
 }
 
@@ -145,20 +146,9 @@ pub fn log_eta(p: &ShipParams, sight: &Sight, step: f64) -> (f64, f64) {
     (fixed, sight.pull * libm::log(p.goal_pull) + sight.angle * libm::log(sight.distance))
 }
 
-/// α_obs: the share of blocked cells among the eight around a cell; beyond the border is blocked.
-pub fn density(scenario: &Scenario, at: Point) -> f64 {
-    f64::from(obstacles(scenario, at).count() as u32) / OFFSETS.len() as f64
-}
-
-/// The offsets of the blocked cells around a cell.
-fn obstacles(scenario: &Scenario, at: Point) -> impl Iterator<Item = (i32, i32)> {
-    let (x, y) = (i64::from(at.x), i64::from(at.y));
-    OFFSETS.into_iter().filter(move |&(dx, dy)| !scenario.grid.is_free_at(x + i64::from(dx), y + i64::from(dy)))
-}
-
 /// Sum of the directions to the blocked cells around a cell; (0, 0) where there is none.
-fn obstacle_direction(scenario: &Scenario, at: Point) -> (f64, f64) {
-    obstacles(scenario, at).fold((0.0, 0.0), |sum, (dx, dy)| {
+fn obstacle_direction(scenario: &Scenario, at: Cell) -> (f64, f64) {
+    obstacles_around(scenario, at).fold((0.0, 0.0), |sum, (dx, dy)| {
         let length = norm((f64::from(dx), f64::from(dy)));
         (sum.0 + f64::from(dx) / length, sum.1 + f64::from(dy) / length)
     })
@@ -329,6 +319,7 @@ pub const ENTRY: Entry = Entry {
     source: "Fan, Zhang, Liu, Zhu 2026, J. Dalian Maritime Univ. 52(1), 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009",
     presets: PRESETS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: ShipParams::specs,
     build,
 };

@@ -293,6 +293,7 @@ pub const ACOST: Entry = Entry {
         },
     ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: AcostParams::specs,
     build: build_acost,
 };
@@ -306,6 +307,7 @@ pub const ACOMSP: Entry = Entry {
     source: "Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332",
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
     specs: AcomspParams::specs,
     build: build_acomsp,
 };

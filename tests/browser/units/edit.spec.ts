@@ -52,7 +52,9 @@ test.describe('map edits', () => {
   test('start and goal free the cell they are put on', () => {
     const walled = applyEditTo(blank(), { kind: 'paint', from: [0, 3], to: [9, 3], blocked: true })
     const moved = applyEditTo(walled, { kind: 'goal', at: [4, 3] })
-    expect(moved.spec.goals).toEqual([{ at: [4, 3], name: 'berth' }])
+    expect(moved.spec.goals).toEqual([
+      { at: [4, 3], name: 'berth', area: 2, strength: 0.5, danger: 1 },
+    ])
     expect(walls(moved.cells)).toBe(9)
   })
 

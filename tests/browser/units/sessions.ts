@@ -11,7 +11,7 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
         resolution: 0.5,
         movement: { moves: 8, corner_rule: 'one-free' },
         start: [0, 0],
-        goals: [{ at: [width - 1, height - 1], name: 'berth' }],
+        goals: [{ at: [width - 1, height - 1], name: 'berth', area: 2, strength: 0.5, danger: 1 }],
         vehicle: { speed: 1.5, seconds_per_turn: 0.25 },
       },
       cells: cells ?? randomCells(width, height, 0.3),

@@ -1,5 +1,5 @@
 /** Edits of a scenario, as pure functions: the same object comes back when an edit changes nothing. */
-import type { Scenario } from '../session'
+import { goalAt, type Scenario } from '../session'
 
 export type Cell = [number, number]
 
@@ -88,8 +88,8 @@ function moveEnd(scenario: Scenario, end: 'start' | 'goal', at: Cell): Scenario 
   const other = end === 'start' ? goalOf(scenario) : spec.start
   const here = end === 'start' ? spec.start : goalOf(scenario)
   if (!isInside(scenario, at) || sameCell(at, other) || sameCell(at, here)) return scenario
-  const name = spec.goals[0]?.name ?? ''
-  const moved = end === 'start' ? { ...spec, start: at } : { ...spec, goals: [{ at, name }] }
+  const goal = spec.goals[0] ?? goalAt(at, '')
+  const moved = end === 'start' ? { ...spec, start: at } : { ...spec, goals: [{ ...goal, at }] }
   return { ...scenario, spec: moved, cells: freed(scenario, at) }
 }
 
@@ -120,9 +120,9 @@ function resize(scenario: Scenario, width: number, height: number): Scenario {
   const start = inside(spec.start, width, height)
   const goal = apart(inside(goalOf(scenario), width, height), start, width, height)
   for (const [x, y] of [start, goal]) cells[y * width + x] = 0
-  const name = spec.goals[0]?.name ?? ''
+  const kept = spec.goals[0] ?? goalAt(goal, '')
   return {
-    spec: { ...spec, width, height, start, goals: [{ at: goal, name }] },
+    spec: { ...spec, width, height, start, goals: [{ ...kept, at: goal }] },
     cells,
     origin: null,
   }

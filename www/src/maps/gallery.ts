@@ -1,7 +1,7 @@
 /** The built-in scenarios. Names and notes in the reader's language live in i18n under `gallery.<id>`. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import type { Origin, Scenario } from '../session'
+import { goalAt, type Origin, type Scenario } from '../session'
 import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
 
 export interface GalleryEntry {
@@ -90,7 +90,7 @@ function specOf(
     resolution: 1,
     movement: { moves: 8, corner_rule: 'both-free' },
     start,
-    goals: [{ at: goal, name: 'goal' }],
+    goals: [goalAt(goal, 'goal')],
     vehicle: { speed: 1, seconds_per_turn: 1 },
   }
 }

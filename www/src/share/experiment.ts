@@ -17,10 +17,21 @@ import { LinkError } from './error'
 
 export const FORMAT = 'formicarium/experiment@1'
 export const MAX_SIDE = 4096
+const MAX_GOALS = 64
 
 const SEED_MAX = 2 ** 32 - 1
 const SYNCS = ['moves', 'iterations', 'paths', 'time'] as const
-const LAYERS = ['trail', 'visits', 'heuristic', 'cost', 'none'] as const
+const LAYERS = [
+  'trail',
+  'visits',
+  'heuristic',
+  'cost',
+  'density',
+  'initial-trail',
+  'seed-path',
+  'priority',
+  'none',
+] as const
 const STATUSES = ['running', 'optimal', 'stagnated', 'budget-spent', 'no-path'] as const
 const GENERATORS = ['random', 'maze', 'rooms', 'cave'] as const
 const CORNER_RULES = ['always', 'one-free', 'both-free'] as const
@@ -87,11 +98,18 @@ function checkFormat(format: unknown): void {
 function readSpec(fields: Fields): ScenarioSpec {
   const width = side(fields.width, 'scenario.width')
   const height = side(fields.height, 'scenario.height')
-  const goals = list(fields.goals, 'scenario.goals', 1).map((goal, i) => {
-    const { at, name } = fieldsOf(goal, `scenario.goals[${i}]`)
+  const goals = list(fields.goals, 'scenario.goals', MAX_GOALS).map((goal, i) => {
+    const field = `scenario.goals[${i}]`
+    const { at, name, area, strength, danger } = fieldsOf(goal, field)
+    // Documents of before there were several goals have no weights.
+    const weight = (value: unknown, key: string) =>
+      value === undefined ? 1 : real(value, `${field}.${key}`, Number.MIN_VALUE, 1e6)
     return {
-      at: cell(at, `scenario.goals[${i}].at`, width, height),
-      name: text(name, 'scenario.goals.name', 200),
+      at: cell(at, `${field}.at`, width, height),
+      name: text(name, `${field}.name`, 200),
+      area: weight(area, 'area'),
+      strength: weight(strength, 'strength'),
+      danger: weight(danger, 'danger'),
     }
   })
   if (goals.length === 0) throw invalid('scenario.goals', 'must name a goal')

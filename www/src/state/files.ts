@@ -5,7 +5,7 @@ import { signal } from '@preact/signals'
 import { type MapFormat, tools } from '../engine/tools'
 import { t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import type { Scenario, Session } from '../session'
+import { goalAt, type Scenario, type Session } from '../session'
 import { notify, notifyError } from './notices'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
@@ -89,7 +89,7 @@ export function chooseScen(line: ScenLine): void {
   const now = scenario.peek()
   scenChoice.value = null
   if (!now) return
-  const goals = [{ name: now.spec.goals[0]?.name ?? 'goal', at: line.goal }]
+  const goals = [goalAt(line.goal, now.spec.goals[0]?.name ?? 'goal')]
   setScenario({ ...now, spec: { ...now.spec, start: line.start, goals } }, { undoable: true })
 }
 

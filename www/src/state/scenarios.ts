@@ -6,7 +6,7 @@ import { tools } from '../engine/tools'
 import { t } from '../i18n'
 import { applyEditTo, type Cell, type Edit } from '../maps/edit'
 import { gallery } from '../maps/gallery'
-import type { Origin, Scenario } from '../session'
+import { goalAt, type Origin, type Scenario } from '../session'
 import { createHistory } from '../stage/history'
 import { fitView } from '../stage/view'
 import { announce, notify } from './notices'
@@ -121,7 +121,7 @@ export async function generateMap(
       width,
       height,
       start: made.start,
-      goals: [{ name: goal?.name ?? 'goal', at: made.goal }],
+      goals: [goalAt(made.goal, goal?.name ?? 'goal')],
     },
     cells: made.cells,
     origin: { generator: kind, seed, density },
