@@ -4,26 +4,67 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::aco::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system, ship, threshold};
+use crate::aco::{
+    ant_colony_system, ant_system, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
+    threshold,
+};
 use crate::error::ParamError;
-use crate::exact::{astar, dijkstra};
+use crate::exact::{any_angle, astar, dijkstra, theta_star, tour, turn_aware};
 use crate::params::{ParamSpec, Values};
 use crate::planner::{Entry, Family, Layer, Planner};
 use crate::scenario::Scenario;
+use crate::swarm;
 
-/// Every planner, in the order in which people meet them.
-pub static CATALOG: &[&Entry] = &[
-    &ant_system::ENTRY,
-    &elitist_ant_system::ENTRY,
-    &rank_based_ant_system::ENTRY,
-    &max_min_ant_system::ENTRY,
-    &ant_colony_system::ENTRY,
-    &dijkstra::ENTRY,
-    &astar::ENTRY,
-    &ship::ENTRY,
-    &threshold::ACOST,
-    &threshold::ACOMSP,
+/// In every build: what a first visit to the page needs.
+const OPENING: bool = true;
+/// In the whole build alone.
+const MORE: bool = cfg!(feature = "whole");
+
+/// The planners in the order in which people meet them, each with the builds that have it.
+const LIST: &[(bool, &Entry)] = &[
+    (OPENING, &ant_system::ENTRY),
+    (MORE, &elitist_ant_system::ENTRY),
+    (MORE, &rank_based_ant_system::ENTRY),
+    (MORE, &max_min_ant_system::ENTRY),
+    (MORE, &ant_colony_system::ENTRY),
+    (OPENING, &dijkstra::ENTRY),
+    (OPENING, &astar::ENTRY),
+    (MORE, &theta_star::ENTRY),
+    (MORE, &any_angle::ENTRY),
+    (MORE, &turn_aware::ENTRY),
+    (MORE, &tour::ENTRY),
+    (MORE, &fire::ENTRY),
+    (MORE, &ship::ENTRY),
+    (MORE, &threshold::ACOST),
+    (MORE, &threshold::ACOMSP),
+    (MORE, &swarm::fireworks::FWA),
+    (MORE, &swarm::fireworks::IFWA),
+    (MORE, &fireworks::FWA_ACO),
+    (MORE, &fireworks::PSO_ACO),
 ];
+
+/// Every planner of this build, in the list's order. The linker drops the others: nothing else mentions them.
+pub static CATALOG: &[&Entry] = &const {
+    let mut built = [LIST[0].1; count()];
+    let (mut row, mut next) = (0, 0);
+    while row < LIST.len() {
+        if LIST[row].0 {
+            built[next] = LIST[row].1;
+            next += 1;
+        }
+        row += 1;
+    }
+    built
+};
+
+const fn count() -> usize {
+    let (mut row, mut count) = (0, 0);
+    while row < LIST.len() {
+        count += LIST[row].0 as usize;
+        row += 1;
+    }
+    count
+}
 
 /// The entry of an id.
 ///
@@ -58,13 +99,13 @@ pub fn build(
     Ok(planner)
 }
 
-/// Refuses what would run out of memory at the first step. Bytes per cell: trails, weights, flags, and what the page draws.
+/// Refuses what would run out of memory at the first step. Bytes per cell: trails, weights, flags, and what the page draws; with several
+/// goals once for each leg's colony.
 fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
     const PER_CELL: u64 = 150;
-    const LIMIT_MB: u64 = 3000;
     let cells = scenario.grid.len() as u64;
-    let megabytes = (cells * PER_CELL + u64::from(ants) * (cells / 8 + 4096)) / 1_000_000;
-    if megabytes > LIMIT_MB { Err(ParamError::Memory { ants, megabytes, limit: LIMIT_MB }) } else { Ok(()) }
+    let colonies = if ants > 0 { scenario.goals.len() as u64 } else { 1 };
+    ParamError::check_memory("ants", ants, colonies * (cells * PER_CELL + u64::from(ants) * (cells / 8 + 4096)))
 }
 
 fn preset_values(entry: &Entry, name: &str) -> Result<Values, ParamError> {

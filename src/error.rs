@@ -1,12 +1,14 @@
 //! What an operation answers when its input cannot be used: what is wrong, where, what is allowed, and what to do next.
 //!
-//! One enum per operation ([`ParamError`], [`ScenarioError`], [`FormatError`]); [`Error`] is their sum. Every variant can be turned
-//! into an [`ErrorReport`], the flat form that crosses into the page, where `kind` is the key of a translated message.
+//! One enum per operation ([`ParamError`], [`ScenarioError`], [`FormatError`], [`QuestionError`]); [`Error`] is their sum. Every variant can
+//! be turned into an [`ErrorReport`], the flat form that crosses into the page, where `kind` is the key of a translated message.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 use thiserror::Error;
+
+use crate::experiment::QuestionError;
 
 /// The flat form of any error, for the page and for `--format json`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -104,11 +106,27 @@ pub enum ParamError {
         /// Goals of the scenario.
         got: usize,
     },
-    /// The tables of a colony would not fit into the address space of WebAssembly; the same limit natively, so that a link runs everywhere.
-    #[error("{ants} ants on this map need {megabytes} MB, more than {limit}")]
+    /// The map is too large for an exact method.
+    #[error("`{planner}` plans on maps of up to {most} cells; this one has {width} × {height}")]
+    MapTooLarge {
+        /// The planner.
+        planner: String,
+        /// Width in cells.
+        width: u32,
+        /// Height in cells.
+        height: u32,
+        /// Most cells that it takes.
+        most: u32,
+        /// A planner for larger maps.
+        instead: &'static str,
+    },
+    /// The tables of a planner would not fit into the address space of WebAssembly; the same limit natively, so that a link runs everywhere.
+    #[error("{count} {field} on this map need {megabytes} MB, more than {limit}")]
     Memory {
-        /// Ants asked for.
-        ants: u32,
+        /// The parameter that counts what needs them, e.g. `ants`.
+        field: &'static str,
+        /// How many of it were asked for.
+        count: u32,
         /// What they and the map's tables need.
         megabytes: u64,
         /// What there is.
@@ -259,6 +277,9 @@ pub enum Error {
     /// See [`FormatError`].
     #[error(transparent)]
     Format(#[from] FormatError),
+    /// See [`QuestionError`].
+    #[error(transparent)]
+    Question(#[from] QuestionError),
 }
 
 impl Error {
@@ -268,11 +289,22 @@ impl Error {
             Self::Param(e) => e.report(),
             Self::Scenario(e) => e.report(),
             Self::Format(e) => e.report(),
+            Self::Question(e) => e.report(),
         }
     }
 }
 
 impl ParamError {
+    /// Refuses tables of more than 3000 MB: `bytes` for `count` of the parameter `field`.
+    ///
+    /// # Errors
+    /// [`ParamError::Memory`].
+    pub fn check_memory(field: &'static str, count: u32, bytes: u64) -> Result<(), Self> {
+        const LIMIT_MB: u64 = 3000;
+        let megabytes = bytes / 1_000_000;
+        if megabytes > LIMIT_MB { Err(Self::Memory { field, count, megabytes, limit: LIMIT_MB }) } else { Ok(()) }
+    }
+
     /// The flat form.
     pub fn report(&self) -> ErrorReport {
         let message = self.to_string();
@@ -304,9 +336,17 @@ impl ParamError {
                     .with("value", got)
                     .with("max", most)
             }
-            Self::Memory { ants, megabytes, limit } => {
-                ErrorReport::new("memory", "ants", message, "use fewer ants, or crop or resample the map")
-                    .with("value", ants)
+            Self::MapTooLarge { width, height, most, instead, .. } => {
+                let hint = format!("use `{instead}`, which has no such limit, or crop or resample the map");
+                ErrorReport::new("map-too-large", "map", message, hint)
+                    .with("width", width)
+                    .with("height", height)
+                    .with("max", most)
+                    .with("instead", instead)
+            }
+            Self::Memory { field, count, megabytes, limit } => {
+                ErrorReport::new("memory", *field, message, format!("use fewer {field}, or crop or resample the map"))
+                    .with("value", count)
                     .with("megabytes", megabytes)
                     .with("max", limit)
             }

@@ -1,10 +1,11 @@
-//! What is measured on a path: length, turns, V(d, r), clearance, travel time.
+//! What is measured on a path: length, turns, V(d, r), clearance, arrival time.
 
 use std::f64::consts::SQRT_2;
 
 use serde::Serialize;
 
 use crate::map::{Cell, Grid, OFFSETS};
+use crate::path::crossed;
 use crate::scenario::Scenario;
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
@@ -24,11 +25,12 @@ pub struct Metrics {
     pub turns: u32,
     /// V(d, r) = Σ dᵢ·rᵢ in cells, rᵢ = 1.2 if step i turns, else 1. The steps of a polyline are its segments.
     pub turn_index: f64,
-    /// Smallest distance in cells from a cell's centre of the path to the nearest obstacle's centre; the world beyond the border is an obstacle.
+    /// Smallest distance in cells from the centre of a cell that the path crosses to the nearest obstacle's centre; the world beyond the
+    /// border is an obstacle. A polyline crosses the cells that its segments pass through, so straight stretches may be merged.
     pub min_clearance: f64,
-    /// Mean of the same distance over the path's cells.
+    /// Mean of the same distance over the cells that the path crosses.
     pub mean_clearance: f64,
-    /// Seconds: metres / speed + turns · seconds per turn.
+    /// Arrival time in seconds: metres / speed + turns · seconds per turn.
     pub travel_time: f64,
 }
 
@@ -122,16 +124,17 @@ pub fn obstacles_around(scenario: &Scenario, cell: Cell) -> impl Iterator<Item =
     OFFSETS.into_iter().filter(move |&(dx, dy)| !scenario.grid.is_free_at(x + i64::from(dx), y + i64::from(dy)))
 }
 
-/// Smallest and mean clearance of a path's cells.
+/// Smallest and mean clearance of the cells that a path crosses.
 fn clearance(grid: &Grid, path: &[Cell]) -> (f64, f64) {
     let gaps = gaps_in_rows(grid);
-    let (mut min, mut sum) = (f64::INFINITY, 0.0);
-    for &c in path {
+    let (mut min, mut sum, mut cells) = (f64::INFINITY, 0.0, 0u32);
+    for c in crossed(grid.width(), path) {
         let d = libm::sqrt(f64::from(squared_distance(grid, &gaps, c)));
         min = min.min(d);
         sum += d;
+        cells += 1;
     }
-    if path.is_empty() { (0.0, 0.0) } else { (min, sum / path.len() as f64) }
+    if cells == 0 { (0.0, 0.0) } else { (min, sum / f64::from(cells)) }
 }
 
 /// Distance of every cell to the nearest blocked cell of its own row; the columns −1 and width count as blocked.
@@ -210,6 +213,22 @@ mod tests {
         let m = Metrics::of(&s, &[0, 1, 2]);
         assert_eq!((m.length, m.turns), (1.0 + SQRT_2, 1));
         assert!((m.turn_index - (1.0 + 1.2 * SQRT_2)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_polyline_is_measured_by_its_segments_and_the_cells_they_cross() {
+        let mut s = scenario(&["......", "......", "..#...", "......", "......"]);
+        s.spec.vehicle = crate::scenario::Vehicle { speed: 0.5, seconds_per_turn: 3.0 };
+        // (0,0) → (1,3) crosses (0,0), (0,1), (1,2), (1,3); then → (5,3): (2,3), (3,3), (4,3), (5,3).
+        let m = Metrics::of(&s, &[0, 19, 23]);
+        assert_eq!((m.steps, m.turns), (2, 1));
+        assert!((m.length - (10f64.sqrt() + 4.0)).abs() < 1e-12 && (m.turn_index - (10f64.sqrt() + 4.8)).abs() < 1e-12);
+        assert!((m.travel_time - (2.0 * m.length + 3.0)).abs() < 1e-12);
+        // Distances to the border or to (2,2): 1, 1, 1, √2, 1, √2, 2, 1; neither end of the second segment is that near.
+        assert!((m.mean_clearance - (7.0 + 2.0 * SQRT_2) / 8.0).abs() < 1e-12, "{}", m.mean_clearance);
+        // Merging a straight stretch changes nothing but the number of steps.
+        let (merged, steps) = (Metrics::of(&s, &[0, 5, 29]), Metrics::of(&s, &[0, 1, 2, 3, 4, 5, 11, 17, 23, 29]));
+        assert_eq!(Metrics { steps: 9, turn_index: steps.turn_index, ..merged }, steps);
     }
 
     #[test]

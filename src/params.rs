@@ -146,6 +146,19 @@ impl ParamSpec {
         }
     }
 
+    /// Whether a value fits.
+    ///
+    /// # Errors
+    /// [`ParamError`] with key, value and what is allowed.
+    pub fn check(&self, value: &Value) -> Result<(), ParamError> {
+        match (&self.kind, value) {
+            (ParamKind::Integer { .. } | ParamKind::Real { .. }, _) => self.number(value).map(drop),
+            (ParamKind::Flag, _) => bool::read(self, value).map(drop),
+            (ParamKind::Choice { options }, Value::Text(id)) if options.iter().any(|o| o.id == id) => Ok(()),
+            (ParamKind::Choice { options }, _) => Err(self.wrong_type(value, one_of(options.iter().map(|o| o.id)))),
+        }
+    }
+
     /// The number in a value, checked against type and range.
     fn number(&self, value: &Value) -> Result<f64, ParamError> {
         let (min, max, whole) = match self.kind {
@@ -160,6 +173,11 @@ impl ParamSpec {
         }
         if whole && v.fract() != 0.0 { Err(self.wrong_type(value, "a whole number")) } else { Ok(v) }
     }
+}
+
+/// What stands for a choice in an error.
+fn one_of(ids: impl Iterator<Item = &'static str>) -> String {
+    format!("one of {}", ids.collect::<Vec<_>>().join(", "))
 }
 
 /// A type that a parameter can have.
@@ -232,10 +250,8 @@ impl<T: Choice> ParamType for T {
         ParamKind::Choice { options: T::OPTIONS.iter().map(option).collect() }
     }
     fn read(spec: &ParamSpec, value: &Value) -> Result<Self, ParamError> {
-        let ids = || T::OPTIONS.iter().map(|o| o.1).collect::<Vec<_>>().join(", ");
-        let Value::Text(id) = value else { return Err(spec.wrong_type(value, format!("one of {}", ids()))) };
-        let found = T::OPTIONS.iter().find(|o| o.1 == id);
-        found.map(|o| o.0).ok_or_else(|| spec.wrong_type(value, format!("one of {}", ids())))
+        let found = T::OPTIONS.iter().find(|o| matches!(value, Value::Text(id) if id == o.1));
+        found.map(|o| o.0).ok_or_else(|| spec.wrong_type(value, one_of(T::OPTIONS.iter().map(|o| o.1))))
     }
     fn value(self) -> Value {
         let id = T::OPTIONS.iter().find(|o| o.0 == self).map_or("", |o| o.1);
@@ -244,21 +260,21 @@ impl<T: Choice> ParamType for T {
 }
 
 /// A planner's parameter set; made by `params!`.
-pub trait Params: Sized {
+pub trait Params: Sized + Default {
     /// All rows, in the order in which people should meet them.
     fn specs() -> Vec<ParamSpec>;
-    /// Reads the values of its own rows over the defaults; other keys are somebody else's.
+    /// Reads the values of its own rows over `defaults`; other keys are somebody else's.
     ///
     /// # Errors
     /// [`ParamError`] for a wrong type, or a value outside its range.
-    fn pick(values: &Values) -> Result<Self, ParamError>;
+    fn pick(values: &Values, defaults: Self) -> Result<Self, ParamError>;
     /// Reads values over the defaults.
     ///
     /// # Errors
     /// [`ParamError`] for an unknown key, a wrong type, or a value outside its range.
     fn read(planner: &str, values: &Values) -> Result<Self, ParamError> {
         check_keys(planner, &Self::specs(), values)?;
-        Self::pick(values)
+        Self::pick(values, Self::default())
     }
 }
 
@@ -286,6 +302,14 @@ pub fn read_one<T: ParamType>(specs: &[ParamSpec], key: &str, values: &Values, d
     T::read(spec, value)
 }
 
+/// Gives a shared row another default, with its source.
+pub fn override_row(rows: &mut [ParamSpec], key: &str, default: Value, source: &'static str) {
+    for row in rows.iter_mut().filter(|r| r.key == key) {
+        row.default = default.clone();
+        row.source = source;
+    }
+}
+
 /// Declares a [`Choice`]: `Variant = "id"`, the doc comment is the option's meaning.
 #[macro_export]
 macro_rules! choice {
@@ -300,7 +324,8 @@ macro_rules! choice {
 }
 
 /// Declares a parameter set. A row: doc comment = meaning; `key: type = default, "symbol", [range], "unit", "source", when(key: values)`.
-/// `..field: Set;` after a row takes in the rows of another set at that place, as a field.
+/// `..field: Set;` after a row takes in the rows of another set at that place, as a field; `..field: Set { key = default, "source"; };`
+/// gives some of them another default.
 #[macro_export]
 macro_rules! params {
     ($(#[$meta:meta])* pub struct $name:ident {
@@ -310,7 +335,7 @@ macro_rules! params {
                 $(, when($when:ident : $($value:literal)|+))? ;
         )+
         $(
-            ..$shared:ident : $set:ty ;
+            ..$shared:ident : $set:ty $({ $( $other:ident = $instead:expr, $reason:literal ; )+ })? ;
             $(
                 #[doc = $meaning2:literal]
                 $key2:ident : $type2:ty = $default2:expr, $symbol2:literal, [$($range2:expr)?], $unit2:literal, $source2:literal
@@ -330,7 +355,13 @@ macro_rules! params {
         }
         impl Default for $name {
             fn default() -> Self {
-                Self { $( $key: $default, )+ $( $shared: <$set>::default(), $( $key2: $default2, )* )* }
+                Self {
+                    $( $key: $default, )+
+                    $(
+                        $shared: $crate::params!(@set $set, $($( $other = $instead, )+)?),
+                        $( $key2: $default2, )*
+                    )*
+                }
             }
         }
         impl $crate::params::Params for $name {
@@ -340,7 +371,15 @@ macro_rules! params {
                         @spec $meaning, $key, $type, $default, $symbol, ($($range)?), $unit, $source, $($when $($value)+)?
                     ), )+ ],
                     $(
-                        <$set as $crate::params::Params>::specs(),
+                        {
+                            #[allow(unused_mut, reason = "most sets are taken in as they are")]
+                            let mut rows = <$set as $crate::params::Params>::specs();
+                            $($(
+                                let default = $crate::params::ParamType::value(Self::default().$shared.$other);
+                                $crate::params::override_row(&mut rows, stringify!($other), default, $reason);
+                            )+)?
+                            rows
+                        },
                         vec![ $( $crate::params!(
                             @spec $meaning2, $key2, $type2, $default2, $symbol2, ($($range2)?), $unit2, $source2, $($when2 $($value2)+)?
                         ), )* ],
@@ -348,12 +387,12 @@ macro_rules! params {
                 ]
                 .concat()
             }
-            fn pick(values: &$crate::params::Values) -> Result<Self, $crate::error::ParamError> {
-                let (specs, default) = (Self::specs(), Self::default());
+            fn pick(values: &$crate::params::Values, default: Self) -> Result<Self, $crate::error::ParamError> {
+                let specs = Self::specs();
                 Ok(Self {
                     $( $key: $crate::params::read_one(&specs, stringify!($key), values, default.$key)?, )+
                     $(
-                        $shared: <$set as $crate::params::Params>::pick(values)?,
+                        $shared: <$set as $crate::params::Params>::pick(values, default.$shared)?,
                         $( $key2: $crate::params::read_one(&specs, stringify!($key2), values, default.$key2)?, )*
                     )*
                 })
@@ -372,6 +411,12 @@ macro_rules! params {
             applies_when: $crate::params!(@when $($when)*),
         }
     };
+    (@set $set:ty,) => { <$set>::default() };
+    (@set $set:ty, $( $other:ident = $instead:expr, )+) => { {
+        let mut set = <$set>::default();
+        $( set.$other = $instead; )+
+        set
+    } };
     (@when) => { None };
     (@when $key:ident $($value:literal)+) => {
         Some($crate::params::AppliesWhen {
@@ -379,4 +424,39 @@ macro_rules! params {
             values: vec![ $( $crate::params::Value::from($value) ),+ ],
         })
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    params! {
+        /// Shared.
+        pub struct Shared {
+            /// how many
+            count: u32 = 3, "n", [1..=9], "", "somewhere";
+            /// how much
+            share: f64 = 0.5, "s", [0.0..=1.0], "", "somewhere";
+        }
+    }
+
+    params! {
+        /// Own.
+        pub struct Own {
+            /// whether
+            on: bool = true, "", [], "", "here";
+            ..shared: Shared { share = 0.25, "here"; };
+        }
+    }
+
+    #[test]
+    fn a_shared_row_may_have_another_default() {
+        assert_eq!((Own::default().shared.count, Own::default().shared.share), (3, 0.25));
+        let rows = Own::specs();
+        assert_eq!(rows.iter().map(|r| r.key).collect::<Vec<_>>(), ["on", "count", "share"]);
+        assert_eq!((&rows[2].default, rows[2].source, rows[1].source), (&Value::Number(0.25), "here", "somewhere"));
+        let own = Own::read("own", &[("count".to_string(), Value::Number(7.0))].into()).expect("valid");
+        assert_eq!((own.on, own.shared.count, own.shared.share), (true, 7, 0.25));
+        assert!(Own::read("own", &[("share".to_string(), Value::Number(2.0))].into()).is_err());
+    }
 }

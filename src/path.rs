@@ -1,6 +1,6 @@
 //! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
-use crate::map::{Cell, Moves, OFFSETS, Point};
+use crate::map::{Cell, Grid, Movement, Moves, OFFSETS, Point};
 use crate::scenario::Scenario;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -114,34 +114,81 @@ fn audit_segment(scenario: &Scenario, index: usize, from: Point, to: Point) -> R
     if line_of_sight(scenario, from, to) { Ok(()) } else { Err(Flaw::OutOfSight { index, from, to }) }
 }
 
+/// What a segment comes across next: a cell that it crosses, entered through a side or exactly through a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Entered {
+    x: i32,
+    y: i32,
+    /// Through a corner: the two cells that meet there beside the segment.
+    beside: Option<[(i32, i32); 2]>,
+}
+
+/// The cells that the straight segment between the centres of two cells crosses, in order, without the first.
+struct Segment {
+    at: (i32, i32),
+    to: (i32, i32),
+    sign: (i32, i32),
+    /// When the segment leaves its cell by a side in x and in y, on one scale: (1 + 2·steps in x)·|dy| and (1 + 2·steps in y)·|dx|.
+    leaves: (i32, i32),
+    /// What a step in x and in y adds to that.
+    more: (i32, i32),
+}
+
+impl Segment {
+    fn new(from: Point, to: Point) -> Self {
+        let (at, to) = ((from.x as i32, from.y as i32), (to.x as i32, to.y as i32));
+        let (dx, dy) = (to.0 - at.0, to.1 - at.1);
+        let leaves = (dy.abs(), dx.abs());
+        Self { at, to, sign: (dx.signum(), dy.signum()), leaves, more: (2 * leaves.0, 2 * leaves.1) }
+    }
+}
+
+impl Iterator for Segment {
+    type Item = Entered;
+
+    #[inline]
+    fn next(&mut self) -> Option<Entered> {
+        if self.at == self.to {
+            return None;
+        }
+        let ((x, y), (sx, sy), order) = (self.at, self.sign, self.leaves.0.cmp(&self.leaves.1));
+        if order.is_le() {
+            self.at.0 += sx;
+            self.leaves.0 += self.more.0;
+        }
+        if order.is_ge() {
+            self.at.1 += sy;
+            self.leaves.1 += self.more.1;
+        }
+        let beside = order.is_eq().then_some([(x + sx, y), (x, y + sy)]);
+        Some(Entered { x: self.at.0, y: self.at.1, beside })
+    }
+}
+
 /// Whether the straight segment between the centres of two cells of the map touches no obstacle, under the scenario's corner rule: every
 /// cell that it crosses is free, and where it passes exactly through a corner of cells, the rule allows the diagonal step there. With
 /// 4 moves there is sight along rows and columns only. Whole-number arithmetic, so it is exact.
 pub fn line_of_sight(scenario: &Scenario, from: Point, to: Point) -> bool {
-    let (grid, movement) = (&scenario.grid, scenario.spec.movement);
-    let (dx, dy) = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
-    if movement.moves == Moves::Four && dx != 0 && dy != 0 {
+    in_sight(&scenario.grid, scenario.spec.movement, from, to)
+}
+
+/// [`line_of_sight`] on a map that belongs to no scenario yet.
+pub fn in_sight(grid: &Grid, movement: Movement, from: Point, to: Point) -> bool {
+    if movement.moves == Moves::Four && from.x != to.x && from.y != to.y {
         return false;
     }
-    let (nx, ny, sx, sy) = (dx.abs(), dy.abs(), dx.signum(), dy.signum());
-    let (mut x, mut y) = (i64::from(from.x), i64::from(from.y));
-    let (mut ix, mut iy) = (0, 0);
-    let mut free = grid.is_free_at(x, y);
-    while free && (ix < nx || iy < ny) {
-        // Where the segment leaves the cell: its side in x comes at (1 + 2·ix) / 2·nx, its side in y at (1 + 2·iy) / 2·ny.
-        let order = ((1 + 2 * ix) * ny).cmp(&((1 + 2 * iy) * nx));
-        if order.is_eq() {
-            free = movement.corner_rule.allows(grid.is_free_at(x + sx, y), grid.is_free_at(x, y + sy));
-        }
-        if order.is_le() {
-            (x, ix) = (x + sx, ix + 1);
-        }
-        if order.is_ge() {
-            (y, iy) = (y + sy, iy + 1);
-        }
-        free = free && grid.is_free_at(x, y);
-    }
-    free
+    let free = |(x, y): (i32, i32)| grid.is_free_at(i64::from(x), i64::from(y));
+    let passes = |[a, b]: [(i32, i32); 2]| movement.corner_rule.allows(free(a), free(b));
+    let enters = |cell: Entered| free((cell.x, cell.y)) && cell.beside.is_none_or(passes);
+    free((from.x as i32, from.y as i32)) && Segment::new(from, to).all(enters)
+}
+
+/// The cells that a path of either kind crosses, in order: those of its segments, each joint once. A corner that a segment passes
+/// exactly through is no cell. All cells of the path must lie on a map of this width.
+pub fn crossed(width: u32, path: &[Cell]) -> impl Iterator<Item = Cell> + use<'_> {
+    let point = move |c: Cell| Point::new(c % width, c / width);
+    let between = move |ends: &[Cell]| Segment::new(point(ends[0]), point(ends[1])).map(move |e| e.y as u32 * width + e.x as u32);
+    path.first().copied().into_iter().chain(path.windows(2).flat_map(between))
 }
 
 /// Refinement by line of sight (engine-room paper, section 3.3): from the start on, the farthest later node in sight is kept and those
@@ -173,7 +220,7 @@ pub fn points(scenario: &Scenario, path: &[Cell]) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::{CornerRule, Grid, Movement};
+    use crate::map::CornerRule;
 
     fn scenario(rows: &[&str], corner_rule: CornerRule) -> Scenario {
         let cells: Vec<u8> = rows.iter().flat_map(|r| r.bytes().map(|b| u8::from(b == b'#'))).collect();
@@ -197,6 +244,15 @@ mod tests {
             assert_eq!(seen(&["...", "..#", "..."], (2, 2), rule), one, "{rule:?}");
             assert_eq!(seen(&["...", "..#", ".#."], (2, 2), rule), two, "{rule:?}");
         }
+    }
+
+    #[test]
+    fn crossed_cells_by_hand() {
+        // Width 5. (0,0) → (2,1) crosses (1,0) and (1,1); (2,1) → (4,3) is a diagonal; (4,3) → (4,1) a column.
+        let cells: Vec<Cell> = crossed(5, &[0, 7, 19, 9]).collect();
+        assert_eq!(cells, [0, 1, 6, 7, 13, 19, 14, 9]);
+        assert_eq!(crossed(5, &[3]).collect::<Vec<_>>(), [3]);
+        assert_eq!(crossed(5, &[]).count(), 0);
     }
 
     #[test]

@@ -32,6 +32,8 @@ pub enum Status {
     Running,
     /// The best path is proven optimal under the scenario's rules.
     Optimal,
+    /// The search has ended, without a proof that nothing is better.
+    Complete,
     /// No improvement for as long as the planner was told to wait.
     Stagnated,
     /// The budget of iterations is spent.
@@ -55,7 +57,8 @@ pub struct Effort {
     pub iterations: u32,
     /// Walks that were begun and ended: at the goal, at a dead end, or at the cap on moves.
     pub constructed_paths: u64,
-    /// Moves of ants: steps, steps back, and the move in which an ant finds itself lost at a dead end.
+    /// Moves of ants: steps, steps back, and the move in which an ant finds itself lost at a dead end. Of swarms, the steps and steps back
+    /// by which positions are decoded into paths.
     pub ant_moves: u64,
     /// Cells taken from the open list of a search.
     pub cell_expansions: u64,
@@ -320,7 +323,7 @@ pub struct Preset {
     pub meaning: &'static str,
     /// Numbers by key; what is absent keeps the default.
     pub numbers: &'static [(&'static str, f64)],
-    /// Ids of choices by key; what is absent keeps the default.
+    /// Ids of choices, `true` or `false` of flags, by key; what is absent keeps the default.
     pub choices: &'static [(&'static str, &'static str)],
 }
 
@@ -328,7 +331,8 @@ impl Preset {
     /// Its values by key.
     pub fn values(&self) -> Values {
         let numbers = self.numbers.iter().map(|&(k, v)| (k.to_string(), Value::from(v)));
-        numbers.chain(self.choices.iter().map(|&(k, v)| (k.to_string(), Value::from(v)))).collect()
+        let choice = |v: &str| v.parse::<bool>().map_or_else(|_| Value::from(v), Value::from);
+        numbers.chain(self.choices.iter().map(|&(k, v)| (k.to_string(), choice(v)))).collect()
     }
 }
 

@@ -72,7 +72,7 @@ pub struct ScenarioSpec {
     pub start: Point,
     /// Where they are to arrive: all of them, in an order that the planner chooses. 1 to [`MAX_GOALS`].
     pub goals: Vec<Goal>,
-    /// For the travel time.
+    /// For the arrival time.
     pub vehicle: Vehicle,
 }
 

@@ -97,6 +97,74 @@ fn plan_prints_text_json_and_csv() {
 }
 
 #[test]
+fn plan_shows_what_refinement_saves_and_what_no_polyline_can_beat() {
+    let folder = Folder::new("refined");
+    folder.write("open.csv", &"0,0,0,0,0,0,0,0\n".repeat(4));
+    let plan = ["plan", "open.csv", "--from", "0,0", "--to", "7,3", "--planner"];
+    let with = |more: &[&str]| folder.run(&[&plan[..], more].concat()).ends(0);
+    // √(49 + 9) where nothing is in the way; 3√2 + 4 by steps, and V is 0.2 more when one straight step turns.
+    let said = [
+        "7.6158 cells (length of a polyline)",
+        "unrefined     8.2426 cells by steps",
+        "point robot   7.6158 cells",
+        "steps         1",
+    ];
+    with(&["ship", "--set", "iterations=3"]).says(&said);
+    with(&["ship", "--preset", "cells", "--set", "iterations=3"]).says(&["8.2426 cells (length by steps)"]);
+    with(&["any-angle"]).says(&["optimal (proven)", "0.00 % above the optimum of 7.6158 cells"]);
+    with(&["theta-star"]).says(&["complete (not proven)", "0.00 % above the optimum of 7.6158 cells"]);
+    with(&["turn-aware"]).says(&["optimal (proven)", "turn index V = 8.4426 cells", "(turn index V)"]);
+
+    let result = with(&["ship", "--set", "iterations=3", "--format", "json"]).json();
+    assert_eq!(schema::violations(&schema::load("result"), &result), Vec::<String>::new());
+    assert_eq!((&result["objective"], &result["path"]), (&"polyline-length".into(), &serde_json::json!([[0, 0], [7, 3]])));
+    let theta = with(&["theta-star", "--format", "json"]).json();
+    assert_eq!(schema::violations(&schema::load("result"), &theta), Vec::<String>::new());
+
+    folder.run(&["generate", "random", "--size", "65x65", "--out", "large.map"]).ends(0);
+    let large = |planner| folder.run(&["plan", "large.map", "--planner", planner]);
+    large("any-angle").ends(2).says(&["up to 4096 cells", "theta-star"]);
+    large("theta-star").ends(0).says(&["a good result without a proof", "this one has 4225"]);
+}
+
+#[test]
+fn plan_visits_several_goals_and_tells_their_order() {
+    let folder = Folder::new("goals");
+    folder.write("open.csv", &"0,0,0,0,0,0,0,0\n".repeat(4));
+    let plan = ["plan", "open.csv", "--from", "3,0", "--to", "7,0", "--to", "0,0", "--planner"];
+    let with = |more: &[&str]| folder.run(&[&plan[..], more].concat());
+    // 3 to the left, then 7 to the right; the other way round 4 + 7.
+    let said = ["(3, 0) → 2 goals", "order         (0, 0) → (7, 0)", "length 10.0000, weight R 10.0000 cells", "0.00 % above"];
+    with(&["tour-exact"]).ends(0).says(&said);
+    with(&["fire", "--set", "iterations=5"]).ends(0).says(&said);
+    with(&["ant-system"]).ends(2).says(&["`ant-system` plans for 1 goal(s) at most; the scenario has 2"]);
+
+    let result = with(&["fire", "--set", "iterations=5", "--set", "order=distance", "--format", "json"]).ends(0).json();
+    assert_eq!(schema::violations(&schema::load("result"), &result), Vec::<String>::new());
+    assert_eq!((&result["objective"], &result["optimum"]), (&"tour-length".into(), &10.0.into()));
+    assert_eq!(
+        (&result["tour"]["order"], &result["tour"]["walked"]),
+        (&serde_json::json!([1, 0]), &serde_json::json!([3.0, 7.0]))
+    );
+
+    // As many goals as the scenario has are moved and keep their names and weights, b = 1/8 and 1.
+    let goals = r#"[{"at":[7,0],"name":"hall","area":8,"strength":1,"danger":1},{"at":[0,0],"name":"door"}]"#;
+    let rows = r#"{"rows": ["........", "........"]}"#;
+    let head = r#""format": "formicarium/scenario@1", "width": 8, "height": 2, "start": [3,1]"#;
+    folder.write("named.json", &format!("{{{head}, \"goals\": {goals}, \"map\": {rows}}}"));
+    // hall first: 3.4142/8 + 6.4142 = 6.84; door first: 3 + 6.4142/8 = 3.80.
+    let named = folder.run(&["plan", "named.json", "--to", "6,0", "--to", "0,1", "--planner", "tour-exact"]);
+    named.ends(0).says(&["order         door → hall", "3.0000    1.0000    3.0000", "0.1250"]);
+
+    // More goals than can be ordered exactly.
+    let many: Vec<String> = (0..17).map(|k| format!("{},{}", k % 8, k / 8 + 1)).collect();
+    let to: Vec<&str> = many.iter().flat_map(|cell| ["--to", cell]).collect();
+    let all =
+        folder.run(&[&["plan", "open.csv", "--from", "0,0", "--planner", "fire", "--set", "iterations=5"], &to[..]].concat());
+    all.ends(0).says(&["unknown: the best order is proven for up to 16 goals"]);
+}
+
+#[test]
 fn the_same_seed_prints_the_same_bytes() {
     let folder = Folder::new("seed");
     let plan =
@@ -240,11 +308,55 @@ fn check_audits_and_measures() {
 }
 
 #[test]
+fn check_audits_polylines() {
+    let folder = Folder::new("check-polyline");
+    let check = ["check", "corners.csv", "--map", "small.map"];
+    folder.write("corners.csv", "0,0\n4,0\n4,3\n");
+    folder.run(&check).ends(1).says(&["jumps         2, first at step 0 (0, 0) → (4, 0)", "add --polyline"]);
+    let polyline = |more: &[&str]| folder.run(&[&check[..], &["--polyline"], more].concat());
+    let said =
+        ["3 points of a polyline", "a valid polyline", "out of sight  none", "length        7.0000 cells", "turns         1"];
+    polyline(&[]).ends(0).says(&said);
+    folder.write("corners.csv", "0,0\n4,3\n3,3\n9,3\n0,3\n");
+    polyline(&[]).ends(1).says(&[
+        "not a valid polyline",
+        "out of sight  1, first at segment 0 (0, 0) → (4, 3)",
+        "first at cell 2 (3, 3)",
+    ]);
+    let found = polyline(&["--format", "json"]).ends(1).json();
+    let count = |key: &str| found[key].as_array().unwrap().len();
+    assert_eq!(
+        (count("outside"), count("collisions"), count("out_of_sight"), count("jumps"), &found["kind"]),
+        (1, 1, 1, 0, &"polyline".into())
+    );
+}
+
+#[test]
+fn check_asks_for_every_goal() {
+    let folder = Folder::new("check-goals");
+    let goals = r#"[{"at": [2, 0]}, {"at": [0, 1]}]"#;
+    let map = r#"{"rows": ["...", "..."]}"#;
+    folder.write(
+        "two.json",
+        &format!(
+            r#"{{"format": "formicarium/scenario@1", "width": 3, "height": 2, "map": {map}, "start": [0, 0], "goals": {goals}}}"#
+        ),
+    );
+    let check = |path: &str| {
+        folder.write("path.csv", path);
+        folder.run(&["check", "path.csv", "--map", "two.json", "--polyline"])
+    };
+    check("0,0\n2,0\n0,1\n").ends(0);
+    check("0,0\n0,1\n").ends(1).says(&["the path misses the goal (2, 0)"]);
+    check("0,0\n2,0\n0,1\n1,1\n").ends(1).says(&["not at the goal (2, 0) or (0, 1)"]);
+}
+
+#[test]
 fn what_plan_prints_check_accepts() {
     let folder = Folder::new("plan-check");
     for kind in ["random", "maze", "rooms", "cave"] {
         folder.run(&["generate", kind, "--size", "30x20", "--seed", "4", "--out", "made.json"]).ends(0);
-        for planner in ["astar", "ant-system"] {
+        for planner in ["astar", "ant-system", "ship", "theta-star", "any-angle", "turn-aware"] {
             let run = folder.run(&["plan", "made.json", "--planner", planner, "--format", "json"]);
             if run.code == 0 {
                 folder.write("path.json", &run.out);

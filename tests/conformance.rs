@@ -6,7 +6,7 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{drawn, gallery, movements};
+use common::{drawn, gallery, movements, tours, with_goals};
 use formicarium::catalog::{self, CATALOG};
 use formicarium::error::ParamError;
 use formicarium::exact::{self, Reference};
@@ -21,7 +21,7 @@ use formicarium::scenario::Scenario;
 fn short(entry: &Entry) -> Values {
     let has = |key: &str| (entry.specs)().iter().any(|s| s.key == key);
     let mut values = Values::new();
-    for (key, value) in [("iterations", 12.0), ("ants", 10.0)] {
+    for (key, value) in [("iterations", 12.0), ("seed_iterations", 6.0), ("ants", 10.0)] {
         if has(key) {
             values.insert(key.into(), Value::Number(value));
         }
@@ -33,11 +33,12 @@ fn planner(entry: &Entry, scenario: &Arc<Scenario>, seed: u32) -> Box<dyn Planne
     catalog::build(scenario, entry.id, None, &short(entry), seed).expect("valid parameters")
 }
 
-/// Calls `check` for every planner on every scenario under every movement.
+/// Calls `check` for every planner on every scenario that it takes, under every movement.
 fn everywhere(check: impl Fn(&Entry, &str, &Arc<Scenario>)) {
     for entry in CATALOG {
         for movement in movements() {
-            for (name, scenario) in gallery(movement) {
+            let takes = |scenario: &Scenario| scenario.goals.len() <= entry.max_goals as usize;
+            for (name, scenario) in gallery(movement).into_iter().chain(tours(movement)).filter(|(_, s)| takes(s)) {
                 check(entry, &format!("{} on {name} with {movement:?}", entry.id), &scenario);
             }
         }
@@ -126,6 +127,68 @@ fn an_unreachable_goal_is_an_answer() {
 }
 
 #[test]
+fn one_unreachable_goal_of_several_is_an_answer() {
+    for entry in CATALOG.iter().filter(|e| e.max_goals > 1) {
+        for movement in movements() {
+            let walled = with_goals(&drawn(&["S.#..", "..#..", "###..", "....G"], movement), &[(1, 1), (4, 3)]);
+            let mut planner = planner(entry, &walled, 1);
+            assert_eq!(planner.run(), Status::NoPath, "{}", entry.id);
+            assert!(planner.best().is_none());
+        }
+    }
+}
+
+#[test]
+fn more_goals_than_a_planner_takes_are_refused_by_name() {
+    let open = drawn(&["S.......", "........", "........", ".......G"], Movement::default());
+    for entry in CATALOG {
+        let most = entry.max_goals as usize;
+        if most >= formicarium::scenario::MAX_GOALS {
+            continue;
+        }
+        let cells: Vec<_> = (1..=most as u32 + 1).map(|c| (c % 8, c / 8)).collect();
+        let error = catalog::build(&with_goals(&open, &cells), entry.id, None, &short(entry), 1).err();
+        assert!(
+            matches!(&error, Some(ParamError::TooManyGoals { planner, most, got })
+                if planner == entry.id && *most == entry.max_goals && *got == cells.len()),
+            "{}: {error:?}",
+            entry.id
+        );
+        assert!(catalog::build(&with_goals(&open, &cells[1..]), entry.id, None, &short(entry), 1).is_ok(), "{}", entry.id);
+    }
+}
+
+#[test]
+fn tours_visit_every_goal_once_and_tell_what_each_leg_costs() {
+    everywhere(|entry, what, scenario| {
+        let mut planner = planner(entry, scenario, 3);
+        planner.run();
+        let (Some(tour), true) = (planner.tour(), scenario.goals.len() > 1) else {
+            assert!(scenario.goals.len() == 1 && planner.tour().is_none(), "{what}");
+            return;
+        };
+        let best = planner.best().unwrap_or_else(|| panic!("{what}: no path"));
+        let mut order = tour.order.clone();
+        order.sort_unstable();
+        assert_eq!(order, (0..scenario.goals.len() as u32).collect::<Vec<_>>(), "{what}");
+        let weigh = |legs: &[f64]| -> f64 {
+            tour.order.iter().zip(legs).map(|(&g, l)| l * scenario.spec.goals[g as usize].weight()).sum()
+        };
+        let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{what}: {a}, {b}");
+        close(tour.planned_length, tour.planned.iter().sum());
+        close(tour.planned_weight, weigh(&tour.planned));
+        close(best.length, tour.walked.iter().sum());
+        close(tour.walked_weight.expect("walked"), weigh(&tour.walked));
+        // The path comes by the goals in this order.
+        let mut rest = best.path.as_slice();
+        for &goal in &tour.order {
+            let at = rest.iter().position(|&c| c == scenario.goals[goal as usize]);
+            rest = &rest[at.unwrap_or_else(|| panic!("{what}: goal {goal}"))..];
+        }
+    });
+}
+
+#[test]
 fn start_on_the_goal_is_a_path_of_length_zero() {
     for entry in CATALOG {
         let mut spec = drawn(&["S.G", "..."], Movement::default()).spec.clone();
@@ -187,11 +250,19 @@ fn history_and_effort_are_consistent() {
                 assert!(low <= mean + 1e-9 && mean <= high + 1e-9, "{what}: {r:?}");
                 best = best.min(low);
             }
-            assert_eq!(r.best_so_far, best.is_finite().then_some(best), "{what}");
+            if scenario.goals.len() == 1 {
+                assert_eq!(r.best_so_far, best.is_finite().then_some(best), "{what}");
+            } else {
+                // The legs' best may be of different iterations, and an iteration's best leaves out where a leg has none.
+                let before = history[..i].iter().filter_map(|r| r.best_so_far).fold(best, f64::min);
+                assert!(!best.is_finite() || r.best_so_far.is_some(), "{what}");
+                assert!(r.best_so_far.is_none_or(|b| b <= before + 1e-9), "{what}: {r:?}");
+            }
         }
         assert_eq!(effort.iterations as usize, history.len(), "{what}");
         if entry.family == Family::Exact {
-            assert!(effort.cell_expansions <= 4 * scenario.grid.len() as u64, "{what}: {effort:?}");
+            let searches = 2 * scenario.goals.len() as u64 - 1;
+            assert!(effort.cell_expansions <= 4 * searches * scenario.grid.len() as u64, "{what}: {effort:?}");
         }
     });
 }
@@ -218,14 +289,16 @@ fn ends(spec: &ParamSpec) -> (Vec<Value>, Vec<Value>) {
 
 #[test]
 fn range_ends_run_and_what_is_outside_is_refused_by_name() {
-    let scenario = common::random(12, 0.2, 1, Movement::default());
+    let one = common::random(12, 0.2, 1, Movement::default());
+    let two = with_goals(&one, &[(one.spec.goals[0].at.x, one.spec.goals[0].at.y), (one.spec.start.x, one.spec.start.y)]);
     for entry in CATALOG {
+        let scenario = if entry.max_goals > 1 { &two } else { &one };
         for spec in (entry.specs)() {
             let (inside, outside) = ends(&spec);
             for value in inside {
                 let mut values = short(entry);
                 values.insert(spec.key.into(), value.clone());
-                let built = catalog::build(&scenario, entry.id, None, &values, 1);
+                let built = catalog::build(scenario, entry.id, None, &values, 1);
                 let mut planner = built.unwrap_or_else(|e| panic!("{} {} = {value}: {e}", entry.id, spec.key));
                 for _ in 0..8 {
                     planner.advance(Granularity::Iteration);
@@ -237,7 +310,7 @@ fn range_ends_run_and_what_is_outside_is_refused_by_name() {
             }
             for value in outside {
                 let values: Values = [(spec.key.to_string(), value.clone())].into();
-                let error = catalog::build(&scenario, entry.id, None, &values, 1).err();
+                let error = catalog::build(scenario, entry.id, None, &values, 1).err();
                 let report = error.unwrap_or_else(|| panic!("{} {} = {value} was accepted", entry.id, spec.key)).report();
                 assert_eq!(report.field, spec.key);
                 assert!(report.message.contains(spec.meaning) && !report.hint.is_empty(), "{report:?}");
@@ -268,6 +341,11 @@ fn what_would_run_out_of_memory_is_refused() {
     let with = |ants: f64| catalog::build(&scenario, "ant-system", None, &[("ants".to_string(), Value::Number(ants))].into(), 1);
     assert!(with(50.0).is_ok());
     let report = with(1024.0).err().expect("too many ants").report();
+    assert_eq!((report.kind.as_str(), report.field.as_str()), ("memory", "ants"));
+    // With several goals every leg has a colony of its own: one fits, three do not.
+    assert!(catalog::build(&scenario, "fire", None, &Values::new(), 1).is_ok());
+    let several = with_goals(&scenario, &[(9, 9), (4000, 9), (9, 4000)]);
+    let report = catalog::build(&several, "fire", None, &Values::new(), 1).err().expect("three colonies").report();
     assert_eq!((report.kind.as_str(), report.field.as_str()), ("memory", "ants"));
 }
 

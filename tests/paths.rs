@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use formicarium::catalog::{self, CATALOG};
 use formicarium::exact;
-use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
+use formicarium::map::{Cell, CornerRule, Grid, Movement, Moves, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
-use formicarium::path::{PathKind, audit, points};
+use formicarium::path::{PathKind, audit, crossed, line_of_sight, points, refine};
 use formicarium::planner::{Family, Planner, Status};
 use formicarium::scenario::Scenario;
 use proptest::prelude::*;
@@ -91,6 +91,53 @@ proptest! {
         };
         let [always, one, both] = CornerRule::ALL.map(under);
         prop_assert!(always <= one + 1e-9 && one <= both + 1e-9, "{always} {one} {both}");
+    }
+
+    #[test]
+    fn any_angle_paths_keep_their_order(scenario in scenario()) {
+        let by = |id| solve(&scenario, id, Family::Exact, 0);
+        let lengths = ["any-angle", "theta-star", "astar"].map(|id| by(id).best().map_or(f64::INFINITY, |b| b.length));
+        let point = exact::point_robot(&scenario).expect("a small map").unwrap_or(f64::INFINITY);
+        let steps = by("astar").best().map(|b| b.path.clone());
+        let refined = steps.as_ref().map_or(f64::INFINITY, |path| Metrics::of(&scenario, &refine(&scenario, path)).length);
+        let [any, theta, shortest] = lengths;
+        let order = [euclidean(scenario.spec.start, scenario.spec.goals[0].at), point, any, refined, shortest];
+        prop_assert!(order.windows(2).all(|pair| pair[0] <= pair[1] + 1e-9), "{:?}", order);
+        prop_assert!(any <= theta + 1e-9 && theta <= shortest + 1e-9, "{} {} {}", any, theta, shortest);
+    }
+
+    #[test]
+    fn the_turn_index_is_least_and_its_path_no_shorter_than_the_shortest(scenario in scenario()) {
+        let [least, shortest] = ["turn-aware", "astar"].map(|id| {
+            solve(&scenario, id, Family::Exact, 0).best().map(|b| Metrics::of(&scenario, &b.path))
+        });
+        prop_assert_eq!(least.is_some(), shortest.is_some());
+        if let Some((least, shortest)) = least.zip(shortest) {
+            prop_assert!(least.turn_index <= shortest.turn_index + 1e-9 && least.length >= shortest.length - 1e-9);
+        }
+    }
+
+    #[test]
+    fn clearance_looks_at_every_crossed_cell(scenario in scenario(), ends in any::<(prop::sample::Index, prop::sample::Index)>()) {
+        let free: Vec<Cell> = (0..scenario.grid.len() as Cell).filter(|&c| !scenario.grid.is_blocked(c)).collect();
+        let (from, to) = (*ends.0.get(&free), *ends.1.get(&free));
+        let (a, b) = (scenario.grid.point(from), scenario.grid.point(to));
+        let path = [from, to];
+        let cells: Vec<Cell> = crossed(scenario.grid.width(), &path).collect();
+        prop_assert_eq!((cells[0], cells[cells.len() - 1]), (from, to));
+        // Sampled densely; cells that are touched for less than a sample, or at a corner only, may be missing there.
+        for k in 0..=400 {
+            let t = f64::from(k) / 400.0;
+            let place = |a: u32, b: u32| f64::from(a) + t * (f64::from(b) - f64::from(a)) + 0.5;
+            let (x, y) = (place(a.x, b.x), place(a.y, b.y));
+            if [x, y].iter().all(|v| (v - v.round()).abs() > 1e-6) {
+                prop_assert!(cells.contains(&scenario.grid.cell(Point::new(x as u32, y as u32))));
+            }
+        }
+        prop_assert!(cells.len() as u32 <= a.x.abs_diff(b.x) + a.y.abs_diff(b.y) + 1);
+        let back: Vec<Cell> = crossed(scenario.grid.width(), &[to, from]).collect();
+        prop_assert!(cells.iter().rev().eq(&back), "there and back");
+        prop_assert_eq!(line_of_sight(&scenario, a, b), line_of_sight(&scenario, b, a));
     }
 
     #[test]

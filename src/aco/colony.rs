@@ -78,6 +78,12 @@ impl<V: Variant + 'static> Colony<V> {
         }
     }
 
+    /// Leaves it to somebody else to stop a colony that stagnates.
+    pub(super) fn never_stagnates(mut self) -> Self {
+        self.settings.stagnation = 0;
+        self
+    }
+
     /// Answers what needs no ants: start = goal, and a goal that nobody can reach.
     fn settle(&mut self) {
         let s = &self.scenario;

@@ -12,7 +12,9 @@
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
+//! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
+//! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
 //!
 //! | variant | initial trail | η | selection | on each move | update | daemon |
 //! |---|---|---|---|---|---|---|
@@ -23,7 +25,9 @@
 //! | `ant-colony-system` | 1/(n·L_open) | as Ant System | pseudo-random proportional | blend τ0 in by ξ | blend 1/L_bs in by ρ on the best so far | – |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
-//! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | – |
+//! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
+//! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System | – |
+//! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
 
 pub mod ant;
 pub mod choice;
@@ -31,9 +35,12 @@ pub mod colony;
 pub mod dead_end;
 pub mod deposit;
 pub mod heuristic;
+pub mod hybrid;
 mod lanes;
+pub mod legs;
 pub mod on_demand;
 pub mod shared_params;
+pub mod tour;
 pub mod trails;
 pub mod variant;
 
@@ -41,4 +48,4 @@ mod classics;
 mod papers;
 
 pub use classics::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system};
-pub use papers::{Reading, ship, threshold};
+pub use papers::{Reading, fire, fireworks, ship, threshold};

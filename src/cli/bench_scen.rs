@@ -6,9 +6,9 @@ use std::time::Instant;
 
 use formicarium::catalog;
 use formicarium::formats::{self, ScenFile, ScenLine, misfit};
-use formicarium::map::CornerRule;
+use formicarium::map::{CornerRule, Grid, Movement, Point};
 use formicarium::params::Values;
-use formicarium::planner::{Entry, Family};
+use formicarium::planner::{Entry, Family, Objective};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
 use rand::Rng;
@@ -79,12 +79,20 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 
 fn exact(id: &str) -> Result<&'static Entry, CliError> {
     let entry = catalog::find(id)?;
-    if entry.family == Family::Exact {
+    if proves_length(entry) {
         return Ok(entry);
     }
-    let known: Vec<_> = catalog::CATALOG.iter().filter(|e| e.family == Family::Exact).map(|e| e.id).collect();
-    let message = format!("`{id}` proves no optimum, so it cannot be compared with the listed ones");
+    let known: Vec<_> = catalog::CATALOG.iter().filter(|e| proves_length(e)).map(|e| e.id).collect();
+    let message = format!("`{id}` proves no optimum of the length by steps, so it cannot be compared with the listed ones");
     Err(CliError::usage(message, format!("the exact planners are {}", known.join(", "))))
+}
+
+/// Whether a planner's result is the shortest path of steps, proven: what a `.scen` lists.
+fn proves_length(entry: &Entry) -> bool {
+    let ends = (Point::new(0, 0), Point::new(1, 0));
+    let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
+    let planner = smallest.and_then(|scenario| (entry.build)(&Arc::new(scenario), &Values::new(), 1).ok());
+    entry.family == Family::Exact && planner.is_some_and(|p| p.objective() == Objective::Length)
 }
 
 /// The map beside the `.scen`: the file that its first line names, or the `.scen`'s own name without its ending.

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use formicarium::formats::{Imported, read_path};
+use formicarium::formats::{Imported, path_kind, read_path};
 use formicarium::map::{Grid, MoveSet, Movement, Point};
 use formicarium::metrics::Metrics;
-use formicarium::path::direction_between;
+use formicarium::path::{PathKind, direction_between, in_sight};
 use formicarium::scenario::Scenario;
 use serde::Serialize;
 
@@ -13,15 +13,17 @@ use super::error::CliError;
 use super::input::{self, MovementArgs};
 use super::{Outcome, text, text::TextOrJson, text::row};
 
-/// Audits a path: collisions, cut corners, jumps, ends; and measures it
+/// Audits a path: collisions, cut corners, jumps, sight, ends; and measures it
 #[derive(clap::Args)]
 #[command(after_help = "\
 The path: JSON [[x, y], …] or the output of `plan --format json`, CSV lines x,y, or MATLAB [x y; x y].
+Its points are neighbouring cells, or with --polyline the corners of a polyline; a result says which itself.
 The ends are checked only where the map's file names them.
 
 Examples:
   formicarium check path.csv --map arena2.map
   formicarium check route.txt --map grid.csv --one-based --rows-first --corner-rule always
+  formicarium check corners.csv --map arena2.map --polyline
   formicarium plan a.json --planner astar --format json | formicarium check - --map a.json
 
 Exit code 1 when the path is none.")]
@@ -33,6 +35,9 @@ pub struct Args {
     map: PathBuf,
     #[command(flatten)]
     movement: MovementArgs,
+    /// The path's points are joined by straight segments in line of sight, not by steps
+    #[arg(long)]
+    polyline: bool,
     /// The path counts cells from 1, as MATLAB does
     #[arg(long)]
     one_based: bool,
@@ -53,9 +58,10 @@ impl Args {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = input::import(&args.map)?;
     args.movement.apply(&mut map);
-    let mut path = input::in_file(&args.path, |bytes, _| Ok(read_path(bytes)?))?;
+    let (mut path, kind) = input::in_file(&args.path, |bytes, _| Ok((read_path(bytes)?, path_kind(bytes))))?;
+    let kind = if args.polyline { PathKind::Polyline } else { kind };
     path.iter_mut().try_for_each(|p| args.shift(p))?;
-    let findings = Findings::of(&map, &path);
+    let findings = Findings::of(&map, &path, kind);
     let text = match args.format {
         TextOrJson::Text => findings.text(&map, path.len()),
         TextOrJson::Json => text::json(&findings, 2),
@@ -87,7 +93,7 @@ struct At {
     at: Point,
 }
 
-/// A step of the path, counted from 0.
+/// A step or segment of the path, counted from 0.
 #[derive(Serialize)]
 struct Step {
     step: usize,
@@ -99,62 +105,86 @@ struct Step {
 #[derive(Serialize)]
 struct Findings {
     format: &'static str,
+    kind: PathKind,
     ok: bool,
     wrong_ends: Vec<String>,
     outside: Vec<At>,
     collisions: Vec<At>,
     jumps: Vec<Step>,
     corner_cuts: Vec<Step>,
+    out_of_sight: Vec<Step>,
     metrics: Option<Metrics>,
 }
 
 impl Findings {
-    fn of(map: &Imported, path: &[Point]) -> Self {
+    fn of(map: &Imported, path: &[Point], kind: PathKind) -> Self {
         let (grid, movement) = (&map.grid, map.spec.movement);
         let cells = |wrong: &dyn Fn(Point) -> bool| -> Vec<At> {
             path.iter().enumerate().filter(|(_, p)| wrong(**p)).map(|(index, &at)| At { index, at }).collect()
         };
-        let steps = |wrong: &dyn Fn(Point, Point) -> bool| -> Vec<Step> {
+        let joints = |of: PathKind, wrong: &dyn Fn(Point, Point) -> bool| -> Vec<Step> {
             let all = path.windows(2).enumerate().map(|(step, s)| Step { step, from: s[0], to: s[1] });
-            all.filter(|s| wrong(s.from, s.to)).collect()
+            all.filter(|s| kind == of && wrong(s.from, s.to)).collect()
         };
         let outside = cells(&|p| !grid.contains(p));
         let collisions = cells(&|p| grid.contains(p) && grid.is_blocked(grid.cell(p)));
-        let jumps = steps(&|from, to| direction_between(from, to).is_none());
-        let corner_cuts = steps(&|from, to| cuts_corner(grid, movement, from, to));
+        let jumps = joints(PathKind::Steps, &|from, to| direction_between(from, to).is_none());
+        let corner_cuts = joints(PathKind::Steps, &|from, to| cuts_corner(grid, movement, from, to));
+        let out_of_sight = joints(PathKind::Polyline, &|from, to| hidden(grid, movement, from, to));
         let wrong_ends = wrong_ends(map, path);
         let measurable = outside.is_empty() && jumps.is_empty();
-        let ok = measurable && collisions.is_empty() && corner_cuts.is_empty() && wrong_ends.is_empty() && !path.is_empty();
+        let joined = corner_cuts.is_empty() && out_of_sight.is_empty();
+        let ok = measurable && joined && collisions.is_empty() && wrong_ends.is_empty() && !path.is_empty();
         let metrics = if measurable { measure(map, path) } else { None };
-        Self { format: "formicarium/check@1", ok, wrong_ends, outside, collisions, jumps, corner_cuts, metrics }
+        let format = "formicarium/check@1";
+        Self { format, kind, ok, wrong_ends, outside, collisions, jumps, corner_cuts, out_of_sight, metrics }
     }
 
-    fn text(&self, map: &Imported, cells: usize) -> String {
+    fn text(&self, map: &Imported, points: usize) -> String {
         let rule =
             format!("{} moves, corner rule {}", u8::from(map.spec.movement.moves), input::rule_id(map.spec.movement.corner_rule));
-        let mut out = format!("{} on {} ({rule})\n\n", text::count(cells as u64, "cell", "cells"), map.spec.name);
-        row(&mut out, "verdict", if self.ok { "a valid path" } else { "not a valid path" });
+        let (what, valid) = match self.kind {
+            PathKind::Steps => (text::count(points as u64, "cell", "cells"), "a valid path"),
+            PathKind::Polyline => (text::count(points as u64, "point", "points") + " of a polyline", "a valid polyline"),
+        };
+        let mut out = format!("{what} on {} ({rule})\n\n", map.spec.name);
+        row(&mut out, "verdict", if self.ok { valid.into() } else { format!("not {valid}") });
         for end in &self.wrong_ends {
             row(&mut out, "ends", end);
         }
-        let at = |found: &[At]| (found.len(), found.first().map(|f| format!("cell {} {}", f.index, text::cell(f.at))));
-        let step = |found: &[Step]| {
-            (found.len(), found.first().map(|f| format!("step {} {} → {}", f.step, text::cell(f.from), text::cell(f.to))))
-        };
-        let counts = [
-            ("outside", at(&self.outside)),
-            ("collisions", at(&self.collisions)),
-            ("jumps", step(&self.jumps)),
-            ("corner cuts", step(&self.corner_cuts)),
-        ];
-        for (label, (count, first)) in counts {
-            row(&mut out, label, first.map_or("none".into(), |first| format!("{count}, first at {first}")));
+        self.counts(&mut out);
+        if !self.jumps.is_empty() {
+            row(&mut out, "", "for the corners of a polyline, add --polyline");
         }
         if let Some(metrics) = &self.metrics {
             text::metrics(&mut out, metrics);
         }
         out
     }
+
+    /// A line for each kind of flaw that this kind of path can have.
+    fn counts(&self, out: &mut String) {
+        let at = |found: &[At]| (found.len(), found.first().map(|f| format!("cell {} {}", f.index, text::cell(f.at))));
+        let step = |found: &[Step], name: &str| {
+            (found.len(), found.first().map(|f| format!("{name} {} {} → {}", f.step, text::cell(f.from), text::cell(f.to))))
+        };
+        let (cells, joints) = (
+            [("outside", at(&self.outside)), ("collisions", at(&self.collisions))],
+            match self.kind {
+                PathKind::Steps => vec![("jumps", step(&self.jumps, "step")), ("corner cuts", step(&self.corner_cuts, "step"))],
+                PathKind::Polyline => vec![("out of sight", step(&self.out_of_sight, "segment"))],
+            },
+        );
+        for (label, (count, first)) in cells.into_iter().chain(joints) {
+            row(out, label, first.map_or("none".into(), |first| format!("{count}, first at {first}")));
+        }
+    }
+}
+
+/// Two free cells that do not see each other.
+fn hidden(grid: &Grid, movement: Movement, from: Point, to: Point) -> bool {
+    let free = |p: Point| grid.is_free_at(i64::from(p.x), i64::from(p.y));
+    free(from) && free(to) && !in_sight(grid, movement, from, to)
 }
 
 /// A step between neighbouring free cells that the movement does not allow.
@@ -164,21 +194,28 @@ fn cuts_corner(grid: &Grid, movement: Movement, from: Point, to: Point) -> bool 
     free(from) && free(to) && step.is_some_and(|d| !movement.allows(grid, i64::from(from.x), i64::from(from.y), d))
 }
 
-/// Where the path does not begin or end as the map's file says.
+/// Where the path does not begin, end or come by as the map's file says.
 fn wrong_ends(map: &Imported, path: &[Point]) -> Vec<String> {
-    let (Some(&first), Some(&last), Some(goal)) = (path.first(), path.last(), map.spec.goals.first()) else {
-        return vec!["the path is empty".into()];
-    };
+    let (Some(&first), Some(&last)) = (path.first(), path.last()) else { return vec!["the path is empty".into()] };
     if map.ends_were_chosen() {
         return Vec::new();
     }
-    let wrong = |verb, at, role, wanted| {
-        (at != wanted).then(|| format!("the path {verb} at {}, not at the {role} {}", text::cell(at), text::cell(wanted)))
-    };
-    [wrong("begins", first, "start", map.spec.start), wrong("ends", last, "goal", goal.at)].into_iter().flatten().collect()
+    let (start, goals) = (map.spec.start, &map.spec.goals);
+    let mut wrong = Vec::new();
+    if first != start {
+        wrong.push(format!("the path begins at {}, not at the start {}", text::cell(first), text::cell(start)));
+    }
+    if goals.iter().all(|g| g.at != last) {
+        let places: Vec<_> = goals.iter().map(|g| text::cell(g.at)).collect();
+        wrong.push(format!("the path ends at {}, not at the goal {}", text::cell(last), places.join(" or ")));
+    }
+    // Of one goal the end tells already.
+    let missed = goals.iter().filter(|g| goals.len() > 1 && !path.contains(&g.at));
+    wrong.extend(missed.map(|g| format!("the path misses the goal {}", text::cell(g.at))));
+    wrong
 }
 
-/// The metrics of a path of neighbouring cells on the map. It need not be valid, so no validated scenario can be asked for.
+/// The metrics of a path of neighbouring cells or of a polyline on the map. It need not be valid, so no validated scenario can be asked for.
 fn measure(map: &Imported, path: &[Point]) -> Option<Metrics> {
     let cells: Vec<_> = path.iter().map(|&p| map.grid.cell(p)).collect();
     let (&start, &goal) = (cells.first()?, cells.last()?);

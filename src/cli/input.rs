@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::error::Error;
 use formicarium::formats::{self, Imported, ScenLine};
 use formicarium::map::{CornerRule, Moves, Point};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Goal, Scenario};
 
 use super::error::CliError;
 use super::text;
@@ -22,9 +22,9 @@ pub struct ScenarioArgs {
     /// Start cell
     #[arg(long, value_name = "X,Y", value_parser = point)]
     from: Option<Point>,
-    /// Goal cell
+    /// Goal cell; repeated for several goals
     #[arg(long, value_name = "X,Y", value_parser = point)]
-    to: Option<Point>,
+    to: Vec<Point>,
     /// Start and goal from a line of a MovingAI .scen, counted from 1 as in an editor
     #[arg(long, value_name = "FILE:LINE", conflicts_with_all = ["from", "to", "scenario"])]
     scen: Option<String>,
@@ -89,16 +89,16 @@ impl ScenarioArgs {
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
         let mut map = import(path)?;
-        if self.scen.is_some() || (self.from.is_some() && self.to.is_some()) {
+        if self.scen.is_some() || (self.from.is_some() && !self.to.is_empty()) {
             map.notices.retain(|n| n.kind != "ends-chosen");
         }
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
             // Ends that do not fit are errors of the scenario; another size would pass unnoticed.
             map.notices.extend(formats::misfit(&line, &map.grid).filter(|n| n.kind == "scen-size"));
-            set_ends(&mut map, Some(line.start), Some(line.goal));
+            set_ends(&mut map, Some(line.start), &[line.goal]);
         }
-        set_ends(&mut map, self.from, self.to);
+        set_ends(&mut map, self.from, &self.to);
         self.movement.apply(&mut map);
         let scenario = Scenario::new(map.grid, map.spec)?;
         text::notes(&map.notices);
@@ -107,10 +107,14 @@ impl ScenarioArgs {
     }
 }
 
-fn set_ends(map: &mut Imported, start: Option<Point>, goal: Option<Point>) {
+/// Puts start and goals where they are asked for. As many goals as the map has are moved and keep their names and weights; another
+/// number takes their place.
+fn set_ends(map: &mut Imported, start: Option<Point>, goals: &[Point]) {
     map.spec.start = start.unwrap_or(map.spec.start);
-    if let Some(goal) = goal {
-        map.spec.goals.iter_mut().for_each(|g| g.at = goal);
+    if goals.len() == map.spec.goals.len() {
+        map.spec.goals.iter_mut().zip(goals).for_each(|(goal, &at)| goal.at = at);
+    } else if !goals.is_empty() {
+        map.spec.goals = goals.iter().map(|&at| Goal::new(at, "")).collect();
     }
 }
 

@@ -3,6 +3,7 @@
 mod bench_scen;
 mod catalog;
 mod check;
+mod compare;
 mod convert;
 mod error;
 mod generate;
@@ -32,6 +33,7 @@ Examples:
   formicarium generate cave --size 60x40 --seed 7 --out cave.json
   formicarium plan cave.json --planner ant-system --set ants=30
   formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar --format json
+  formicarium compare experiments/ship.toml --out results
   formicarium check path.csv --map arena2.map
   formicarium bench-scen arena2.map.scen
 
@@ -41,6 +43,7 @@ Coordinates are column,row from 0; 0,0 is the upper left. `-` stands for standar
 #[derive(Subcommand)]
 enum Command {
     Plan(plan::Args),
+    Compare(compare::Args),
     Catalog(catalog::Args),
     Convert(convert::Args),
     Check(check::Args),
@@ -71,6 +74,7 @@ impl Command {
     fn run(&self) -> Result<Outcome, CliError> {
         match self {
             Self::Plan(args) => plan::run(args),
+            Self::Compare(args) => compare::run(args),
             Self::Catalog(args) => catalog::run(args),
             Self::Convert(args) => convert::run(args),
             Self::Check(args) => check::run(args),
@@ -86,7 +90,7 @@ impl Command {
             Self::Catalog(args) => args.json,
             Self::Check(args) => args.wants_json(),
             Self::BenchScen(args) => args.wants_json(),
-            Self::Convert(_) | Self::Generate(_) => false,
+            Self::Compare(_) | Self::Convert(_) | Self::Generate(_) => false,
         }
     }
 }

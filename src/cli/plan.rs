@@ -11,7 +11,7 @@ use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
 use formicarium::path::points;
 use formicarium::planner::{Effort, Objective, Planner, Record, Status, Tour};
-use formicarium::scenario::{Scenario, ScenarioSpec};
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 use serde::Serialize;
 
 use super::error::CliError;
@@ -25,6 +25,7 @@ use super::{Outcome, text::grouped};
 Examples:
   formicarium plan maze.csv --planner ant-system --from 0,0 --to 19,19 --seed 3
   formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar
+  formicarium plan maze.csv --planner fire --from 0,0 --to 19,19 --to 3,17 --to 16,2
   formicarium plan room.json --planner ant-system --set ants=40 --set rho=0.2 --format csv > curve.csv
   formicarium generate rooms --size 80x60 | formicarium plan - --planner dijkstra --format json
 
@@ -173,11 +174,13 @@ impl Report<'_> {
         match &self.metrics {
             Some(metrics) => {
                 self.gap_text(&mut out);
+                self.polyline_text(&mut out);
                 text::metrics(&mut out, metrics);
             }
             None => {
-                if let Some(optimum) = self.optimum() {
-                    row(&mut out, "optimum", format!("{optimum:.4} cells: a path exists, none was found"));
+                if let Some(value) = self.reference.value() {
+                    let label = if self.optimum().is_some() { "optimum" } else { "reference" };
+                    row(&mut out, label, format!("{value:.4} cells: a path exists, none was found"));
                 }
             }
         }
@@ -192,29 +195,47 @@ impl Report<'_> {
     }
 
     fn gap_text(&self, out: &mut String) {
+        if self.planner.tour().is_some() && self.reference == Reference::Unknown {
+            row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
+        }
         let (Some(gap), Some(value)) = (self.gap, self.reference.value()) else { return };
         let of = match self.reference {
-            Reference::Proven { .. } => "the optimum",
-            _ => "a good result, not proven the best,",
+            Reference::Proven { .. } => format!("the optimum of {value:.4} cells"),
+            _ => format!("{value:.4} cells, a good result without a proof"),
         };
-        row(
-            out,
-            "gap",
-            format!("{} above {of} of {value:.4} cells ({})", text::percent(gap), objective_text(self.planner.objective())),
-        );
+        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), objective_text(self.planner.objective())));
     }
 
-    /// The order of the goals, and what it costs.
+    /// What refinement has saved, and the bound that no polyline can beat.
+    fn polyline_text(&self, out: &mut String) {
+        let Some(best) = self.planner.best().filter(|_| self.planner.objective() == Objective::PolylineLength) else { return };
+        if best.refined.is_some() {
+            row(out, "unrefined", format!("{:.4} cells by steps", best.length));
+        }
+        match exact::point_robot(self.scenario) {
+            Ok(Some(bound)) => row(out, "point robot", format!("{bound:.4} cells: no polyline through centres is shorter")),
+            Ok(None) => {}
+            Err(limit) => row(out, "point robot", limit),
+        }
+    }
+
+    /// The order of the goals, what it costs, and each leg.
     fn tour_text(&self, out: &mut String) {
         let Some(tour) = self.planner.tour() else { return };
-        let name = |&i: &u32| {
-            let goal = &self.scenario.spec.goals[i as usize];
-            if goal.name.is_empty() { text::cell(goal.at) } else { goal.name.clone() }
-        };
-        row(out, "order", tour.order.iter().map(name).collect::<Vec<_>>().join(" → "));
+        let goals = &self.scenario.spec.goals;
+        let name = |goal: &Goal| if goal.name.is_empty() { text::cell(goal.at) } else { goal.name.clone() };
+        let visited: Vec<&Goal> = tour.order.iter().map(|&i| &goals[i as usize]).collect();
+        row(out, "order", visited.iter().map(|g| name(g)).collect::<Vec<_>>().join(" → "));
         row(out, "planned", format!("length {:.4}, weight R {:.4} cells", tour.planned_length, tour.planned_weight));
         if let Some(weight) = tour.walked_weight {
-            row(out, "walked", format!("weight R {weight:.4} cells"));
+            row(out, "walked", format!("length {:.4}, weight R {weight:.4} cells", tour.walked.iter().sum::<f64>()));
+        }
+        row(out, "legs", format!("{:<14}{:>10}{:>10}{:>10}{:>10}", "to", "planned", "walked", "b", "R walked"));
+        for (leg, goal) in visited.iter().enumerate() {
+            let walked = tour.walked.get(leg);
+            let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| format!("{v:.4}"));
+            let cells = [tour.planned.get(leg).copied(), walked.copied(), Some(goal.weight()), walked.map(|w| w * goal.weight())];
+            row(out, "", format!("{:<14}{}", name(goal), cells.map(|v| format!("{:>10}", number(v))).concat()));
         }
     }
 
@@ -222,6 +243,7 @@ impl Report<'_> {
         match self.status {
             Status::Running => "running".into(),
             Status::Optimal => "optimal (proven)".into(),
+            Status::Complete => "complete (not proven)".into(),
             Status::Stagnated => "stagnated".into(),
             Status::BudgetSpent => "budget spent".into(),
             Status::NoPath => "no path exists".into(),

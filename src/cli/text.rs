@@ -136,7 +136,7 @@ pub fn metrics(out: &mut String, m: &Metrics) {
     row(out, "steps", grouped(m.steps.into()));
     row(out, "turns", format!("{}, turn index V = {:.4} cells", m.turns, m.turn_index));
     row(out, "clearance", format!("at least {:.2}, on average {:.2} cells", m.min_clearance, m.mean_clearance));
-    row(out, "travel time", seconds(m.travel_time));
+    row(out, "arrival time", seconds(m.travel_time));
 }
 
 /// Remarks, on the error stream: they are no part of a result.

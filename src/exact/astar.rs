@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::search::{Estimate, Search};
 use crate::error::ParamError;
-use crate::map::{Moves, Point};
+use crate::map::{Cell, Moves, Point};
 use crate::params::{Values, check_keys};
 use crate::planner::{Entry, Family, Layer, Planner};
 use crate::scenario::Scenario;
@@ -23,11 +23,16 @@ pub struct Distance {
 impl Distance {
     /// To the scenario's goal, with its number of moves.
     pub fn of(scenario: &Scenario) -> Self {
+        Self::to(scenario, scenario.goal)
+    }
+
+    /// To any cell of the scenario's map.
+    pub fn to(scenario: &Scenario, goal: Cell) -> Self {
         let saved_by_diagonal = match scenario.spec.movement.moves {
             Moves::Four => 0.0,
             Moves::Eight => 2.0 - SQRT_2,
         };
-        Self { goal: scenario.grid.point(scenario.goal), saved_by_diagonal }
+        Self { goal: scenario.grid.point(goal), saved_by_diagonal }
     }
 }
 

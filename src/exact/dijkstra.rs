@@ -11,7 +11,7 @@ use crate::planner::{Entry, Family, Layer, Planner};
 use crate::scenario::Scenario;
 
 /// Knows nothing of the goal.
-struct Nothing;
+pub(super) struct Nothing;
 
 impl Estimate for Nothing {
     #[inline(always)]

@@ -1,18 +1,30 @@
-//! Searches with a proof: their length is the yardstick for everything else.
+//! Searches, all but one with a proof: their results are the yardstick for everything else.
 
+pub mod any_angle;
 pub mod astar;
+mod best_first;
 pub mod dijkstra;
+pub mod order;
+pub mod point_robot;
 mod search;
+pub mod theta_star;
+pub mod tour;
+pub mod turn_aware;
 
 pub use astar::Distance;
+pub use order::distances_from;
+pub use point_robot::point_robot;
 pub use search::Estimate;
 
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::metrics::path_length;
-use crate::planner::Objective;
+use crate::map::Cell;
+use crate::metrics::{Metrics, path_length};
+use crate::params::Values;
+use crate::path::Path;
+use crate::planner::{Entry, Objective};
 use crate::scenario::Scenario;
 
 /// The yardstick of an objective on a scenario: the value of the best result there is, in cells.
@@ -46,14 +58,21 @@ impl Reference {
     }
 }
 
-/// The yardstick of an objective on a scenario.
+/// The yardstick of an objective on a scenario. Objectives of planners with one goal look at the first.
 pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     if !scenario.reachable() {
         return Reference::NoPath;
     }
+    // The opening build must stay small, and its planners are measured by their length alone.
+    if !cfg!(feature = "whole") && objective != Objective::Length {
+        return Reference::Unknown;
+    }
     let proven = match objective {
         Objective::Length => optimum(scenario),
-        Objective::PolylineLength | Objective::TurnIndex | Objective::TourLength | Objective::TourWeight => None,
+        Objective::TourLength => best_tour(scenario, false),
+        Objective::TourWeight => best_tour(scenario, true),
+        Objective::TurnIndex => solved(scenario, &turn_aware::ENTRY).map(|path| Metrics::of(scenario, &path).turn_index),
+        Objective::PolylineLength => return polyline(scenario),
     };
     proven.map_or(Reference::Unknown, |value| Reference::Proven { value })
 }
@@ -63,4 +82,44 @@ pub fn optimum(scenario: &Arc<Scenario>) -> Option<f64> {
     let mut search = search::Search::new(Arc::clone(scenario), astar::Distance::of(scenario));
     crate::planner::Planner::run(&mut search);
     crate::planner::Planner::best(&search).map(|s| path_length(scenario.grid.width(), &s.path))
+}
+
+/// Σ of the legs of the best tour by all goals, or Σ R; `None` for more goals than can be ordered exactly.
+fn best_tour(scenario: &Arc<Scenario>, weighted: bool) -> Option<f64> {
+    if scenario.goals.len() > order::MAX_ORDERED {
+        return None;
+    }
+    let lengths = order::Costs::grid(scenario);
+    let costs = if weighted { lengths.weighted(scenario) } else { lengths };
+    order::held_karp(&costs, order::Shape::Open).map(|order| costs.total(&order, order::Shape::Open))
+}
+
+/// Largest map in cells for which Theta* is run just to compare with it: half a second.
+const MOST_CELLS_TO_COMPARE: usize = 1 << 20;
+
+/// The shortest polyline where it can be proven, a good one where the map is larger.
+fn polyline(scenario: &Arc<Scenario>) -> Reference {
+    let cells = scenario.grid.len();
+    if cells > MOST_CELLS_TO_COMPARE {
+        return Reference::Unknown;
+    }
+    let proven = cells <= any_angle::MOST_CELLS;
+    let entry = if proven { &any_angle::ENTRY } else { &theta_star::ENTRY };
+    let value = solved(scenario, entry).map(|path| path_length(scenario.grid.width(), &path));
+    value.map_or(Reference::Unknown, |value| if proven { Reference::Proven { value } } else { Reference::Unproven { value } })
+}
+
+/// The path of a search without parameters; none where it refuses the map.
+fn solved(scenario: &Arc<Scenario>, entry: &Entry) -> Option<Path> {
+    let mut planner = (entry.build)(scenario, &Values::new(), 0).ok()?;
+    planner.run();
+    planner.best().map(|best| best.path.clone())
+}
+
+/// Straight distance between two cells' centres, in cells.
+#[inline]
+fn euclidean(scenario: &Scenario, a: Cell, b: Cell) -> f64 {
+    let (a, b) = (scenario.grid.point(a), scenario.grid.point(b));
+    let (dx, dy) = (f64::from(a.x.abs_diff(b.x)), f64::from(a.y.abs_diff(b.y)));
+    libm::sqrt(dx * dx + dy * dy)
 }

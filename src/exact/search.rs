@@ -24,6 +24,8 @@ const SAME: f64 = 1e-9;
 const BUCKETS_PER_CELL: f64 = 2.0;
 /// Parent of the start.
 const NO_PARENT: u8 = u8::MAX;
+/// The goal of a search that is to reach every cell.
+pub(super) const EVERYWHERE: Cell = Cell::MAX;
 
 struct Open {
     cell: Cell,
@@ -34,6 +36,8 @@ struct Open {
 /// A search at work.
 pub(super) struct Search<E> {
     scenario: Arc<Scenario>,
+    start: Cell,
+    goal: Cell,
     estimate: E,
     /// Cost from the start by cell; empty until the first step.
     g: Vec<f64>,
@@ -52,8 +56,16 @@ pub(super) struct Search<E> {
 
 impl<E: Estimate> Search<E> {
     pub(super) fn new(scenario: Arc<Scenario>, estimate: E) -> Self {
+        let (start, goal) = (scenario.start, scenario.goal);
+        Self::between(scenario, start, goal, estimate)
+    }
+
+    /// From one cell of the map to another, or [`EVERYWHERE`].
+    pub(super) fn between(scenario: Arc<Scenario>, start: Cell, goal: Cell, estimate: E) -> Self {
         Self {
             scenario,
+            start,
+            goal,
             estimate,
             g: Vec::new(),
             parent: Vec::new(),
@@ -66,13 +78,18 @@ impl<E: Estimate> Search<E> {
         }
     }
 
+    /// Cost from the start by cell, in cells; exact everywhere once a search [`EVERYWHERE`] has ended, infinite where it cannot go.
+    pub(super) fn costs(&self) -> &[f64] {
+        &self.g
+    }
+
     /// Allocates at the first step, so that a planner that is only shown costs nothing.
     fn prepare(&mut self) {
         let cells = self.scenario.grid.len();
         self.g = vec![f64::INFINITY; cells];
         self.parent = vec![NO_PARENT; cells];
         self.expanded = vec![false; cells];
-        let start = self.scenario.start;
+        let start = self.start;
         let p = self.scenario.grid.point(start);
         self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
         self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
@@ -86,7 +103,7 @@ impl<E: Estimate> Search<E> {
         }
         self.g[cell as usize] = g;
         self.parent[cell as usize] = parent;
-        if cell == self.scenario.goal {
+        if cell == self.goal {
             self.bound = g;
             return;
         }
@@ -177,8 +194,8 @@ impl<E: Estimate> Search<E> {
     }
 
     fn path(&self) -> Path {
-        let mut path = vec![self.scenario.goal];
-        let mut at = self.scenario.goal;
+        let mut path = vec![self.goal];
+        let mut at = self.goal;
         while self.parent[at as usize] != NO_PARENT {
             at = self.scenario.moves.step(at, opposite(self.parent[at as usize]));
             path.push(at);

@@ -19,7 +19,7 @@ use crate::error::{Error, FormatError, Notice};
 use crate::map::{Grid, Point};
 use crate::scenario::ScenarioSpec;
 
-pub use path_list::read_path;
+pub use path_list::{path_kind, read_path};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 
 /// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `scenario`, `experiment`, `unknown`.

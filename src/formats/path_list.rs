@@ -1,11 +1,14 @@
 //! A path as a list of cells: JSON (`[[0, 0], [1, 1]]` or the output of `plan`), CSV lines `x,y`, or MATLAB pairs.
 
+use serde::Deserialize;
 use serde_json::Value;
 
 use super::table;
 use super::text::decode;
 use crate::error::FormatError;
 use crate::map::Point;
+use crate::path::PathKind;
+use crate::planner::Objective;
 
 /// What a path looks like, for error messages.
 const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]";
@@ -23,6 +26,15 @@ pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
     let offset = text[..text.len() - body.len()].matches('\n').count();
     let table = table::read(body)?;
     table.rows.iter().map(|row| point(&row.values, row.line + offset)).collect()
+}
+
+/// What kind of path a file holds: what a result's objective says; steps for everything else.
+pub fn path_kind(bytes: &[u8]) -> PathKind {
+    #[derive(Deserialize)]
+    struct Result {
+        objective: Objective,
+    }
+    serde_json::from_slice::<Result>(bytes).map_or(PathKind::Steps, |result| result.objective.path_kind())
 }
 
 /// Without a first line of column names, e.g. `x,y`.
@@ -72,6 +84,15 @@ mod tests {
         for text in spellings {
             let path = read_path(text.as_bytes()).unwrap();
             assert_eq!(path, [Point::new(0, 0), Point::new(1, 1), Point::new(2, 1)], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_result_tells_the_kind_of_its_path() {
+        let kind = |text: &str| path_kind(text.as_bytes());
+        assert_eq!(kind("{\"objective\": \"polyline-length\", \"path\": [[0,0],[5,1]]}"), PathKind::Polyline);
+        for text in ["{\"objective\": \"turn-index\", \"path\": []}", "{\"path\": []}", "[[0, 0]]", "0,0\n"] {
+            assert_eq!(kind(text), PathKind::Steps, "{text}");
         }
     }
 

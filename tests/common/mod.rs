@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use formicarium::map::{CornerRule, Generator, Grid, Movement, Moves, Point, generate};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
 /// A scenario from rows of `.` free, `#` blocked, `S` start, `G` goal.
 pub fn drawn(rows: &[&str], movement: Movement) -> Arc<Scenario> {
@@ -44,4 +44,30 @@ pub fn gallery(movement: Movement) -> Vec<(&'static str, Arc<Scenario>)> {
     let mut all: Vec<_> = maps.iter().map(|&(name, rows)| (name, drawn(rows, movement))).collect();
     all.push(("random 24", random(24, 0.25, 7, movement)));
     all
+}
+
+/// The same scenario with these goals; each weighs something else.
+pub fn with_goals(scenario: &Scenario, goals: &[(u32, u32)]) -> Arc<Scenario> {
+    let weigh = |(k, &(x, y)): (usize, &(u32, u32))| {
+        let area = 0.4 + 0.3 * k as f64;
+        Goal { area, ..Goal::new(Point::new(x, y), "") }
+    };
+    let spec = ScenarioSpec { goals: goals.iter().enumerate().map(weigh).collect(), ..scenario.spec.clone() };
+    Arc::new(Scenario::new(scenario.grid.clone(), spec).expect("usable"))
+}
+
+/// Small scenarios with several goals: in a row, around a wall, with a goal on the start, on a random map.
+pub fn tours(movement: Movement) -> Vec<(&'static str, Arc<Scenario>)> {
+    let wall = drawn(&["........", "S.####..", "....G#..", ".####...", "........"], movement);
+    let random = random(24, 0.25, 7, movement);
+    let reached = random.moves.reached_from(random.start);
+    let free: Vec<(u32, u32)> =
+        (0..).zip(reached).filter(|r| r.1).map(|(c, _)| random.grid.point(c)).map(|p| (p.x, p.y)).collect();
+    let spread: Vec<_> = (1..=5).map(|k| free[k * (free.len() - 1) / 5]).collect();
+    vec![
+        ("two goals in a row", with_goals(&drawn(&["..S...G"], movement), &[(6, 0), (0, 0)])),
+        ("three goals around a wall", with_goals(&wall, &[(4, 2), (7, 0), (6, 4)])),
+        ("a goal on the start", with_goals(&wall, &[(7, 4), (0, 1), (4, 2)])),
+        ("five goals on random 24", with_goals(&random, &spread)),
+    ]
 }

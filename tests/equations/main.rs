@@ -3,5 +3,7 @@
 
 mod cards;
 mod classics;
+mod fire;
+mod fireworks;
 mod ship;
 mod threshold;

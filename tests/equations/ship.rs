@@ -10,9 +10,12 @@ use formicarium::aco::on_demand::OnDemand;
 use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::catalog;
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
-use formicarium::metrics::obstacle_density;
-use formicarium::planner::Solution;
+use formicarium::metrics::{obstacle_density, path_length};
+use formicarium::params::Values;
+use formicarium::path::refine;
+use formicarium::planner::{Layer, Objective, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
 
@@ -216,6 +219,57 @@ fn eq_12_in_both_readings() {
     all_close(both.updated(Reading::Repaired, Update::AllAnts, 50), [15.0, 5.0, 5.0]);
     // printed: 5 + 5 + 1.4644661, 5 + 3.5355339 + 1.4644661, 5 + 1.4644661
     all_close(both.updated(Reading::Printed, Update::AllAnts, 50), [11.4644661, 10.0, 6.4644661]);
+}
+
+#[test]
+fn section_3_3_refinement_keeps_the_farthest_node_in_sight() {
+    // Fig. 2 and 3: legs that a free straight way can replace are dropped, an obstacle keeps its node.
+    let mut grid = Grid::open(6, 4).expect("a usable size");
+    for wall in [Point::new(2, 0), Point::new(2, 1)] {
+        grid.set_blocked(grid.cell(wall), true);
+    }
+    let s = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(5, 0)).expect("usable");
+    // The wall hides all after (1,2) from the start, the goal from (1,2), nothing from (3,2).
+    let path: Vec<Cell> =
+        [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2), (3, 2), (4, 1), (5, 0)].map(|(x, y)| s.grid.cell(Point::new(x, y))).into();
+    let refined = Ship::new(ShipParams::default()).refine(&s, &path).expect("refined by default");
+    let kept: Vec<_> = refined.iter().map(|&c| (s.grid.point(c).x, s.grid.point(c).y)).collect();
+    assert_eq!(kept, [(0, 0), (1, 2), (3, 2), (5, 0)]);
+    // 2 + 3 + 2√2 before, √5 + 2 + 2√2 after
+    let lengths = [&path, &refined].map(|p| path_length(6, p));
+    assert!(close(lengths[0], 5.0 + 2.0 * SQRT2) && close(lengths[1], 5f64.sqrt() + 2.0 + 2.0 * SQRT2), "{lengths:?}");
+    let cells = Ship::new(ShipParams { refine: false, ..ShipParams::default() });
+    assert!(!cells.refines() && cells.refine(&s, &path).is_none());
+}
+
+#[test]
+fn section_3_3_refinement_is_the_last_step_and_changes_no_walk() {
+    let made = generate(Generator::Random, 24, 24, 3, 0.25).expect("a usable size");
+    let s = Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("usable"));
+    let run = |preset| {
+        let mut planner = catalog::build(&s, "ship", preset, &Values::new(), 7).expect("usable");
+        planner.run();
+        planner
+    };
+    let (refined, cells) = (run(None), run(Some("cells")));
+    assert_eq!(refined.history(), cells.history(), "the search is the same");
+    assert_eq!((refined.objective(), cells.objective()), (Objective::PolylineLength, Objective::Length));
+    let [a, b] = [&refined, &cells].map(|p| p.best().expect("a path"));
+    assert_eq!((&a.path, a.length, a.iteration, &b.refined), (&b.path, b.length, b.iteration, &None));
+    assert_eq!(a.refined.as_ref().map(|r| &r.path), Some(&refine(&s, &b.path)), "step 6: the best path is refined");
+    assert!(a.result().1 < a.length);
+}
+
+#[test]
+fn fig_7_the_density_is_a_layer() {
+    let s = Arc::new(two_walls());
+    let planner = catalog::build(&s, "ship", None, &Values::new(), 1).expect("usable");
+    let mut field = Vec::new();
+    assert!(planner.layer(Layer::Density, &mut field));
+    let at = |x, y| field[s.grid.cell(Point::new(x, y)) as usize];
+    assert_eq!([at(0, 0), at(3, 2), at(5, 6)], [0.625, 0.25, 0.0]);
+    let listed = catalog::find("ship").expect("listed").layers;
+    assert!(listed.contains(&Layer::Density) && listed.contains(&Layer::Heuristic));
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use formicarium::catalog;
 use formicarium::map::{CornerRule, Generator, Movement, Moves, generate};
 use formicarium::params::{Value, Values};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
 /// One frozen run on a generated map.
 pub struct Golden {
@@ -81,7 +81,7 @@ pub const GOLDENS: &[Golden] = &[
         planner: "ship",
         values: &[],
         seed: 3,
-        digest: "0a84f39a83da6f3c",
+        digest: "a806d5f0bba016dd",
     },
     Golden {
         map: (Generator::Random, 30, 30, 9, 0.25),
@@ -89,7 +89,7 @@ pub const GOLDENS: &[Golden] = &[
         planner: "ship",
         values: &[("reading", "printed"), ("alpha", "1.2"), ("beta", "2.5"), ("iterations", "60")],
         seed: 4,
-        digest: "4bb26f772a938a26",
+        digest: "83f81253738ac3bf",
     },
     Golden {
         map: (Generator::Random, 24, 24, 7, 0.2),
@@ -147,14 +147,135 @@ pub const GOLDENS: &[Golden] = &[
         seed: 14,
         digest: "0e2252706b7f8286",
     },
+    Golden {
+        map: (Generator::Random, 24, 24, 15, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "fwa",
+        values: &[("reading", "printed"), ("range", "2.5"), ("decode_limit", "12")],
+        seed: 15,
+        digest: "197328dc3d90747f",
+    },
+    Golden {
+        map: (Generator::Cave, 40, 30, 16, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "ifwa",
+        values: &[("sparks", "20"), ("radius_end", "0.1")],
+        seed: 16,
+        digest: "ddadc74e5f50e892",
+    },
+    Golden {
+        map: (Generator::Random, 30, 30, 17, 0.25),
+        movement: eight(CornerRule::BothFree),
+        planner: "fwa-aco",
+        values: &[("seed_ants", "12.5")],
+        seed: 17,
+        digest: "cbaa8ee481989f71",
+    },
+    Golden {
+        map: (Generator::Random, 24, 24, 18, 0.2),
+        movement: FOUR,
+        planner: "pso-aco",
+        values: &[("alpha", "1.3"), ("rho", "0.9"), ("seed_iterations", "30"), ("iterations", "40")],
+        seed: 18,
+        digest: "38addda11c66b0d8",
+    },
+    Golden {
+        map: (Generator::Rooms, 60, 60, 15, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "any-angle",
+        values: &[],
+        seed: 1,
+        digest: "4652a5813d881439",
+    },
+    Golden {
+        map: (Generator::Random, 200, 150, 16, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "theta-star",
+        values: &[],
+        seed: 1,
+        digest: "3edfd224f262e088",
+    },
+    Golden {
+        map: (Generator::Cave, 120, 90, 17, 0.0),
+        movement: eight(CornerRule::Always),
+        planner: "turn-aware",
+        values: &[],
+        seed: 1,
+        digest: "717ee0f4bc954287",
+    },
 ];
+
+/// Frozen runs by this many goals.
+pub const TOURS: &[(u32, Golden)] = &[
+    (
+        5,
+        Golden {
+            map: (Generator::Random, 30, 30, 19, 0.2),
+            movement: eight(CornerRule::BothFree),
+            planner: "fire",
+            values: &[],
+            seed: 19,
+            digest: "605b6c42ba89e292",
+        },
+    ),
+    (
+        12,
+        Golden {
+            map: (Generator::Cave, 40, 30, 20, 0.0),
+            movement: eight(CornerRule::OneFree),
+            planner: "fire",
+            values: &[
+                ("order", "distance"),
+                ("order_rule", "improved"),
+                ("leg_length", "euclidean"),
+                ("legs", "basic"),
+                ("reading", "printed"),
+                ("alpha", "1.2"),
+                ("beta", "2.5"),
+                ("iterations", "30"),
+            ],
+            seed: 20,
+            digest: "29d51ee496023f3b",
+        },
+    ),
+    (
+        9,
+        Golden {
+            map: (Generator::Rooms, 60, 45, 21, 0.0),
+            movement: eight(CornerRule::Always),
+            planner: "tour-exact",
+            values: &[],
+            seed: 1,
+            digest: "0fb0cf8f577b9d37",
+        },
+    ),
+];
+
+/// The map's own goal and others spread over the cells that can be reached, each with another weight.
+fn goals(scenario: &Scenario, count: u32) -> Vec<Goal> {
+    let reached = scenario.moves.reached_from(scenario.start);
+    let free: Vec<u32> =
+        (0..).zip(&reached).filter(|(cell, reached)| **reached && *cell != scenario.goal).map(|(cell, _)| cell).collect();
+    let spread = |k: u32| {
+        let at = scenario.grid.point(free[(k as usize * free.len()) / count as usize]);
+        Goal { area: 0.5 + 0.25 * f64::from(k), ..Goal::new(at, "") }
+    };
+    scenario.spec.goals.iter().cloned().chain((1..count).map(spread)).collect()
+}
 
 impl Golden {
     /// Runs it to its end; the digest.
     pub fn run(&self) -> String {
+        self.run_by(1)
+    }
+
+    /// Runs it to its end by this many goals; the digest.
+    pub fn run_by(&self, count: u32) -> String {
         let (kind, width, height, map_seed, density) = self.map;
         let made = generate(kind, width, height, map_seed, density).expect("a valid size");
-        let scenario = Arc::new(Scenario::on(made.grid, self.movement, made.start, made.goal).expect("usable"));
+        let one = Scenario::on(made.grid, self.movement, made.start, made.goal).expect("usable");
+        let spec = ScenarioSpec { goals: goals(&one, count), ..one.spec.clone() };
+        let scenario = Arc::new(Scenario::new(one.grid, spec).expect("usable"));
         let values: Values = self.values.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect();
         let mut planner = catalog::build(&scenario, self.planner, None, &values, self.seed).expect("valid parameters");
         planner.run();
@@ -168,6 +289,11 @@ pub fn check_all() {
         let digest = g.run();
         (digest != g.digest).then(|| format!("golden {i} ({}): {digest}, frozen {}", g.planner, g.digest))
     };
-    let wrong: Vec<String> = GOLDENS.iter().enumerate().filter_map(differs).collect();
+    let tour_differs = |(i, (count, g)): (usize, &(u32, Golden))| {
+        let digest = g.run_by(*count);
+        (digest != g.digest).then(|| format!("tour {i} ({}): {digest}, frozen {}", g.planner, g.digest))
+    };
+    let runs = GOLDENS.iter().enumerate().filter_map(differs);
+    let wrong: Vec<String> = runs.chain(TOURS.iter().enumerate().filter_map(tour_differs)).collect();
     assert!(wrong.is_empty(), "results have changed:\n{}", wrong.join("\n"));
 }

@@ -1,4 +1,4 @@
-//! The build helper: `cargo xtask serve`, `test`, `build`, `wasm`, `bench`.
+//! The build helper: `cargo xtask serve`, `test`, `build`, `wasm`, `bench`, `record`.
 //!
 //! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
@@ -6,6 +6,7 @@
 
 mod install;
 mod page;
+mod record;
 mod serve;
 mod stages;
 mod test;
@@ -48,6 +49,8 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         args: Vec<OsString>,
     },
+    /// Run the questions in experiments/ again and replace their records
+    Record(record::Options),
     /// Run a wasm test file, called by cargo
     #[command(hide = true)]
     TestRunner {
@@ -80,6 +83,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         }),
         Command::Test(options) => test::test(&options),
         Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
+        Command::Record(options) => record::record(&options),
         Command::TestRunner { args } => wasm::run_tests(args),
     }
 }

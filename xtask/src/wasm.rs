@@ -61,7 +61,7 @@ struct Build {
     features: &'static [&'static str],
 }
 
-/// The whole engine, and what a page needs before somebody opens, saves or makes a map.
+/// The whole engine, and what a first visit needs: few planners, no file formats, no generators.
 const BUILDS: [Build; 2] = [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.

@@ -2,6 +2,8 @@
 
 use crate::choice;
 
+pub mod fire;
+pub mod fireworks;
 pub mod ship;
 pub mod threshold;
 

@@ -9,7 +9,7 @@
 //! | selection | Eq. 1: as Ant System |
 //! | on each move | as Ant System (nothing) |
 //! | update | Eq. 9–11 and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
-//! | daemon actions | none; **the path refinement of its section 3.3 is not part of this planner**: paths stay cell by cell |
+//! | daemon actions | section 3.3: the best path is refined by line of sight (`refine`); ants and trails know nothing of it |
 //!
 //! `reading` decides where the printed formula does not do what its text says:
 //!
@@ -26,7 +26,9 @@
 //! second half of the iterations, all linearly (Eq. 10–11 give no formula); set μ = 10, γ = 1, ω from 2 to 4, both k = 1 (no value is
 //! given); weaken no step below `trail_min` (its proof needs positive trails); take what lies beyond the border for an obstacle; take
 //! d(i, E) as at least 1; let ants at a dead end step back. Its section 4 calls Q = 10 the initial trail, Eq. 5 and 10 the intensity of a
-//! deposit: we use it as the equations do. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here.
+//! deposit: we use it as the equations do. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here. Its step 6
+//! refines once, after the last iteration; we refine each new best path, which shows the same path in the end: the shortest one is
+//! chosen by its length before refinement. Of section 3.3 we take the reading that keeps the farthest later node in sight.
 
 use std::sync::Arc;
 
@@ -96,6 +98,8 @@ params! {
         move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
         /// stops after this many iterations without a shorter path; 0 = never
         stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        /// whether the best path is refined: nodes between others in sight are dropped, so that segments may have any angle
+        refine: bool = true, "", [], "", "Fan et al. 2026, section 3.3";
     }
 }
 
@@ -191,7 +195,7 @@ pub fn extra_trail(p: &ShipParams, best: f64, worst: f64) -> (f64, f64) {
     (p.k_best * p.deposit / best, p.k_worst * p.deposit / worst)
 }
 
-/// The planner of the paper, without its path refinement.
+/// The planner of the paper.
 #[derive(Debug, Clone, Copy)]
 pub struct Ship {
     params: ShipParams,
@@ -269,6 +273,11 @@ impl Variant for Ship {
         self.omega
     }
 
+    /// Section 3.3.
+    fn refines(&self) -> bool {
+        self.params.refine
+    }
+
     /// Eq. 14, or Eq. 12. What is taken from the worst path is taken last, so that the floor holds for the sum.
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let p = &self.params;
@@ -302,23 +311,32 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ENTRY.id, seed, 0)))
 }
 
-const PRESETS: &[Preset] = &[Preset {
-    name: "printed",
-    source: "rescue robot in a ship's engine room (Fan et al. 2026)",
-    meaning: "everything literally: eq. 7 and 8 as printed, and eq. 12 for the update, as its step 4 says",
-    numbers: &[],
-    choices: &[("reading", "printed"), ("update", "all-ants")],
-}];
+const PRESETS: &[Preset] = &[
+    Preset {
+        name: "printed",
+        source: "rescue robot in a ship's engine room (Fan et al. 2026)",
+        meaning: "everything literally: eq. 7 and 8 as printed, and eq. 12 for the update, as its step 4 says",
+        numbers: &[],
+        choices: &[("reading", "printed"), ("update", "all-ants")],
+    },
+    Preset {
+        name: "cells",
+        source: "rescue robot in a ship's engine room (Fan et al. 2026), without its section 3.3",
+        meaning: "the search alone: the best path stays cell by cell, to be compared with planners that do not refine",
+        numbers: &[],
+        choices: &[("refine", "false")],
+    },
+];
 
 /// The engine-room planner in the catalog.
 pub const ENTRY: Entry = Entry {
     id: "ship",
     name: "Engine-room ACO",
     family: Family::AntColony,
-    summary: "Ants see goal, direction and obstacles around a cell; best paths gain pheromone and the worst loses some (Fan et al. 2026, without its path refinement).",
+    summary: "Ants see goal, direction and obstacles around a cell; best paths gain pheromone and the worst loses some; the best path is refined by line of sight (Fan et al. 2026).",
     source: "Fan, Zhang, Liu, Zhu 2026, J. Dalian Maritime Univ. 52(1), 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009",
     presets: PRESETS,
-    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Density],
     max_goals: 1,
     specs: ShipParams::specs,
     build,

@@ -1,0 +1,138 @@
+//! Two planners in a row: the first one's best path shapes the trails of the colony that follows.
+//!
+//! The iterations of both are numbered through, effort adds up, and the best path is the best of both: what a hybrid spends and finds can
+//! be held against planners that do it in one go.
+
+use std::sync::Arc;
+
+use crate::map::Cell;
+use crate::path::Path;
+use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::scenario::Scenario;
+
+use super::colony::Colony;
+use super::variant::{Settings, Variant};
+
+/// Makes the second stage's variant from the first one's best path and its length in cells, if there is one.
+pub type Second<V> = Box<dyn Fn(Option<(Path, f64)>) -> V + Send>;
+
+/// A planner, and then a colony on the trails that it seeds.
+pub struct Hybrid<V> {
+    scenario: Arc<Scenario>,
+    first: Box<dyn Planner>,
+    second: Second<V>,
+    settings: Settings,
+    colony: Option<Colony<V>>,
+    planner: &'static str,
+    seed: u32,
+    progress: Progress,
+}
+
+impl<V: Variant + 'static> Hybrid<V> {
+    /// The planner of this id, with the first stage ready to run.
+    pub fn new(scenario: Arc<Scenario>, first: Box<dyn Planner>, second: Second<V>, planner: &'static str, seed: u32) -> Self {
+        let settings = second(None).settings();
+        Self { scenario, first, second, settings, colony: None, planner, seed, progress: Progress::default() }
+    }
+
+    /// The second stage, from what the first has found so far.
+    fn second_stage(&self) -> Colony<V> {
+        let found = self.first.best().map(|b| (b.path.clone(), b.length));
+        Colony::new(Arc::clone(&self.scenario), (self.second)(found), self.planner, self.seed, 0)
+    }
+
+    /// Goes from stage to stage, and ends.
+    fn pass_on(&mut self, status: Status) {
+        if self.colony.is_some() || matches!(status, Status::Optimal | Status::NoPath) {
+            self.progress.status = status;
+        } else if status.is_finished() {
+            self.colony = Some(self.second_stage());
+        }
+    }
+}
+
+/// Takes the stage at work into the progress of both: `before` is what the stage before it has spent.
+fn take_in(progress: &mut Progress, stage: &dyn Planner, before: Effort) {
+    let (now, done) = (stage.effort(), progress.effort.iterations);
+    progress.effort = Effort {
+        iterations: before.iterations + now.iterations,
+        constructed_paths: before.constructed_paths + now.constructed_paths,
+        ant_moves: before.ant_moves + now.ant_moves,
+        cell_expansions: before.cell_expansions + now.cell_expansions,
+    };
+    if let Some(best) = stage.best()
+        && progress.best.as_ref().is_none_or(|b| best.length < b.length)
+    {
+        // 0 stays 0: the start is the goal.
+        let iteration = if best.iteration == 0 { 0 } else { before.iterations + best.iteration };
+        progress.best = Some(Solution { iteration, ..best.clone() });
+    }
+    if progress.effort.iterations > done
+        && let Some(&last) = stage.history().last()
+    {
+        let best_so_far = progress.best.as_ref().map(|b| b.length);
+        progress.record(Record { iteration: progress.effort.iterations, best_so_far, ..last });
+    }
+}
+
+impl<V: Variant + 'static> Planner for Hybrid<V> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.progress.status.is_finished() {
+            return self.progress.status;
+        }
+        let status = match &mut self.colony {
+            None => {
+                let status = self.first.advance(by);
+                take_in(&mut self.progress, &*self.first, Effort::default());
+                status
+            }
+            Some(colony) => {
+                let status = colony.advance(by);
+                take_in(&mut self.progress, colony, self.first.effort());
+                status
+            }
+        };
+        self.pass_on(status);
+        self.progress.status
+    }
+
+    fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    fn objective(&self) -> Objective {
+        if (self.second)(None).refines() { Objective::PolylineLength } else { Objective::Length }
+    }
+
+    fn budget(&self) -> Option<u32> {
+        self.first.budget().map(|first| first + self.settings.iterations)
+    }
+
+    fn colony_size(&self) -> u32 {
+        self.settings.ants
+    }
+
+    /// While the first stage runs: its visits and priorities, the trails without a seed, and the initial trail that it would leave now.
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        out.clear();
+        out.resize(self.scenario.grid.len(), 0.0);
+        match (kind, &self.colony) {
+            (Layer::Cost, _) => return false,
+            (Layer::SeedPath, _) => self.first.best().into_iter().flat_map(|b| &b.path).for_each(|&c| out[c as usize] = 1.0),
+            (Layer::Priority, _) | (Layer::Visits, None) => return self.first.layer(kind, out),
+            (Layer::Trail, None) => out.fill((self.second)(None).initial_trail(&self.scenario) as f32),
+            (Layer::Heuristic | Layer::InitialTrail | Layer::Density, None) => return self.second_stage().layer(kind, out),
+            (Layer::Trail | Layer::Visits | Layer::Heuristic | Layer::InitialTrail | Layer::Density, Some(colony)) => {
+                return colony.layer(kind, out);
+            }
+        }
+        true
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        match &self.colony {
+            Some(colony) => colony.ants(out),
+            None => out.clear(),
+        }
+    }
+}

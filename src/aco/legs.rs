@@ -1,0 +1,265 @@
+//! Several goals on two levels: first the order (a colony on the complete graph of start and goals), then one colony for each leg.
+//!
+//! All legs advance together, iteration by iteration, so that a whole path stands after the first iteration. Each leg has streams of its
+//! own (run = its place in the order), so its walk does not depend on the others'. A record of the history is the sum over the legs.
+//!
+//! Effort: the searches between the goals count as cell expansions. Tours of the order level are no paths on the map: they count neither as
+//! iterations nor as constructed paths nor as moves. On that level a move is one search or one iteration of the order colony; an iteration
+//! goes through all of it and on to the end of the legs' first iteration.
+
+use std::sync::Arc;
+
+use crate::exact::order::{self, Costs, Shape};
+use crate::map::Cell;
+use crate::metrics::path_length;
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::rng::Streams;
+use crate::scenario::Scenario;
+
+use super::colony::Colony;
+use super::tour::{OrderColony, TourSettings};
+use super::variant::Variant;
+
+/// The run of the streams of the order level; legs count from 0.
+const ORDER_RUN: u32 = u32::MAX;
+
+/// How the order of the goals is chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrderLevel {
+    /// Of the colony on the complete graph.
+    pub settings: TourSettings,
+    /// Whether costs are lengths times the weight of the goal (Σ R), or lengths alone.
+    pub weighted: bool,
+    /// Whether lengths are straight lines, or shortest paths on the map.
+    pub straight: bool,
+}
+
+/// A planner for one goal or several: with one there is no order to choose, and it is the variant's colony alone. Its streams are those
+/// of the planner with the id `streams`; `layers` are those of its entry.
+pub fn planner<V: Variant + Clone + 'static>(
+    scenario: &Arc<Scenario>,
+    level: OrderLevel,
+    variant: V,
+    (streams, layers): (&'static str, &'static [Layer]),
+    seed: u32,
+) -> Box<dyn Planner> {
+    let scenario = Arc::clone(scenario);
+    if scenario.goals.len() == 1 {
+        Box::new(Colony::new(scenario, variant, streams, seed, 0))
+    } else {
+        Box::new(Legs {
+            scenario,
+            level,
+            variant,
+            streams,
+            layers,
+            seed,
+            stage: Stage::Begin,
+            legs: Vec::new(),
+            progress: Progress::default(),
+        })
+    }
+}
+
+/// What is being done.
+enum Stage {
+    /// Nothing yet.
+    Begin,
+    /// Shortest paths between the goals: a row for each search that has ended.
+    Measuring(Vec<Vec<f64>>),
+    /// The order, by these lengths.
+    Ordering(Costs, OrderColony),
+    /// The legs.
+    Walking,
+}
+
+/// A colony for each leg, after a colony for their order.
+struct Legs<V> {
+    scenario: Arc<Scenario>,
+    level: OrderLevel,
+    variant: V,
+    streams: &'static str,
+    layers: &'static [Layer],
+    seed: u32,
+    stage: Stage,
+    /// In the order of the tour; empty before the legs are walked.
+    legs: Vec<Colony<V>>,
+    progress: Progress,
+}
+
+impl<V: Variant + Clone + 'static> Legs<V> {
+    /// One step of the order level; false once the legs are walked.
+    fn choose_order(&mut self) -> bool {
+        let scenario = &self.scenario;
+        match &mut self.stage {
+            Stage::Begin if !scenario.reachable() => self.progress.status = Status::NoPath,
+            Stage::Begin if self.level.straight => self.begin_ordering(Costs::euclidean(scenario)),
+            Stage::Begin => self.stage = Stage::Measuring(Vec::new()),
+            Stage::Measuring(rows) if rows.len() < scenario.goals.len() => {
+                let (row, expansions) = order::grid_row(scenario, rows.len());
+                rows.push(row);
+                self.progress.effort.cell_expansions += expansions;
+            }
+            Stage::Measuring(rows) => {
+                let lengths = Costs::symmetric(rows);
+                self.begin_ordering(lengths);
+            }
+            Stage::Ordering(_, colony) if colony.is_finished() => self.begin_walking(),
+            Stage::Ordering(lengths, colony) => {
+                colony.advance();
+                self.progress.tour = colony.best().map(|best| order::planned(scenario, lengths, best.order.clone()));
+            }
+            Stage::Walking => return false,
+        }
+        true
+    }
+
+    fn begin_ordering(&mut self, lengths: Costs) {
+        let costs = if self.level.weighted { lengths.weighted(&self.scenario) } else { lengths.clone() };
+        let streams = Streams::new(u64::from(self.seed), self.streams, ORDER_RUN);
+        let colony = OrderColony::new(costs, Shape::Open, self.level.settings, streams);
+        self.stage = Stage::Ordering(lengths, colony);
+    }
+
+    fn begin_walking(&mut self) {
+        let mut from = self.scenario.start;
+        for (run, &goal) in self.progress.tour.iter().flat_map(|t| &t.order).enumerate() {
+            let to = self.scenario.goals[goal as usize];
+            let leg = Arc::new(self.scenario.leg(from, to));
+            let colony = Colony::new(leg, self.variant.clone(), self.streams, self.seed, run as u32);
+            self.legs.push(colony.never_stagnates());
+            from = to;
+        }
+        self.stage = Stage::Walking;
+    }
+
+    /// A move or the rest of the iteration, of every leg that has not ended its iteration yet.
+    fn walk(&mut self, by: Granularity) {
+        let number = self.progress.effort.iterations + 1;
+        let mut done = true;
+        for leg in &mut self.legs {
+            let ended = |leg: &Colony<V>| leg.status().is_finished() || leg.effort().iterations == number;
+            if !ended(leg) {
+                leg.advance(by);
+            }
+            done &= ended(leg);
+        }
+        if done {
+            self.end_iteration(number);
+        }
+    }
+
+    fn end_iteration(&mut self, number: u32) {
+        let effort = &mut self.progress.effort;
+        effort.iterations = number;
+        effort.constructed_paths = self.legs.iter().map(|l| l.effort().constructed_paths).sum();
+        effort.ant_moves = self.legs.iter().map(|l| l.effort().ant_moves).sum();
+        if self.legs.iter().any(|l| l.best().is_some_and(|b| b.iteration == number)) {
+            self.take_best(number);
+        }
+        let record = self.sum(number);
+        self.progress.record(record);
+        self.progress.status = self.stop(number);
+    }
+
+    /// Joins the legs' best paths, once every leg has one. Legs stay paths of steps, whether or not the variant refines.
+    fn take_best(&mut self, number: u32) {
+        let Some(best) = self.legs.iter().map(Colony::best).collect::<Option<Vec<_>>>() else { return };
+        let path = order::join(best.iter().map(|b| &b.path));
+        let length = path_length(self.scenario.grid.width(), &path);
+        if let Some(tour) = &mut self.progress.tour {
+            order::walk(&self.scenario, tour, best.iter().map(|b| b.length).collect());
+        }
+        self.progress.best = Some(Solution { path, length, iteration: number, refined: None });
+    }
+
+    /// The sum of the legs' records; a leg from a cell to itself needs no ants and counts as 0.
+    fn sum(&self, number: u32) -> Record {
+        let ants = self.colony_size();
+        let still = Record {
+            iteration: number,
+            best_so_far: Some(0.0),
+            iteration_best: Some(0.0),
+            iteration_mean: Some(0.0),
+            iteration_worst: Some(0.0),
+            arrived: ants,
+        };
+        let records: Vec<Record> = self.legs.iter().map(|l| l.history().last().copied().unwrap_or(still)).collect();
+        let sum = |value: fn(&Record) -> Option<f64>| records.iter().map(value).sum::<Option<f64>>();
+        Record {
+            iteration: number,
+            best_so_far: self.progress.best.as_ref().map(|b| b.length),
+            iteration_best: sum(|r| r.iteration_best),
+            iteration_mean: sum(|r| r.iteration_mean),
+            iteration_worst: sum(|r| r.iteration_worst),
+            arrived: records.iter().map(|r| r.arrived).min().unwrap_or(0),
+        }
+    }
+
+    fn stop(&self, number: u32) -> Status {
+        let settings = self.variant.settings();
+        let found = self.progress.best.as_ref().map(|b| b.iteration);
+        if settings.stagnation > 0 && found.is_some_and(|of_best| number - of_best >= settings.stagnation) {
+            Status::Stagnated
+        } else if number >= settings.iterations {
+            Status::BudgetSpent
+        } else {
+            Status::Running
+        }
+    }
+}
+
+impl<V: Variant + Clone + 'static> Planner for Legs<V> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        while !self.progress.status.is_finished() {
+            let ordering = self.choose_order();
+            if !ordering {
+                self.walk(by);
+            }
+            if by == Granularity::Move || !ordering {
+                break;
+            }
+        }
+        self.progress.status
+    }
+
+    fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    fn budget(&self) -> Option<u32> {
+        Some(self.variant.settings().iterations)
+    }
+
+    /// Ants of each leg.
+    fn colony_size(&self) -> u32 {
+        self.variant.settings().ants
+    }
+
+    fn objective(&self) -> Objective {
+        if self.level.weighted { Objective::TourWeight } else { Objective::TourLength }
+    }
+
+    /// Visits: the sum over the legs; every other layer: the largest value of a leg. All 0 while the order is being chosen.
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        out.clear();
+        out.resize(self.scenario.grid.len(), 0.0);
+        let mut of_leg = Vec::new();
+        for leg in &self.legs {
+            leg.layer(kind, &mut of_leg);
+            for (all, one) in out.iter_mut().zip(&of_leg) {
+                *all = if kind == Layer::Visits { *all + one } else { all.max(*one) };
+            }
+        }
+        self.layers.contains(&kind)
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+        let mut of_leg = Vec::new();
+        for leg in &self.legs {
+            leg.ants(&mut of_leg);
+            out.append(&mut of_leg);
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Fire-fighting robot with several fires: 张森, 王奔, 孙梦亚, 刘月锟, 武曲, 刘秀燕 (Zhang, Wang, Sun, Liu, Wu, Liu), 改进的蚁群算法在灭火机器
+//! 人多火源路径规划的应用 (Application of improved ant colony algorithm in multi-fire path planning of fire fighting robot), Computer Science
+//! and Application 10(5) (2020), doi:10.12677/CSA.2020.105088. A colony chooses the order of the fires, then colonies look for the legs.
+//!
+//! | override point | source |
+//! |---|---|
+//! | order of the goals | section 3.2: ants on the complete graph, Eq. 3 with η = 1/R (Eq. 6–8), or 1/d in the basic algorithm |
+//! | initial trail | τ0, constant |
+//! | heuristic of a leg | text of Eq. 3: 1/d_j, d_j Euclidean from j to the leg's goal |
+//! | selection of a step | Eq. 9: pseudo-random proportional; Eq. 3, random proportional, in the basic algorithm |
+//! | on each move | as Ant System (nothing) |
+//! | update | Eq. 4–5: as Ant System, on both levels |
+//! | daemon actions | none |
+//!
+//! `reading` decides about ρ: the text calls it the evaporation coefficient, Eq. 4 multiplies what stays by it. *repaired*: ρ = 0.3 leaves;
+//! *printed*: 0.3 stays.
+//!
+//! Step 4 of its section 3.2 names Eq. 3 and 10 for the choice of the next fire. Eq. 10 evaluates paths. Other references in the text are
+//! two too high as well (Eq. 12 for V(d, r), which is Eq. 10; Eq. 8 for R, which is Eq. 6), so Eq. 3 and 8 are meant: the random
+//! proportional rule with η = 1/R, while Eq. 9 belongs to section 3.3, the legs. `order_rule=improved` takes Eq. 9 for the order too.
+//!
+//! Where the paper is silent, we: set Q = 1, τ0 = 1 and r0 = 0.7 (it gives 0.6 to 0.8); give the order level m, K, α, β, ρ and Q of the
+//! legs, and its own K as a parameter; take Σ R of a tour for L_k there; deposit on directed edges, for R depends on the direction; let
+//! ants at a dead end step back; take d_j at the goal as 0.01.
+//!
+//! The paper measures the ways between fires by straight lines. Walls may make the best order by lines a bad one to walk, so the default
+//! is the length of the shortest path on the map (`leg_length=grid`, ours); presets keep the lines.
+//!
+//! Eq. 10, V(d, r), judges finished paths and steers nothing: [`crate::metrics::Metrics::turn_index`].
+
+use std::sync::Arc;
+
+use super::Reading;
+use crate::aco::choice::{pseudo_random_proportional, random_proportional};
+use crate::aco::dead_end::DeadEnd;
+use crate::aco::heuristic::{AT_GOAL, goal_distance};
+use crate::aco::legs::{self, OrderLevel};
+use crate::aco::tour::TourSettings;
+use crate::aco::trails::Row;
+use crate::aco::variant::{Settings, Variant};
+use crate::error::ParamError;
+use crate::map::{Cell, Direction};
+use crate::params::{Params, Values};
+use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::rng::Stream;
+use crate::scenario::{MAX_GOALS, Scenario};
+use crate::{choice, params};
+
+choice! {
+    /// What the order of the goals makes small.
+    pub enum Order {
+        /// Σ R, the length of each leg times the weight b = 1/(s·w·a) of the goal that it leads to: equation 8
+        Weight = "weight",
+        /// the length of the tour: the basic algorithm
+        Distance = "distance",
+    }
+}
+
+choice! {
+    /// How an ant selects what comes next.
+    pub enum Rule {
+        /// equation 9: with probability r0 the best, else as in the basic algorithm
+        Improved = "improved",
+        /// equation 3: in proportion to τ^α·η^β
+        Basic = "basic",
+    }
+}
+
+choice! {
+    /// What lies between two goals when their order is chosen.
+    pub enum LegLength {
+        /// the shortest path on the map
+        Grid = "grid",
+        /// the straight line, whatever stands in its way: the paper
+        Euclidean = "euclidean",
+    }
+}
+
+params! {
+    /// Parameters of the fire-fighting planner.
+    pub struct FireParams {
+        /// what the order of several goals makes small
+        order: Order = Order::Weight, "R", [], "", "eq. 6–8";
+        /// how an ant selects the next goal
+        order_rule: Rule = Rule::Basic, "", [], "", "section 3.2, step 4: eq. 3, with η of eq. 8";
+        /// which length between two goals their order is chosen by
+        leg_length: LegLength = LegLength::Grid, "d_ij", [], "", "our choice; the paper: euclidean";
+        /// iterations of the colony that chooses the order
+        order_iterations: u32 = 100, "K", [1..=10_000], "iterations", "section 4";
+        /// how an ant selects the next step of a leg
+        legs: Rule = Rule::Improved, "", [], "", "eq. 9";
+        /// whether ρ of the paper leaves (repaired) or stays (printed)
+        reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
+        /// ants of each level and leg that build a path in each iteration
+        ants: u32 = 50, "m", [1..=1024], "ants", "section 4";
+        /// iterations after which the colonies of the legs stop
+        iterations: u32 = 100, "K", [1..=100_000], "iterations", "section 4";
+        /// weight of the trail τ in the choice of a step or goal
+        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "section 4";
+        /// weight of the heuristic η in the choice of a step or goal
+        beta: f64 = 7.0, "β", [0.0..=50.0], "", "section 4";
+        /// ρ of the paper: the part of every trail that leaves in each iteration; as printed, the part that stays
+        rho: f64 = 0.3, "ρ", [0.0..=1.0], "", "section 4, eq. 4";
+        /// an ant leaves Q / length of its path or tour on each step of it
+        deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "eq. 5; our choice: not given";
+        /// by the improved rule, the probability of taking the best step or goal instead of drawing one
+        r0: f64 = 0.7, "r0", [0.0..=1.0], "", "eq. 9: 0.6 to 0.8";
+        /// trail on every step and edge before the first iteration
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice: not given";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
+        /// stops after this many iterations without a shorter path; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+impl FireParams {
+    /// The part of every trail that leaves, from ρ of Eq. 4 by either reading.
+    pub fn evaporation(&self) -> f64 {
+        match self.reading {
+            Reading::Repaired => self.rho,
+            Reading::Printed => 1.0 - self.rho,
+        }
+    }
+
+    /// Section 3.2: how the order is chosen.
+    pub fn order_level(&self) -> OrderLevel {
+        let settings = TourSettings {
+            ants: self.ants,
+            iterations: self.order_iterations,
+            alpha: self.alpha,
+            beta: self.beta,
+            rho: self.evaporation(),
+            deposit: self.deposit,
+            initial_trail: self.initial_trail,
+            exploit: (self.order_rule == Rule::Improved).then_some(self.r0),
+        };
+        OrderLevel { settings, weighted: self.order == Order::Weight, straight: self.leg_length == LegLength::Euclidean }
+    }
+}
+
+/// The colony of one leg.
+#[derive(Debug, Clone, Copy)]
+pub struct Fire {
+    params: FireParams,
+}
+
+impl Fire {
+    /// With these parameters.
+    pub fn new(params: FireParams) -> Self {
+        Self { params }
+    }
+}
+
+impl Variant for Fire {
+    const RANDOM_PROPORTIONAL: bool = false;
+
+    fn settings(&self) -> Settings {
+        let p = &self.params;
+        Settings {
+            ants: p.ants,
+            iterations: p.iterations,
+            stagnation: p.stagnation,
+            alpha: p.alpha,
+            beta: p.beta,
+            rho: p.evaporation(),
+            deposit: p.deposit,
+            dead_end: p.dead_end,
+            move_limit: p.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.params.initial_trail
+    }
+
+    /// η_j = 1/d_j of Eq. 3.
+    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
+        goal_distance(scenario.grid.point(j), scenario.grid.point(scenario.goal), AT_GOAL)
+    }
+
+    /// Eq. 9, or Eq. 3.
+    #[inline(always)]
+    fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
+        match self.params.legs {
+            Rule::Improved => pseudo_random_proportional(weights, self.params.r0, stream),
+            Rule::Basic => random_proportional(weights, stream),
+        }
+    }
+}
+
+fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let params = FireParams::read(ENTRY.id, values)?;
+    Ok(legs::planner(scenario, params.order_level(), Fire::new(params), (ENTRY.id, ENTRY.layers), seed))
+}
+
+const SOURCE: &str = "fire-fighting robot with several fires (Zhang et al. 2020)";
+
+const PRESETS: &[Preset] = &[
+    Preset {
+        name: "paper",
+        source: SOURCE,
+        meaning: "its improved algorithm, repaired: the order by straight lines, ρ = 0.3 leaves",
+        numbers: &[],
+        choices: &[("leg_length", "euclidean")],
+    },
+    Preset {
+        name: "basic",
+        source: SOURCE,
+        meaning: "its own baseline: shortest order by straight lines, random proportional rule on both levels",
+        numbers: &[],
+        choices: &[("order", "distance"), ("leg_length", "euclidean"), ("legs", "basic")],
+    },
+    Preset {
+        name: "printed",
+        source: SOURCE,
+        meaning: "its improved algorithm as printed: the order by straight lines, ρ = 0.3 stays (eq. 4)",
+        numbers: &[],
+        choices: &[("leg_length", "euclidean"), ("reading", "printed")],
+    },
+];
+
+/// The fire-fighting planner in the catalog.
+pub const ENTRY: Entry = Entry {
+    id: "fire",
+    name: "Multi-fire ACO",
+    family: Family::AntColony,
+    summary: "Ants choose the order of several goals by distance and urgency, then look for the path of each leg, mostly by the best step (Zhang et al. 2020).",
+    source: "Zhang, Wang, Sun, Liu, Wu, Liu 2020, Computer Science and Application 10(5), doi:10.12677/CSA.2020.105088",
+    presets: PRESETS,
+    layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
+    max_goals: MAX_GOALS as u32,
+    specs: FireParams::specs,
+    build,
+};

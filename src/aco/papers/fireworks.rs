@@ -1,0 +1,252 @@
+//! Fireworks and ants: 周森鹏, 穆平安, 张仁杰 (Zhou Senpeng, Mu Ping'an, Zhang Renjie), 基于烟花混合蚁群的移动机器人路径规划研究 (Path planning of
+//! mobile robot based on hybrid FWA and ACO), Packaging Engineering (包装工程), June 2019, in Chinese with an English abstract. The copy that we
+//! read gives no DOI.
+//!
+//! The improved fireworks search roughly; then a colony starts from trails that are stronger along the path they found.
+//!
+//! | override point | source |
+//! |---|---|
+//! | initial trail | Eq. 10: τ0 + Δτ along the seeder's best path, [`Variant::shape_trails`] |
+//! | heuristic | 1 / (distance to the goal), "as in the traditional algorithm" |
+//! | selection | "as in the traditional algorithm": as Ant System |
+//! | on each move | nothing |
+//! | dead end | the ant steps back (step 2) |
+//! | update | Eq. 11 and 12: as Ant System |
+//! | daemon actions | none |
+//!
+//! | equation | where |
+//! |---|---|
+//! | 1 | `swarm/decode.rs` |
+//! | 2–9 | `swarm/fireworks.rs` |
+//! | 10–12 | here |
+//!
+//! `pso-aco` has a particle swarm in place of the fireworks: the hybrid that the paper says it compares with, without a formula or a number
+//! (`swarm/particle_swarm.rs`).
+//!
+//! Where the print contradicts itself: Eq. 11 multiplies by ρ, the residual coefficient (残留系数), while section 2 calls the same 0.9 the
+//! evaporation factor (挥发因子). `rho` is what leaves: 0.1 by the equation; preset `evaporating` has 0.9. Its step 3 updates "by the best
+//! path that the ants found", Eq. 12 sums over all m ants: we sum.
+//!
+//! Where the paper is silent: how much Δτ of Eq. 10 is. We take what `seed_ants` ants leave on the path by Eq. 12, n·Q/L, by default as many
+//! as the colony has. τ0 is 1. Trails are directed. The colony's iterations are numbered after those of the seeder, and the best path is the
+//! best of both, so that budgets and histories count everything that was spent. The first stage draws the numbers of `ifwa`: it is that
+//! planner's run with the same seed.
+
+use std::sync::Arc;
+
+use crate::aco::dead_end::DeadEnd;
+use crate::aco::deposit;
+use crate::aco::heuristic::Heuristic;
+use crate::aco::hybrid::Hybrid;
+use crate::aco::trails::Trails;
+use crate::aco::variant::{Settings, Variant};
+use crate::error::ParamError;
+use crate::map::{Cell, Direction};
+use crate::params;
+use crate::params::{Params, Values};
+use crate::path::Path;
+use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::scenario::Scenario;
+use crate::swarm::decode::DecodeRows;
+use crate::swarm::fireworks::{self, AnnealingRows, FireworkRows};
+use crate::swarm::particle_swarm::{ParticleRows, ParticleSwarm};
+use crate::swarm::search::{Method, Swarm, check_memory};
+
+params! {
+    /// The ant colony that comes second.
+    pub struct ColonyRows {
+        /// ants that build a path in each iteration of the second stage
+        ants: u32 = 50, "m", [1..=1024], "ants", "Zhou, Mu, Zhang 2019, section 2.2";
+        /// iterations of the second stage
+        iterations: u32 = 50, "N", [1..=100_000], "iterations", "Zhou, Mu, Zhang 2019, section 2.2";
+        /// weight of the trail τ in the choice of a step
+        alpha: f64 = 2.0, "α", [0.0..=10.0], "", "Zhou, Mu, Zhang 2019, section 2.2";
+        /// weight of the heuristic η in the choice of a step
+        beta: f64 = 8.0, "β", [0.0..=50.0], "", "Zhou, Mu, Zhang 2019, section 2.2";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Zhou, Mu, Zhang 2019, section 2.2: 0.9, by eq. 11 what stays";
+        /// an arrived ant leaves Q / length on each of its steps
+        deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Zhou, Mu, Zhang 2019, section 2.2";
+        /// the first stage's path gets what this many ants would leave on it
+        seed_ants: f64 = 50.0, "", [0.0..=1e6], "ants", "our choice: eq. 10 does not say how much; as many as the colony has";
+        /// trail on every step before the seed
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
+        /// what an ant sees of a step
+        heuristic: Heuristic = Heuristic::Goal, "η", [], "", "our reading: as in the traditional algorithm";
+        /// what an ant does where no neighbour is left
+        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "Zhou, Mu, Zhang 2019, section 1.3.2, step 2";
+        /// an ant gives up after this many times width + height moves; 0 = never
+        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "our addition, as in our Ant System";
+        /// the second stage stops after this many iterations without a shorter path of its own; 0 = never
+        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+    }
+}
+
+params! {
+    /// Parameters of the hybrid of fireworks and ants.
+    pub struct FwaAcoParams {
+        /// iterations of the fireworks, the first stage
+        seed_iterations: u32 = 50, "G_max", [1..=100_000], "iterations", "Zhou, Mu, Zhang 2019, section 2.1";
+        ..colony: ColonyRows;
+        ..fireworks: FireworkRows;
+        ..annealing: AnnealingRows;
+        ..decoding: DecodeRows;
+    }
+}
+
+params! {
+    /// Parameters of the hybrid of particles and ants.
+    pub struct PsoAcoParams {
+        /// iterations of the particle swarm, the first stage
+        seed_iterations: u32 = 50, "", [1..=100_000], "iterations", "our choice: as many as the fireworks have";
+        ..colony: ColonyRows;
+        ..particles: ParticleRows;
+        ..decoding: DecodeRows;
+    }
+}
+
+/// The colony of the second stage.
+#[derive(Debug, Clone)]
+pub struct Seeded {
+    rows: ColonyRows,
+    /// The seeder's best path and its length in cells, if it found one.
+    seed: Option<(Path, f64)>,
+}
+
+impl Seeded {
+    /// With these parameters and this seed path of allowed steps.
+    pub fn new(rows: ColonyRows, seed: Option<(Path, f64)>) -> Self {
+        Self { rows, seed }
+    }
+
+    /// The same with another seed path.
+    #[must_use]
+    pub fn with_seed(&self, seed: Option<(Path, f64)>) -> Self {
+        Self::new(self.rows, seed)
+    }
+}
+
+/// Eq. 10: Δτ on each step of a path of this length, what `seed_ants` ants leave there by Eq. 12.
+pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
+    rows.seed_ants * rows.deposit / length
+}
+
+impl Variant for Seeded {
+    fn settings(&self) -> Settings {
+        let r = &self.rows;
+        Settings {
+            ants: r.ants,
+            iterations: r.iterations,
+            stagnation: r.stagnation,
+            alpha: r.alpha,
+            beta: r.beta,
+            rho: r.rho,
+            deposit: r.deposit,
+            dead_end: r.dead_end,
+            move_limit: r.move_limit,
+        }
+    }
+
+    fn initial_trail(&self, _: &Scenario) -> f64 {
+        self.rows.initial_trail
+    }
+
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        self.rows.heuristic.of(scenario, i, d, j)
+    }
+
+    /// Eq. 10: τ^s = τ + Δτ.
+    fn shape_trails(&self, scenario: &Scenario, trails: &mut Trails) {
+        if let Some((path, length)) = &self.seed {
+            deposit::along_path(trails, scenario, path, seed_trail(&self.rows, *length));
+        }
+    }
+}
+
+/// The first stage of `fwa-aco`: a run of `ifwa`.
+///
+/// # Errors
+/// [`ParamError::Memory`] where the positions would not fit.
+pub fn fireworks_first(scenario: &Arc<Scenario>, p: &FwaAcoParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let rows = (p.fireworks, p.annealing, p.decoding);
+    Ok(Box::new(fireworks::improved(scenario, rows, p.seed_iterations, 0, seed)?))
+}
+
+/// The first stage of `pso-aco`.
+///
+/// # Errors
+/// [`ParamError::Memory`] where the positions would not fit.
+pub fn particles_first(scenario: &Arc<Scenario>, p: &PsoAcoParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let swarm = ParticleSwarm::new(p.particles, p.decoding, p.seed_iterations);
+    check_memory(scenario, "particles", p.particles.particles, swarm.settings().most)?;
+    Ok(Box::new(Swarm::new(Arc::clone(scenario), swarm, "priority-particles", seed)))
+}
+
+/// The first stage, and then the colony.
+fn hybrid(
+    scenario: &Arc<Scenario>,
+    first: Box<dyn Planner>,
+    rows: ColonyRows,
+    planner: &'static str,
+    seed: u32,
+) -> Box<dyn Planner> {
+    let second = move |path| Seeded::new(rows, path);
+    Box::new(Hybrid::new(Arc::clone(scenario), first, Box::new(second), planner, seed))
+}
+
+fn build_fwa_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let p = FwaAcoParams::read(FWA_ACO.id, values)?;
+    Ok(hybrid(scenario, fireworks_first(scenario, &p, seed)?, p.colony, FWA_ACO.id, seed))
+}
+
+fn build_pso_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let p = PsoAcoParams::read(PSO_ACO.id, values)?;
+    Ok(hybrid(scenario, particles_first(scenario, &p, seed)?, p.colony, PSO_ACO.id, seed))
+}
+
+const LAYERS: &[Layer] = &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::InitialTrail, Layer::SeedPath, Layer::Priority];
+
+const EVAPORATING: Preset = Preset {
+    name: "evaporating",
+    source: "Zhou, Mu, Zhang 2019, section 2.2",
+    meaning: "0.9 is what leaves, as its section 2.2 calls it, against its eq. 11",
+    numbers: &[("rho", 0.9)],
+    choices: &[],
+};
+
+/// The hybrid of fireworks and ants in the catalog.
+pub const FWA_ACO: Entry = Entry {
+    id: "fwa-aco",
+    name: "Fireworks, then ants",
+    family: Family::AntColony,
+    summary: "Improved fireworks search first; their best path gets a head start of pheromone, and ants go on from there.",
+    source: "Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究)",
+    presets: &[
+        EVAPORATING,
+        Preset {
+            name: "unseeded",
+            source: "ours: what the seed is worth",
+            meaning: "the same budget and the same colony, but the path of the fireworks leaves no trail",
+            numbers: &[("seed_ants", 0.0)],
+            choices: &[],
+        },
+    ],
+    layers: LAYERS,
+    max_goals: 1,
+    specs: FwaAcoParams::specs,
+    build: build_fwa_aco,
+};
+
+/// The hybrid of particles and ants in the catalog.
+pub const PSO_ACO: Entry = Entry {
+    id: "pso-aco",
+    name: "Particles, then ants",
+    family: Family::AntColony,
+    summary: "A particle swarm over cell priorities searches first; its best path gets a head start of pheromone, and ants go on from there.",
+    source: "named in Zhou, Mu, Zhang 2019 as what it compares with; particle swarm as Shi and Eberhart 1999",
+    presets: &[EVAPORATING],
+    layers: LAYERS,
+    max_goals: 1,
+    specs: PsoAcoParams::specs,
+    build: build_pso_aco,
+};

@@ -1,0 +1,193 @@
+//! `compare`: a question over many seeds, on all cores.
+
+use std::io::{IsTerminal, Write};
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+use formicarium::error::{Error, FormatError};
+use formicarium::experiment::{Experiment, Question, QuestionError, Row, judge, report};
+use formicarium::scenario::Scenario;
+
+use super::error::CliError;
+use super::{Outcome, input, text};
+
+/// Runs a question: every entry on every map with every seed, and judges its claims
+#[derive(clap::Args)]
+#[command(after_help = "\
+Writes NAME.csv, one row a run, and NAME.md, tables and verdicts. Both depend on the question alone, not on
+the number of jobs. The question's format and the rule of the verdicts: docs/methodology.md.
+
+Examples:
+  formicarium compare experiments/ship.toml --out experiments/records
+  formicarium compare experiments/ship.toml --out /tmp/look --seeds 10
+  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv")]
+pub struct Args {
+    /// The question, as TOML (formicarium/question@1)
+    question: PathBuf,
+    /// Folder for the two files; made if it is missing
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Runs at the same time [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// Only the question's first seeds
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    seeds: Option<u32>,
+    /// Only this instance; may be repeated
+    #[arg(long, value_name = "ID")]
+    only: Vec<String>,
+    /// Another map in place of an instance's; may be repeated
+    #[arg(long, value_name = "ID=FILE", value_parser = stand_in)]
+    map: Vec<(String, PathBuf)>,
+}
+
+fn stand_in(text: &str) -> Result<(String, PathBuf), String> {
+    let split = text.split_once('=').filter(|(id, file)| !id.is_empty() && !file.is_empty());
+    let (id, file) = split.ok_or_else(|| format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv"))?;
+    Ok((id.into(), file.into()))
+}
+
+pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    let experiment = load(args)?;
+    let rows = run_all(&experiment, jobs(args)).map_err(|e| in_question(args, e))?;
+    let comparisons = judge(&experiment, &rows);
+    let page = report::markdown(&experiment, &rows, &comparisons, &command(args));
+    let name = args.question.file_stem().unwrap_or_default();
+    let mut said = format!("{}: {}\n", experiment.question.title, text::count(rows.len() as u64, "run", "runs"));
+    said += &report::verdicts(&experiment, &comparisons);
+    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page)] {
+        let path = args.out.join(name).with_extension(ending);
+        replace(&path, &contents)?;
+        said += &format!("wrote {}\n", path.display());
+    }
+    Ok(Outcome::fine(said))
+}
+
+/// The question with its maps.
+fn load(args: &Args) -> Result<Experiment, CliError> {
+    let mut question = input::in_file(&args.question, |bytes, _| read(bytes))?;
+    question.check().map_err(|e| in_question(args, e))?;
+    let folder = args.question.parent().unwrap_or(Path::new(""));
+    // A map that is named here is looked for here, a question's own beside it.
+    question.instances.iter_mut().for_each(|i| i.map = folder.join(&i.map).display().to_string());
+    narrow(args, &mut question).map_err(|e| in_question(args, e))?;
+    let scenarios = question.instances.iter().map(|i| scenario(Path::new(&i.map))).collect::<Result<Vec<_>, _>>()?;
+    Experiment::new(question, scenarios).map_err(|e| in_question(args, e))
+}
+
+fn read(bytes: &[u8]) -> Result<Question, Error> {
+    let text = std::str::from_utf8(bytes).map_err(|_| FormatError::NotText { found: "binary data".into() })?;
+    toml::from_str(text).map_err(|e| {
+        let line = e.span().map_or(0, |s| 1 + text.bytes().take(s.start).filter(|&b| b == b'\n').count());
+        FormatError::syntax(line, e.message(), "a question as docs/methodology.md describes it").into()
+    })
+}
+
+/// What the arguments leave of a question.
+fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
+    question.seeds.count = question.seeds.count.min(args.seeds.unwrap_or(u32::MAX));
+    for (id, file) in &args.map {
+        let instance = question.instance_mut(id)?;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        (instance.map, instance.note) = (file.display().to_string(), format!("{stem} in place of the question's map."));
+    }
+    if args.only.is_empty() { Ok(()) } else { question.keep_instances(&args.only) }
+}
+
+fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
+    let map = input::import(path)?;
+    text::notes(&map.notices);
+    let scenario = Scenario::new(map.grid, map.spec)
+        .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;
+    text::notes(&scenario.notices());
+    Ok(Arc::new(scenario))
+}
+
+fn in_question(args: &Args, error: QuestionError) -> CliError {
+    CliError::Contents { path: args.question.display().to_string(), error: error.into() }
+}
+
+fn jobs(args: &Args) -> usize {
+    let cores = || thread::available_parallelism().map_or(1, NonZero::get);
+    args.jobs.map_or_else(cores, usize::from)
+}
+
+/// Does every run; rows in the order of the tasks, whoever finishes first.
+fn run_all(experiment: &Experiment, jobs: usize) -> Result<Vec<Row>, QuestionError> {
+    let tasks = experiment.tasks();
+    let mut rows: Vec<Option<Row>> = vec![None; tasks.len()];
+    let next = AtomicUsize::new(0);
+    let (sender, receiver) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..jobs.min(tasks.len()) {
+            let (sender, next, tasks) = (sender.clone(), &next, &tasks);
+            scope.spawn(move || {
+                let take = || tasks.get(next.fetch_add(1, Ordering::Relaxed));
+                // A closed channel: an error has ended the whole.
+                while take().is_some_and(|&task| sender.send(experiment.run(task)).is_ok()) {}
+            });
+        }
+        drop(sender);
+        let mut progress = Progress::new(tasks.len());
+        for row in receiver {
+            let row = row?;
+            progress.step();
+            if let Ok(place) = tasks.binary_search(&row.task) {
+                rows[place] = Some(row);
+            }
+        }
+        Ok(())
+    })?;
+    Ok(rows.into_iter().flatten().collect())
+}
+
+/// A counter on the error stream, where somebody looks at it.
+struct Progress {
+    done: usize,
+    of: usize,
+    shown: bool,
+}
+
+impl Progress {
+    fn new(of: usize) -> Self {
+        Self { done: 0, of, shown: std::io::stderr().is_terminal() }
+    }
+
+    fn step(&mut self) {
+        self.done += 1;
+        if self.shown {
+            eprint!("\r{} of {} runs", self.done, self.of);
+            let _ = std::io::stderr().flush();
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if self.shown && self.done > 0 {
+            eprintln!();
+        }
+    }
+}
+
+/// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
+fn command(args: &Args) -> String {
+    let mut said = format!("formicarium compare {} --out DIR", args.question.display());
+    args.seeds.iter().for_each(|n| said += &format!(" --seeds {n}"));
+    args.only.iter().for_each(|id| said += &format!(" --only {id}"));
+    let name = |file: &Path| file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    args.map.iter().for_each(|(id, file)| said += &format!(" --map {id}={}", name(file)));
+    said
+}
+
+/// Writes beside the place first, so that a file is the old or the new one, whatever happens.
+fn replace(path: &Path, contents: &str) -> Result<(), CliError> {
+    let staging = path.with_extension(format!("{}.new", path.extension().unwrap_or_default().to_string_lossy()));
+    let folder = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+    let written = folder.and_then(|()| std::fs::write(&staging, contents)).and_then(|()| std::fs::rename(&staging, path));
+    written.map_err(|error| CliError::File { action: "write", path: path.display().to_string(), error })
+}

@@ -1,0 +1,270 @@
+//! Best-first search over a heap, for rules that the bucket queue of `search.rs` does not fit: segments of any length, states that are
+//! more than a cell.
+//!
+//! A state is expanded when no open one has a smaller f = g + estimate; it is opened again when a shorter way to it turns up. The search
+//! ends when no open state can beat the goal's cost: exact where the rules offer every step and the estimate is a lower bound.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::sync::Arc;
+
+use crate::map::Cell;
+use crate::metrics::path_length;
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::scenario::Scenario;
+
+/// A cell, or a cell and what else the cost of the next step depends on.
+pub(super) type State = u32;
+
+/// Costs closer than this are one cost: rounding differs between orders of the same steps.
+pub(super) const SAME: f64 = 1e-9;
+/// Parent of the start.
+const NO_PARENT: State = State::MAX;
+
+/// What a search does.
+pub(super) trait Rules: Send {
+    /// What the result is measured by.
+    const OBJECTIVE: Objective;
+    /// What a path that it has found to the end is.
+    const FOUND: Status;
+    /// States for each cell.
+    const STATES_PER_CELL: u32 = 1;
+
+    /// Before the first step: tables.
+    fn prepare(&mut self, _scenario: &Scenario) {}
+    /// The state in which the search begins.
+    fn start(&self, scenario: &Scenario) -> State {
+        scenario.start * Self::STATES_PER_CELL
+    }
+    /// A lower bound of the cost from a cell to the goal.
+    fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64;
+    /// Relaxes what can follow a state.
+    fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree);
+}
+
+struct Open {
+    state: State,
+    g: f64,
+    f: f64,
+}
+
+impl Ord for Open {
+    /// Smallest f first, of equals the farthest from the start, of equals the first state.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.f.total_cmp(&self.f).then(self.g.total_cmp(&other.g)).then(other.state.cmp(&self.state))
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Open {}
+
+/// The ways found so far.
+pub(super) struct Tree {
+    /// Cost from the start by state; empty until the first step.
+    g: Vec<f64>,
+    parent: Vec<State>,
+    expanded: Vec<bool>,
+    open: BinaryHeap<Open>,
+    /// Cost of the best way to the goal so far, and the state at its end.
+    bound: f64,
+    arrived: State,
+}
+
+impl Tree {
+    fn new(states: usize) -> Self {
+        let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
+        Self { g, parent, expanded, open: BinaryHeap::new(), bound: f64::INFINITY, arrived: NO_PARENT }
+    }
+
+    /// Cost of the best way to a state so far.
+    #[inline]
+    pub(super) fn g(&self, state: State) -> f64 {
+        self.g[state as usize]
+    }
+
+    /// Where that way comes from; the start comes from itself.
+    #[inline]
+    pub(super) fn parent(&self, state: State) -> State {
+        let parent = self.parent[state as usize];
+        if parent == NO_PARENT { state } else { parent }
+    }
+
+    /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
+    #[inline]
+    pub(super) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
+        g < self.g[state as usize] - SAME && g + to_goal < self.bound - SAME
+    }
+
+    /// Takes note of a way that improves; `at_goal` where it leads to the goal.
+    #[inline]
+    pub(super) fn relax(&mut self, state: State, g: f64, to_goal: f64, parent: State, at_goal: bool) {
+        if !self.improves(state, g, to_goal) {
+            return;
+        }
+        self.g[state as usize] = g;
+        self.parent[state as usize] = parent;
+        if at_goal {
+            (self.bound, self.arrived) = (g, state);
+        } else {
+            self.open.push(Open { state, g, f: g + to_goal });
+        }
+    }
+
+    /// The smallest f of an open state that is neither outdated nor hopeless.
+    fn least(&mut self) -> Option<f64> {
+        while let Some(top) = self.open.peek() {
+            if top.g <= self.g[top.state as usize] && top.f < self.bound - SAME {
+                return Some(top.f);
+            }
+            self.open.pop();
+        }
+        None
+    }
+
+    /// The states from the start to the goal.
+    fn way(&self) -> Vec<State> {
+        let mut way = vec![self.arrived];
+        let mut at = self.arrived;
+        while self.parent[at as usize] != NO_PARENT {
+            at = self.parent[at as usize];
+            way.push(at);
+        }
+        way.reverse();
+        way
+    }
+}
+
+/// A search at work.
+pub(super) struct BestFirst<R> {
+    scenario: Arc<Scenario>,
+    rules: R,
+    tree: Tree,
+    /// f at which the contour at work ends.
+    contour: f64,
+    progress: Progress,
+}
+
+impl<R: Rules> BestFirst<R> {
+    pub(super) fn new(scenario: Arc<Scenario>, rules: R) -> Self {
+        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, progress: Progress::default() }
+    }
+
+    /// Allocates at the first step, so that a planner that is only shown costs nothing.
+    fn prepare(&mut self) {
+        let scenario = &*self.scenario;
+        self.rules.prepare(scenario);
+        self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
+        let to_goal = self.rules.to_goal(scenario, scenario.start);
+        self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
+        self.contour = libm::floor(to_goal) + 1.0;
+    }
+
+    /// Expands one state; false when none is left in this contour.
+    fn advance_one(&mut self) -> bool {
+        let least = self.tree.least();
+        if least.is_none_or(|f| f >= self.contour) {
+            self.close_contour(least);
+            return false;
+        }
+        let Some(Open { state, .. }) = self.tree.open.pop() else { return false };
+        self.tree.expanded[state as usize] = true;
+        self.progress.effort.cell_expansions += 1;
+        self.rules.expand(&self.scenario, state, &mut self.tree);
+        true
+    }
+
+    fn close_contour(&mut self, least: Option<f64>) {
+        self.progress.effort.iterations += 1;
+        match least {
+            Some(f) => self.contour = libm::floor(f) + 1.0,
+            None => self.finish(),
+        }
+        let length = self.progress.best.as_ref().map(|b| b.length);
+        self.progress.record(Record {
+            iteration: self.progress.effort.iterations,
+            best_so_far: length,
+            iteration_best: length,
+            iteration_mean: length,
+            iteration_worst: length,
+            arrived: u32::from(length.is_some()),
+        });
+    }
+
+    fn finish(&mut self) {
+        if !self.tree.bound.is_finite() {
+            self.progress.status = Status::NoPath;
+            return;
+        }
+        let path: Vec<Cell> = self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect();
+        let length = path_length(self.scenario.grid.width(), &path);
+        // Nothing is shorter than not to move at all.
+        self.progress.status = if length == 0.0 { Status::Optimal } else { R::FOUND };
+        self.progress.effort.constructed_paths = 1;
+        self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations, refined: None });
+    }
+}
+
+impl<R: Rules> Planner for BestFirst<R> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.progress.status.is_finished() {
+            return self.progress.status;
+        }
+        if self.tree.g.is_empty() {
+            self.prepare();
+        }
+        match by {
+            // A move that finds its contour empty goes on into the next one, so that every move expands a state.
+            Granularity::Move => while !self.advance_one() && !self.progress.status.is_finished() {},
+            Granularity::Iteration => while self.advance_one() {},
+        }
+        self.progress.status
+    }
+
+    fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    fn budget(&self) -> Option<u32> {
+        None
+    }
+
+    fn colony_size(&self) -> u32 {
+        0
+    }
+
+    fn objective(&self) -> Objective {
+        R::OBJECTIVE
+    }
+
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        let per_cell = R::STATES_PER_CELL as usize;
+        out.clear();
+        match kind {
+            Layer::Visits => {
+                out.extend(self.tree.expanded.chunks(per_cell).map(|states| f32::from(u8::from(states.contains(&true)))));
+            }
+            Layer::Cost => {
+                out.extend(self.tree.g.chunks(per_cell).map(|g| g.iter().copied().fold(f64::INFINITY, f64::min) as f32));
+            }
+            _ => return false,
+        }
+        // Before the first step: nothing expanded, no cost known.
+        out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
+        true
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+    }
+}

@@ -1,0 +1,97 @@
+//! The path of steps with the smallest turn index V(d, r) = Σ dᵢ·rᵢ, rᵢ = 1.2 where step i turns, else 1: equation (10) of the
+//! fire-fighting paper. A* over states of a cell and the direction of the step that led there, by the octile or Manhattan distance, which
+//! V cannot undercut; so V is exact. (Dijkstra 1959 and Hart, Nilsson, Raphael 1968 on this graph.)
+//!
+//! Of the states of a cell the first expanded has the least V. Another one can save at most the surcharge of the next step, and only
+//! straight on: every other step costs the first state no more. So the others are followed straight on alone, while they save anything.
+
+use std::sync::Arc;
+
+use super::astar::Distance;
+use super::best_first::{BestFirst, Rules, SAME, State, Tree};
+use super::search::Estimate;
+use crate::error::ParamError;
+use crate::map::{Cell, DIRECTIONS, Direction, step_length};
+use crate::metrics::TURN_WEIGHT;
+use crate::params::{Values, check_keys};
+use crate::planner::{Entry, Family, Layer, Objective, Planner, Status};
+use crate::scenario::Scenario;
+
+/// A cell's state at the start, which no step led to.
+const NO_DIRECTION: Direction = DIRECTIONS as Direction;
+
+/// The rules of the search: states are cell · 9 + direction.
+struct TurnAware {
+    distance: Distance,
+    /// V at the first expansion by cell.
+    first: Vec<f64>,
+}
+
+impl TurnAware {
+    /// Relaxes the step in direction `d`; `came` is the direction of the step before.
+    fn step(&self, scenario: &Scenario, state: State, came: Direction, d: Direction, tree: &mut Tree) {
+        let next = scenario.moves.step(state / Self::STATES_PER_CELL, d);
+        let turns = came != NO_DIRECTION && came != d;
+        let v = tree.g(state) + step_length(d) * if turns { TURN_WEIGHT } else { 1.0 };
+        if self.may_save(scenario, next, d, v) {
+            let to_goal = self.to_goal(scenario, next);
+            tree.relax(next * Self::STATES_PER_CELL + State::from(d), v, to_goal, state, next == scenario.goal);
+        }
+    }
+
+    /// Whether a way of this V that enters a cell in direction `d` can still be better than the first one there: straight on.
+    fn may_save(&self, scenario: &Scenario, cell: Cell, d: Direction, v: f64) -> bool {
+        let first = self.first[cell as usize];
+        let straight_on = scenario.moves.bits[cell as usize] >> d & 1 == 1;
+        first.is_infinite() || (straight_on && v < first + (TURN_WEIGHT - 1.0) * step_length(d) - SAME)
+    }
+}
+
+impl Rules for TurnAware {
+    const OBJECTIVE: Objective = Objective::TurnIndex;
+    const FOUND: Status = Status::Optimal;
+    const STATES_PER_CELL: u32 = DIRECTIONS as u32 + 1;
+
+    fn prepare(&mut self, scenario: &Scenario) {
+        self.first = vec![f64::INFINITY; scenario.grid.len()];
+    }
+
+    fn start(&self, scenario: &Scenario) -> State {
+        scenario.start * Self::STATES_PER_CELL + State::from(NO_DIRECTION)
+    }
+
+    fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
+        let at = scenario.grid.point(cell);
+        self.distance.to_goal(at.x, at.y)
+    }
+
+    fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree) {
+        let (cell, came) = (state / Self::STATES_PER_CELL, (state % Self::STATES_PER_CELL) as Direction);
+        if self.first[cell as usize].is_infinite() {
+            self.first[cell as usize] = tree.g(state);
+            scenario.moves.directions(cell).for_each(|d| self.step(scenario, state, came, d, tree));
+        } else if self.may_save(scenario, cell, came, tree.g(state)) {
+            self.step(scenario, state, came, came, tree);
+        }
+    }
+}
+
+fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    check_keys(ENTRY.id, &[], values)?;
+    let rules = TurnAware { distance: Distance::of(scenario), first: Vec::new() };
+    Ok(Box::new(BestFirst::new(Arc::clone(scenario), rules)))
+}
+
+/// The turn-aware search in the catalog.
+pub const ENTRY: Entry = Entry {
+    id: "turn-aware",
+    name: "Turn-aware A*",
+    family: Family::Exact,
+    summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times.",
+    source: "V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)",
+    presets: &[],
+    layers: &[Layer::Cost, Layer::Visits],
+    max_goals: 1,
+    specs: Vec::new,
+    build,
+};

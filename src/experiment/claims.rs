@@ -1,0 +1,243 @@
+//! Claims against runs: the difference that was measured, how sure it is, and the verdict. The rule is stated in docs/methodology.md.
+
+use super::question::{Claim, Direction, Measure, Statistic};
+use super::run::{Experiment, Row};
+use super::statistics::{Difference, a12, mean, mean_difference, median_difference, quantile, sorted};
+
+/// Fewest pairs of runs from which a verdict is drawn.
+pub const MIN_PAIRS: usize = 30;
+
+/// The part of the claimed size that must be there for a claim to count as reproduced.
+pub const ENOUGH: f64 = 0.5;
+
+/// From this share of optimal runs on, a baseline leaves no room for shorter paths.
+pub const NO_ROOM: f64 = 0.95;
+
+/// What became of a claim on one map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// The interval excludes 0 in the claimed direction, and at least half of the claimed size is there.
+    Reproduced,
+    /// The interval excludes 0 in the claimed direction, but the difference is smaller.
+    Partly,
+    /// The interval does not exclude 0.
+    Not,
+    /// The interval excludes 0 in the other direction: not reproduced, either.
+    Opposite,
+    /// There is nothing to compare, for this reason.
+    CannotTell(&'static str),
+}
+
+/// A claim on one map, measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// Which claim of the question.
+    pub claim: usize,
+    /// Which instance.
+    pub instance: usize,
+    /// By which part of the baseline's value the entries are said to differ; none where no size is claimed.
+    pub claimed: Option<f64>,
+    /// Pairs of runs with the same seed.
+    pub pairs: usize,
+    /// Pairs of which both runs have a finite value: those that the means are over.
+    pub finite_pairs: usize,
+    /// Share of the baseline's runs that found a proven optimum.
+    pub baseline_optimal: Option<f64>,
+    /// What decides.
+    pub statistic: Statistic,
+    /// What stands for the baseline's runs, by this statistic; infinite where half of them or more found no path.
+    pub baseline: Option<f64>,
+    /// What stands for the improved entry's runs.
+    pub improved: Option<f64>,
+    /// Improved − baseline of the medians.
+    pub medians: Option<Difference>,
+    /// Improved − baseline of the means over the finite pairs.
+    pub means: Option<Difference>,
+    /// How likely a run of the improved entry is the better one, as the claim counts better; ties half.
+    pub better: Option<f64>,
+    /// By the claim's statistic.
+    pub verdict: Verdict,
+}
+
+impl Comparison {
+    /// By which part of the baseline's value the entries differ, positive as the claim says. None where the baseline is 0 or infinite.
+    pub fn size(&self, direction: Direction) -> Option<f64> {
+        let (improved, baseline) = (self.improved?, self.baseline?);
+        let usable = baseline.is_finite() && baseline > 0.0 && improved.is_finite();
+        usable.then(|| direction.signed(improved - baseline) / baseline)
+    }
+
+    /// The difference that decides.
+    fn difference(&self) -> Option<Difference> {
+        match self.statistic {
+            Statistic::Median => self.medians,
+            Statistic::Mean => self.means,
+        }
+    }
+}
+
+/// Compares the runs of every claim on every map that it is about.
+pub fn judge(experiment: &Experiment, rows: &[Row]) -> Vec<Comparison> {
+    let question = &experiment.question;
+    let about = |claim: usize| {
+        let places = question.instances.iter().enumerate();
+        places.filter(move |(_, i)| question.claims[claim].is_about(&i.id)).map(move |(instance, _)| (claim, instance))
+    };
+    let all = (0..question.claims.len()).flat_map(about);
+    all.map(|(claim, instance)| compare(experiment, rows, claim, instance)).collect()
+}
+
+fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize) -> Comparison {
+    let (question, claim) = (&experiment.question, &experiment.question.claims[index]);
+    let place = &question.instances[instance].id;
+    let values = |entry, measure| values(experiment, rows, instance, entry, measure);
+    let (improved, baseline) = (values(&claim.improved, claim.measure), values(&claim.baseline, claim.measure));
+    let pairs: Vec<(f64, f64)> = improved.iter().copied().zip(baseline.iter().copied()).collect();
+    let finite: Vec<(f64, f64)> = pairs.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
+    let statistic = claim.statistic(finite.len() == pairs.len());
+    let counted = if statistic == Statistic::Mean { &finite } else { &pairs };
+    let (first, second): (Vec<f64>, Vec<f64>) = counted.iter().copied().unzip();
+    let name = format!("{}/{place}", claim.id);
+    let comparison = Comparison {
+        claim: index,
+        instance,
+        claimed: question.claimed_size(claim, place),
+        pairs: pairs.len(),
+        finite_pairs: finite.len(),
+        baseline_optimal: mean(&values(&claim.baseline, Measure::Optimal)),
+        statistic,
+        improved: standing(statistic, &first).or_else(|| standing(statistic, &improved)),
+        baseline: standing(statistic, &second).or_else(|| standing(statistic, &baseline)),
+        medians: median_difference(&pairs, &name),
+        means: mean_difference(&finite, &name),
+        better: better(claim.direction, &improved, &baseline),
+        verdict: Verdict::Not,
+    };
+    let verdict = verdict(claim, &comparison);
+    Comparison { verdict, ..comparison }
+}
+
+/// A measure of an entry's runs on an instance, by seed.
+fn values(experiment: &Experiment, rows: &[Row], instance: usize, entry: &str, measure: Measure) -> Vec<f64> {
+    let of_entry = |r: &&Row| experiment.question.entries.get(r.task.entry).is_some_and(|e| e.id == entry);
+    rows.iter().filter(|r| r.task.instance == instance).filter(of_entry).map(|r| r.value(measure)).collect()
+}
+
+/// The number that stands for a sample.
+fn standing(statistic: Statistic, sample: &[f64]) -> Option<f64> {
+    match statistic {
+        Statistic::Median => quantile(&sorted(sample.to_vec()), 0.5),
+        Statistic::Mean => mean(sample),
+    }
+}
+
+fn better(direction: Direction, improved: &[f64], baseline: &[f64]) -> Option<f64> {
+    match direction {
+        Direction::More => a12(improved, baseline),
+        Direction::Less => a12(baseline, improved),
+    }
+}
+
+/// The rule of docs/methodology.md.
+fn verdict(claim: &Claim, c: &Comparison) -> Verdict {
+    if c.pairs == 0 {
+        return Verdict::CannotTell("one of the two cannot be run");
+    }
+    if c.baseline.is_some_and(f64::is_infinite) {
+        return Verdict::CannotTell("the baseline finds no path in half of its runs or more");
+    }
+    let counted = if c.statistic == Statistic::Mean { c.finite_pairs } else { c.pairs };
+    let Some(difference) = c.difference().filter(|_| counted >= MIN_PAIRS) else {
+        return Verdict::CannotTell("too few runs to compare");
+    };
+    let ends = [difference.low, difference.high].map(|d| claim.direction.signed(d));
+    if ends[0].max(ends[1]) < 0.0 {
+        return Verdict::Opposite;
+    }
+    if ends[0].min(ends[1]) <= 0.0 {
+        return without_difference(claim, c);
+    }
+    match (c.claimed, c.size(claim.direction)) {
+        (None, _) => Verdict::Reproduced,
+        (Some(claimed), Some(size)) if size >= ENOUGH * claimed => Verdict::Reproduced,
+        _ => Verdict::Partly,
+    }
+}
+
+/// Where no path can be shorter than the baseline's, finding none says nothing.
+fn without_difference(claim: &Claim, c: &Comparison) -> Verdict {
+    let no_room = claim.measure == Measure::Length && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM);
+    if no_room { Verdict::CannotTell("nearly all of the baseline's runs are optimal already") } else { Verdict::Not }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CLAIM: &str =
+        r#"{ "id": "c", "says": "", "improved": "a", "baseline": "b", "measure": "length", "direction": "less" }"#;
+
+    fn comparison(claimed: Option<f64>, improved: f64, baseline: f64, low: f64, high: f64) -> Comparison {
+        Comparison {
+            claim: 0,
+            instance: 0,
+            claimed,
+            pairs: 100,
+            finite_pairs: 100,
+            baseline_optimal: Some(0.2),
+            statistic: Statistic::Median,
+            baseline: Some(baseline),
+            improved: Some(improved),
+            medians: Some(Difference { value: improved - baseline, low, high }),
+            means: None,
+            better: None,
+            verdict: Verdict::Not,
+        }
+    }
+
+    #[test]
+    fn the_rule() {
+        let claim: Claim = serde_json::from_str(CLAIM).unwrap();
+        let given = |c: Comparison| verdict(&claim, &c);
+        // Claimed: 10 % shorter. 40 → 38 is 5 %: half of it, and the interval lies below 0.
+        assert_eq!(given(comparison(Some(0.1), 38.0, 40.0, -2.5, -1.5)), Verdict::Reproduced);
+        assert_eq!(given(comparison(Some(0.1), 38.5, 40.0, -2.0, -1.0)), Verdict::Partly);
+        assert_eq!(given(comparison(Some(0.1), 38.0, 40.0, -4.0, 0.0)), Verdict::Not);
+        assert_eq!(given(comparison(Some(0.1), 42.0, 40.0, 1.0, 3.0)), Verdict::Opposite);
+        assert_eq!(given(comparison(None, 39.9, 40.0, -0.2, -0.05)), Verdict::Reproduced);
+    }
+
+    #[test]
+    fn runs_without_a_path_decide_too() {
+        let claim: Claim = serde_json::from_str(CLAIM).unwrap();
+        let given = |c: Comparison| verdict(&claim, &c);
+        let cannot = |c: Comparison| matches!(given(c), Verdict::CannotTell(_));
+        // An improved entry that mostly finds nothing is no improvement; a baseline that does is none to compare with.
+        let inf = f64::INFINITY;
+        assert_eq!(given(comparison(Some(0.1), inf, 40.0, inf, inf)), Verdict::Opposite);
+        assert!(cannot(comparison(Some(0.1), 40.0, inf, -inf, -inf)));
+        assert!(cannot(Comparison { pairs: 29, ..comparison(None, 39.0, 40.0, -2.0, -0.5) }));
+        assert!(cannot(Comparison { medians: None, pairs: 0, ..comparison(None, 0.0, 0.0, 0.0, 0.0) }));
+    }
+
+    #[test]
+    fn an_optimal_baseline_leaves_no_room() {
+        let claim: Claim = serde_json::from_str(CLAIM).unwrap();
+        let full =
+            |improved, low, high| Comparison { baseline_optimal: Some(0.97), ..comparison(None, improved, 40.0, low, high) };
+        assert!(matches!(verdict(&claim, &full(40.0, -0.1, 0.0)), Verdict::CannotTell(_)));
+        assert_eq!(verdict(&claim, &full(41.0, 0.5, 1.5)), Verdict::Opposite);
+        let turns = Claim { measure: Measure::Turns, ..claim };
+        assert_eq!(verdict(&turns, &full(40.0, -0.1, 0.0)), Verdict::Not);
+    }
+
+    #[test]
+    fn more_is_the_other_direction() {
+        let less: Claim = serde_json::from_str(CLAIM).unwrap();
+        let more = Claim { direction: Direction::More, ..less };
+        assert_eq!(verdict(&more, &comparison(Some(0.1), 42.0, 40.0, 1.0, 3.0)), Verdict::Reproduced);
+        assert_eq!(verdict(&more, &comparison(Some(0.1), 38.0, 40.0, -2.5, -1.5)), Verdict::Opposite);
+        assert_eq!(better(Direction::Less, &[1.0, 1.0], &[2.0, 1.0]), Some(0.75));
+        assert_eq!(better(Direction::More, &[1.0, 1.0], &[2.0, 1.0]), Some(0.25));
+    }
+}

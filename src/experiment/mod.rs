@@ -1,0 +1,19 @@
+//! Experiments: a committed question is run, measured and judged the same way everywhere.
+//!
+//! A [`Question`] asks what a publication claims: which entries (planner, preset, values), on which instances (maps), over which seeds.
+//! An [`Experiment`] is a question with its maps; each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was
+//! found. [`claims`] compares rows by [`statistics`] and gives a verdict by the rule of docs/methodology.md; [`report`] prints.
+//!
+//! No clock, no threads, no files: who calls decides where the tasks run, so that the browser can do it too.
+
+pub mod check;
+pub mod claims;
+pub mod question;
+pub mod report;
+pub mod run;
+pub mod statistics;
+
+pub use check::QuestionError;
+pub use claims::{Comparison, Verdict, judge};
+pub use question::{Claim, Contender, Direction, Instance, Measure, Published, Question, Role, Seeds, Statistic};
+pub use run::{Experiment, Found, Map, Row, Task, Yardstick};

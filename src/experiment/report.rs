@@ -1,0 +1,167 @@
+//! What an experiment says: a CSV with one row a run, and a page of tables. Every number in one fixed form.
+
+mod csv;
+mod verdicts;
+
+use std::fmt::Write;
+
+use super::claims::Comparison;
+use super::question::{Contender, Instance, Measure, Published, Role};
+use super::run::{Experiment, Map, Row};
+use super::statistics::Summary;
+use crate::exact::Reference;
+use crate::map::{CornerRule, Movement};
+use crate::planner::Objective;
+
+pub use csv::{HEADER, csv, line};
+pub use verdicts::verdicts;
+
+/// The page: what was asked, a table for each map, and what became of each claim. `command` repeats it.
+pub fn markdown(experiment: &Experiment, rows: &[Row], comparisons: &[Comparison], command: &str) -> String {
+    let mut out = head(experiment, rows.len(), command);
+    entries(&mut out, experiment);
+    for (index, instance) in experiment.question.instances.iter().enumerate() {
+        map_table(&mut out, experiment, rows, index, instance);
+    }
+    verdicts::claims_table(&mut out, experiment, comparisons);
+    out
+}
+
+fn head(experiment: &Experiment, runs: usize, command: &str) -> String {
+    let q = &experiment.question;
+    let paper = if q.paper.is_empty() { String::new() } else { format!("Paper: {}.\n\n", q.paper) };
+    let last = q.seeds.from.saturating_add(q.seeds.count.saturating_sub(1));
+    let seeds = format!("seeds {} to {last} of every entry on every map, {runs} runs", q.seeds.from);
+    format!(
+        "# {}\n\n{}\n\n{paper}Made by `{command}` with engine version {}: {seeds}. How to read it: docs/methodology.md.\n",
+        q.title,
+        q.asks,
+        env!("CARGO_PKG_VERSION"),
+    )
+}
+
+/// What each entry runs.
+fn entries(out: &mut String, experiment: &Experiment) {
+    out.push_str("\n| entry | | runs |\n|---|---|---|\n");
+    for e in &experiment.question.entries {
+        let role = match e.role {
+            Role::Baseline => "baseline",
+            Role::Improved => "improved",
+            Role::Other => "",
+        };
+        let _ = writeln!(out, "| {} | {role} | {} |", e.label, recipe(e));
+    }
+}
+
+/// An entry as arguments of `formicarium plan`.
+fn recipe(entry: &Contender) -> String {
+    let Some(planner) = &entry.planner else {
+        return format!("not run: {}", entry.missing.as_deref().unwrap_or("no planner"));
+    };
+    let preset = entry.preset.as_ref().map_or_else(String::new, |p| format!(" --preset {p}"));
+    let set: String = entry.set.iter().map(|(key, value)| format!(" --set {key}={value}")).collect();
+    format!("`--planner {planner}{preset}{set}`")
+}
+
+fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usize, instance: &Instance) {
+    let Some(map) = experiment.maps.get(index) else { return };
+    let (grid, spec) = (&map.scenario.grid, &map.scenario.spec);
+    let name = if spec.name.is_empty() { &instance.id } else { &spec.name };
+    let _ = writeln!(out, "\n## {name}\n");
+    let _ =
+        writeln!(out, "`{}`, {} × {}, {}. {}\n", instance.id, grid.width(), grid.height(), moves(spec.movement), instance.note);
+    out.push_str("| | published: length / turns / iterations | found a path | best | median | IQR | mean ± sd | iteration of best: median (IQR) ");
+    out.push_str(
+        "| constructed paths to best: median | turns: median (IQR) | optimal |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for (entry, contender) in experiment.question.entries.iter().enumerate() {
+        let of: Vec<&Row> = rows.iter().filter(|r| (r.task.instance, r.task.entry) == (index, entry)).collect();
+        let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), published);
+        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(&of));
+    }
+    references(out, map);
+}
+
+/// The best there is, by each objective that some entry has.
+fn references(out: &mut String, map: &Map) {
+    let mut said: Vec<Objective> = Vec::new();
+    for yardstick in map.yardsticks.iter().flatten() {
+        if said.contains(&yardstick.objective) {
+            continue;
+        }
+        said.push(yardstick.objective);
+        let name = objective_name(yardstick.objective);
+        let (name, value) = match yardstick.reference {
+            Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
+            Reference::Unproven { value } => (format!("best known, {name}"), length(value)),
+            Reference::NoPath => ("exact".into(), "no path exists".into()),
+            Reference::Unknown => (format!("exact optimum, {name}"), "not known".into()),
+        };
+        let _ = writeln!(out, "| {name} | | | {value} | | | | | | | |");
+    }
+}
+
+fn objective_name(objective: Objective) -> &'static str {
+    match objective {
+        Objective::Length => "length by steps",
+        Objective::PolylineLength => "length of a polyline",
+        Objective::TurnIndex => "turn index V",
+        Objective::TourLength => "length by all goals",
+        Objective::TourWeight => "weight R by all goals",
+    }
+}
+
+fn moves(movement: Movement) -> &'static str {
+    match (u8::from(movement.moves), movement.corner_rule) {
+        (4, _) => "4 moves",
+        (_, CornerRule::Always) => "8 moves, `always`",
+        (_, CornerRule::OneFree) => "8 moves, `one-free`",
+        (_, CornerRule::BothFree) => "8 moves, `both-free`",
+    }
+}
+
+fn published(row: &Published) -> String {
+    let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| v.to_string());
+    let also = |name: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {name} = {v}"));
+    let extra = also("V", row.turn_index) + &also("R", row.weight);
+    format!("{} / {} / {}{extra}", number(row.length), number(row.turns), number(row.iterations))
+}
+
+/// The cells of a table from our runs; of paths, over the runs that found one.
+fn ours(rows: &[&Row]) -> String {
+    const NONE: &str = "– | – | – | – | – | – | – | –";
+    if rows.is_empty() {
+        return format!("not run | {NONE}");
+    }
+    let found: Vec<&&Row> = rows.iter().filter(|r| r.found.is_some()).collect();
+    let share = format!("{} of {}", found.len(), rows.len());
+    let of = |measure| Summary::of(&found.iter().map(|r| r.value(measure)).collect::<Vec<_>>());
+    let all = (of(Measure::Length), of(Measure::IterationOfBest), of(Measure::PathsToBest), of(Measure::Turns));
+    let (Some(l), Some(iteration), Some(paths), Some(turns)) = all else { return format!("{share} | {NONE}") };
+    let spread = l.deviation.map_or_else(|| length(l.mean), |sd| format!("{} ± {}", length(l.mean), length(sd)));
+    let optimal = rows.iter().filter(|r| r.value(Measure::Optimal) > 0.0).count();
+    format!(
+        "{share} | {} | {} | {}–{} | {spread} | {} | {} | {} | {optimal}",
+        length(l.least),
+        length(l.median),
+        length(l.lower),
+        length(l.upper),
+        middle(&iteration),
+        short(paths.median),
+        middle(&turns),
+    )
+}
+
+fn middle(s: &Summary) -> String {
+    format!("{} ({}–{})", short(s.median), short(s.lower), short(s.upper))
+}
+
+fn length(v: f64) -> String {
+    format!("{v:.3}")
+}
+
+/// Up to two decimals.
+fn short(v: f64) -> String {
+    let text = format!("{v:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').into()
+}

@@ -1,0 +1,141 @@
+//! From priorities to a path: Zhou, Mu, Zhang 2019, Eq. 1.
+//!
+//! From the start on, the next cell is the one with the largest P(j) = a_j·L(j, e) / Σ_k a_k·L(k, e) among the allowed neighbours, L being
+//! 1 / (distance to the goal). The sum is common to all candidates, so the largest a_j·L(j, e) decides; the first in order of directions
+//! of equal ones. Allowed is what this path has not visited. Where nothing is left the path steps back, cell by cell, until something is,
+//! and what it left stays visited: so it reaches every goal that can be reached. At the goal L would be 1 / 0: a goal that is allowed is
+//! taken.
+
+use crate::aco::heuristic;
+use crate::map::{Cell, Point};
+use crate::metrics::path_length;
+use crate::params;
+use crate::scenario::Scenario;
+
+params! {
+    /// What all planners over cell priorities share.
+    pub struct DecodeRows {
+        /// largest priority of a cell; the smallest is 0. Only its ratio to the radius of explosions matters
+        range: f64 = 1.0, "x_max", [1e-3..=1e3], "", "our choice: eq. 6 names limits, no value is given";
+        /// a decoding gives up after this many times width + height moves; 0 = never
+        decode_limit: f64 = 0.0, "", [0.0..=1000.0], "× (width + height)", "our addition; the paper has no cap";
+    }
+}
+
+/// L(j, e): 1 / Euclidean distance in cells; of a cell that is not the goal itself.
+pub fn nearness(j: Point, goal: Point) -> f64 {
+    heuristic::goal_distance(j, goal, 1.0)
+}
+
+/// The dimensions of a position: the free cells, in index order.
+pub fn free_cells(scenario: &Scenario) -> impl Iterator<Item = Cell> + use<'_> {
+    (0..scenario.grid.len() as Cell).filter(|&c| !scenario.grid.is_blocked(c))
+}
+
+/// Decodes positions on one map, again and again, without allocating.
+#[derive(Debug, Clone)]
+pub struct Decoder {
+    /// The cell of each dimension.
+    free: Vec<Cell>,
+    /// L(j, e) of each dimension.
+    nearness: Vec<f32>,
+    /// a_j·L(j, e) by cell.
+    scores: Vec<f32>,
+    /// The decoding that visited a cell last.
+    visited: Vec<u32>,
+    /// Number of the decoding at work.
+    decoding: u32,
+    path: Vec<Cell>,
+    moves: u32,
+    max_moves: u32,
+}
+
+impl Decoder {
+    /// For a map; `limit` as in [`DecodeRows::decode_limit`].
+    pub fn new(scenario: &Scenario, limit: f64) -> Self {
+        let free: Vec<Cell> = free_cells(scenario).collect();
+        let (cells, goal) = (scenario.grid.len(), scenario.grid.point(scenario.goal));
+        let nearness = free.iter().map(|&c| nearness(scenario.grid.point(c), goal) as f32).collect();
+        let cap = limit * f64::from(scenario.grid.width() + scenario.grid.height());
+        Self {
+            free,
+            nearness,
+            scores: vec![0.0; cells],
+            visited: vec![0; cells],
+            decoding: 0,
+            path: Vec::new(),
+            moves: 0,
+            max_moves: if limit == 0.0 { u32::MAX } else { cap as u32 },
+        }
+    }
+
+    /// Number of free cells: the length of a position.
+    pub fn dimensions(&self) -> usize {
+        self.free.len()
+    }
+
+    /// Cells of the last decoded path, without what it took back.
+    pub fn path(&self) -> &[Cell] {
+        &self.path
+    }
+
+    /// Moves of the last decoding, steps back included.
+    pub fn moves(&self) -> u32 {
+        self.moves
+    }
+
+    /// Decodes a position (one number of at least 0 for each dimension). Length in cells; `None` if no path was found within the cap.
+    pub fn decode(&mut self, scenario: &Scenario, position: &[f32]) -> Option<f64> {
+        for ((&cell, &near), &a) in self.free.iter().zip(&self.nearness).zip(position) {
+            self.scores[cell as usize] = a * near;
+        }
+        self.begin(scenario.start);
+        while let Some(&here) = self.path.last() {
+            if here == scenario.goal {
+                return Some(path_length(scenario.grid.width(), &self.path));
+            }
+            if self.moves >= self.max_moves {
+                return None;
+            }
+            self.moves += 1;
+            match self.largest(scenario, here) {
+                Some(next) => self.visit(next),
+                None => drop(self.path.pop()),
+            }
+        }
+        None
+    }
+
+    fn begin(&mut self, start: Cell) {
+        if self.decoding == u32::MAX {
+            self.visited.fill(0);
+            self.decoding = 0;
+        }
+        self.decoding += 1;
+        self.moves = 0;
+        self.path.clear();
+        self.visit(start);
+    }
+
+    #[inline]
+    fn visit(&mut self, cell: Cell) {
+        self.visited[cell as usize] = self.decoding;
+        self.path.push(cell);
+    }
+
+    /// Eq. 1: the allowed neighbour with the largest a_j·L(j, e).
+    #[inline]
+    fn largest(&self, scenario: &Scenario, here: Cell) -> Option<Cell> {
+        let (mut best, mut largest) = (None, f32::NEG_INFINITY);
+        for d in scenario.moves.directions(here) {
+            let j = scenario.moves.step(here, d);
+            if j == scenario.goal {
+                return Some(j);
+            }
+            if self.visited[j as usize] != self.decoding && self.scores[j as usize] > largest {
+                (best, largest) = (Some(j), self.scores[j as usize]);
+            }
+        }
+        best
+    }
+}

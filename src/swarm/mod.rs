@@ -1,0 +1,21 @@
+//! Swarms over cell priorities: a position is one real number for each free cell, and decodes into a path (Zhou, Mu, Zhang 2019, Eq. 1).
+//!
+//! [`search::Swarm`] is the one skeleton: decode what a [`search::Method`] proposes, until its iteration is complete. The parts:
+//!
+//! | component | file |
+//! |---|---|
+//! | from priorities to a path | `decode.rs` |
+//! | positions and what they decode to | `population.rs` |
+//! | the skeleton and its planner | `search.rs` |
+//! | fireworks, `fwa` and `ifwa` | `fireworks.rs` |
+//! | their formulas (Eq. 2–9) | `explosion.rs` |
+//! | particles, the seeder of `pso-aco` | `particle_swarm.rs` |
+//!
+//! A move is one decoded path. `constructed_paths` counts decoded paths; `ant_moves` counts what a decoding walks, steps and steps back.
+
+pub mod decode;
+pub mod explosion;
+pub mod fireworks;
+pub mod particle_swarm;
+pub mod population;
+pub mod search;

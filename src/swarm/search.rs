@@ -1,0 +1,247 @@
+//! The one skeleton of every swarm: decode what the method proposes until its iteration is complete.
+
+use std::sync::Arc;
+
+use crate::error::ParamError;
+use crate::map::Cell;
+use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
+use crate::rng::Streams;
+use crate::scenario::Scenario;
+
+use super::decode::{Decoder, free_cells};
+use super::population::Population;
+
+/// Numbers that every swarm has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Positions kept from iteration to iteration.
+    pub size: u32,
+    /// Most positions in memory at a time.
+    pub most: u32,
+    /// Budget of iterations.
+    pub iterations: u32,
+    /// Iterations without improvement after which the swarm stops; 0 = never.
+    pub stagnation: u32,
+    /// Cap on the moves of a decoding, in multiples of width + height; 0 = none.
+    pub decode_limit: f64,
+}
+
+/// What moves the positions.
+pub trait Method: Send {
+    /// The common numbers.
+    fn settings(&self) -> Settings;
+
+    /// Adds the next positions to decode in iteration `number` (from 1), or changes those that are there; everything in the population is
+    /// decoded when it is called. False when the iteration is complete.
+    fn propose(&mut self, population: &mut Population, number: u32, streams: Streams) -> bool;
+}
+
+/// What a swarm needs while it works; allocated at its first step.
+struct Tables {
+    decoder: Decoder,
+    population: Population,
+    /// How many paths of the iteration have a cell on their way.
+    visits: Vec<u32>,
+}
+
+/// What the iteration at work has decoded.
+#[derive(Debug, Clone, Copy, Default)]
+struct Tally {
+    arrived: u32,
+    sum: f64,
+    best: Option<f64>,
+    worst: Option<f64>,
+}
+
+impl Tally {
+    fn add(&mut self, length: f64) {
+        self.arrived += 1;
+        self.sum += length;
+        self.best = Some(self.best.map_or(length, |b| b.min(length)));
+        self.worst = Some(self.worst.map_or(length, |w| w.max(length)));
+    }
+}
+
+/// A swarm at work on one scenario.
+pub struct Swarm<M> {
+    scenario: Arc<Scenario>,
+    method: M,
+    settings: Settings,
+    streams: Streams,
+    tables: Option<Tables>,
+    /// An iteration has begun and not ended.
+    decoding: bool,
+    tally: Tally,
+    /// The shortest path so far, also of an iteration that has not ended, with its length and its position.
+    leader: Option<(Vec<Cell>, f64)>,
+    leader_position: Vec<f32>,
+    progress: Progress,
+}
+
+impl<M: Method> Swarm<M> {
+    /// A swarm whose streams are those of the planner with this id.
+    pub fn new(scenario: Arc<Scenario>, method: M, planner: &str, seed: u32) -> Self {
+        Self {
+            scenario,
+            settings: method.settings(),
+            method,
+            streams: Streams::new(u64::from(seed), planner, 0),
+            tables: None,
+            decoding: false,
+            tally: Tally::default(),
+            leader: None,
+            leader_position: Vec::new(),
+            progress: Progress::default(),
+        }
+    }
+
+    /// Answers what needs no decoding: start = goal, and a goal that nobody can reach.
+    fn settle(&mut self) {
+        let s = &self.scenario;
+        if s.start == s.goal {
+            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0, refined: None });
+            self.progress.status = Status::Optimal;
+        } else if !s.moves.connected(s.start, s.goal) {
+            self.progress.status = Status::NoPath;
+        }
+    }
+
+    fn prepare(&mut self) {
+        let decoder = Decoder::new(&self.scenario, self.settings.decode_limit);
+        let population = Population::new(decoder.dimensions());
+        self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
+    }
+
+    /// Decodes one position; true when that completes the iteration.
+    fn decode_one(&mut self) -> bool {
+        let Some(Tables { decoder, population, visits }) = &mut self.tables else { return true };
+        let number = self.progress.effort.iterations + 1;
+        if !self.decoding {
+            (self.decoding, self.tally) = (true, Tally::default());
+            visits.fill(0);
+            self.method.propose(population, number, self.streams);
+        }
+        if let Some(i) = population.next() {
+            let length = decoder.decode(&self.scenario, population.position(i));
+            self.progress.effort.constructed_paths += 1;
+            self.progress.effort.ant_moves += u64::from(decoder.moves());
+            decoder.path().iter().for_each(|&c| visits[c as usize] += 1);
+            population.note(length.unwrap_or_else(|| never(&self.scenario)));
+            if let Some(length) = length {
+                self.tally.add(length);
+                if self.leader.as_ref().is_none_or(|(_, best)| length < *best) {
+                    self.leader = Some((decoder.path().to_vec(), length));
+                    self.leader_position.clear();
+                    self.leader_position.extend_from_slice(population.position(i));
+                }
+            }
+        }
+        population.next().is_none() && !self.method.propose(population, number, self.streams)
+    }
+
+    fn end_iteration(&mut self) {
+        self.decoding = false;
+        self.progress.effort.iterations += 1;
+        let (number, tally) = (self.progress.effort.iterations, self.tally);
+        if let Some((path, length)) = &self.leader
+            && self.progress.best.as_ref().is_none_or(|b| *length < b.length)
+        {
+            self.progress.best = Some(Solution { path: path.clone(), length: *length, iteration: number, refined: None });
+        }
+        self.progress.record(Record {
+            iteration: number,
+            best_so_far: self.progress.best.as_ref().map(|b| b.length),
+            iteration_best: tally.best,
+            iteration_mean: (tally.arrived > 0).then(|| tally.sum / f64::from(tally.arrived)),
+            iteration_worst: tally.worst,
+            arrived: tally.arrived,
+        });
+        self.progress.status = self.stop();
+        if let (true, Some(tables)) = (self.progress.status.is_finished(), &mut self.tables) {
+            tables.population = Population::default();
+        }
+    }
+
+    fn stop(&self) -> Status {
+        let (done, settings) = (self.progress.effort.iterations, &self.settings);
+        match &self.progress.best {
+            Some(b) if settings.stagnation > 0 && done - b.iteration >= settings.stagnation => Status::Stagnated,
+            _ if done >= settings.iterations => Status::BudgetSpent,
+            _ => Status::Running,
+        }
+    }
+}
+
+/// What a position costs whose decoding was cut off: no path of this map is that long.
+fn never(scenario: &Scenario) -> f64 {
+    scenario.grid.len() as f64 * std::f64::consts::SQRT_2
+}
+
+impl<M: Method> Planner for Swarm<M> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.progress.status.is_finished() {
+            return self.progress.status;
+        }
+        if self.tables.is_none() {
+            self.settle();
+            if self.progress.status.is_finished() {
+                return self.progress.status;
+            }
+            self.prepare();
+        }
+        let done = match by {
+            Granularity::Move => self.decode_one(),
+            Granularity::Iteration => {
+                while !self.decode_one() {}
+                true
+            }
+        };
+        if done {
+            self.end_iteration();
+        }
+        self.progress.status
+    }
+
+    fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    fn budget(&self) -> Option<u32> {
+        Some(self.settings.iterations)
+    }
+
+    fn colony_size(&self) -> u32 {
+        self.settings.size
+    }
+
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        out.clear();
+        out.resize(self.scenario.grid.len(), 0.0);
+        match kind {
+            Layer::Visits => {
+                let visits = self.tables.iter().flat_map(|t| &t.visits);
+                out.iter_mut().zip(visits).for_each(|(v, &n)| *v = n as f32);
+            }
+            Layer::Priority => {
+                let cells = free_cells(&self.scenario).zip(&self.leader_position);
+                cells.for_each(|(c, &a)| out[c as usize] = a);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+    }
+}
+
+/// Refuses what would run out of memory at the first step: `count` of the parameter `field` need `positions` positions at a time, of four
+/// bytes a cell, beside the decoder's tables, what the page draws, and the tables of a colony that may follow.
+///
+/// # Errors
+/// [`ParamError::Memory`].
+pub fn check_memory(scenario: &Scenario, field: &'static str, count: u32, positions: u32) -> Result<(), ParamError> {
+    const PER_CELL: u64 = 200;
+    ParamError::check_memory(field, count, scenario.grid.len() as u64 * (PER_CELL + 4 * u64::from(positions)))
+}
