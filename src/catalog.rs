@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::aco::{
-    ant_colony_system, ant_system, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
+    ant_colony_system, ant_system, custom, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
     threshold,
 };
 use crate::error::ParamError;
@@ -41,6 +41,7 @@ const LIST: &[(bool, &Entry)] = &[
     (MORE, &swarm::fireworks::IFWA),
     (MORE, &fireworks::FWA_ACO),
     (MORE, &fireworks::PSO_ACO),
+    (MORE, &custom::ENTRY),
 ];
 
 /// Every planner of this build, in the list's order. The linker drops the others: nothing else mentions them.

@@ -28,10 +28,12 @@
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
 //! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System | – |
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
+//! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;
 pub mod choice;
 pub mod colony;
+pub mod custom;
 pub mod dead_end;
 pub mod deposit;
 pub mod heuristic;
