@@ -2,6 +2,7 @@ import { watchFile } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import preact from '@preact/preset-vite'
 import { defineConfig, type Plugin } from 'vite'
+import { paperCards } from './paper_cards.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
@@ -24,7 +25,7 @@ function reloadOnNewEngine(): Plugin {
 export default defineConfig({
   // Relative addresses: the built folder works on any host and any sub-path.
   base: './',
-  plugins: [preact(), reloadOnNewEngine()],
+  plugins: [preact(), reloadOnNewEngine(), paperCards()],
   resolve: { alias: { '@pkg': pkg } },
   server: { fs: { allow: [path('..')] } },
   build: { target: 'es2022', sourcemap: false },

@@ -16,6 +16,11 @@ pub(super) enum Theme {
 }
 
 impl Theme {
+    /// From `light` or `dark`.
+    pub(super) fn of(name: &str) -> Self {
+        if name == "dark" { Self::Dark } else { Self::Light }
+    }
+
     fn free(self) -> Rgb {
         match self {
             Self::Light => [251, 250, 247],
@@ -30,15 +35,49 @@ impl Theme {
         }
     }
 
-    /// Stops from "next to nothing" to "strongest". Lightness runs one way, so that the order survives colour blindness and grey print;
-    /// warm for what ants leave and see, cool for what a search explores.
+    /// Stops from "next to nothing" to "strongest". Lightness runs one way, so that the order survives colour blindness and grey print.
     fn stops(self, layer: Layer) -> [Rgb; 4] {
-        let explored = matches!(layer, Layer::Cost);
-        match (self, explored) {
-            (Self::Light, false) => [[254, 240, 196], [253, 190, 90], [233, 100, 44], [150, 26, 70]],
-            (Self::Dark, false) => [[52, 26, 84], [140, 41, 129], [236, 88, 96], [254, 226, 150]],
-            (Self::Light, true) => [[56, 124, 186], [116, 170, 216], [176, 208, 236], [222, 236, 248]],
-            (Self::Dark, true) => [[126, 196, 240], [58, 134, 192], [28, 84, 134], [20, 48, 78]],
+        match (self, Ramp::of(layer)) {
+            (Self::Light, Ramp::Trail) => [[254, 240, 196], [253, 190, 90], [233, 100, 44], [150, 26, 70]],
+            (Self::Dark, Ramp::Trail) => [[52, 26, 84], [140, 41, 129], [236, 88, 96], [254, 226, 150]],
+            (Self::Light, Ramp::Explored) => [[56, 124, 186], [116, 170, 216], [176, 208, 236], [222, 236, 248]],
+            (Self::Dark, Ramp::Explored) => [[126, 196, 240], [58, 134, 192], [28, 84, 134], [20, 48, 78]],
+            (Self::Light, Ramp::Ground) => [[238, 236, 246], [206, 204, 230], [164, 160, 208], [116, 108, 176]],
+            (Self::Dark, Ramp::Ground) => [[30, 30, 46], [48, 46, 80], [76, 72, 126], [124, 116, 186]],
+            (Self::Light, Ramp::Position) => [[236, 245, 226], [180, 218, 160], [86, 166, 112], [14, 94, 84]],
+            (Self::Dark, Ramp::Position) => [[18, 44, 42], [24, 92, 78], [86, 166, 104], [214, 238, 160]],
+        }
+    }
+}
+
+/// What kind of thing a layer shows.
+#[derive(Debug, Clone, Copy)]
+enum Ramp {
+    /// Warm: what ants leave and see.
+    Trail,
+    /// Cool: what a search explores.
+    Explored,
+    /// Near the colour of walls: a property of the map.
+    Ground,
+    /// Green: the numbers that a swarm moves.
+    Position,
+}
+
+impl Ramp {
+    fn of(layer: Layer) -> Self {
+        match layer {
+            Layer::Trail | Layer::Visits | Layer::Heuristic | Layer::InitialTrail | Layer::SeedPath => Self::Trail,
+            Layer::Cost => Self::Explored,
+            Layer::Density => Self::Ground,
+            Layer::Priority => Self::Position,
+        }
+    }
+
+    /// Trails span decades, and the root lifts the weak ones out of the ground; shares and positions spread evenly by themselves.
+    fn scaled(self, t: f32) -> f32 {
+        match self {
+            Self::Trail | Self::Explored => t.sqrt(),
+            Self::Ground | Self::Position => t,
         }
     }
 }
@@ -61,6 +100,26 @@ impl Canvas {
         theme: Theme,
     ) -> Result<(), JsValue> {
         let layer = layer.filter(|&kind| planner.layer(kind, &mut self.field));
+        self.put(context, grid, layer, theme)
+    }
+
+    /// Paints the map alone.
+    pub(super) fn paint_map(
+        &mut self,
+        context: &OffscreenCanvasRenderingContext2d,
+        grid: &Grid,
+        theme: Theme,
+    ) -> Result<(), JsValue> {
+        self.put(context, grid, None, theme)
+    }
+
+    fn put(
+        &mut self,
+        context: &OffscreenCanvasRenderingContext2d,
+        grid: &Grid,
+        layer: Option<Layer>,
+        theme: Theme,
+    ) -> Result<(), JsValue> {
         self.rgba.resize(grid.len() * 4, u8::MAX);
         self.fill(grid, theme, layer);
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&self.rgba), grid.width(), grid.height())?;
@@ -68,13 +127,14 @@ impl Canvas {
     }
 
     fn fill(&mut self, grid: &Grid, theme: Theme, layer: Option<Layer>) {
-        let table = layer.map(|kind| color_table(theme, kind));
+        let table = layer.map(|kind| (Ramp::of(kind), color_table(theme, kind)));
         let (low, per_unit) = range(&self.field, grid);
         for (c, pixel) in self.rgba.chunks_exact_mut(4).enumerate() {
             let color = if grid.is_blocked(c as u32) {
                 theme.blocked()
-            } else if let Some(table) = &table {
-                shade(table, theme, self.field[c], low, per_unit)
+            } else if let Some((ramp, table)) = &table {
+                let t = (self.field[c] - low) * per_unit;
+                shade(table, theme, *ramp, t)
             } else {
                 theme.free()
             };
@@ -95,13 +155,12 @@ fn range(field: &[f32], grid: &Grid) -> (f32, f32) {
     (low, if high > low { 1.0 / (high - low) } else { 0.0 })
 }
 
-/// Colour of a value. The square root lifts weak trails out of the ground; what is lowest shows the bare map.
-fn shade(table: &[Rgb; 256], theme: Theme, value: f32, low: f32, per_unit: f32) -> Rgb {
-    let t = (value - low) * per_unit;
-    if !value.is_finite() || t.is_nan() || t <= 0.002 {
+/// Colour of a value between the lowest, 0, and the highest, 1. What is lowest shows the bare map, and so does what has no value.
+fn shade(table: &[Rgb; 256], theme: Theme, ramp: Ramp, t: f32) -> Rgb {
+    if !t.is_finite() || t <= 0.002 {
         return theme.free();
     }
-    table[(t.sqrt() * 255.0) as usize & 255]
+    table[(ramp.scaled(t) * 255.0) as usize & 255]
 }
 
 fn color_table(theme: Theme, layer: Layer) -> [Rgb; 256] {

@@ -10,6 +10,7 @@ use web_sys::OffscreenCanvasRenderingContext2d;
 
 use super::paint::{Canvas, Theme};
 use super::{Answer, argument, object, scenario, throw};
+use crate::map::Grid;
 use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
@@ -159,9 +160,21 @@ impl Run {
         #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
     ) -> Answer<()> {
         let layer: Option<Layer> = serde_wasm_bindgen::from_value(layer).ok();
-        let theme = if theme == "dark" { Theme::Dark } else { Theme::Light };
-        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, theme)
+        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, Theme::of(theme))
     }
+}
+
+/// Paints a map without a run on it, for a panel whose planner refuses: one pixel a cell.
+#[wasm_bindgen]
+pub fn paint_map(
+    context: &OffscreenCanvasRenderingContext2d,
+    width: u32,
+    height: u32,
+    cells: &[u8],
+    #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
+) -> Answer<()> {
+    let grid = Grid::from_bytes(width, height, cells).map_err(throw)?;
+    Canvas::default().paint_map(context, &grid, Theme::of(theme))
 }
 
 impl Run {

@@ -6,6 +6,9 @@ test.describe('panels', () => {
 
   test('up to six, each with a worker that goes when the panel goes', async ({ page }) => {
     const lab = new Lab(page)
+    // The whole engine's tools have a worker as well, which comes when the page is idle.
+    const later = page.getByTestId('planner-1').locator('option[value="max-min-ant-system"]')
+    await expect(later).toBeAttached()
     const workers = page.workers().length
     for (let count = 3; count <= 6; count++) {
       await lab.menu('add-panel', count % 2 ? 'add-ant-system' : 'add-astar')

@@ -36,6 +36,8 @@ export interface View {
   theme: 'light' | 'dark'
   /** Hex colour of this panel's planner, for its path. */
   colour: string
+  /** Names of the goals: they may change while a run goes on. */
+  goalNames: string[]
   /** Cell under the pointer or the keyboard cursor, [x, y]. */
   cursor: [number, number] | null
   /** Draw the cursor as a focus ring (keyboard) rather than a hover tint. */
@@ -81,7 +83,7 @@ export interface Frame {
 export type PanelReply =
   | { kind: 'ready' }
   | Frame
-  /** The request was refused; the panel keeps showing what it showed before. */
+  /** The request was refused; the panel shows the map alone. */
   | { kind: 'refused'; runId: number; error: EngineError }
   /** The worker itself failed. */
   | { kind: 'crashed'; message: string }

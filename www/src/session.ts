@@ -53,6 +53,8 @@ export interface Session {
 }
 
 export const MAX_PANELS = 6
+/** As many goals as the engine takes. */
+export const MAX_GOALS = 64
 
 /** How much every panel does per frame of animation. */
 export interface Speed {

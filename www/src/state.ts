@@ -11,17 +11,27 @@ export {
   type Toast,
   toasts,
 } from './state/notices'
+export { objectives, referenceOf } from './state/optimum'
 export {
   addPanel,
   paramValue,
-  plannerEntry,
   removePanel,
   setParam,
   setPlanner,
   setPreset,
   setSeed,
 } from './state/panels'
-export { pause, play, reset, runToEnd, stepIteration, stepMove, toggle } from './state/runs'
+export { fetchRest, fetchUnasked } from './state/rest'
+export {
+  pause,
+  play,
+  reset,
+  restart,
+  runToEnd,
+  stepIteration,
+  stepMove,
+  toggle,
+} from './state/runs'
 export * from './state/scenarios'
 export { currentSession, loadSession, openFragment, startOver } from './state/sessions'
 export { chooseSpeed } from './state/speed'

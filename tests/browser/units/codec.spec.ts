@@ -17,6 +17,10 @@ const encode = (session: Session) => seal(packBits(session, '0.1.0'))
 const covered = (session: Session) => packBits(session, '0.1.0').subarray(4)
 const decode = async (text: string) => unpack(await open(text), generate)
 
+/** `sessionOf(8, 4)` as version 0.1.0 wrote it, when goals had a place and a name only. Must stay readable for ever. */
+const OLD_LINK =
+  'AVWRv47TQBDGRXEFV_MA0Vdvgu04cbIVJT1lFEUbe2KvZO9as-tAFFm6kgbxAvAMtBR0vMkV9wxXojGcFLpZze7357f3z19fv_pyd8XJc2ci9DTY0rAdurf0qSe2Hbn4LoUCudo6gkaySBcJFEJJzrD10Fc408nqveGjH3j2-PDtw-9f1ePD99nTzx9Q-Gir2EBvFBqydROhcwWm4NshWu-gk8VKofNnEj9RlDlML0rPjvjAQysW3tH8xEQYFUI0HKF3iUr2CrU3bYDeXSFVdoVa7tVLsCNxbDDuFc7U2FKUrgg9UQWdinWg0rsqHHriQxx4SpStxlGhN47-6fatcY4YGsbFebiESB0UeqZAEz3LJGfDpgviYFwM0KtEgRsvkkuFikx1IFdBgykymShwWxttiNCRBxonNEM7cbCR2AijAJ1nU-c4BHk8OGddDYWWXC10l5vFtkhW66zIN3lRpMu1QmVrEl0kabbMV-tiszXHsqITxlH910hg3pRxQ9veVLnJJBshGSZ6ebbNt-si2wrEiyuhbyOrF8h__3OeriWvuUyWZxtslDud6eWP5DC--Ty7-wM'
+
 // biome-ignore lint/suspicious/noExplicitAny: a document that is to be spoilt has no type
 type Document = any
 
@@ -55,6 +59,26 @@ test.describe('share codec', () => {
       expect(await decode(text)).toEqual(session)
     })
   }
+
+  test('several goals keep their names and weights, as far as there are', async () => {
+    const session = sessionOf(30, 30)
+    const [first] = session.scenario.spec.goals
+    session.scenario.spec.goals = Array.from({ length: 64 }, (_, i) => ({
+      at: [i % 30, 2 + Math.floor(i / 30)] as [number, number],
+      name: i === 0 ? (first?.name ?? '') : `Feuer ${i} 火`,
+      area: 0.25 + i,
+      strength: 1.3,
+      danger: 1 / 3,
+    }))
+    expect(await decode(await encode(session))).toEqual(session)
+  })
+
+  test('a link of before there were several goals is read: its goal has the weights 1', async () => {
+    const opened = await decode(OLD_LINK)
+    const expected = sessionOf(8, 4)
+    expected.scenario.spec.goals = [{ at: [7, 3], name: 'berth', area: 1, strength: 1, danger: 1 }]
+    expect(opened).toEqual(expected)
+  })
 
   test('bits run row by row, most significant first', () => {
     expect([...bitsOf(Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 1, 1))]).toEqual([0b10000001, 0b10000000])
@@ -145,6 +169,10 @@ test.describe('links that cannot be opened', () => {
       tampered((document) => (document.panels = Array(7).fill(document.panels[1]))),
     )
     expect(crowd.kind).toBe('link-too-large')
+    const goals = await refusal(
+      tampered(({ scenario }) => (scenario.goals = Array(65).fill(scenario.goals[0]))),
+    )
+    expect([goals.kind, goals.field]).toEqual(['link-too-large', 'scenario.goals'])
   })
 
   test('a payload that unfolds beyond all maps is cut off', async () => {
@@ -162,6 +190,11 @@ test.describe('links that cannot be opened', () => {
       ['scenario.start', (d) => (d.scenario.start = 'here')],
       ['scenario.start[0]', (d) => (d.scenario.start = [8, 0])],
       ['scenario.goals', (d) => (d.scenario.goals = [])],
+      ['scenario.goals[0].at[1]', (d) => (d.scenario.goals[0].at = [0, 4])],
+      ['scenario.goals[0].name', (d) => (d.scenario.goals[0].name = 7)],
+      ['scenario.goals[0].area', (d) => (d.scenario.goals[0].area = 0)],
+      ['scenario.goals[0].strength', (d) => (d.scenario.goals[0].strength = -1)],
+      ['scenario.goals[0].danger', (d) => (d.scenario.goals[0].danger = 'much')],
       ['scenario.movement.moves', (d) => (d.scenario.movement.moves = 5)],
       ['panels[0].params.rho', (d) => (d.panels[0].params.rho = { bad: 1 })],
       ['panels[0].result.digest', (d) => (d.panels[0].result.digest = 'xyz')],

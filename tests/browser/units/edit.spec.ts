@@ -46,12 +46,12 @@ test.describe('map edits', () => {
     expect(applyEditTo(scenario, { kind: 'clear' })).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'resize', width: 10, height: 6 })).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'start', at: [9, 5] })).toBe(scenario)
-    expect(applyEditTo(scenario, { kind: 'goal', at: [10, 5] })).toBe(scenario)
+    expect(applyEditTo(scenario, { kind: 'goal', index: 0, at: [10, 5] })).toBe(scenario)
   })
 
   test('start and goal free the cell they are put on', () => {
     const walled = applyEditTo(blank(), { kind: 'paint', from: [0, 3], to: [9, 3], blocked: true })
-    const moved = applyEditTo(walled, { kind: 'goal', at: [4, 3] })
+    const moved = applyEditTo(walled, { kind: 'goal', index: 0, at: [4, 3] })
     expect(moved.spec.goals).toEqual([
       { at: [4, 3], name: 'berth', area: 2, strength: 0.5, danger: 1 },
     ])

@@ -2,8 +2,9 @@ import { effect, signal, useComputed } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
+import { referenceValue } from '../panels/gap'
 import { panelTitle } from '../panels/planner_text'
-import { liveTick, notifyError, optimum, panels, slotColour, theme } from '../state'
+import { liveTick, notifyError, objectives, panels, references, slotColour, theme } from '../state'
 import { curvesOf } from './curves'
 import type { PlotStyle } from './plot'
 
@@ -43,7 +44,6 @@ function Toggle(props: { label: string; kind: string; of: typeof showMean }) {
 }
 
 function Legend() {
-  const best = optimum.value
   return (
     <ul class="legend">
       {panels.value.map(({ id, slot }) => (
@@ -52,14 +52,24 @@ function Legend() {
           {panelTitle(id)}
         </li>
       ))}
-      {best !== null && Number.isFinite(best) && (
-        <li data-testid="chart-optimum">
+      {levels().map(({ objective, length }) => (
+        <li key={objective} data-testid="chart-optimum">
           <span class="line-sample optimum" aria-hidden="true" />
-          {t('chart.optimum', { length: numbers.value.length.format(best) })}
+          {t(`chart.levels.${objective}`, { length: numbers.value.length.format(length) })}
         </li>
-      )}
+      ))}
     </ul>
   )
+}
+
+const LENGTHS = ['length', 'polyline-length', 'tour-length'] as const
+
+/** What the curves can be compared with: they show lengths, whatever else the panels are measured by. */
+function levels() {
+  return LENGTHS.filter((id) => objectives.value.includes(id)).flatMap((objective) => {
+    const length = referenceValue(references.value[objective] ?? null)
+    return length === null ? [] : [{ objective, length }]
+  })
 }
 
 function Plot() {
@@ -142,7 +152,7 @@ function plotStyle(): PlotStyle {
     colours: panels.value.map(({ slot }) => slotColour(slot)),
     showIterationBest: showIterationBest.value,
     showMean: showMean.value,
-    optimum: optimum.value,
+    levels: levels().map(({ length }) => length),
     axisLabels: { x: t('chart.iteration'), y: t('chart.length') },
   }
 }

@@ -1,5 +1,6 @@
 /** The histories of all panels on one axis of iterations, thinned to what a screen can show. */
-import { historyOf, type Panel, plannerEntry } from '../state'
+import { isSearch } from '../panels/planner_text'
+import { historyOf, type Panel } from '../state'
 import type { HistoryRows } from '../state/history_rows'
 
 /** Columns of a history row (see messages.ts). */
@@ -25,7 +26,7 @@ export interface Curves {
 }
 
 export function curvesOf(panels: Panel[]): Curves {
-  const known = Math.max(0, ...panels.map(({ id }) => lastIteration(historyOf(id))))
+  const known = Math.max(0, ...panels.map(lastIteration))
   const last = known === 0 ? 0 : Math.max(known, FEWEST_ITERATIONS)
   const stride = Math.max(1, Math.ceil(last / MOST_POINTS))
   const points = Math.ceil(last / stride)
@@ -35,12 +36,15 @@ export function curvesOf(panels: Panel[]): Curves {
 
 function curves(panel: Panel, points: number, stride: number): PanelCurves {
   const rows = historyOf(panel.id)
+  // A search has no iterations: its length is drawn as one level across.
+  if (isSearch(panel.setup.planner)) {
+    const none: Curve = Array.from({ length: points }, () => null)
+    const length = rows.count > 0 ? rows.at(rows.count - 1, BEST_SO_FAR) : Number.NaN
+    const best = none.map(() => (Number.isFinite(length) ? length : null))
+    return { best, iterationBest: none, mean: none }
+  }
   const best = column(rows, BEST_SO_FAR, points, stride)
   if (hasEnded(panel)) prolong(best)
-  if (isExact(panel)) {
-    const none: Curve = best.map(() => null)
-    return { best: best.fill(best.at(-1) ?? null), iterationBest: none, mean: none }
-  }
   return {
     best,
     iterationBest: column(rows, ITERATION_BEST, points, stride),
@@ -68,16 +72,14 @@ function prolong(curve: Curve): void {
   }
 }
 
-/** An exact planner has no iterations: its length is drawn as one level across. */
-function isExact({ setup }: Panel): boolean {
-  return plannerEntry(setup.planner)?.family === 'exact'
-}
-
 function hasEnded(panel: Panel): boolean {
   const status = panel.live.peek().summary?.status
   return status !== undefined && status !== 'running'
 }
 
-function lastIteration(rows: HistoryRows): number {
-  return rows.count === 0 ? 0 : rows.at(rows.count - 1, ITERATION)
+/** What a search counts says nothing about the axis, but that there is something to show. */
+function lastIteration({ id, setup }: Panel): number {
+  const rows = historyOf(id)
+  if (rows.count === 0) return 0
+  return isSearch(setup.planner) ? 1 : rows.at(rows.count - 1, ITERATION)
 }

@@ -9,7 +9,8 @@ export interface PlotStyle {
   colours: string[]
   showIterationBest: boolean
   showMean: boolean
-  optimum: number | null
+  /** Lengths to compare with. */
+  levels: number[]
   axisLabels: { x: string; y: string }
 }
 
@@ -18,16 +19,13 @@ export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
 }
 
 export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
-  const { optimum } = style
-  const line = curves.iterations.map(() =>
-    optimum !== null && Number.isFinite(optimum) ? optimum : null,
-  )
+  const levels = style.levels.map((level) => curves.iterations.map(() => level))
   const panels = curves.panels.flatMap(({ best, iterationBest, mean }) => [
     mean,
     iterationBest,
     best,
   ])
-  return [curves.iterations, line, ...panels]
+  return [curves.iterations, ...levels, ...panels]
 }
 
 function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
@@ -54,11 +52,15 @@ function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
       { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
       { ...axis, label: style.axisLabels.y, size: 40 },
     ],
-    series: [{}, optimumSeries(colour('--text')), ...style.colours.flatMap(panelSeries(style))],
+    series: [
+      {},
+      ...style.levels.map(() => levelSeries(colour('--text'))),
+      ...style.colours.flatMap(panelSeries(style)),
+    ],
   }
 }
 
-function optimumSeries(stroke: string): uPlot.Series {
+function levelSeries(stroke: string): uPlot.Series {
   return { stroke, width: 1.5, dash: [2, 4], points: { show: false } }
 }
 
@@ -86,7 +88,7 @@ const isLone: uPlot.Series.Points.Show = (plot, series) => {
 
 const xRange: uPlot.Range.Function = (_, min, max) => [min ?? 1, max ?? 10]
 
-/** Room above and below, so that the optimum's line never lies on the frame. */
+/** Room above and below, so that the lines to compare with never lie on the frame. */
 const yRange: uPlot.Range.Function = (_, min, max) => {
   if (min == null || max == null) return [0, 1]
   const room = Math.max((max - min) * 0.08, max * 0.01, 0.5)

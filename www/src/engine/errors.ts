@@ -26,3 +26,14 @@ export function crash(message: string): EngineError {
     args: { reason: message },
   }
 }
+
+/** A part of the engine did not arrive. */
+export function unreachable(reason: string): EngineError {
+  return {
+    kind: 'engine-unreachable',
+    field: '',
+    message: `A part of the engine could not be fetched: ${reason}`,
+    hint: 'Check the connection and try again. Nothing on the page is lost.',
+    args: { reason },
+  }
+}

@@ -1,16 +1,14 @@
-/**
- * Fetches and compiles the engine once; workers receive the compiled module and only instantiate it.
- *
- * There are two builds: the core, which a visitor waits for, and the whole engine with file formats and generators, which is
- * fetched when somebody first opens, saves or makes a map.
- */
+/** Fetches and compiles each build of the engine once (see builds.ts); workers receive the compiled module and only instantiate it. */
 import coreUrl from '@pkg/core/formicarium_bg.wasm?url'
 import wholeUrl from '@pkg/formicarium_bg.wasm?url'
+import type { Build } from './builds'
+import { unreachable } from './errors'
 
-/** The core's compiled module. */
-export const coreModule = compiledOnce(coreUrl)
-/** The whole engine's compiled module. */
-export const wholeModule = compiledOnce(wholeUrl)
+/** The compiled module of a build. */
+export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {
+  core: compiledOnce(coreUrl),
+  whole: compiledOnce(wholeUrl),
+}
 
 /** A failed load is forgotten, so that the next call tries again. */
 function compiledOnce(url: string): () => Promise<WebAssembly.Module> {
@@ -25,13 +23,17 @@ function compiledOnce(url: string): () => Promise<WebAssembly.Module> {
 }
 
 async function compile(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(url)
-  if (!response.ok) throw new Error(`The engine could not be fetched (HTTP ${response.status}).`)
+  const response = await fetch(url).catch(refuse)
+  if (!response.ok) throw unreachable(`HTTP ${response.status}`)
   // Static hosts that do not know application/wasm make the streaming compiler refuse; the bytes are fine all the same.
   const spare = response.clone()
   try {
     return await WebAssembly.compileStreaming(response)
   } catch {
-    return WebAssembly.compile(await spare.arrayBuffer())
+    return WebAssembly.compile(await spare.arrayBuffer().catch(refuse))
   }
+}
+
+function refuse(error: unknown): never {
+  throw unreachable(error instanceof Error ? error.message : String(error))
 }

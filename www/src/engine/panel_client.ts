@@ -3,8 +3,10 @@
  * shows the panel mounts this element, however often the page is rendered anew.
  */
 import type { Frame, PanelReply, PanelRequest, RunSetup, Target, View } from '../messages'
-import { coreModule } from './load'
-import PanelWorker from './panel.worker?worker'
+import { type Build, buildFor } from './builds'
+import { toEngineError } from './errors'
+import { modules } from './load'
+import { newWorker } from './workers'
 
 interface Load {
   runId: number
@@ -24,6 +26,7 @@ const UNSEEN: View = {
   showPath: false,
   theme: 'light',
   colour: '#000000',
+  goalNames: [],
   cursor: null,
   cursorFocus: false,
 }
@@ -36,7 +39,11 @@ export class PanelClient {
   /** The newest answer of the current run. */
   frame: Frame | null = null
   private worker: Worker | null = null
+  /** Of the worker. */
+  private build: Build = 'core'
   private canvas: HTMLCanvasElement | null = null
+  /** What a worker that was replaced has left on screen, until the next one has drawn. */
+  private faded: HTMLCanvasElement | null = null
   private host: HTMLElement | null = null
   private view: View = UNSEEN
   private started = false
@@ -64,6 +71,7 @@ export class PanelClient {
     this.frame = null
     this.state = 'loading'
     this.loadWaiting = this.current
+    this.use(buildFor(setup.planner))
     if (this.started) this.postLoad()
     else if (this.worker === null) void this.start()
   }
@@ -85,19 +93,35 @@ export class PanelClient {
     this.started = false
     this.canvas?.remove()
     this.canvas = null
+    this.faded?.remove()
+  }
+
+  /** A worker is bound to one build, so another build is another worker; what is on screen stays until that one has drawn. */
+  private use(build: Build): void {
+    // The whole engine has all that the core has: where it runs already, it stays.
+    if (this.build === build || (this.started && this.build === 'whole')) return
+    this.build = build
+    this.worker?.terminate()
+    this.worker = null
+    this.loadUnderWay = null
+    if (!this.started) return
+    this.started = false
+    this.faded = this.canvas
+    this.canvas = null
+    this.renewCanvas()
   }
 
   private async start(): Promise<void> {
     if (this.canvas === null) this.renewCanvas()
-    const worker = new PanelWorker()
+    const worker = newWorker(this.build)
     this.worker = worker
     worker.onmessage = (event: MessageEvent<PanelReply>) => this.receive(event.data)
     worker.onerror = (event) => this.crash(event.message || 'the worker could not start')
     try {
-      const module = await coreModule()
+      const module = await modules[this.build]()
       if (this.worker === worker) this.hand(module)
     } catch (error) {
-      this.crash(error instanceof Error ? error.message : String(error))
+      if (this.worker === worker) this.crash(toEngineError(error).message)
     }
   }
 
@@ -134,6 +158,7 @@ export class PanelClient {
     if (reply.runId !== this.current?.runId) return
     this.state = reply.kind === 'frame' ? 'idle' : 'failed'
     if (reply.kind === 'frame') this.frame = reply
+    this.faded?.remove()
     this.onReply(reply)
   }
 

@@ -1,20 +1,22 @@
-/** The engine's calls that belong to no panel, as promises: catalog, import, export, generators, checks, the exact optimum. */
+/** The engine's calls that belong to no panel, as promises: catalog, import, export, generators, checks, what results are compared with. */
 import type {
   Catalog,
   EngineError,
   Generated,
   Imported,
   Notice,
+  Objective,
+  Reference,
   RunSummary,
   ScenarioSpec,
   ScenFile,
 } from '@pkg/formicarium'
 import type { RunSetup } from '../messages'
 import type { Origin, RecordedResult, Scenario } from '../session'
-import { crash } from './errors'
-import { coreModule, wholeModule } from './load'
-import MapsWorker from './maps.worker?worker'
-import ToolsWorker from './tools.worker?worker'
+import { type Build, buildFor, noteCore } from './builds'
+import { crash, toEngineError } from './errors'
+import { modules } from './load'
+import { newWorker } from './workers'
 
 export type MapFormat = 'movingai-map' | 'movingai-scen' | 'matrix' | 'scenario'
 export type FileKind =
@@ -25,7 +27,7 @@ export type FileKind =
   | 'experiment'
   | 'unknown'
 
-/** What the maps worker can do, as plain functions on its side. */
+/** What only the whole engine's worker can do, as plain functions on its side. */
 export interface MapCalls {
   importMap(bytes: Uint8Array, name: string): Imported
   importScen(bytes: Uint8Array): ScenFile
@@ -40,13 +42,13 @@ export interface MapCalls {
   ): Generated
 }
 
-/** What the tools worker can do, as plain functions on its side. */
+/** What every tools worker can do, as plain functions on its side. */
 export interface ToolCalls {
   catalog(): Catalog
   version(): string
   check(spec: ScenarioSpec, cells: Uint8Array): Notice[]
   proposeSeed(): number
-  optimum(spec: ScenarioSpec, cells: Uint8Array): number
+  reference(spec: ScenarioSpec, cells: Uint8Array, objective: Objective): Reference
   repeat(setup: RunSetup, iterations: number): RunSummary
 }
 
@@ -68,29 +70,28 @@ type Calls<C> = { [K in keyof C]: (...args: never[]) => unknown }
 /** One worker and the calls it still owes an answer. */
 class ToolBox<C extends Calls<C>> {
   private readonly waiting = new Map<number, Waiting>()
+  private readonly worker: Worker
   private readonly ready: Promise<void>
   private nextId = 1
+  private failure: EngineError | null = null
   dead = false
 
-  constructor(
-    private readonly worker: Worker,
-    compiled: () => Promise<WebAssembly.Module>,
-  ) {
+  constructor(build: Build) {
+    this.worker = newWorker(build)
     this.worker.onmessage = (event: MessageEvent<ToolReply>) => this.settle(event.data)
     this.worker.onerror = (event) => this.fail(event.message || 'the worker could not start')
-    this.ready = compiled().then((module) =>
+    this.ready = modules[build]().then((module) =>
       this.worker.postMessage({ kind: 'init', module } satisfies ToolRequest),
     )
-    this.ready.catch((error: unknown) =>
-      this.fail(error instanceof Error ? error.message : String(error)),
-    )
+    this.ready.catch(() => this.terminate())
   }
 
   async call<K extends keyof C & string>(
     call: K,
     ...args: Parameters<C[K]>
   ): Promise<ReturnType<C[K]>> {
-    await this.ready.catch((error: unknown) => Promise.reject(crash(String(error))))
+    await this.ready.catch((error: unknown) => Promise.reject(toEngineError(error)))
+    if (this.failure) throw this.failure
     const id = this.nextId++
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve: resolve as Waiting['resolve'], reject })
@@ -115,8 +116,10 @@ class ToolBox<C extends Calls<C>> {
   }
 
   private fail(message: string): void {
+    const failure = crash(message)
+    this.failure = failure
     this.terminate()
-    for (const waiting of this.waiting.values()) waiting.reject(crash(message))
+    for (const waiting of this.waiting.values()) waiting.reject(failure)
     this.waiting.clear()
   }
 }
@@ -130,34 +133,50 @@ function lazyBox<C extends Calls<C>>(make: () => ToolBox<C>): () => ToolBox<C> {
   }
 }
 
-const newToolBox = () => new ToolBox<ToolCalls>(new ToolsWorker(), coreModule)
-const toolBox = lazyBox(newToolBox)
+const newCoreBox = () => new ToolBox<ToolCalls>('core')
+const newWholeBox = () => new ToolBox<ToolCalls & MapCalls>('whole')
+/** A box of its own: nobody else's calls queue in it. */
+const newBox = (build: Build): ToolBox<ToolCalls> =>
+  build === 'core' ? newCoreBox() : (newWholeBox() as ToolBox<ToolCalls>)
+
+const toolBox = lazyBox(newCoreBox)
 /** Exact searches may take a while on large maps: nothing must queue behind them. */
-const searchBox = lazyBox(newToolBox)
-const mapBox = lazyBox(() => new ToolBox<MapCalls>(new MapsWorker(), wholeModule))
+const searchBox = lazyBox(newCoreBox)
+const wholeSearchBox = lazyBox(newWholeBox)
+const wholeBox = lazyBox(newWholeBox)
 
 export const tools = {
-  catalog: () => toolBox().call('catalog'),
+  /** The planners of the core. */
+  async catalog(): Promise<Catalog> {
+    const catalog = await toolBox().call('catalog')
+    noteCore(catalog)
+    return catalog
+  },
+  /** All planners; fetches the whole engine. */
+  wholeCatalog: () => wholeBox().call('catalog'),
   version: () => toolBox().call('version'),
-  importMap: (bytes: Uint8Array, name: string) => mapBox().call('importMap', bytes, name),
-  importScen: (bytes: Uint8Array) => mapBox().call('importScen', bytes),
-  sniff: (bytes: Uint8Array, name: string) => mapBox().call('sniff', bytes, name),
+  importMap: (bytes: Uint8Array, name: string) => wholeBox().call('importMap', bytes, name),
+  importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
+  sniff: (bytes: Uint8Array, name: string) => wholeBox().call('sniff', bytes, name),
   exportMap: (spec: ScenarioSpec, cells: Uint8Array, format: MapFormat) =>
-    mapBox().call('exportMap', spec, cells, format),
+    wholeBox().call('exportMap', spec, cells, format),
   generate: (
     kind: Origin['generator'],
     width: number,
     height: number,
     seed: number,
     density: number,
-  ) => mapBox().call('generate', kind, width, height, seed, density),
+  ) => wholeBox().call('generate', kind, width, height, seed, density),
   check: (spec: ScenarioSpec, cells: Uint8Array) => toolBox().call('check', spec, cells),
   proposeSeed: () => toolBox().call('proposeSeed'),
-  /** Length of the shortest path under the scenario's own movement rule; Infinity when there is none. */
-  optimum: (scenario: Scenario) => searchBox().call('optimum', scenario.spec, scenario.cells),
+  /** What results by this objective are compared with on the scenario. Only the whole engine knows more than lengths of step paths. */
+  reference: ({ spec, cells }: Scenario, objective: Objective): Promise<Reference> =>
+    objective === 'length'
+      ? searchBox().call('reference', spec, cells, objective)
+      : wholeSearchBox().call('reference', spec, cells, objective),
   /** Repeats a recorded run as far as it went, in a worker of its own: a long one holds nobody up. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
-    const own = newToolBox()
+    const own = newBox(buildFor(setup.planner))
     try {
       return await own.call('repeat', setup, recorded.iterations)
     } finally {

@@ -4,7 +4,7 @@ import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 
 type KeyName = 'play' | 'move' | 'iteration' | 'reset' | 'end' | 'undo' | 'redo' | 'tools' | 'fit'
-type StageKeyName = 'cursor' | 'apply' | 'pointer' | 'zoom' | 'pan' | 'help' | 'leave'
+type StageKeyName = 'cursor' | 'apply' | 'remove' | 'pointer' | 'zoom' | 'pan' | 'help' | 'leave'
 
 const RUN_KEYS: [KeyName, string[]][] = [
   ['play', ['Space']],
@@ -14,13 +14,14 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['end', ['End']],
   ['undo', ['Ctrl Z']],
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
-  ['tools', ['W', 'E', 'S', 'G', 'H']],
+  ['tools', ['W', 'E', 'S', 'G', 'A', 'H']],
   ['fit', ['0']],
 ]
 
 const MAP_KEYS: [StageKeyName, string[]][] = [
   ['cursor', ['←', '↑', '↓', '→']],
   ['apply', ['Enter', 'X']],
+  ['remove', ['Delete']],
   ['pointer', []],
   ['zoom', []],
   ['pan', []],

@@ -20,6 +20,7 @@ const KEYS: Record<string, () => void> = {
   e: choose('erase'),
   s: choose('start'),
   g: choose('goal'),
+  a: choose('add-goal'),
   h: choose('pan'),
   '0': fitView,
   '?': () => show('help'),

@@ -1,5 +1,12 @@
 /** Where the engine's own words speak of the command line, the page's say what to do here. */
 export const enEngine = {
+  errors: {
+    'too-many-goals': {
+      message: 'The map has {{value}} goals; this planner reaches at most {{max}}',
+      hint: 'Remove goals, or choose a planner that visits several',
+    },
+    place: { message: '“{{value}}” is no place', hint: 'Write column and row, as in 11, 4' },
+  },
   notices: {
     'matrix-one-is-blocked':
       '0 was read as free and 1 as blocked. If the file means the opposite, choose “Swap walls and free cells” in the map menu.',

@@ -69,6 +69,11 @@ export const numbers = computed(() => ({
     minimumFractionDigits: 2,
     maximumFractionDigits: 2,
   }),
+  /** Of a goal. */
+  weight: new Intl.NumberFormat(language.value, {
+    minimumFractionDigits: 3,
+    maximumFractionDigits: 3,
+  }),
   percent: new Intl.NumberFormat(language.value, {
     style: 'percent',
     minimumFractionDigits: 1,

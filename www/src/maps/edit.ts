@@ -1,13 +1,18 @@
 /** Edits of a scenario, as pure functions: the same object comes back when an edit changes nothing. */
-import { goalAt, type Scenario } from '../session'
+import type { Scenario } from '../session'
+import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells } from './goals'
+import { keepInside } from './settle'
 
 export type Cell = [number, number]
 
 export type Edit =
-  /** A line of cells from one pointer position to the next. Start and goal are never walled in. */
+  /** A line of cells from one pointer position to the next. Start and goals are never walled in. */
   | { kind: 'paint'; from: Cell; to: Cell; blocked: boolean }
   | { kind: 'start'; at: Cell }
-  | { kind: 'goal'; at: Cell }
+  /** Moves a goal; the index after the last one adds a goal there. */
+  | { kind: 'goal'; index: number; at: Cell }
+  | { kind: 'change-goal'; index: number; change: GoalChange }
+  | { kind: 'remove-goal'; index: number }
   | { kind: 'clear' }
   | { kind: 'resize'; width: number; height: number }
 
@@ -16,19 +21,18 @@ export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
     case 'paint':
       return paint(scenario, edit.from, edit.to, edit.blocked)
     case 'start':
-      return moveEnd(scenario, 'start', edit.at)
+      return moveStart(scenario, edit.at)
     case 'goal':
-      return moveEnd(scenario, 'goal', edit.at)
+      return freed(placeGoal(scenario, edit.index, edit.at), scenario, edit.at)
+    case 'change-goal':
+      return changeGoal(scenario, edit.index, edit.change)
+    case 'remove-goal':
+      return removeGoal(scenario, edit.index)
     case 'clear':
       return clear(scenario)
     case 'resize':
       return resize(scenario, edit.width, edit.height)
   }
-}
-
-/** The goal of a scenario with one goal. */
-export function goalOf(scenario: Scenario): Cell {
-  return scenario.spec.goals[0]?.at ?? scenario.spec.start
 }
 
 export function isInside(scenario: Scenario, [x, y]: Cell): boolean {
@@ -68,13 +72,12 @@ export function lineCells([x0, y0]: Cell, [x1, y1]: Cell): Cell[] {
 
 function paint(scenario: Scenario, from: Cell, to: Cell, blocked: boolean): Scenario {
   const value = blocked ? 1 : 0
-  const goal = goalOf(scenario)
   const changing = lineCells(from, to).filter(
     (cell) =>
       isInside(scenario, cell) &&
       isBlocked(scenario, cell) !== blocked &&
       !sameCell(cell, scenario.spec.start) &&
-      !sameCell(cell, goal),
+      !isGoal(scenario, cell),
   )
   if (changing.length === 0) return scenario
   const cells = scenario.cells.slice()
@@ -82,22 +85,20 @@ function paint(scenario: Scenario, from: Cell, to: Cell, blocked: boolean): Scen
   return { ...scenario, cells }
 }
 
-/** Start and goal stay inside and apart; on a wall they make their cell free. */
-function moveEnd(scenario: Scenario, end: 'start' | 'goal', at: Cell): Scenario {
+/** The start stays inside and apart from every goal; on a wall it makes its cell free. */
+function moveStart(scenario: Scenario, at: Cell): Scenario {
   const { spec } = scenario
-  const other = end === 'start' ? goalOf(scenario) : spec.start
-  const here = end === 'start' ? spec.start : goalOf(scenario)
-  if (!isInside(scenario, at) || sameCell(at, other) || sameCell(at, here)) return scenario
-  const goal = spec.goals[0] ?? goalAt(at, '')
-  const moved = end === 'start' ? { ...spec, start: at } : { ...spec, goals: [{ ...goal, at }] }
-  return { ...scenario, spec: moved, cells: freed(scenario, at) }
+  if (!isInside(scenario, at) || takenCells(spec).some((cell) => sameCell(cell, at)))
+    return scenario
+  return freed({ ...scenario, spec: { ...spec, start: at } }, scenario, at)
 }
 
-function freed(scenario: Scenario, at: Cell): Uint8Array {
-  if (!isBlocked(scenario, at)) return scenario.cells
-  const cells = scenario.cells.slice()
-  cells[at[1] * scenario.spec.width + at[0]] = 0
-  return cells
+/** `after` with free ground at `at`; an edit that changed nothing frees nothing. */
+function freed(after: Scenario, before: Scenario, at: Cell): Scenario {
+  if (after === before || !isBlocked(after, at)) return after
+  const cells = after.cells.slice()
+  cells[at[1] * after.spec.width + at[0]] = 0
+  return { ...after, cells }
 }
 
 function clear(scenario: Scenario): Scenario {
@@ -117,24 +118,7 @@ function resize(scenario: Scenario, width: number, height: number): Scenario {
     )
     cells.set(row, y * width)
   }
-  const start = inside(spec.start, width, height)
-  const goal = apart(inside(goalOf(scenario), width, height), start, width, height)
-  for (const [x, y] of [start, goal]) cells[y * width + x] = 0
-  const kept = spec.goals[0] ?? goalAt(goal, '')
-  return {
-    spec: { ...spec, width, height, start, goals: [{ ...kept, at: goal }] },
-    cells,
-    origin: null,
-  }
-}
-
-function inside([x, y]: Cell, width: number, height: number): Cell {
-  return [Math.min(x, width - 1), Math.min(y, height - 1)]
-}
-
-/** Shrinking can push both ends into one corner: then the goal steps aside. */
-function apart(goal: Cell, start: Cell, width: number, height: number): Cell {
-  if (!sameCell(goal, start)) return goal
-  if (width > 1) return [goal[0] > 0 ? goal[0] - 1 : 1, goal[1]]
-  return [goal[0], goal[1] > 0 ? goal[1] - 1 : Math.min(1, height - 1)]
+  const moved = keepInside({ ...spec, width, height })
+  for (const [x, y] of takenCells(moved)) cells[y * width + x] = 0
+  return { spec: moved, cells, origin: null }
 }

@@ -3,10 +3,14 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { goalAt, type Origin, type Scenario } from '../session'
 import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
+import { paperMaps, type Racer } from './paper_maps'
+import { paperScenario } from './paper_scenario'
 
 export interface GalleryEntry {
   id: string
   scenario(): Promise<Scenario>
+  /** Who is to race there; absent where the map goes with any planner. */
+  racers?: Racer[]
 }
 
 /** What a newcomer sees: needs no engine, so it is there at once. */
@@ -34,6 +38,11 @@ export const gallery: GalleryEntry[] = [
   },
   { id: 'open-field', scenario: async () => openField() },
   { id: 'unreachable', scenario: async () => drawn('Unreachable', SEALED) },
+  ...paperMaps.map(({ id, file, racers }) => ({
+    id,
+    scenario: () => paperScenario(file),
+    racers,
+  })),
 ]
 
 /** Without obstacles every detour is the ants' own. */

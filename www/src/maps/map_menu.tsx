@@ -3,17 +3,27 @@ import {
   Dices,
   Download,
   Eraser,
+  Flag,
   Map as MapIcon,
   RotateCcw,
   Scaling,
   Upload,
 } from 'lucide'
 import { t } from '../i18n'
-import { clearWalls, galleryId, invertWalls, openGallery, scenario, startOver } from '../state'
+import { showGoals } from '../panels/goals'
+import {
+  clearWalls,
+  galleryId,
+  invertWalls,
+  notifyError,
+  openGallery,
+  scenario,
+  startOver,
+} from '../state'
 import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
-import { Menu, MenuHeading, MenuItem } from '../ui/menu'
-import { gallery } from './gallery'
+import { Menu, MenuColumn, MenuHeading, MenuItem } from '../ui/menu'
+import { type GalleryEntry, gallery } from './gallery'
 import { movementName } from './movement'
 
 /** Name of the map on show: a built-in one in the reader's language, any other as it came. */
@@ -37,54 +47,73 @@ export function MapMenu() {
         </span>
       }
     >
-      <MenuHeading text={t('maps.gallery')} />
-      {gallery.map(({ id }) => (
+      <MenuColumn>
+        <MenuHeading text={t('maps.gallery')} />
+        {gallery.filter(({ racers }) => !racers).map(galleryItem)}
         <MenuItem
-          key={id}
-          label={galleryName(id)}
-          note={galleryNote(id)}
-          testId={`gallery-${id}`}
-          checked={galleryId.value === id}
-          onClick={() => openGallery(id)}
+          icon={RotateCcw}
+          label={t('maps.startOver')}
+          note={t('maps.startOverNote')}
+          testId="start-over"
+          onClick={startOver}
         />
-      ))}
-      <MenuItem
-        icon={RotateCcw}
-        label={t('maps.startOver')}
-        note={t('maps.startOverNote')}
-        testId="start-over"
-        onClick={startOver}
-      />
-      <MenuHeading text={t('maps.make')} />
-      <MenuItem
-        icon={Dices}
-        label={t('maps.generate')}
-        testId="open-generate"
-        onClick={() => show('generate')}
-      />
-      <MenuItem
-        icon={Scaling}
-        label={t('maps.shape')}
-        note={spec ? `${size} · ${movementName(spec.movement)}` : undefined}
-        testId="open-resize"
-        onClick={() => show('resize')}
-      />
-      <MenuItem icon={Eraser} label={t('maps.clear')} testId="clear" onClick={clearWalls} />
-      <MenuItem icon={Contrast} label={t('maps.invert')} testId="invert" onClick={invertWalls} />
-      <MenuHeading text={t('maps.files')} />
-      <MenuItem
-        icon={Upload}
-        label={t('maps.import')}
-        testId="open-import"
-        onClick={() => show('import')}
-      />
-      <MenuItem
-        icon={Download}
-        label={t('maps.export')}
-        testId="open-export"
-        onClick={() => show('export')}
-      />
+      </MenuColumn>
+      <MenuColumn>
+        <MenuHeading text={t('maps.papers')} />
+        {gallery.filter(({ racers }) => racers).map(galleryItem)}
+      </MenuColumn>
+      <MenuColumn>
+        <MenuHeading text={t('maps.make')} />
+        <MenuItem
+          icon={Dices}
+          label={t('maps.generate')}
+          testId="open-generate"
+          onClick={() => show('generate')}
+        />
+        <MenuItem
+          icon={Scaling}
+          label={t('maps.shape')}
+          note={spec ? `${size} · ${movementName(spec.movement)}` : undefined}
+          testId="open-resize"
+          onClick={() => show('resize')}
+        />
+        <MenuItem
+          icon={Flag}
+          label={t('goals.open')}
+          note={t('goals.openNote')}
+          testId="open-goals"
+          onClick={showGoals}
+        />
+        <MenuItem icon={Eraser} label={t('maps.clear')} testId="clear" onClick={clearWalls} />
+        <MenuItem icon={Contrast} label={t('maps.invert')} testId="invert" onClick={invertWalls} />
+        <MenuHeading text={t('maps.files')} />
+        <MenuItem
+          icon={Upload}
+          label={t('maps.import')}
+          testId="open-import"
+          onClick={() => show('import')}
+        />
+        <MenuItem
+          icon={Download}
+          label={t('maps.export')}
+          testId="open-export"
+          onClick={() => show('export')}
+        />
+      </MenuColumn>
     </Menu>
+  )
+}
+
+function galleryItem({ id }: GalleryEntry) {
+  return (
+    <MenuItem
+      key={id}
+      label={galleryName(id)}
+      note={galleryNote(id)}
+      testId={`gallery-${id}`}
+      checked={galleryId.value === id}
+      onClick={() => openGallery(id).catch(notifyError)}
+    />
   )
 }
 

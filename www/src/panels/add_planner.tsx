@@ -1,11 +1,16 @@
-import { Plus } from 'lucide'
+import type { CatalogEntry } from '@pkg/formicarium'
+import { BookOpen, Plus, RotateCw } from 'lucide'
 import { t } from '../i18n'
+import { cardOf, showCard } from '../papers/cards'
 import { MAX_PANELS } from '../session'
-import { addPanel, catalog, panels } from '../state'
+import { addPanel, catalog, fetchRest, fetchUnasked, panels, rest } from '../state'
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
-import { Menu, MenuHeading, MenuItem } from '../ui/menu'
-import { FAMILIES, plannerName, plannerSummary } from './planner_text'
+import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
+import { FAMILIES, plannerName, plannerSummary, tooManyGoals } from './planner_text'
+
+/** More would be a wall of buttons. */
+const MOST_BUTTONS = 8
 
 export function AddPlannerMenu() {
   if (panels.value.length >= MAX_PANELS) return null
@@ -14,6 +19,7 @@ export function AddPlannerMenu() {
       label={t('panels.add')}
       testId="add-panel"
       align="end"
+      onOpen={fetchUnasked}
       face={
         <span class="menu-face">
           <Icon icon={Plus} size={16} />
@@ -24,6 +30,7 @@ export function AddPlannerMenu() {
       {FAMILIES.map((family) => (
         <FamilyItems key={family} family={family} />
       ))}
+      <RestItem />
     </Menu>
   )
 }
@@ -35,22 +42,58 @@ function FamilyItems({ family }: { family: (typeof FAMILIES)[number] }) {
     <>
       <MenuHeading text={t(`family.${family}`)} />
       {entries.map((entry) => (
-        <MenuItem
-          key={entry.id}
-          label={plannerName(entry)}
-          note={plannerSummary(entry)}
-          testId={`add-${entry.id}`}
-          onClick={() => addPanel(entry.id)}
-        />
+        <PlannerItem key={entry.id} entry={entry} />
       ))}
     </>
   )
 }
 
+/** What a planner that cannot reach all goals is good for can still be read. */
+function PlannerItem({ entry }: { entry: CatalogEntry }) {
+  const card = cardOf(entry.id)
+  const name = plannerName(entry)
+  return (
+    <div class="menu-row" role="presentation">
+      <MenuItem
+        label={name}
+        note={plannerSummary(entry)}
+        unavailable={tooManyGoals(entry)}
+        testId={`add-${entry.id}`}
+        onClick={() => addPanel(entry.id)}
+      />
+      {card && (
+        <MenuIcon
+          icon={BookOpen}
+          label={t('papers.about', { name })}
+          testId={`about-${entry.id}`}
+          onClick={() => showCard(card)}
+        />
+      )}
+    </div>
+  )
+}
+
+/** Whether the list is complete, and the way out when the rest did not come. */
+function RestItem() {
+  if (rest.value === 'here') return null
+  if (rest.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />
+  return (
+    <MenuItem
+      icon={RotateCw}
+      label={t('panels.fetchMore')}
+      note={t('panels.moreNotFetched')}
+      testId="fetch-planners"
+      onClick={fetchRest}
+    />
+  )
+}
+
+/** The planners of a first visit, one press away; the menu has the others. */
 export function AddPlannerButtons() {
+  const usable = (catalog.value?.planners ?? []).filter((entry) => tooManyGoals(entry) === null)
   return (
     <div class="button-row">
-      {catalog.value?.planners.map((entry) => (
+      {usable.slice(0, MOST_BUTTONS).map((entry) => (
         <Button
           key={entry.id}
           icon={Plus}
@@ -58,6 +101,9 @@ export function AddPlannerButtons() {
           onClick={() => addPanel(entry.id)}
         />
       ))}
+      {rest.value === 'failed' && (
+        <Button icon={RotateCw} label={t('panels.fetchMore')} tone="quiet" onClick={fetchRest} />
+      )}
     </div>
   )
 }

@@ -1,8 +1,8 @@
 /** Says the outcome of a race to those who cannot see it. */
 import { effect, untracked } from '@preact/signals'
 import { numbers, t } from '../i18n'
-import { announce, optimum, panels, phase } from '../state'
-import { gapOf } from './gap'
+import { announce, type Panel, panels, phase } from '../state'
+import { panelGap } from './gap'
 import { panelTitle } from './planner_text'
 
 export function announceResults(): void {
@@ -15,10 +15,14 @@ export function announceResults(): void {
 function results(): string {
   return panels
     .peek()
-    .map(({ id, live }) => {
-      const gap = gapOf(live.peek().summary?.metrics?.length, optimum.peek())
-      const words = gap === null ? t('gap.noPathYet') : numbers.peek().percent.format(gap)
-      return `${panelTitle(id)} ${words}`
-    })
+    .map((panel) => `${panelTitle(panel.id)} ${outcome(panel)}`)
     .join(', ')
+}
+
+/** The gap; the length where there is nothing to compare it with. */
+function outcome(panel: Panel): string {
+  const gap = panelGap(panel)
+  if (gap !== null) return numbers.peek().percent.format(gap)
+  const length = panel.live.peek().summary?.metrics?.length
+  return length === undefined ? t('gap.noPathYet') : numbers.peek().length.format(length)
 }

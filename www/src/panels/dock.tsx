@@ -1,12 +1,13 @@
 import { Convergence } from '../charts/convergence'
 import { t } from '../i18n'
+import { Goals, goalsOnShow } from './goals'
 import { MetricsTable } from './metrics_table'
 import { Parameters } from './parameters'
 
 /** Beneath the panels: how the race went, how it compares, what can be changed. */
 export function Dock() {
   return (
-    <div class="dock">
+    <div class="dock" data-goals={goalsOnShow()}>
       <Convergence />
       <div class="dock-card comparison">
         <header class="dock-head">
@@ -14,6 +15,7 @@ export function Dock() {
         </header>
         <MetricsTable />
       </div>
+      <Goals />
       <Parameters />
     </div>
   )

@@ -1,10 +1,27 @@
-/** How far a path is above the proven optimum. */
+/** How far a result is from what it is compared with. */
+import type { Reference } from '@pkg/formicarium'
+import { type Panel, referenceOf } from '../state'
+
 const EQUAL = 1e-9
 
-/** Relative length above the optimum; null while either is unknown. 0 exactly when they agree. */
-export function gapOf(length: number | null | undefined, optimum: number | null): number | null {
-  if (length == null || optimum === null || !Number.isFinite(optimum)) return null
-  if (optimum === 0) return 0
-  const gap = length / optimum - 1
+/** What there is to compare with, proven or not. */
+export function referenceValue(reference: Reference | null): number | null {
+  return reference && 'value' in reference ? reference.value : null
+}
+
+/** Relative to the reference; null while either is unknown. 0 exactly when they agree; below 0 only where nothing is proven. */
+export function gapOf(
+  value: number | null | undefined,
+  reference: Reference | null,
+): number | null {
+  const best = referenceValue(reference)
+  if (value == null || best === null) return null
+  if (best === 0) return 0
+  const gap = value / best - 1
   return Math.abs(gap) < EQUAL ? 0 : gap
+}
+
+/** The gap of what a panel has reached by now, by its own objective. */
+export function panelGap(panel: Panel): number | null {
+  return gapOf(panel.live.value.summary?.value, referenceOf(panel))
 }

@@ -5,6 +5,10 @@ import { numbers } from '../i18n'
 export type MetricId =
   | 'gap'
   | 'length'
+  | 'unrefinedLength'
+  | 'plannedLength'
+  | 'plannedWeight'
+  | 'walkedWeight'
   | 'turns'
   | 'turnIndex'
   | 'minClearance'
@@ -19,8 +23,10 @@ export type MetricId =
 export interface MetricRow {
   id: MetricId
   better: 'lower' | 'higher' | null
-  /** The only family that has it; the others show a dash. */
-  family?: Family
+  /** The only families that have it; the others show a dash. */
+  families?: Family[]
+  /** Left out while no panel has it. */
+  optional?: true
   value(summary: RunSummary, gap: number | null): number | null
   format(value: number): string
 }
@@ -29,22 +35,39 @@ const decimal = (value: number) => numbers.value.length.format(value)
 const whole = (value: number) => numbers.value.whole.format(value)
 const percent = (value: number) => numbers.value.percent.format(value)
 
+export const GAP_ROW: MetricRow = {
+  id: 'gap',
+  better: 'lower',
+  value: (_, gap) => gap,
+  format: percent,
+}
+
+/** Below the gap and what it is taken from, and the order of several goals. */
 export const METRIC_ROWS: MetricRow[] = [
-  { id: 'gap', better: 'lower', value: (_, gap) => gap, format: percent },
+  ofTour('plannedLength', (tour) => tour.planned_length),
+  ofTour('plannedWeight', (tour) => tour.planned_weight),
+  ofTour('walkedWeight', (tour) => tour.walked_weight),
   { id: 'length', better: 'lower', value: ofPath('length'), format: decimal },
+  {
+    id: 'unrefinedLength',
+    better: 'lower',
+    optional: true,
+    value: (summary) => summary.unrefined_length,
+    format: decimal,
+  },
   { id: 'turns', better: 'lower', value: ofPath('turns'), format: whole },
   { id: 'turnIndex', better: 'lower', value: ofPath('turn_index'), format: decimal },
   { id: 'minClearance', better: 'higher', value: ofPath('min_clearance'), format: decimal },
   { id: 'meanClearance', better: 'higher', value: ofPath('mean_clearance'), format: decimal },
   { id: 'travelTime', better: 'lower', value: ofPath('travel_time'), format: decimal },
-  colony('iterations', ofEffort('iterations')),
-  colony('iterationOfBest', (summary) => summary.iteration_of_best),
-  colony('constructedPaths', ofEffort('constructed_paths')),
-  colony('antMoves', ofEffort('ant_moves')),
+  iterative('iterations', ofEffort('iterations')),
+  iterative('iterationOfBest', (summary) => summary.iteration_of_best),
+  iterative('constructedPaths', ofEffort('constructed_paths')),
+  iterative('antMoves', ofEffort('ant_moves')),
   {
     id: 'cellExpansions',
     better: null,
-    family: 'exact',
+    families: ['search', 'exact'],
     value: ofEffort('cell_expansions'),
     format: whole,
   },
@@ -60,8 +83,15 @@ export function bestOf(values: (number | null)[], better: MetricRow['better']): 
   return new Set(values.flatMap((value, index) => (value === best ? [index] : [])))
 }
 
-function colony(id: MetricId, value: MetricRow['value']): MetricRow {
-  return { id, better: null, family: 'ant-colony', value, format: whole }
+function iterative(id: MetricId, value: MetricRow['value']): MetricRow {
+  return { id, better: null, families: ['ant-colony', 'swarm'], value, format: whole }
+}
+
+type Tour = NonNullable<RunSummary['tour']>
+
+function ofTour(id: MetricId, value: (tour: Tour) => number | null | undefined): MetricRow {
+  const read = ({ tour }: RunSummary) => (tour ? value(tour) : null) ?? null
+  return { id, better: 'lower', optional: true, value: read, format: decimal }
 }
 
 function ofPath(key: keyof NonNullable<RunSummary['metrics']>): MetricRow['value'] {

@@ -1,7 +1,8 @@
-import { t } from '../i18n'
-import { optimum, type Panel, panels, plannerEntry, slotColour } from '../state'
-import { gapOf } from './gap'
-import { bestOf, METRIC_ROWS, type MetricRow } from './metric_rows'
+import { numbers, t } from '../i18n'
+import { goalName } from '../maps/goals'
+import { type Panel, panels, plannerEntry, referenceOf, scenario, slotColour } from '../state'
+import { panelGap } from './gap'
+import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from './metric_rows'
 import { panelTitle } from './planner_text'
 
 /** Every panel's numbers side by side; the better one of a row stands out. */
@@ -24,39 +25,98 @@ export function MetricsTable() {
           </tr>
         </thead>
         <tbody>
+          <Row row={GAP_ROW} all={all} />
+          <TextRow id="comparedWith" all={all} text={comparedWith} />
+          <TextRow id="order" all={all} text={orderOf} optional />
           {METRIC_ROWS.map((row) => (
             <Row key={row.id} row={row} all={all} />
           ))}
-          <tr>
-            <th scope="row" title={t('metrics.hints.digest')}>
-              {t('metrics.digest')}
-            </th>
-            {all.map((panel, index) => (
-              <td key={panel.id} class="digest" data-testid={`metric-digest-${index + 1}`}>
-                <span>{digestOf(panel)}</span>
-              </td>
-            ))}
-          </tr>
+          <TextRow id="digest" all={all} text={digestOf} />
         </tbody>
       </table>
     </section>
   )
 }
 
+interface Words {
+  text: string
+  /** A second line. */
+  note?: string
+  /** Why there is but a dash. */
+  why?: string
+}
+
+interface TextRowProps {
+  id: 'comparedWith' | 'order' | 'digest'
+  all: Panel[]
+  text: (panel: Panel) => Words | null
+  /** Left out while no panel has it. */
+  optional?: boolean
+}
+
+function TextRow({ id, all, text, optional }: TextRowProps) {
+  const words = all.map(text)
+  if (optional && words.every((each) => each === null)) return null
+  return (
+    <tr>
+      <th scope="row" title={t(`metrics.hints.${id}`)}>
+        {t(`metrics.${id}`)}
+      </th>
+      {words.map((each, index) => (
+        <td
+          key={all[index]?.id}
+          class={id}
+          title={each?.why}
+          data-testid={`metric-${id}-${index + 1}`}
+        >
+          <span>{each?.text ?? '–'}</span>
+          {each?.why && <span class="visually-hidden"> {each.why}</span>}
+          {each?.note && <span class="cell-note">{each.note}</span>}
+        </td>
+      ))}
+    </tr>
+  )
+}
+
+/** What a panel's gap is taken from. */
+function comparedWith(panel: Panel): Words | null {
+  const reference = referenceOf(panel)
+  const { objective } = panel.live.value
+  if (!reference || !objective) return null
+  switch (reference.kind) {
+    case 'no-path':
+      return { text: '–', why: t('race.unreachable') }
+    case 'unknown':
+      return { text: '–', why: t('gap.unknownWhy') }
+    default: {
+      const value = numbers.value.length.format(reference.value)
+      const note = reference.kind === 'unproven' ? { note: t('gap.notProven') } : {}
+      return { text: `${t(`objective.${objective}`)} ${value}`, ...note }
+    }
+  }
+}
+
+function orderOf(panel: Panel): Words | null {
+  const order = panel.live.value.summary?.tour?.order
+  const spec = scenario.value?.spec
+  return order && spec ? { text: order.map((goal) => goalName(spec, goal)).join(' → ') } : null
+}
+
 /** Before the first step every run has the digest of nothing. */
-function digestOf(panel: Panel): string {
+function digestOf(panel: Panel): Words | null {
   const { summary } = panel.live.value
   const begun = summary && summary.effort.ant_moves + summary.effort.cell_expansions > 0
-  return begun ? summary.digest : '–'
+  return begun ? { text: summary.digest } : null
 }
 
 function Row({ row, all }: { row: MetricRow; all: Panel[] }) {
   const values = all.map((panel) => {
     const { summary } = panel.live.value
-    if (row.family && row.family !== plannerEntry(panel.setup.planner)?.family) return null
-    const gap = gapOf(summary?.metrics?.length, optimum.value)
-    return summary && row.value(summary, gap)
+    const family = plannerEntry(panel.setup.planner)?.family
+    if (row.families && !(family && row.families.includes(family))) return null
+    return summary && row.value(summary, panelGap(panel))
   })
+  if (row.optional && values.every((value) => value === null)) return null
   const best = bestOf(values, row.better)
   return (
     <tr class={row.id === 'gap' ? 'leading' : undefined}>

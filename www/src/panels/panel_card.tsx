@@ -1,6 +1,6 @@
 import type { EngineError } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
-import { SlidersHorizontal, X } from 'lucide'
+import { LoaderCircle, SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { Stage } from '../stage/Stage'
@@ -12,14 +12,17 @@ import {
   plannerEntry,
   removePanel,
   reset,
+  rest,
+  restart,
   selectedPanel,
   setPlanner,
   slotColour,
 } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
+import { Icon } from '../ui/icon'
 import { cardId, showParameters } from './parameters'
-import { namesakeMark, panelTitle, plannerName } from './planner_text'
+import { FAMILIES, namesakeMark, panelTitle, plannerName, tooManyGoals } from './planner_text'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 
@@ -49,10 +52,7 @@ export function PanelCard({ panel, place }: PanelCardProps) {
           class="planner-select"
           value={setup.planner}
           testId={`planner-${place}`}
-          options={(catalog.value?.planners ?? []).map((entry) => ({
-            value: entry.id,
-            label: plannerName(entry),
-          }))}
+          options={plannerOptions(setup.planner)}
           onChange={(planner) => setPlanner(id, planner)}
         />
         <span class="namesake">{namesakeMark(id)}</span>
@@ -83,6 +83,22 @@ export function PanelCard({ panel, place }: PanelCardProps) {
   )
 }
 
+/** The catalog's planners, and the panel's own while the part of the catalog that has it is on its way. */
+function plannerOptions(own: string) {
+  const known = catalog.value?.planners ?? []
+  const options = FAMILIES.flatMap((family) =>
+    known
+      .filter((entry) => entry.family === family)
+      .map((entry) => ({
+        value: entry.id,
+        label: plannerName(entry),
+        group: t(`family.${family}`),
+        disabled: entry.id !== own && tooManyGoals(entry) !== null,
+      })),
+  )
+  return plannerEntry(own) ? options : [{ value: own, label: own }, ...options]
+}
+
 function PanelStage({ panel }: { panel: Panel }) {
   const { id } = panel
   // The numbers of the run change many times a second; the stage only cares for a refusal.
@@ -100,7 +116,11 @@ function LayerCaption({ planner }: { planner: string }) {
   const offered = plannerEntry(planner)?.layers ?? []
   const shown = layer.value === 'none' || offered.includes(layer.value) ? layer.value : offered[0]
   if (!shown || shown === 'none') return null
-  return <span class="layer-caption">{t('view.shown', { layer: t(`view.layers.${shown}`) })}</span>
+  return (
+    <span class="layer-caption" title={t(`view.layerNotes.${shown}`)}>
+      {t('view.shown', { layer: t(`view.layers.${shown}`) })}
+    </span>
+  )
 }
 
 /** The parameters of the selected panel are on show, and a refused one says there what is wrong. */
@@ -112,6 +132,7 @@ function isShownAtItsField(panel: Panel, { field }: EngineError): boolean {
 /** A refusal that no parameter field can show, or a worker that failed: said over the map, with the way out. */
 function PanelTrouble({ panel }: { panel: Panel }) {
   const { error, crashed } = panel.live.value
+  if (!plannerEntry(panel.setup.planner)) return <PlannerOnItsWay />
   if (crashed !== null) {
     return (
       <div class="panel-trouble" role="alert">
@@ -127,6 +148,43 @@ function PanelTrouble({ panel }: { panel: Panel }) {
     <div class="panel-trouble" role="alert">
       <p>{message}</p>
       <p class="hint">{hint}</p>
+      {error.kind === 'too-many-goals' && <UseAnother panel={panel} />}
+    </div>
+  )
+}
+
+/** The first planner of the same family that reaches all goals, one press away. */
+function UseAnother({ panel }: { panel: Panel }) {
+  const family = plannerEntry(panel.setup.planner)?.family
+  const other = catalog.value?.planners.find(
+    (entry) => entry.family === family && tooManyGoals(entry) === null,
+  )
+  if (!other) return null
+  return (
+    <Button
+      label={t('panels.useInstead', { planner: plannerName(other) })}
+      onClick={() => setPlanner(panel.id, other.id)}
+    />
+  )
+}
+
+/** The page opens without most planners; one that a link names is fetched first. */
+function PlannerOnItsWay() {
+  if (rest.value !== 'failed') {
+    return (
+      <div class="panel-waiting" role="status" data-testid="panel-waiting">
+        <span class="spinner">
+          <Icon icon={LoaderCircle} size={28} />
+        </span>
+        <p>{t('panels.fetching')}</p>
+      </div>
+    )
+  }
+  return (
+    <div class="panel-trouble" role="alert" data-testid="panel-not-fetched">
+      <p>{t('panels.notFetched')}</p>
+      <p class="hint">{t('panels.notFetchedHint')}</p>
+      <Button label={t('app.retry')} onClick={restart} />
     </div>
   )
 }

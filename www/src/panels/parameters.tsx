@@ -1,15 +1,15 @@
 import type { CatalogEntry } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
-import { ArrowUp } from 'lucide'
+import { ArrowUp, BookOpen } from 'lucide'
 import { t } from '../i18n'
 import type { ParamValues } from '../messages'
+import { cardOf, showCard } from '../papers/cards'
 import {
   type Panel,
   panelById,
   panels,
   paramValue,
   plannerEntry,
-  reducedMotion,
   selectedPanel,
   setParam,
   setPreset,
@@ -17,10 +17,14 @@ import {
 } from '../state'
 import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
+import { lazily } from '../ui/lazily'
+import { bringIntoSight } from '../ui/sight'
 import { ParameterControl } from './parameter_control'
 import { panelTitle, plannerSummary, presetName } from './planner_text'
 
 const SECTION_ID = 'parameters'
+
+const Legs = lazily(() => import('./legs').then((legs) => legs.default))
 
 /** Selects a panel and brings its parameters into sight. */
 export function showParameters(panelId: number): void {
@@ -29,12 +33,6 @@ export function showParameters(panelId: number): void {
 }
 
 export const cardId = (panelId: number) => `panel-${panelId}`
-
-/** Smoothly, so that the reader sees where on the page it went; at once for those who prefer less motion. */
-function bringIntoSight(elementId: string): void {
-  const behavior = reducedMotion() ? 'auto' : 'smooth'
-  document.getElementById(elementId)?.scrollIntoView({ block: 'nearest', behavior })
-}
 
 export function Parameters() {
   const selected = panelById(selectedPanel.value ?? -1)
@@ -45,7 +43,11 @@ export function Parameters() {
         <PanelTabs />
         {selected && <BackToMap panelId={selected.id} />}
       </header>
-      {selected ? <Controls panel={selected} /> : <p class="hint">{t('parameters.none')}</p>}
+      {selected ? (
+        <Controls key={selected.id} panel={selected} />
+      ) : (
+        <p class="hint">{t('parameters.none')}</p>
+      )}
     </section>
   )
 }
@@ -92,6 +94,9 @@ function Controls({ panel }: { panel: Panel }) {
   const { id, setup } = panel
   // The numbers of the run change many times a second; the controls only care for a refusal.
   const refusal = useComputed(() => panelById(id)?.live.value.error ?? null).value
+  const touring = useComputed(
+    () => (panelById(id)?.live.value.summary?.tour ?? null) !== null,
+  ).value
   const entry = plannerEntry(setup.planner)
   if (!entry) return null
   const shown = entry.params.filter(({ applies_when }) => {
@@ -101,6 +106,8 @@ function Controls({ panel }: { panel: Panel }) {
   return (
     <div class="parameter-list">
       <p class="hint">{plannerSummary(entry)}</p>
+      <About entry={entry} preset={setup.preset} />
+      {touring && <Legs panel={panel} />}
       {entry.presets.length > 0 && (
         <Select
           label={t('parameters.preset')}
@@ -124,6 +131,23 @@ function Controls({ panel }: { panel: Panel }) {
           onChange={(value) => setParam(panel.id, spec.key, value)}
         />
       ))}
+    </div>
+  )
+}
+
+/** What its paper claims and what came out, where somebody wrote it down. */
+function About({ entry, preset }: { entry: CatalogEntry; preset: string | null }) {
+  const card = cardOf(entry.id, preset)
+  if (!card) return null
+  return (
+    <div class="about">
+      <Button
+        icon={BookOpen}
+        label={t('papers.aboutThis')}
+        tone="quiet"
+        testId="about-planner"
+        onClick={() => showCard(card)}
+      />
     </div>
   )
 }

@@ -1,9 +1,22 @@
 /** The catalog's own words, in the reader's language where it has them. */
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
-import { engineText } from '../i18n'
-import { panelById, panels, plannerEntry } from '../state'
+import { engineText, t } from '../i18n'
+import { panelById, panels, plannerEntry, scenario } from '../state'
 
-export const FAMILIES = ['ant-colony', 'exact'] as const
+/** In the order in which people meet them. */
+export const FAMILIES = ['ant-colony', 'swarm', 'search', 'exact'] as const
+
+/** Searches count the cells they look at; colonies and swarms their iterations. */
+export function isSearch(planner: string): boolean {
+  const family = plannerEntry(planner)?.family
+  return family === 'search' || family === 'exact'
+}
+
+/** Why a planner cannot be used on this map, if it is for the number of goals. */
+export function tooManyGoals({ max_goals }: CatalogEntry): string | null {
+  const goals = scenario.value?.spec.goals.length ?? 1
+  return goals > max_goals ? t('panels.tooManyGoals', { count: max_goals, goals }) : null
+}
 
 export const plannerName = ({ id, name }: CatalogEntry) => engineText(`planners.${id}.name`, name)
 

@@ -1,13 +1,14 @@
-import type { Layer } from '@pkg/formicarium'
+import type { Layer, Objective } from '@pkg/formicarium'
 import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
 import { fitView, zoomBy } from '../stage/view'
 import {
   layer,
-  optimum,
+  objectives,
   panels,
   plannerEntry,
+  references,
   scenario,
   scenarioNotices,
   showAnts,
@@ -16,6 +17,8 @@ import {
 import { IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { AddPlannerMenu } from './add_planner'
+import { referenceValue } from './gap'
+import { showGoals } from './goals'
 
 /** What is being raced for, in one line, and how to look at it. */
 export function RaceStrip() {
@@ -24,6 +27,7 @@ export function RaceStrip() {
       <p class="race-words">
         {panels.value.length > 0 && <span>{t('race.what', { count: panels.value.length })}</span>}
         <Target />
+        <GoalCount />
       </p>
       <ScenarioRemarks />
       <span class="spacer" />
@@ -33,22 +37,52 @@ export function RaceStrip() {
   )
 }
 
-function Target() {
-  const best = optimum.value
-  if (!scenario.value) return null
-  const words =
-    best === null
-      ? t('race.proving')
-      : Number.isFinite(best)
-        ? t('race.target', { length: numbers.value.length.format(best) })
-        : t('race.unreachable')
+/** The way to the table of goals, where there are several. */
+function GoalCount() {
+  const count = scenario.value?.spec.goals.length ?? 1
+  if (count < 2) return null
   return (
-    <span
-      class={best === Number.POSITIVE_INFINITY ? 'target remark' : 'target'}
-      data-testid="optimum"
-      data-value={best ?? ''}
-    >
-      {words}
+    <button type="button" class="link" data-testid="goal-count" onClick={showGoals}>
+      {t('goals.count', { count })}
+    </button>
+  )
+}
+
+/** What can be reached at best, by everything the panels are measured by. */
+function Target() {
+  if (!scenario.value) return null
+  const shown = objectives.value
+  if (shown.some((objective) => references.value[objective]?.kind === 'no-path')) {
+    const several = scenario.value.spec.goals.length > 1
+    return (
+      <span class="target remark" data-testid="optimum" data-value={Number.POSITIVE_INFINITY}>
+        {t(several ? 'race.goalUnreachable' : 'race.unreachable')}
+      </span>
+    )
+  }
+  return (
+    <>
+      {shown.map((objective, index) => (
+        <Best
+          key={objective}
+          objective={objective}
+          testId={`optimum${index > 0 ? index + 1 : ''}`}
+        />
+      ))}
+    </>
+  )
+}
+
+function Best({ objective, testId }: { objective: Objective; testId: string }) {
+  const reference = references.value[objective] ?? null
+  const value = referenceValue(reference)
+  const what = t(`race.best.${objective}`)
+  return (
+    <span class="target" data-testid={testId} data-objective={objective} data-value={value ?? ''}>
+      {value !== null
+        ? t('race.target', { what, value: numbers.value.length.format(value) })
+        : t(reference === null ? 'race.proving' : 'race.unknown', { what })}
+      {reference?.kind === 'unproven' && <span class="unproven"> {t('gap.notProven')}</span>}
     </span>
   )
 }
@@ -67,7 +101,17 @@ function ScenarioRemarks() {
   )
 }
 
-const LAYERS: (Layer | 'none')[] = ['trail', 'visits', 'heuristic', 'cost', 'none']
+const LAYERS: (Layer | 'none')[] = [
+  'trail',
+  'visits',
+  'heuristic',
+  'density',
+  'initial-trail',
+  'seed-path',
+  'priority',
+  'cost',
+  'none',
+]
 
 function ViewControls() {
   const offered = new Set(
@@ -79,10 +123,12 @@ function ViewControls() {
         label={t('view.layer')}
         value={layer.value}
         testId="layer"
+        note={layer.value === 'none' ? undefined : t(`view.layerNotes.${layer.value}`)}
         options={LAYERS.filter((id) => id === layer.value || id === 'none' || offered.has(id)).map(
           (id) => ({
             value: id,
             label: t(`view.layers.${id}`),
+            note: id === 'none' ? undefined : t(`view.layerNotes.${id}`),
           }),
         )}
         onChange={(id) => {

@@ -1,25 +1,28 @@
-import type { RunSummary } from '@pkg/formicarium'
+import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, t } from '../i18n'
-import { optimum, type Panel, plannerEntry } from '../state'
-import { gapOf } from './gap'
-import { panelTitle } from './planner_text'
+import { type Panel, referenceOf } from '../state'
+import { panelGap } from './gap'
+import { isSearch, panelTitle } from './planner_text'
 
-/** The panel's result at a glance: how far from the proven optimum, how long, how far it has come. */
+/** The panel's result at a glance: how far from the best there is, how long, how far it has come. */
 export function Readout({ panel, place }: { panel: Panel; place: number }) {
   const { summary } = panel.live.value
   const length = summary?.metrics?.length ?? null
-  const gap = gapOf(length, optimum.value)
-  const tone = gap === null ? 'none' : gap === 0 ? 'best' : 'above'
+  const gap = panelGap(panel)
+  const reference = referenceOf(panel)
+  const best = gap === 0 && reference?.kind === 'proven'
+  const tone = gap === null ? 'none' : best ? 'best' : 'above'
   return (
     <div class="readout">
       <div class={`gap ${tone}`} data-testid={`gap-${place}`} data-gap={gap ?? ''}>
         {gap !== null && <strong class="gap-value">{numbers.value.percent.format(gap)}</strong>}
-        <span class="gap-words">{gapWords(length, gap)}</span>
+        <span class="gap-words">{gapWords(panel, gap)}</span>
       </div>
       <dl class="readout-facts">
         <Fact label={t('metrics.length')} testId={`readout-length-${place}`}>
           {length === null ? '–' : numbers.value.length.format(length)}
         </Fact>
+        <ObjectiveFact summary={summary} place={place} />
         <ProgressFacts panel={panel} place={place} />
       </dl>
       <ProgressBar panel={panel} />
@@ -27,11 +30,26 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
   )
 }
 
-/** Colonies count iterations and arrived ants, exact planners the cells they have looked at. */
+/** The value that the gap is about, where it is not the length. */
+function ObjectiveFact({ summary, place }: { summary: RunSummary | null; place: number }) {
+  if (summary?.objective !== 'turn-index' && summary?.objective !== 'tour-weight') return null
+  const { value, objective } = summary
+  return (
+    <Fact
+      label={t(objective === 'turn-index' ? 'metrics.turnIndex' : 'metrics.weightShort')}
+      testId={`readout-value-${place}`}
+      leading
+    >
+      {value === null ? '–' : numbers.value.length.format(value)}
+    </Fact>
+  )
+}
+
+/** Colonies count iterations and arrived ants, searches the cells they have looked at. */
 function ProgressFacts({ panel, place }: { panel: Panel; place: number }) {
   const { summary } = panel.live.value
   const { whole } = numbers.value
-  if (plannerEntry(panel.setup.planner)?.family === 'exact') {
+  if (isSearch(panel.setup.planner)) {
     return (
       <Fact label={t('metrics.expandedShort')} testId={`expansions-${place}`}>
         {whole.format(summary?.effort.cell_expansions ?? 0)}
@@ -52,9 +70,9 @@ function ProgressFacts({ panel, place }: { panel: Panel; place: number }) {
   )
 }
 
-function Fact(props: { label: string; testId: string; children: string }) {
+function Fact(props: { label: string; testId: string; children: string; leading?: boolean }) {
   return (
-    <div class="fact">
+    <div class={props.leading ? 'fact leading' : 'fact'}>
       <dt>{props.label}</dt>
       <dd data-testid={props.testId}>{props.children}</dd>
     </div>
@@ -77,16 +95,27 @@ function ProgressBar({ panel }: { panel: Panel }) {
   )
 }
 
-/** The share of the iterations a colony may take. An exact planner cannot know how far it is until it has its proof. */
+/** The share of the iterations a colony may take. A search cannot know how far it is until it has its path. */
 function progress(summary: RunSummary | null): number {
   if (!summary) return 0
   if (!summary.iteration_budget) return summary.status === 'running' ? 0 : 1
   return Math.min(1, summary.iteration / summary.iteration_budget)
 }
 
-function gapWords(length: number | null, gap: number | null): string {
-  if (optimum.value === Number.POSITIVE_INFINITY) return t('gap.noPathExists')
-  if (length === null) return t('gap.noPathYet')
-  if (gap === null) return t('gap.proving')
-  return gap === 0 ? t('gap.shortest') : t('gap.above')
+function gapWords(panel: Panel, gap: number | null): string {
+  const reference = referenceOf(panel)
+  const { summary, objective } = panel.live.value
+  if (reference?.kind === 'no-path') return t('gap.noPathExists')
+  if (!summary?.metrics || !objective) return t('gap.noPathYet')
+  if (reference === null) return t('gap.proving')
+  if (gap === null) return t('gap.unknown')
+  const what = t(`objective.${objective}`)
+  return t(`gap.${comparison(gap, reference)}`, { what })
+}
+
+/** Which way a result differs from what is proven, or merely known. */
+function comparison(gap: number, { kind }: Reference) {
+  if (kind === 'proven') return gap === 0 ? 'equal' : 'above'
+  if (gap === 0) return 'equalKnown'
+  return gap > 0 ? 'aboveKnown' : 'belowKnown'
 }

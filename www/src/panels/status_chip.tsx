@@ -1,8 +1,9 @@
 import type { RunSummary } from '@pkg/formicarium'
 import { BadgeCheck, TriangleAlert } from 'lucide'
 import { t } from '../i18n'
-import { type Panel, type Phase, phase, plannerEntry, type Verification } from '../state'
+import { type Panel, type Phase, phase, type Verification } from '../state'
 import { Icon } from '../ui/icon'
+import { isSearch } from './planner_text'
 
 type StatusWord =
   | 'refused'
@@ -11,6 +12,7 @@ type StatusWord =
   | 'searching'
   | 'paused'
   | 'optimal'
+  | 'complete'
   | 'stagnated'
   | 'budget-spent'
   | 'no-path'
@@ -18,33 +20,39 @@ type StatusWord =
 /** What the panel's run is doing, in one word. */
 export function StatusChip({ panel, place }: { panel: Panel; place: number }) {
   const { summary, verified, error } = panel.live.value
-  const exact = plannerEntry(panel.setup.planner)?.family === 'exact'
-  const word = error ? 'refused' : statusWord(summary, phase.value, exact)
+  const search = isSearch(panel.setup.planner)
+  const word = error ? 'refused' : statusWord(summary, phase.value, search)
+  const words = word === 'optimal' && isNoLength(summary) ? 'optimal-value' : word
   return (
     <>
       <span class={`chip status-${word}`} data-testid={`status-${place}`} data-status={word}>
-        {t(`status.${word}`)}
+        {t(`status.${words}`)}
       </span>
-      <VerifiedChip panel={panel} verified={verified} exact={exact} place={place} />
+      <VerifiedChip panel={panel} verified={verified} search={search} place={place} />
     </>
   )
 }
 
-function statusWord(summary: RunSummary | null, now: Phase, exact: boolean): StatusWord {
+function statusWord(summary: RunSummary | null, now: Phase, search: boolean): StatusWord {
   if (summary && summary.status !== 'running') return summary.status
-  if (now === 'running') return exact ? 'searching' : 'exploring'
+  if (now === 'running') return search ? 'searching' : 'exploring'
   return now === 'editing' ? 'ready' : 'paused'
+}
+
+/** What is proven least is not always a length. */
+function isNoLength(summary: RunSummary | null): boolean {
+  return summary?.objective === 'turn-index' || summary?.objective === 'tour-weight'
 }
 
 interface VerifiedChipProps {
   panel: Panel
   verified: Verification
-  exact: boolean
+  search: boolean
   place: number
 }
 
 /** Says what was verified: the run on show has only begun, the recorded one was repeated as far as it went. */
-function VerifiedChip({ panel, verified, exact, place }: VerifiedChipProps) {
+function VerifiedChip({ panel, verified, search, place }: VerifiedChipProps) {
   if (verified === 'none') return null
   const count = panel.setup.result?.iterations ?? 0
   const icon = { pending: null, verified: BadgeCheck, differs: TriangleAlert }[verified]
@@ -56,7 +64,7 @@ function VerifiedChip({ panel, verified, exact, place }: VerifiedChipProps) {
       title={t(`verified.${verified}Hint`)}
     >
       {icon && <Icon icon={icon} size={14} />}
-      {exact && verified !== 'pending'
+      {search && verified !== 'pending'
         ? t(`verified.${verified}Exact`)
         : t(`verified.${verified}`, { count })}
     </span>

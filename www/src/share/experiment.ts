@@ -5,6 +5,7 @@
 import type { Movement, ScenarioSpec } from '@pkg/formicarium'
 import type { ParamValues } from '../messages'
 import {
+  MAX_GOALS,
   MAX_PANELS,
   type Origin,
   type PanelSetup,
@@ -17,7 +18,6 @@ import { LinkError } from './error'
 
 export const FORMAT = 'formicarium/experiment@1'
 export const MAX_SIDE = 4096
-const MAX_GOALS = 64
 
 const SEED_MAX = 2 ** 32 - 1
 const SYNCS = ['moves', 'iterations', 'paths', 'time'] as const
@@ -32,7 +32,7 @@ const LAYERS = [
   'priority',
   'none',
 ] as const
-const STATUSES = ['running', 'optimal', 'stagnated', 'budget-spent', 'no-path'] as const
+const STATUSES = ['running', 'optimal', 'complete', 'stagnated', 'budget-spent', 'no-path'] as const
 const GENERATORS = ['random', 'maze', 'rooms', 'cave'] as const
 const CORNER_RULES = ['always', 'one-free', 'both-free'] as const
 

@@ -2,7 +2,7 @@ import { Copy, FileDown } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
 import { numbers, t } from '../i18n'
 import { copyText } from '../maps/export_dialog'
-import { plannerName } from '../panels/planner_text'
+import { isSearch, plannerName } from '../panels/planner_text'
 import type { PanelSetup, Session } from '../session'
 import {
   currentSession,
@@ -94,11 +94,11 @@ function Contents({ session, expanded }: { session: Session; expanded: (number |
   )
 }
 
-/** Colonies count iterations, exact planners the cells they have looked at: known when the run on show is the recorded one. */
+/** Colonies count iterations, searches the cells they have looked at: known when the run on show is the recorded one. */
 function resultWords({ planner, result }: PanelSetup, expanded: number | null): string {
   if (!result) return t('share.noResult')
   const { iterations, digest } = result
-  if (plannerEntry(planner)?.family !== 'exact') return t('share.result', { iterations, digest })
+  if (!isSearch(planner)) return t('share.result', { iterations, digest })
   if (expanded === null) return t('share.resultRecorded', { digest })
   return t('share.resultExact', { count: expanded, digest })
 }

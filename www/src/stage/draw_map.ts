@@ -1,10 +1,9 @@
-/** Everything on the stage but the ants: raster, grid, best path, start and goal, cursor. Pure functions of the view. */
+/** What lies under ants and markers: raster, grid, best path; and the cursor over them. Pure functions of the view. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import type { View } from '../messages'
 
 type Context = OffscreenCanvasRenderingContext2D
 
-const TURN = 2 * Math.PI
 /** CSS pixels a cell must have before grid lines help rather than hide. */
 const GRID_FROM = 12
 
@@ -22,8 +21,6 @@ const COLOURS = {
     cursor: '#fff3dc',
   },
 }
-const START = { light: '#0c8a4d', dark: '#3ddc84' }
-const GOAL = { light: '#d3263a', dark: '#ff6b76' }
 
 /** Cells stay crisp squares when magnified; when a cell is under a pixel, averaging keeps thin walls visible. */
 export function drawRaster(context: Context, view: View, raster: OffscreenCanvas): void {
@@ -49,7 +46,7 @@ export function drawGrid(context: Context, view: View, { width, height }: Scenar
   }
 }
 
-/** `path`: x0, y0, x1, y1, … */
+/** `path`: x0, y0, x1, y1, …; its cells need not be neighbours. */
 export function drawPath(context: Context, view: View, path: Uint32Array): void {
   if (path.length < 4) return
   const line = new Path2D()
@@ -65,52 +62,6 @@ export function drawPath(context: Context, view: View, path: Uint32Array): void 
   context.strokeStyle = view.colour
   context.lineWidth = width
   context.stroke(line)
-}
-
-/** The start is a green disc with a hole, the goal a red diamond: told apart by shape as well as by colour. */
-export function drawEnds(context: Context, view: View, spec: ScenarioSpec): void {
-  const radius = markRadius(view)
-  for (const goal of spec.goals) drawDiamond(context, view, goal.at, radius)
-  drawDisc(context, view, spec.start, radius)
-}
-
-/** Never smaller than can be seen and grasped, even when a cell is a pixel. */
-export function markRadius({ scale, dpr }: Pick<View, 'scale' | 'dpr'>): number {
-  return Math.min(16 * dpr, Math.max(6 * dpr, 0.4 * scale))
-}
-
-function drawDisc(context: Context, view: View, at: [number, number], radius: number): void {
-  const [x, y] = centre(view, ...at)
-  const colours = COLOURS[view.theme]
-  context.fillStyle = colours.ring
-  context.beginPath()
-  context.arc(x, y, radius + 1.5 * view.dpr, 0, TURN)
-  context.fill()
-  context.fillStyle = START[view.theme]
-  context.beginPath()
-  context.arc(x, y, radius, 0, TURN)
-  context.fill()
-  context.fillStyle = colours.ring
-  context.beginPath()
-  context.arc(x, y, 0.36 * radius, 0, TURN)
-  context.fill()
-}
-
-function drawDiamond(context: Context, view: View, at: [number, number], radius: number): void {
-  const [x, y] = centre(view, ...at)
-  const reach = 1.18 * radius
-  context.beginPath()
-  context.moveTo(x, y - reach)
-  context.lineTo(x + reach, y)
-  context.lineTo(x, y + reach)
-  context.lineTo(x - reach, y)
-  context.closePath()
-  context.lineJoin = 'round'
-  context.strokeStyle = COLOURS[view.theme].ring
-  context.lineWidth = 3 * view.dpr
-  context.stroke()
-  context.fillStyle = GOAL[view.theme]
-  context.fill()
 }
 
 /** A tint under the pointer, a double ring for the keyboard. */
@@ -137,6 +88,6 @@ export function drawCursor(context: Context, view: View): void {
   }
 }
 
-function centre(view: View, x: number, y: number): [number, number] {
+export function centre(view: View, x: number, y: number): [number, number] {
   return [view.originX + (x + 0.5) * view.scale, view.originY + (y + 0.5) * view.scale]
 }

@@ -1,11 +1,12 @@
 /** Finds the start or goal marker under a point: they can be dragged with any tool, even when a cell is smaller than its marker. */
-import { type Cell, goalOf } from '../maps/edit'
+import type { Cell } from '../maps/edit'
 import type { Scenario } from '../session'
-import { markRadius } from './draw_map'
+import type { Brush } from './brush'
+import { markRadius } from './draw_marks'
 import type { Placement, Point } from './view'
 
 export interface Grabbed {
-  kind: 'start' | 'goal'
+  brush: Exclude<Brush, { kind: 'wall' }>
   at: Cell
 }
 
@@ -19,10 +20,14 @@ export function grabbed(
   dpr: number,
   touch: boolean,
 ): Grabbed | null {
-  const reach = Math.max(markRadius({ scale: place.scale, dpr }), touch ? FINGER * dpr : 0)
+  const several = scenario.spec.goals.length > 1
+  const mark = markRadius({ scale: place.scale, dpr }, several)
+  const reach = Math.max(mark, touch ? FINGER * dpr : 0)
   const ends: Grabbed[] = [
-    { kind: 'start', at: scenario.spec.start },
-    { kind: 'goal', at: goalOf(scenario) },
+    { brush: { kind: 'start' }, at: scenario.spec.start },
+    ...scenario.spec.goals.map(
+      ({ at }, index): Grabbed => ({ brush: { kind: 'goal', index }, at }),
+    ),
   ]
   const within = ends.filter((end) => distance(end.at, at, place) <= reach)
   within.sort((a, b) => distance(a.at, at, place) - distance(b.at, at, place))

@@ -1,9 +1,10 @@
-/** Keys on a focused stage: arrows move the cell cursor, Enter or x uses the tool there. Every other key is the page's. */
+/** Keys on a focused stage: arrows move the cell cursor, Enter or x uses the tool there, Delete removes a goal. Every other key is the page's. */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
-import { type Cell, goalOf, isBlocked, sameCell } from '../maps/edit'
+import { type Cell, isBlocked, sameCell } from '../maps/edit'
+import { goalIndexAt, goalName } from '../maps/goals'
 import type { Scenario } from '../session'
-import { announce, applyEdit, scenario, tool } from '../state'
+import { activeGoal, announce, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { brushFor, newGesture, stroke } from './brush'
 import type { Cursor } from './look'
 import { fitView, panBy, reveal, type Size, viewpoint, zoomBy } from './view'
@@ -51,6 +52,9 @@ function handle(
     case 'x':
       use(cursor.peek()?.cell ?? now.spec.start, now)
       return true
+    case 'Delete':
+    case 'Backspace':
+      return remove(cursor.peek()?.cell ?? null, now)
     case '+':
     case '=':
       zoomBy(1.25)
@@ -86,22 +90,45 @@ function pan([dx, dy]: Cell, now: Scenario, size: Size): void {
   viewpoint.value = panBy(viewpoint.peek(), -dx * step, -dy * step, size, now.spec)
 }
 
-/** On start or goal the keys have nothing to drag, so the wall tools leave them alone. */
+/** A goal under the cursor is taken up, for the goal tool to put down elsewhere; the wall tools leave start and goals alone. */
 function use(cell: Cell, now: Scenario): void {
-  const brush = brushFor(tool.peek(), now, cell)
-  if (brush === null) return
+  const brush = brushFor(tool.peek(), now, cell, activeGoal.peek())
+  if (brush === null) {
+    refuseMoreGoals()
+    return
+  }
+  const taken = goalIndexAt(now, cell) >= 0
+  if (brush.kind === 'goal') activeGoal.value = brush.index
   applyEdit(stroke(brush, cell, cell), newGesture())
-  announce(describe(cell, scenario.peek() ?? now))
+  const after = scenario.peek() ?? now
+  announce(
+    taken
+      ? t('stage.taken', { name: goalName(now.spec, activeGoal.peek()) })
+      : describe(cell, after),
+  )
+}
+
+/** True when there was a goal to remove, even if it is the last one and stays. */
+function remove(cell: Cell | null, now: Scenario): boolean {
+  const index = cell === null ? -1 : goalIndexAt(now, cell)
+  if (cell === null || index < 0) return false
+  applyEdit({ kind: 'remove-goal', index })
+  const gone = scenario.peek() !== now
+  announce(t(gone ? 'goals.removed' : 'goals.lastStays', { name: goalName(now.spec, index) }))
+  return true
 }
 
 function describe(cell: Cell, now: Scenario): string {
-  return t('stage.cell', { x: cell[0], y: cell[1], what: t(`stage.${contentOf(cell, now)}`) })
+  return t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
 }
 
-function contentOf(cell: Cell, now: Scenario): 'start' | 'goal' | 'wall' | 'free' {
-  if (sameCell(cell, now.spec.start)) return 'start'
-  if (sameCell(cell, goalOf(now))) return 'goal'
-  return isBlocked(now, cell) ? 'wall' : 'free'
+function contentOf(cell: Cell, now: Scenario): string {
+  if (sameCell(cell, now.spec.start)) return t('stage.start')
+  const goal = goalIndexAt(now, cell)
+  if (goal >= 0 && now.spec.goals.length > 1)
+    return t('stage.goalNamed', { name: goalName(now.spec, goal) })
+  if (goal >= 0) return t('stage.goal')
+  return t(isBlocked(now, cell) ? 'stage.wall' : 'stage.free')
 }
 
 function clamp(value: number, size: number): number {

@@ -1,5 +1,6 @@
 /** Puts together what one panel's worker needs to know to draw. */
 import type { Cell } from '../maps/edit'
+import { goalName } from '../maps/goals'
 import type { View } from '../messages'
 import { layer, panelColour, scenario, showAnts, showPath, theme } from '../state'
 import { type Placement, placement, type Size, viewpoint } from './view'
@@ -22,9 +23,15 @@ export function lookAt(panelId: number, size: CanvasSize, cursor: Cursor | null)
     showPath: showPath.value,
     theme: theme.value,
     colour: panelColour(panelId),
+    goalNames: names(),
     cursor: cursor?.cell ?? null,
     cursorFocus: cursor?.byKeys ?? false,
   }
+}
+
+function names(): string[] {
+  const spec = scenario.value?.spec
+  return spec ? spec.goals.map((_, index) => goalName(spec, index)) : []
 }
 
 /** Where the present scenario lies on a canvas of this size. */

@@ -3,9 +3,11 @@ import type { Layer, Run, ScenarioSpec } from '@pkg/formicarium'
 import type { View } from '../messages'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
-import { drawCursor, drawEnds, drawGrid, drawPath, drawRaster } from './draw_map'
+import { drawCursor, drawGrid, drawPath, drawRaster } from './draw_map'
+import { drawMarks } from './draw_marks'
 
 type Context = OffscreenCanvasRenderingContext2D
+type PaintMap = (context: Context, theme: View['theme']) => void
 
 /** Slow steps are shown as a walk rather than a jump, but never longer than this. */
 const LONGEST_GLIDE_MS = 140
@@ -16,8 +18,12 @@ export class Painter {
   private readonly context: Context
   private raster: Context | null = null
   private run: Run | null = null
+  /** Paints the map where there is no run. */
+  private bare: PaintMap | null = null
   private spec: ScenarioSpec | null = null
   private path: Uint32Array = new Uint32Array()
+  /** For each goal its place in the order of visits, from 1. */
+  private places: number[] = []
   private readonly crowd = new Crowd()
   private lastStep = 0
   private glideFrom = 0
@@ -35,8 +41,20 @@ export class Painter {
   /** Shows another run from now on. */
   show(run: Run, spec: ScenarioSpec): void {
     this.run = run
+    this.begin(spec)
+  }
+
+  /** Shows a map with its marks, and no run, from now on. */
+  showMap(spec: ScenarioSpec, paint: PaintMap): void {
+    this.run = null
+    this.bare = paint
+    this.begin(spec)
+  }
+
+  private begin(spec: ScenarioSpec): void {
     this.spec = spec
     this.path = new Uint32Array()
+    this.places = []
     this.crowd.clear()
     this.glideMs = 0
     if (this.raster?.canvas.width !== spec.width || this.raster.canvas.height !== spec.height) {
@@ -49,6 +67,12 @@ export class Painter {
   /** x0, y0, x1, y1, …; shown from the next drawing on. */
   setPath(path: Uint32Array): void {
     this.path = path
+  }
+
+  /** The goals' indices in visiting order; shown from the next drawing on. */
+  setOrder(order: readonly number[]): void {
+    this.places = []
+    for (const [place, goal] of order.entries()) this.places[goal] = place + 1
   }
 
   /** The run has moved on. `single`: by one move, so that every ant went one cell at most. */
@@ -79,8 +103,9 @@ export class Painter {
   }
 
   private repaint(): void {
-    if (this.run === null || this.raster === null) return
-    this.run.paint(this.raster, layerOf(this.run, this.view.layer), this.view.theme)
+    if (this.raster === null) return
+    if (this.run === null) this.bare?.(this.raster, this.view.theme)
+    else this.run.paint(this.raster, layerOf(this.run, this.view.layer), this.view.theme)
   }
 
   private draw(): void {
@@ -91,7 +116,7 @@ export class Painter {
     drawGrid(context, view, spec)
     if (view.showPath) drawPath(context, view, this.path)
     if (view.showAnts) this.drawAnts(spec)
-    drawEnds(context, view, spec)
+    drawMarks(context, view, spec, this.places)
     drawCursor(context, view)
   }
 

@@ -4,7 +4,7 @@
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { type Cell, isInside, sameCell } from '../maps/edit'
-import { applyEdit, scenario, tool } from '../state'
+import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { type Brush, brushFor, newGesture, stroke } from './brush'
 import { type Grabbed, grabbed } from './grab'
 import { MapHold } from './hold'
@@ -69,8 +69,12 @@ export class PointerInput {
     const now = scenario.peek()
     const cell = end?.at ?? this.cell(at)
     if (now === null || !isInside(now, cell)) return
-    const brush = end ? { kind: end.kind } : brushFor(tool.peek(), now, cell)
-    if (brush === null) return
+    const brush = end?.brush ?? brushFor(tool.peek(), now, cell, activeGoal.peek())
+    if (brush === null) {
+      refuseMoreGoals()
+      return
+    }
+    if (brush.kind === 'goal') activeGoal.value = brush.index
     const notBefore = event.pointerType === 'touch' ? performance.now() + PINCH_GRACE_MS : 0
     this.drawing = {
       pointerId: event.pointerId,

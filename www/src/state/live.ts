@@ -37,12 +37,13 @@ export function onReply(panelId: number, reply: PanelReply): void {
     pending.set(panelId, {
       ...before,
       summary,
+      objective: summary.objective,
       bestPath: reply.bestPath ?? before.bestPath,
       error: null,
       crashed: null,
     })
   } else if (reply.kind === 'refused') {
-    pending.set(panelId, { ...before, error: reply.error })
+    pending.set(panelId, { ...before, objective: null, error: reply.error })
   } else {
     pending.set(panelId, { ...before, crashed: reply.message })
   }
@@ -54,7 +55,9 @@ export function clearLive(panelId: number): void {
   historyOf(panelId).clear()
   pending.delete(panelId)
   const panel = panelById(panelId)
-  if (panel) panel.live.value = { ...blankLive(), verified: panel.live.peek().verified }
+  if (!panel) return
+  const { verified, objective } = panel.live.peek()
+  panel.live.value = { ...blankLive(), verified, objective }
 }
 
 export function forget(panelId: number): void {

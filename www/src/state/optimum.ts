@@ -1,31 +1,61 @@
-/** Keeps the proven optimum and the engine's remarks in step with the scenario. */
-import { effect } from '@preact/signals'
+/** Keeps the engine's remarks, and what results are compared with, in step with the scenario and the panels' objectives. */
+import type { Notice, Objective, Reference } from '@pkg/formicarium'
+import { computed, effect } from '@preact/signals'
 import { toEngineError } from '../engine/errors'
 import { tools } from '../engine/tools'
+import { question } from '../maps/goals'
 import type { Scenario } from '../session'
-import { optimum, scenario, scenarioNotices } from './store'
+import { type Panel, panels, references, scenario, scenarioNotices } from './store'
 
 /** Long enough that a drag does not ask for every cell it crosses. */
 const SETTLE_MS = 150
 
+type Known = Partial<Record<Objective, Reference>>
+
+/** By map, then by what is asked on it: undo and a change of planner find what was found out before. */
+const known = new WeakMap<Uint8Array, Map<string, Known>>()
+
+/** What the panels are measured by, in their order; as a text, so that it changes only when they do. */
+const wanted = computed(() => {
+  const used = panels.value.flatMap(({ live }) => live.value.objective ?? [])
+  return [...new Set(used)].join()
+})
+
+/** The objectives on show; without a panel that can run, the plainest there is. */
+export const objectives = computed((): Objective[] => {
+  if (wanted.value !== '') return wanted.value.split(',') as Objective[]
+  return [(scenario.value?.spec.goals.length ?? 1) > 1 ? 'tour-length' : 'length']
+})
+
+/** What a panel's result is compared with; null while that is being found out, or nobody knows what the panel is measured by. */
+export function referenceOf({ live }: Panel): Reference | null {
+  const { objective } = live.value
+  return (objective && references.value[objective]) ?? null
+}
+
 export function watchScenario(): void {
-  let timer = 0
+  let remarkTimer = 0
+  let referenceTimer = 0
   effect(() => {
     const now = scenario.value
-    optimum.value = null
-    clearTimeout(timer)
-    if (now) timer = window.setTimeout(() => void examine(now), SETTLE_MS)
+    clearTimeout(remarkTimer)
+    if (now) remarkTimer = window.setTimeout(() => void remark(now), SETTLE_MS)
+  })
+  effect(() => {
+    const now = scenario.value
+    const asked = objectives.value
+    clearTimeout(referenceTimer)
+    references.value = now ? knownOf(now) : {}
+    if (now) referenceTimer = window.setTimeout(() => void compare(now, asked), SETTLE_MS)
   })
 }
 
-async function examine(asked: Scenario): Promise<void> {
-  const [notices, length] = await Promise.all([remarks(asked), provenLength(asked)])
-  if (scenario.peek() !== asked) return
-  scenarioNotices.value = notices
-  optimum.value = length
+async function remark(asked: Scenario): Promise<void> {
+  const notices = await remarks(asked)
+  if (scenario.peek() === asked) scenarioNotices.value = notices
 }
 
-async function remarks(asked: Scenario) {
+async function remarks(asked: Scenario): Promise<Notice[]> {
   try {
     return await tools.check(asked.spec, asked.cells)
   } catch (thrown) {
@@ -34,11 +64,32 @@ async function remarks(asked: Scenario) {
   }
 }
 
-/** A scenario that cannot be used has no optimum; why, the remarks say. */
-async function provenLength(asked: Scenario): Promise<number | null> {
+/** One after the other: the plain ones are not held up by those that take long. */
+async function compare(asked: Scenario, by: Objective[]): Promise<void> {
+  for (const objective of by) {
+    if (knownOf(asked)[objective]) continue
+    const found = await lookUp(asked, objective)
+    if (found) note(asked, objective, found)
+    if (scenario.peek() !== asked) return
+    references.value = knownOf(asked)
+  }
+}
+
+/** A scenario that cannot be used has nothing to compare with; why, the remarks say. */
+async function lookUp(asked: Scenario, objective: Objective): Promise<Reference | null> {
   try {
-    return await tools.optimum(asked)
+    return await tools.reference(asked, objective)
   } catch {
     return null
   }
 }
+
+function note(on: Scenario, objective: Objective, found: Reference): void {
+  const byQuestion = known.get(on.cells) ?? new Map<string, Known>()
+  known.set(on.cells, byQuestion)
+  byQuestion.set(questionOf(on), { ...knownOf(on), [objective]: found })
+}
+
+const knownOf = (on: Scenario): Known => known.get(on.cells)?.get(questionOf(on)) ?? {}
+
+const questionOf = ({ spec }: Scenario): string => JSON.stringify(question(spec))

@@ -1,17 +1,21 @@
 /** Which planners race, and with which parameters. */
 
-import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
+import type { ParamSpec } from '@pkg/formicarium'
 import { batch, signal } from '@preact/signals'
 import type { ParamValues } from '../messages'
 import { MAX_PANELS, type PanelSetup } from '../session'
 import { dropRun, reset, restart } from './runs'
-import { blankLive, catalog, type Panel, panelById, panels, seed, selectedPanel } from './store'
+import {
+  blankLive,
+  type Panel,
+  panelById,
+  panels,
+  plannerEntry,
+  seed,
+  selectedPanel,
+} from './store'
 
 let nextId = 1
-
-export function plannerEntry(id: string): CatalogEntry | undefined {
-  return catalog.value?.planners.find((entry) => entry.id === id)
-}
 
 export function makePanel(setup: PanelSetup, slot: number): Panel {
   return { id: nextId++, slot, setup, live: signal(blankLive()) }
@@ -23,6 +27,19 @@ export const bareSetup = (planner: string): PanelSetup => ({
   params: {},
   result: null,
 })
+
+/** A planner with a paper's values; with its own where the preset is unknown. */
+export function presetSetup(planner: string, name: string | null): PanelSetup {
+  const preset = plannerEntry(planner)?.presets.find((each) => each.name === name)
+  return { ...bareSetup(planner), preset: preset?.name ?? null, params: { ...preset?.values } }
+}
+
+/** Other planners altogether; whoever calls loads their runs. */
+export function replacePanels(setups: PanelSetup[]): void {
+  for (const { id } of panels.peek()) dropRun(id)
+  panels.value = setups.slice(0, MAX_PANELS).map(makePanel)
+  selectedPanel.value = panels.value[0]?.id ?? null
+}
 
 export function addPanel(planner: string): void {
   const now = panels.peek()
@@ -63,10 +80,7 @@ export function setParam(id: number, key: string, value: ParamValues[string]): v
 
 /** A named set of a paper; null brings the defaults back. */
 export function setPreset(id: number, name: string | null): void {
-  changeSetup(id, (setup) => {
-    const preset = plannerEntry(setup.planner)?.presets.find((each) => each.name === name)
-    return { ...setup, preset: preset?.name ?? null, params: { ...preset?.values }, result: null }
-  })
+  changeSetup(id, ({ planner }) => presetSetup(planner, name))
 }
 
 export function setSeed(value: number): void {

@@ -4,7 +4,18 @@ import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../messages'
 import type { Scenario } from '../session'
 import { clearLive, flushLive, forget, onReply } from './live'
-import { liveTick, type Panel, panels, phase, scenario, seed, speed, sync } from './store'
+import { fetchRest } from './rest'
+import {
+  liveTick,
+  type Panel,
+  panels,
+  phase,
+  plannerEntry,
+  scenario,
+  seed,
+  speed,
+  sync,
+} from './store'
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
@@ -55,6 +66,7 @@ export function runToEnd(): void {
 export function reset(): void {
   conductor.pause()
   const now = scenario.peek()
+  if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchRest()
   batch(() => {
     phase.value = 'editing'
     for (const panel of panels.peek()) {

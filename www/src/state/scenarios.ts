@@ -4,16 +4,20 @@ import type { Movement } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { applyEditTo, type Cell, type Edit } from '../maps/edit'
+import { applyEditTo, type Edit } from '../maps/edit'
 import { gallery } from '../maps/gallery'
-import { goalAt, type Origin, type Scenario } from '../session'
+import { askSame, takenCells } from '../maps/goals'
+import type { Racer } from '../maps/paper_maps'
+import { settleGoals } from '../maps/settle'
+import { MAX_GOALS, type Origin, type Scenario } from '../session'
 import { createHistory } from '../stage/history'
 import { fitView } from '../stage/view'
 import { announce, notify } from './notices'
-import { dropResults } from './panels'
-import { pause, play, reset } from './runs'
+import { dropResults, presetSetup, replacePanels } from './panels'
+import { fetchRest } from './rest'
+import { pause, play, reset, restart } from './runs'
 import { suitSpeed } from './speed'
-import { galleryId, phase, scenario } from './store'
+import { activeGoal, galleryId, panels, phase, plannerEntry, scenario, tool } from './store'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
@@ -32,8 +36,24 @@ export function applyEdit(edit: Edit, gesture?: number): void {
   const after = applyEditTo(base, edit)
   if (after === base) return
   history.record(before, after, gesture)
-  pauseForEdit()
-  replace(after)
+  if (asksSame(before, after)) rename(after)
+  else {
+    pauseForEdit()
+    replace(after)
+  }
+}
+
+/** Only names differ: no run is obsolete. */
+function rename(next: Scenario): void {
+  scenario.value = next
+  galleryId.value = galleryIds.get(next) ?? null
+}
+
+const asksSame = (a: Scenario, b: Scenario) => a.cells === b.cells && askSame(a.spec, b.spec)
+
+/** Says why the tool that adds goals does nothing; every other tool needs no words. */
+export function refuseMoreGoals(): void {
+  if (tool.peek() === 'add-goal') notify('warning', t('goals.most', { max: MAX_GOALS }))
 }
 
 function beforeDrag(now: Scenario, { kind }: Edit, gesture?: number): Scenario {
@@ -42,26 +62,17 @@ function beforeDrag(now: Scenario, { kind }: Edit, gesture?: number): Scenario {
   return now.cells === dragged.cells ? now : { ...now, cells: dragged.cells }
 }
 
-export function setStart(at: Cell, gesture?: number): void {
-  applyEdit({ kind: 'start', at }, gesture)
-}
-
-export function setGoal(at: Cell, gesture?: number): void {
-  applyEdit({ kind: 'goal', at }, gesture)
-}
-
 export function clearWalls(): void {
   applyEdit({ kind: 'clear' })
 }
 
-/** For files that mean 1 as free. Start and goal keep free ground under them. */
+/** For files that mean 1 as free. Start and goals keep free ground under them. */
 export function invertWalls(): void {
   const before = scenario.peek()
   if (!before) return
   const { spec } = before
   const cells = before.cells.map((cell) => 1 - cell)
-  for (const [x, y] of [spec.start, ...spec.goals.map(({ at }) => at)])
-    cells[y * spec.width + x] = 0
+  for (const [x, y] of takenCells(spec)) cells[y * spec.width + x] = 0
   setScenario({ ...before, cells, origin: null }, { undoable: true })
 }
 
@@ -93,8 +104,29 @@ export async function openGallery(id: string): Promise<void> {
   const entry = gallery.find((each) => each.id === id)
   if (!entry) return
   const opened = fromGallery(id, await entry.scenario())
+  if (entry.racers) await fetchRest()
   suitSpeed(opened)
-  setScenario(opened, { undoable: true })
+  batch(() => {
+    if (entry.racers) letRace(entry.racers)
+    setScenario(opened, { undoable: true })
+  })
+}
+
+/** The planners that belong to a map, with a way back to those that were there. */
+function letRace(racers: Racer[]): void {
+  const before = panels.peek().map(({ setup }) => ({ ...setup, result: null }))
+  const setups = racers.map(([planner, preset]) => presetSetup(planner, preset ?? null))
+  replacePanels(setups.filter(({ planner }) => plannerEntry(planner)))
+  if (before.length === 0) return
+  notify('info', t('notices.paperPlanners'), {
+    action: {
+      label: t('notices.formerPlanners'),
+      run: () => {
+        replacePanels(before)
+        restart()
+      },
+    },
+  })
 }
 
 /** Notes that a scenario is a built-in one: it has its tick in the gallery for as long as it is unchanged, or is so again. */
@@ -113,17 +145,18 @@ export async function generateMap(
   const made = await tools.generate(kind, width, height, seed, density)
   const now = scenario.peek()
   if (!now) return
-  const [goal] = now.spec.goals
+  const { cells, start, goal } = made
+  const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
   const generated: Scenario = {
     spec: {
       ...now.spec,
       name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
       width,
       height,
-      start: made.start,
-      goals: [goalAt(made.goal, goal?.name ?? 'goal')],
+      start,
+      goals,
     },
-    cells: made.cells,
+    cells,
     origin: { generator: kind, seed, density },
   }
   suitSpeed(generated)
@@ -146,7 +179,8 @@ function travel(
   const next = now && step(now)
   if (!now || !next) return
   suitSpeed(next)
-  replace(next)
+  if (asksSame(now, next)) rename(next)
+  else replace(next)
   if (now.spec.width !== next.spec.width || now.spec.height !== next.spec.height) fitView()
   announce(t(said))
 }
@@ -155,6 +189,7 @@ function travel(
 function replace(next: Scenario): void {
   batch(() => {
     scenario.value = next
+    activeGoal.value = Math.min(activeGoal.peek(), next.spec.goals.length - 1)
     galleryId.value = galleryIds.get(next) ?? null
     dropResults()
     reset()

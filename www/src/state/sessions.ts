@@ -1,20 +1,15 @@
 /** A session as a value: taken from the page, put back on it, and verified against what it recorded. */
 import { batch } from '@preact/signals'
+import { buildFor } from '../engine/builds'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
 import { firstScenario } from '../maps/gallery'
-import {
-  DEFAULT_SPEED,
-  MAX_PANELS,
-  type PanelSetup,
-  type RecordedResult,
-  type Session,
-} from '../session'
+import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../session'
 import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live'
 import { notify, notifyError } from './notices'
-import { bareSetup, makePanel, plannerEntry } from './panels'
-import { dropRun, pause, play, reset, runSetup } from './runs'
+import { bareSetup, makePanel, removePanel } from './panels'
+import { dropRun, pause, play, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -23,6 +18,8 @@ import {
   panelById,
   panels,
   phase,
+  plannerEntry,
+  rest,
   scenario,
   seed,
   selectedPanel,
@@ -56,11 +53,24 @@ export function loadSession(session: Session): void {
     layer.value = session.layer
     panels.value = []
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
-    panels.value = withKnownPlanners(session.panels).slice(0, MAX_PANELS).map(makePanel)
+    panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
+    if (rest.peek() === 'here') dropUnknown(panels.value)
     reset()
   })
   for (const panel of panels.peek()) void verify(panel)
+}
+
+/** Now that the catalog is complete: what waited for it is verified, or leaves when even this version does not know it. */
+export function admitWaiting(): void {
+  const waiting = panels.peek().filter(({ setup }) => buildFor(setup.planner) === 'whole')
+  dropUnknown(waiting)
+  for (const { id } of waiting) {
+    const panel = panelById(id)
+    if (panel) void verify(panel)
+  }
+  // After a failure their workers have given up, and a race begins together.
+  if (waiting.some(({ id }) => latest(id).crashed !== null)) restart()
 }
 
 /** Opens what the address carries. False when it carries nothing or nothing usable; the page then stays as it is. */
@@ -119,15 +129,16 @@ export function autoplay(): void {
   addEventListener('keydown', start)
 }
 
-/** A session of a newer version may name planners this one has not learnt; the rest still runs. */
-function withKnownPlanners(setups: PanelSetup[]): PanelSetup[] {
-  const unknown = setups.filter((setup) => !plannerEntry(setup.planner))
-  for (const { planner } of unknown) {
+/** A session of a newer version may name planners this one has not learnt; the others still run. */
+function dropUnknown(all: Panel[]): void {
+  for (const { id, setup } of all) {
+    const { planner } = setup
+    if (plannerEntry(planner)) continue
+    removePanel(id)
     notify('warning', t('notices.unknownPlanner', { planner }), {
       hint: t('notices.unknownPlannerHint'),
     })
   }
-  return setups.filter((setup) => !unknown.includes(setup))
 }
 
 /** What the run has reached; before its first iteration, what the opened session had recorded. */
@@ -148,6 +159,7 @@ async function verify(panel: Panel): Promise<void> {
   const now = scenario.peek()
   if (!recorded || !now) return
   setVerified(panel.id, 'pending')
+  if (!plannerEntry(panel.setup.planner)) return
   try {
     const summary = await tools.replay(runSetup(panel, now), recorded)
     if (panelById(panel.id)?.setup !== panel.setup) return

@@ -1,10 +1,13 @@
 /** From an empty page to a running one. */
+
+import { effect, untracked } from '@preact/signals'
 import { toEngineError } from '../engine/errors'
 import { tools } from '../engine/tools'
 import { keepSession, openKept } from './keep'
 import { watchScenario } from './optimum'
-import { autoplay, openFirstSession, openFragment } from './sessions'
-import { catalog, engineVersion, startError } from './store'
+import { fetchRestWhenIdle } from './rest'
+import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
+import { catalog, engineVersion, rest, startError } from './store'
 
 let watching = false
 
@@ -28,6 +31,10 @@ function watch(): void {
   watching = true
   watchScenario()
   keepSession()
+  fetchRestWhenIdle()
+  effect(() => {
+    if (rest.value === 'here') untracked(admitWaiting)
+  })
   addEventListener('hashchange', async () => {
     if (await openFragment(location.hash)) autoplay()
   })

@@ -3,7 +3,16 @@
  * the reader (tool, layer, speed, …) are written where they are made.
  */
 
-import type { Catalog, EngineError, Layer, Notice, RunSummary } from '@pkg/formicarium'
+import type {
+  Catalog,
+  CatalogEntry,
+  EngineError,
+  Layer,
+  Notice,
+  Objective,
+  Reference,
+  RunSummary,
+} from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
 import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../session'
 
@@ -15,6 +24,8 @@ export type Verification = 'none' | 'pending' | 'verified' | 'differs'
 /** What a panel's run has reached. It changes many times a second, so it is a signal of its own. */
 export interface PanelLive {
   summary: RunSummary | null
+  /** What the run is measured by: known as soon as it is loaded, and kept while the next one is on its way. */
+  objective: Objective | null
   /** Best path, x0, y0, x1, y1, …; null when none yet. */
   bestPath: Uint32Array | null
   error: EngineError | null
@@ -32,9 +43,14 @@ export interface Panel {
   live: Signal<PanelLive>
 }
 
-export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'pan'
+/** Of the engine: not asked for · on its way · in the catalog · not to be had, until asked for again */
+export type Rest = 'absent' | 'fetching' | 'here' | 'failed'
+
+export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'pan'
 
 export const catalog = signal<Catalog | null>(null)
+/** Whether the catalog is complete: at first it has what the core of the engine knows. */
+export const rest = signal<Rest>('absent')
 export const engineVersion = signal('')
 /** Set when the engine could not be started at all. */
 export const startError = signal<EngineError | null>(null)
@@ -44,8 +60,8 @@ export const scenario = signal<Scenario | null>(null)
 export const galleryId = signal<string | null>(null)
 /** What the engine says about the scenario as a whole (e.g. the goal cannot be reached). */
 export const scenarioNotices = signal<Notice[]>([])
-/** Length of the exact optimum of the current scenario; null while unknown, Infinity when there is no path. */
-export const optimum = signal<number | null>(null)
+/** What results on the current scenario are compared with, by what they are measured by; absent while it is being found out. */
+export const references = signal<Partial<Record<Objective, Reference>>>({})
 
 export const panels = signal<Panel[]>([])
 /** The panel whose parameters are on show. */
@@ -56,6 +72,10 @@ export const speed = signal(DEFAULT_SPEED)
 export const phase = signal<Phase>('editing')
 
 export const tool = signal<Tool>('wall')
+/** The goal that the goal tool moves: the one last taken up. */
+export const activeGoal = signal(0)
+/** Whether the table of goals is on show though there is but one. */
+export const goalsShown = signal(false)
 export const layer = signal<Layer | 'none'>('trail')
 export const showAnts = signal(true)
 export const showPath = signal(true)
@@ -65,6 +85,7 @@ export const liveTick = signal(0)
 
 export const blankLive = (): PanelLive => ({
   summary: null,
+  objective: null,
   bestPath: null,
   error: null,
   crashed: null,
@@ -72,6 +93,11 @@ export const blankLive = (): PanelLive => ({
 })
 
 export const playing = computed(() => phase.value === 'running')
+
+/** Undefined for a planner that the catalog lacks, or lacks as yet. */
+export function plannerEntry(id: string): CatalogEntry | undefined {
+  return catalog.value?.planners.find((entry) => entry.id === id)
+}
 
 export function panelById(id: number): Panel | undefined {
   return panels.value.find((panel) => panel.id === id)

@@ -1,6 +1,7 @@
-import { BrickWall, CircleDot, Eraser, Flag, Hand, Redo2, Undo2 } from 'lucide'
+import { BrickWall, CircleDot, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
 import { t } from '../i18n'
-import { canRedo, canUndo, redo, type Tool, tool, undo } from '../state'
+import { goalName } from '../maps/goals'
+import { activeGoal, canRedo, canUndo, redo, scenario, type Tool, tool, undo } from '../state'
 import { IconButton } from '../ui/buttons'
 
 const TOOLS = [
@@ -8,8 +9,16 @@ const TOOLS = [
   { id: 'erase', icon: Eraser, keys: 'E' },
   { id: 'start', icon: CircleDot, keys: 'S' },
   { id: 'goal', icon: Flag, keys: 'G' },
+  { id: 'add-goal', icon: MapPinPlus, keys: 'A' },
   { id: 'pan', icon: Hand, keys: 'H' },
 ] as const satisfies { id: Tool; icon: unknown; keys: string }[]
+
+/** With several goals the tool moves the one last taken up. */
+function goalToolName(): string {
+  const spec = scenario.value?.spec
+  if (!spec || spec.goals.length < 2) return t('tools.goal')
+  return t('tools.goalNamed', { name: goalName(spec, activeGoal.value) })
+}
 
 export function EditTools() {
   return (
@@ -19,7 +28,7 @@ export function EditTools() {
           <IconButton
             key={id}
             icon={icon}
-            label={t(`tools.${id}`)}
+            label={id === 'goal' ? goalToolName() : t(`tools.${id}`)}
             keys={keys}
             pressed={tool.value === id}
             testId={`tool-${id}`}

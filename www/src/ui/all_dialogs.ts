@@ -6,6 +6,7 @@ import { GenerateDialog } from '../maps/generate_dialog'
 import { ImportDialog } from '../maps/import_dialog'
 import { ResizeDialog } from '../maps/resize_dialog'
 import { ScenDialog } from '../maps/scen_dialog'
+import { CardDialog } from '../papers/card_dialog'
 import { ShareDialog } from '../share/share_dialog'
 import type { DialogName } from './dialogs'
 
@@ -16,6 +17,7 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   generate: GenerateDialog,
   resize: ResizeDialog,
   help: HelpDialog,
+  paper: CardDialog,
 }
 
 export { ScenDialog }

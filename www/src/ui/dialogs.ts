@@ -1,7 +1,7 @@
 /** Which dialog is open: one at a time. */
 import { signal } from '@preact/signals'
 
-export type DialogName = 'share' | 'import' | 'export' | 'generate' | 'resize' | 'help'
+export type DialogName = 'share' | 'import' | 'export' | 'generate' | 'resize' | 'help' | 'paper'
 
 export const openDialog = signal<DialogName | null>(null)
 

@@ -7,14 +7,24 @@ interface Option<T extends string> {
   label: string
 }
 
+interface SelectOption<T extends string> extends Option<T> {
+  /** Options of a group stand together, under its name. */
+  group?: string
+  disabled?: boolean
+  /** Shown by the browser beside the option. */
+  note?: string
+}
+
 interface SelectProps<T extends string> {
   label: string
   value: T
-  options: Option<T>[]
+  options: SelectOption<T>[]
   onChange: (value: T) => void
   testId?: string
   hideLabel?: boolean
   class?: string
+  /** What the chosen option means. */
+  note?: string
 }
 
 export function Select<T extends string>(props: SelectProps<T>) {
@@ -28,17 +38,40 @@ export function Select<T extends string>(props: SelectProps<T>) {
         id={id}
         class="select"
         value={props.value}
+        title={props.note}
         data-testid={props.testId}
         onChange={(event) => props.onChange(event.currentTarget.value as T)}
       >
-        {props.options.map(({ value, label }) => (
-          <option key={value} value={value}>
-            {label}
-          </option>
-        ))}
+        {grouped(props.options).map(([group, options]) =>
+          group === '' ? (
+            options.map(optionElement)
+          ) : (
+            <optgroup key={group} label={group}>
+              {options.map(optionElement)}
+            </optgroup>
+          ),
+        )}
       </select>
     </span>
   )
+}
+
+function optionElement<T extends string>({ value, label, disabled, note }: SelectOption<T>) {
+  return (
+    <option key={value} value={value} disabled={disabled} title={note}>
+      {label}
+    </option>
+  )
+}
+
+/** By group, in the order in which the groups first appear. */
+function grouped<T extends string>(options: SelectOption<T>[]): [string, SelectOption<T>[]][] {
+  const groups = new Map<string, SelectOption<T>[]>()
+  for (const option of options) {
+    const group = option.group ?? ''
+    groups.set(group, [...(groups.get(group) ?? []), option])
+  }
+  return [...groups]
 }
 
 interface NumberFieldProps {

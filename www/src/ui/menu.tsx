@@ -5,6 +5,9 @@ import type { ComponentChildren } from 'preact'
 import { useId, useRef } from 'preact/hooks'
 import { Icon } from './icon'
 
+/** A longer menu than fits is scrolled; CSS pixels. */
+const LEAST_HEIGHT = 280
+
 interface MenuProps {
   label: string
   /** What the button shows; the label itself when absent. */
@@ -13,9 +16,10 @@ interface MenuProps {
   children: ComponentChildren
   align?: 'start' | 'end'
   bare?: boolean
+  onOpen?: () => void
 }
 
-export function Menu({ label, face, testId, children, align = 'start', bare }: MenuProps) {
+export function Menu({ label, face, testId, children, align = 'start', bare, onOpen }: MenuProps) {
   const id = useId()
   const button = useRef<HTMLButtonElement>(null)
   const list = useRef<HTMLDivElement>(null)
@@ -24,13 +28,17 @@ export function Menu({ label, face, testId, children, align = 'start', bare }: M
     const { left, right, bottom } = button.current.getBoundingClientRect()
     const { style, offsetWidth } = list.current
     const wanted = align === 'start' ? left : right - offsetWidth
-    style.top = `${bottom + 6}px`
+    // Below the button, unless that leaves too little; never beyond the screen, where nobody could scroll to.
+    const top = Math.max(8, Math.min(bottom + 6, innerHeight - LEAST_HEIGHT - 8))
+    style.top = `${top}px`
+    style.maxHeight = `${innerHeight - top - 8}px`
     style.left = `${Math.max(8, Math.min(wanted, innerWidth - offsetWidth - 8))}px`
   }
   const toggled = (event: Event) => {
     const open = (event as ToggleEvent).newState === 'open'
     button.current?.setAttribute('aria-expanded', String(open))
     if (!open) return
+    onOpen?.()
     place()
     items(list.current)[0]?.focus()
   }
@@ -74,21 +82,68 @@ interface MenuItemProps {
   note?: string
   testId?: string
   checked?: boolean
+  /** Shown in place of the note, and kept from being chosen. */
+  unavailable?: string | null
 }
 
-export function MenuItem({ label, onClick, icon, note, testId, checked }: MenuItemProps) {
+export function MenuItem(props: MenuItemProps) {
+  const { label, onClick, icon, note, testId, checked, unavailable = null } = props
   const role =
     checked === undefined
       ? { role: 'menuitem' as const }
       : { role: 'menuitemradio' as const, 'aria-checked': checked }
   return (
-    <button type="button" {...role} class="menu-item" data-testid={testId} onClick={onClick}>
+    <button
+      type="button"
+      {...role}
+      class="menu-item"
+      data-testid={testId}
+      aria-disabled={unavailable !== null}
+      onClick={(event) => {
+        if (unavailable === null) onClick()
+        // The menu stays open: nothing was chosen.
+        else event.stopPropagation()
+      }}
+    >
       {icon && <Icon icon={icon} size={16} />}
       <span class="menu-item-text">
         <span>{label}</span>
-        {note && <span class="menu-item-note">{note}</span>}
+        {(unavailable ?? note) && <span class="menu-item-note">{unavailable ?? note}</span>}
       </span>
     </button>
+  )
+}
+
+interface MenuIconProps {
+  label: string
+  icon: IconNode
+  onClick: () => void
+  testId?: string
+}
+
+/** A second thing to do with the item beside it. */
+export function MenuIcon({ label, icon, onClick, testId }: MenuIconProps) {
+  return (
+    <button
+      type="button"
+      role="menuitem"
+      class="menu-item menu-icon"
+      aria-label={label}
+      title={label}
+      data-testid={testId}
+      onClick={onClick}
+    >
+      <Icon icon={icon} size={16} />
+    </button>
+  )
+}
+
+/** Columns stand side by side where there is room, below each other elsewhere. */
+export function MenuColumn({ children }: { children: ComponentChildren }) {
+  return (
+    <div class="menu-column" role="presentation">
+      {children}
+    </div>
   )
 }
 

@@ -1,9 +1,11 @@
-/** The whole engine's side of tools.ts: file formats and generators. */
+/** Panels and tools on the whole engine; only it has file formats and generators. */
 import * as engine from '@pkg/formicarium'
-import { answerCalls } from './answer'
-import type { MapCalls } from './tools'
+import { serve } from './serve'
+import { toolCalls } from './tool_calls'
+import type { MapCalls, ToolCalls } from './tools'
 
-const calls: MapCalls = {
+const calls: ToolCalls & MapCalls = {
+  ...toolCalls(engine),
   importMap: (bytes, name) => engine.import_map(bytes, name),
   importScen: (bytes) => engine.import_scen(bytes),
   sniff: (bytes, name) => engine.sniff(bytes, name),
@@ -12,4 +14,4 @@ const calls: MapCalls = {
     engine.generate(kind, width, height, seed, density),
 }
 
-answerCalls(calls, (module) => engine.initSync({ module }))
+serve(engine, calls)

@@ -1,37 +1,59 @@
-/** One panel: one engine instance, one canvas, at most one run. Everything it does answers a request (see messages.ts). */
-import { initSync, Run, type Status } from '@pkg/core/formicarium'
+/**
+ * One panel, on whichever build of the engine: one instance, one canvas, at most one run. Everything it does answers a request
+ * (see messages.ts).
+ */
+import type * as core from '@pkg/core/formicarium'
 import type { Frame, PanelReply, PanelRequest, RunSetup, Target } from '../messages'
 import { Painter } from '../stage/painter'
 import { isEngineError } from './errors'
 import { Stepper } from './stepper'
 
+/** What a panel needs of a build. */
+export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
+
 interface Running {
   id: number
-  run: Run
+  run: core.Run
   stepper: Stepper
   rowsSent: number
   /** The best path's fingerprint at the last frame: it is sent again only when it has changed. */
   pathSent: string
 }
 
+let engine: PanelEngine
 let painter: Painter | null = null
 let current: Running | null = null
 
+/** Answers the page with this engine from now on. */
+export function servePanel(build: PanelEngine): void {
+  engine = build
+  self.onmessage = (event: MessageEvent<PanelRequest>) => answer(event.data)
+}
+
 function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
-  initSync({ module: request.module })
+  engine.initSync({ module: request.module })
   painter = new Painter(request.canvas, request.view)
   reply({ kind: 'ready' })
 }
 
-/** The old run goes only when the new one stands: a refused setup leaves the panel showing what it showed. */
+/** The old run goes only when the new one stands. */
 function load(runId: number, setup: RunSetup): void {
-  const run = new Run(setup.spec, setup.cells, setup.planner, setup.params, setup.seed)
+  const run = new engine.Run(setup.spec, setup.cells, setup.planner, setup.params, setup.seed)
   const old = current
   const stepper = new Stepper(run, () => performance.now())
   current = { id: runId, run, stepper, rowsSent: 0, pathSent: '' }
   painter?.show(run, setup.spec)
   old?.run.free()
   reply(frame(current, true, 0))
+}
+
+/** A refused setup leaves the map, to be drawn on until it can run. */
+function refuse({ spec, cells }: RunSetup): void {
+  painter?.showMap(spec, (context, theme) =>
+    engine.paint_map(context, spec.width, spec.height, cells, theme),
+  )
+  current?.run.free()
+  current = null
 }
 
 function tick(runId: number, target: Target, sliceMs: number): void {
@@ -54,12 +76,14 @@ function frame(running: Running, reached: boolean, workMs: number): Frame {
   const fingerprint = path.join()
   const changed = fingerprint !== running.pathSent
   running.pathSent = fingerprint
-  const status: Status = run.status()
+  const status: core.Status = run.status()
+  const summary = run.summary()
+  painter?.setOrder(summary.tour?.order ?? [])
   return {
     kind: 'frame',
     runId: id,
     status,
-    summary: run.summary(),
+    summary,
     history,
     reached,
     bestPath: changed ? path : null,
@@ -88,12 +112,12 @@ function handle(request: PanelRequest): void {
   }
 }
 
-self.onmessage = (event: MessageEvent<PanelRequest>) => {
-  const request = event.data
+function answer(request: PanelRequest): void {
   try {
     handle(request)
   } catch (thrown) {
     if (isEngineError(thrown) && 'runId' in request) {
+      if (request.kind === 'load') refuse(request.setup)
       reply({ kind: 'refused', runId: request.runId, error: thrown })
     } else {
       reply({ kind: 'crashed', message: thrown instanceof Error ? thrown.message : String(thrown) })

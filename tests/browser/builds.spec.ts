@@ -1,0 +1,153 @@
+import { type BrowserContext, expect, type Page, test } from '@playwright/test'
+import { freshLab, Lab } from './lab'
+
+/** A planner that the core of the engine does not have. */
+const LATER = 'max-min-ant-system'
+
+/** Holds back every engine but the first that is asked for, the core, until what it answers with is called. */
+async function holdWhole(context: BrowserContext, how: 'fail' | 'wait'): Promise<() => void> {
+  let core = ''
+  let pass = () => {}
+  let open = false
+  const passed = new Promise<void>((resolve) => {
+    pass = () => {
+      open = true
+      resolve()
+    }
+  })
+  await context.route(/\.wasm$/, async (route) => {
+    core ||= route.request().url()
+    if (route.request().url() !== core && !open) {
+      if (how === 'fail') return route.abort('internetdisconnected')
+      await passed
+    }
+    return route.continue()
+  })
+  return pass
+}
+
+/** A link to a race of both kinds of planners, recorded after some iterations. */
+async function linkToLater(page: Page): Promise<string> {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await page.getByTestId('planner-1').selectOption(LATER)
+  await lab.ready()
+  await page.evaluate(() => window.formicarium.run({ iterations: 6 }))
+  return lab.shareLink()
+}
+
+test.describe('the planners of the whole engine', () => {
+  test('are on offer without a click, and take over a panel and give it back', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    const planner = page.getByTestId('planner-1')
+    await planner.selectOption(LATER)
+    await lab.ready()
+    await expect(page.getByTestId('panel-waiting')).toBeHidden()
+    await expect(page.getByTestId('panel-1').locator('canvas')).toHaveCount(1)
+    await lab.seesMotion(1, () => page.getByTestId('play').click())
+    expect((await lab.result(1)).planner).toBe(LATER)
+    await planner.selectOption('ant-system')
+    await expect.poll(async () => (await lab.result(1)).planner).toBe('ant-system')
+    await lab.seesMotion(1)
+  })
+
+  test('run as in the core: the same planner gives the same digest in both', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    // The second panel gets the whole engine, and keeps it.
+    await page.getByTestId('planner-2').selectOption(LATER)
+    await lab.ready()
+    await page.getByTestId('planner-2').selectOption('ant-system')
+    await lab.ready()
+    const [core, whole] = await page.evaluate(() => window.formicarium.run({ iterations: 12 }))
+    expect(core?.summary?.iteration).toBe(12)
+    expect(whole?.summary?.digest).toBe(core?.summary?.digest)
+  })
+
+  test('come with a link that names one: its panel waits, and the run is verified', async ({
+    page,
+    browser,
+  }) => {
+    const link = await linkToLater(page)
+    const context = await browser.newContext()
+    const release = await holdWhole(context, 'wait')
+    const opened = await context.newPage()
+    await opened.goto(link)
+    await expect(opened.getByTestId('panel-1').getByTestId('panel-waiting')).toBeVisible()
+    await expect(opened.getByTestId('planner-1')).toHaveValue(LATER)
+    await expect(opened.getByTestId('panel-2')).toBeVisible()
+    release()
+    await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+    await expect(opened.getByTestId('panel-waiting')).toBeHidden()
+    await expect(opened.getByTestId('parameters-1')).toBeVisible()
+    expect((await new Lab(opened).session()).panels[0]?.planner).toBe(LATER)
+    await context.close()
+  })
+
+  test('that cannot be fetched leave the page as it is, until one tries again', async ({
+    page,
+    browser,
+  }) => {
+    const link = await linkToLater(page)
+    const context = await browser.newContext()
+    const reconnect = await holdWhole(context, 'fail')
+    const opened = await context.newPage()
+    const lab = new Lab(opened)
+    await opened.goto(link)
+    const alert = opened.getByTestId('panel-not-fetched')
+    await expect(alert).toBeVisible()
+    // The planner that is here runs meanwhile.
+    await expect
+      .poll(async () => (await lab.result(2)).summary?.effort.cell_expansions ?? 0)
+      .toBeGreaterThan(0)
+    expect(await lab.walls()).toBeGreaterThan(0)
+    reconnect()
+    await alert.getByRole('button').click()
+    await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+    await expect(alert).toBeHidden()
+    await lab.ready()
+    await context.close()
+  })
+
+  test('can be asked for again in the menu, and a panel that waits starts', async ({
+    page,
+    browser,
+  }) => {
+    const link = await linkToLater(page)
+    const context = await browser.newContext()
+    const reconnect = await holdWhole(context, 'fail')
+    const opened = await context.newPage()
+    await opened.goto(link)
+    await expect(opened.getByTestId('panel-not-fetched')).toBeVisible()
+    await opened.getByTestId('add-panel').click()
+    const again = opened.getByTestId('fetch-planners')
+    await expect(again).toBeVisible()
+    reconnect()
+    await again.click()
+    await opened.getByTestId('add-panel').click()
+    await expect(opened.getByTestId(`add-${LATER}`)).toBeVisible()
+    await expect(again).toBeHidden()
+    await new Lab(opened).ready()
+    await expect(opened.getByTestId('panel-1').getByRole('alert')).toBeHidden()
+    await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+    await context.close()
+  })
+
+  test('that no version knows leave the page, once the catalog is complete', async ({
+    browser,
+  }) => {
+    const lab = await freshLab(browser, './')
+    const { page } = lab
+    await page.evaluate(async () => {
+      const session = window.formicarium.session()
+      if (!session) throw new Error('no session')
+      const stranger = { planner: 'of-tomorrow', preset: null, params: {}, result: null }
+      await window.formicarium.load({ ...session, panels: [...session.panels, stranger] })
+    })
+    await expect(page.getByTestId('toast-warning')).toContainText('of-tomorrow')
+    await expect(page.getByTestId('panel-3')).toBeHidden()
+    await expect(page.getByTestId('panel-2')).toBeVisible()
+    await page.context().close()
+  })
+})

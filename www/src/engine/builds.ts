@@ -1,0 +1,19 @@
+/**
+ * The two builds of the engine: the core, which a visitor waits for, with the planners of a first visit; and the whole one, with
+ * every planner, file formats and generators. A run gives the same digest in both.
+ */
+import type { Catalog } from '@pkg/formicarium'
+
+export type Build = 'core' | 'whole'
+
+const coreIds = new Set<string>()
+
+/** Takes note of what the core can do, before the first run is loaded. */
+export function noteCore({ planners }: Catalog): void {
+  for (const { id } of planners) coreIds.add(id)
+}
+
+/** The smallest build that knows the planner, if any does. */
+export function buildFor(planner: string): Build {
+  return coreIds.has(planner) ? 'core' : 'whole'
+}

@@ -1,0 +1,17 @@
+/**
+ * A worker on one build of the engine. Panels and tools start from the same file, so that a first visit fetches it once: what the
+ * first message asks for is what the worker becomes.
+ */
+import type { PanelRequest } from '../messages'
+import { answerCalls } from './answer'
+import { type PanelEngine, servePanel } from './panel_server'
+import type { ToolRequest } from './tools'
+
+export function serve(engine: PanelEngine, calls: object): void {
+  self.onmessage = (event: MessageEvent<PanelRequest | ToolRequest>) => {
+    if ('canvas' in event.data) servePanel(engine)
+    else answerCalls(calls, (module) => engine.initSync({ module }))
+    // The first message is now for whoever listens from here on.
+    self.onmessage?.(event)
+  }
+}

@@ -1,0 +1,31 @@
+/** What every tools worker does, on whichever build of the engine. */
+import type * as core from '@pkg/core/formicarium'
+import type { RunSetup } from '../messages'
+import type { ToolCalls } from './tools'
+
+type Engine = Pick<
+  typeof core,
+  'catalog' | 'version' | 'check_scenario' | 'propose_seed' | 'reference' | 'Run'
+>
+
+export function toolCalls(engine: Engine): ToolCalls {
+  return {
+    catalog: () => engine.catalog(),
+    version: () => engine.version(),
+    check: (spec, cells) => engine.check_scenario(spec, cells),
+    proposeSeed: () => engine.propose_seed(),
+    reference: (spec, cells, objective) => engine.reference(spec, cells, objective),
+    repeat: (setup, iterations) => runToEnd(engine, setup, iterations),
+  }
+}
+
+/** Runs until `iterations` are complete or the planner has ended by itself. */
+function runToEnd({ Run }: Engine, setup: RunSetup, iterations: number): core.RunSummary {
+  const run = new Run(setup.spec, setup.cells, setup.planner, setup.params, setup.seed)
+  try {
+    while (run.status() === 'running' && run.iteration() < iterations) run.advance('iteration', 1)
+    return run.summary()
+  } finally {
+    run.free()
+  }
+}

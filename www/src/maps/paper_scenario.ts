@@ -1,0 +1,16 @@
+/** Fetches the papers' scenarios: the very files that the recorded experiments run on. */
+import { tools } from '../engine/tools'
+import type { Scenario } from '../session'
+
+const texts = import.meta.glob<string>('../../../experiments/maps/*.json', {
+  query: '?raw',
+  import: 'default',
+})
+
+export async function paperScenario(file: string): Promise<Scenario> {
+  const fetched = texts[`../../../experiments/maps/${file}.json`]
+  if (!fetched) throw new Error(`there is no map ${file}`)
+  const bytes = new TextEncoder().encode(await fetched())
+  const { spec, cells } = await tools.importMap(bytes, `${file}.json`)
+  return { spec, cells, origin: null }
+}

@@ -1,0 +1,234 @@
+/** The goals as a table: what each is called, how urgent it is, where it lies. */
+import type { EngineError, Goal } from '@pkg/formicarium'
+import { useSignal, useSignalEffect } from '@preact/signals'
+import { MapPinPlus, X } from 'lucide'
+import { useEffect } from 'preact/hooks'
+import { numbers, t } from '../i18n'
+import { describeError } from '../i18n/errors'
+import { goalName, goalWeight } from '../maps/goals'
+import { MAX_GOALS } from '../session'
+import { activeGoal, applyEdit, goalsShown, scenario, tool } from '../state'
+import { Button, IconButton } from '../ui/buttons'
+import { bringIntoSight } from '../ui/sight'
+import { placeError, quantityError, readPlace } from './goal_input'
+import { GOALS_ID, goalsSought } from './goals'
+
+const QUANTITIES = ['area', 'strength', 'danger'] as const
+const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const
+
+export default function GoalsCard() {
+  const goals = scenario.value?.spec.goals ?? []
+  // One at a time is enough: the field that was refused last.
+  const refusal = useSignal<{ index: number; error: EngineError } | null>(null)
+  useSignalEffect(() => {
+    if (!goalsSought.value) return
+    goalsSought.value = false
+    bringIntoSight(GOALS_ID)
+  })
+  const refuse = (index: number) => (error: EngineError | null) => {
+    refusal.value = error && { index, error }
+  }
+  return (
+    <section
+      class="dock-card goals"
+      id={GOALS_ID}
+      aria-label={t('goals.title')}
+      data-testid="goals"
+    >
+      <header class="dock-head">
+        <h2>{t('goals.count', { count: goals.length })}</h2>
+        <AddGoal full={goals.length >= MAX_GOALS} />
+        {goals.length === 1 && (
+          <IconButton
+            icon={X}
+            label={t('goals.hide')}
+            tone="quiet"
+            size={16}
+            onClick={() => {
+              goalsShown.value = false
+            }}
+          />
+        )}
+      </header>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
+      <section class="table-scroll" tabIndex={0} aria-label={t('goals.title')}>
+        <table class="goal-table">
+          <Head />
+          <tbody>
+            {goals.map((goal, index) => (
+              <Row key={index} goal={goal} index={index} refuse={refuse(index)} />
+            ))}
+          </tbody>
+        </table>
+        {refusal.value && <Refusal error={refusal.value.error} />}
+        <p class="hint goal-hint">{t('goals.hint')}</p>
+      </section>
+    </section>
+  )
+}
+
+function AddGoal({ full }: { full: boolean }) {
+  return (
+    <Button
+      icon={MapPinPlus}
+      label={t('goals.add')}
+      tone="quiet"
+      testId="goals-add"
+      disabled={full}
+      onClick={() => {
+        tool.value = 'add-goal'
+      }}
+    />
+  )
+}
+
+function Head() {
+  return (
+    <thead>
+      <tr>
+        <th scope="col">{t('goals.name')}</th>
+        {QUANTITIES.map((key) => (
+          <th key={key} scope="col" title={t(`goals.hints.${key}`)}>
+            {t(`goals.${key}`)} <i>{SYMBOLS[key]}</i>
+          </th>
+        ))}
+        <th scope="col" title={t('goals.hints.weight')}>
+          {t('goals.weight')} <i>b</i>
+        </th>
+        <th scope="col">{t('goals.place')}</th>
+        <td />
+      </tr>
+    </thead>
+  )
+}
+
+interface RowProps {
+  goal: Goal
+  index: number
+  refuse: (error: EngineError | null) => void
+}
+
+function Row({ goal, index, refuse }: RowProps) {
+  const spec = scenario.value?.spec
+  if (!spec) return null
+  const name = goalName(spec, index)
+  const change = (changed: Partial<Goal>) => {
+    refuse(null)
+    applyEdit({ kind: 'change-goal', index, change: changed })
+    return true
+  }
+  return (
+    <tr data-active={activeGoal.value === index} onFocusIn={() => takeUp(index)}>
+      <td>
+        <Cell
+          class="goal-name"
+          label={t('goals.nameOf', { name })}
+          value={goal.name}
+          testId={`goal-name-${index + 1}`}
+          accept={(text) => change({ name: text.slice(0, 200) })}
+        />
+      </td>
+      {QUANTITIES.map((key) => (
+        <td key={key}>
+          <Cell
+            label={t('goals.quantityOf', { what: t(`goals.${key}`), name })}
+            value={String(goal[key])}
+            testId={`goal-${key}-${index + 1}`}
+            numeric
+            accept={(text) => {
+              const error = quantityError(goal, key, text)
+              if (!error) return change({ [key]: Number(text) })
+              refuse(error)
+              return false
+            }}
+          />
+        </td>
+      ))}
+      <td class="goal-weight" data-testid={`goal-weight-${index + 1}`}>
+        {numbers.value.weight.format(goalWeight(goal))}
+      </td>
+      <td>
+        <Cell
+          class="goal-place"
+          label={t('goals.placeOf', { name })}
+          value={goal.at.join(', ')}
+          testId={`goal-place-${index + 1}`}
+          accept={(text) => {
+            const error = placeError(spec, index, text)
+            const at = readPlace(text)
+            refuse(error)
+            if (!error && at) applyEdit({ kind: 'goal', index, at })
+            return error === null
+          }}
+        />
+      </td>
+      <td>
+        <IconButton
+          icon={X}
+          label={t('goals.remove', { name })}
+          tone="quiet"
+          size={16}
+          disabled={spec.goals.length < 2}
+          testId={`goal-remove-${index + 1}`}
+          onClick={() => applyEdit({ kind: 'remove-goal', index })}
+        />
+      </td>
+    </tr>
+  )
+}
+
+/** The goal tool moves the goal that is being worked on. */
+function takeUp(index: number): void {
+  activeGoal.value = index
+}
+
+interface CellProps {
+  label: string
+  value: string
+  testId: string
+  numeric?: boolean
+  class?: string
+  /** False when the text cannot be used: it stays, marked, until it is mended or left with Escape. */
+  accept: (text: string) => boolean
+}
+
+function Cell({ label, value, testId, numeric, accept, class: extra = '' }: CellProps) {
+  // What was typed and refused; a change from elsewhere goes before it.
+  const draft = useSignal<string | null>(null)
+  useEffect(() => {
+    draft.value = null
+  }, [value])
+  const refused = draft.value !== null
+  return (
+    <input
+      class={`input goal-input ${extra}`}
+      value={draft.value ?? value}
+      inputMode={numeric ? 'decimal' : undefined}
+      aria-label={label}
+      aria-invalid={refused}
+      aria-describedby={refused ? 'goal-error' : undefined}
+      spellcheck={false}
+      autocomplete="off"
+      data-testid={testId}
+      onChange={({ currentTarget }) => {
+        const text = currentTarget.value.trim()
+        draft.value = accept(text) ? null : text
+      }}
+      onKeyDown={({ key, currentTarget }) => {
+        if (key !== 'Escape') return
+        currentTarget.value = value
+        draft.value = null
+        accept(value)
+      }}
+    />
+  )
+}
+
+function Refusal({ error }: { error: EngineError }) {
+  const { message, hint } = describeError(error)
+  return (
+    <p class="field-error" id="goal-error" role="alert">
+      {message} {hint}
+    </p>
+  )
+}
