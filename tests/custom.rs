@@ -76,3 +76,39 @@ fn a_replaced_rule_changes_the_run() {
         assert_ne!(run(&scenario, "custom", Some("ship"), &values, 1), full, "{rule}");
     }
 }
+
+/// Within its budget MAX–MIN Ant System restarts only if it is told to: so does the composition, by the rule it borrows.
+#[test]
+fn a_borrowed_daemon_restarts_as_its_planner_does() {
+    let scenario = common::random(24, 0.2, 1, Movement::default());
+    let mut values = short();
+    values.insert("restart_after".into(), Value::Number(3.0));
+    let restarted = run(&scenario, "max-min-ant-system", None, &values, 1);
+    assert_ne!(run(&scenario, "max-min-ant-system", None, &short(), 1), restarted, "the restarts have an effect");
+    assert_eq!(run(&scenario, "custom", Some("max-min-ant-system"), &values, 1), restarted);
+    values.insert("daemon_of".into(), Value::from("ant-system"));
+    assert_eq!(
+        run(&scenario, "custom", Some("max-min-ant-system"), &values, 1),
+        run(&scenario, "max-min-ant-system", None, &short(), 1)
+    );
+}
+
+/// A row that says when it has an effect has none otherwise; one that two rules need does not say it.
+#[test]
+fn a_row_without_effect_is_said_to_have_none() {
+    let scenario = common::random(24, 0.2, 1, Movement::default());
+    let specs = (catalog::find("custom").expect("in the catalog").specs)();
+    let says = |key: &str| specs.iter().find(|s| s.key == key).expect("a row").applies_when.is_some();
+    let borrowed =
+        [("elitists", 5.0, "elitist-ant-system"), ("ranks", 3.0, "rank-based-ant-system"), ("deposit", 9.0, "fwa-aco")];
+    for (key, value, donor) in borrowed {
+        let mut values = short();
+        // An update that does not need the row.
+        values.extend([("update_of", "acost"), ("initial_trail_of", donor)].map(|(k, v)| (k.to_string(), Value::from(v))));
+        let before = run(&scenario, "custom", None, &values, 1);
+        values.insert(key.into(), Value::Number(value));
+        assert_ne!(run(&scenario, "custom", None, &values, 1), before, "{key} shapes the initial trail of {donor}");
+        assert!(!says(key), "{key}");
+    }
+    assert!(says("q0") && says("xi") && says("goal_pull") && says("restart_after"));
+}

@@ -16,7 +16,8 @@
 //! replacing it (ablation). Random numbers are those of the planner that lends the selection rule, so that two compositions with one
 //! selection rule are paired runs.
 //!
-//! Rows of this file have the meaning and range that all donors share; every other row is a donor's own, and says when it has an effect.
+//! Rows of this file have the meaning and range that all donors share; every other row is a donor's own, and says when it has an effect,
+//! unless more than one rule needs it, or the order of several goals.
 
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ use super::classics::max_min_ant_system::{MaxMinAntSystem, MaxMinAntSystemParams
 use super::classics::rank_based_ant_system::{RankBasedAntSystem, RankBasedAntSystemParams};
 use super::hybrid::Hybrid;
 use super::legs::{self, OrderLevel};
+use super::papers::Reading;
 use super::papers::fire::{Fire, FireParams};
 use super::papers::fireworks::{self, ColonyRows, FwaAcoParams, PsoAcoParams, Seeded};
 use super::papers::ship::{Ship, ShipParams};
@@ -87,6 +89,8 @@ params! {
         daemon_of: Donor = Donor::AntSystem, "", [], "", "composition; Ant System: nothing";
         /// the best path is refined, or not, as in this planner
         refinement_of: Donor = Donor::AntSystem, "", [], "", "composition; Ant System: not refined";
+        /// how the lent rules take the places where their papers contradict themselves
+        reading: Reading = Reading::Repaired, "", [], "", "the planners that lend the rules";
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value";
         ..choice: ChoiceParams;
@@ -280,7 +284,8 @@ impl<const IN_STEP: bool, const TIMED: bool> Variant for Custom<IN_STEP, TIMED> 
     }
 }
 
-/// When a donor's own row has an effect: the rule that must be one of these planners'.
+/// When a donor's own row has an effect: the rule that must be one of these planners'. None where more than one rule can need it
+/// (`elitists` and `ranks`: update and initial trail; `deposit`: the seed's trail, too), or the order of several goals (`initial_trail`, `r0`).
 fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
     const GOAL: &[Donor] = &[Donor::Acost, Donor::Acomsp];
     const CLASSICS_AND_HYBRIDS: &[Donor] = &[
@@ -297,10 +302,6 @@ fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
         "heuristic" => ("heuristic_of", CLASSICS_AND_HYBRIDS),
         "goal_pull" | "omega_min" | "omega_max" | "obstacle_push" => ("heuristic_of", &[Donor::Ship]),
         "goal_distance" => ("heuristic_of", GOAL),
-        "initial_trail" => (
-            "initial_trail_of",
-            &[Donor::AntSystem, Donor::Fire, Donor::Ship, Donor::Acost, Donor::Acomsp, Donor::FwaAco, Donor::PsoAco],
-        ),
         "q0" => ("selection_of", &[Donor::AntColonySystem]),
         "seed_iterations" | "seed_ants" | "range" | "decode_limit" => ("initial_trail_of", SEEDED),
         "fireworks" | "sparks" | "fewest" | "most" | "radius" | "gaussian_sparks" | "radius_end" | "mutation_start"
@@ -308,16 +309,10 @@ fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
         "particles" | "inertia_start" | "inertia_end" | "cognitive" | "social" | "speed_limit" => {
             ("initial_trail_of", &[Donor::PsoAco])
         }
-        "legs" | "r0" => ("selection_of", &[Donor::Fire]),
+        "legs" => ("selection_of", &[Donor::Fire]),
         "rule" => ("selection_of", &[Donor::Acost]),
         "xi" => ("local_update_of", &[Donor::AntColonySystem]),
         "move_deposit" => ("local_update_of", &[Donor::Acost]),
-        "deposit" => (
-            "update_of",
-            &[Donor::AntSystem, Donor::Elitist, Donor::RankBased, Donor::Fire, Donor::Ship, Donor::FwaAco, Donor::PsoAco],
-        ),
-        "elitists" => ("update_of", &[Donor::Elitist]),
-        "ranks" => ("update_of", &[Donor::RankBased]),
         "p_best" | "best_every" => ("update_of", &[Donor::MaxMin]),
         "update" | "k_best" | "k_worst" | "trail_min" => ("update_of", &[Donor::Ship]),
         "path_deposit" => ("update_of", GOAL),
@@ -399,7 +394,7 @@ impl Parts<'_> {
             let seeded = custom.donors.seeded.with_seed(found);
             Custom::<S, T> { rules, donors: Donors { seeded, ..custom.donors.clone() } }
         };
-        Box::new(Hybrid::new(Arc::clone(self.scenario), first, Box::new(second), streams, self.seed))
+        Box::new(Hybrid::new(Arc::clone(self.scenario), first, Box::new(second), (streams, ENTRY.layers), self.seed))
     }
 }
 

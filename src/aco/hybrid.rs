@@ -24,15 +24,22 @@ pub struct Hybrid<V> {
     settings: Settings,
     colony: Option<Colony<V>>,
     planner: &'static str,
+    layers: &'static [Layer],
     seed: u32,
     progress: Progress,
 }
 
 impl<V: Variant + 'static> Hybrid<V> {
-    /// The planner of this id, with the first stage ready to run.
-    pub fn new(scenario: Arc<Scenario>, first: Box<dyn Planner>, second: Second<V>, planner: &'static str, seed: u32) -> Self {
+    /// The planner whose streams are those of the id `planner`, with the first stage ready to run; `layers` are those of its entry.
+    pub fn new(
+        scenario: Arc<Scenario>,
+        first: Box<dyn Planner>,
+        second: Second<V>,
+        (planner, layers): (&'static str, &'static [Layer]),
+        seed: u32,
+    ) -> Self {
         let settings = second(None).settings();
-        Self { scenario, first, second, settings, colony: None, planner, seed, progress: Progress::default() }
+        Self { scenario, first, second, settings, colony: None, planner, layers, seed, progress: Progress::default() }
     }
 
     /// The second stage, from what the first has found so far.
@@ -117,6 +124,7 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
         out.clear();
         out.resize(self.scenario.grid.len(), 0.0);
         match (kind, &self.colony) {
+            _ if !self.layers.contains(&kind) => return false,
             (Layer::Cost, _) => return false,
             (Layer::SeedPath, _) => self.first.best().into_iter().flat_map(|b| &b.path).for_each(|&c| out[c as usize] = 1.0),
             (Layer::Priority, _) | (Layer::Visits, None) => return self.first.layer(kind, out),

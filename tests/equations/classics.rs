@@ -86,6 +86,24 @@ fn near(trails: &Trails, c: u32, d: Direction, expected: f64) {
     assert!((found - expected).abs() <= 1e-6 * expected, "cell {c}, direction {d}: {found} is not {expected}");
 }
 
+mod ant_system {
+    use super::*;
+
+    /// Eq. 3.3–3.5: 0.5·1 + 4·1/4 = 1.5, then 0.5·1.5 + 1 = 1.75; elsewhere 0.5 and 0.25.
+    #[test]
+    fn eq_3_3_to_3_5_trails_evaporate_and_every_ant_deposits() {
+        let numbers = [("ants", 4.0), ("rho", 0.5)];
+        assert_near(&trails(&bend(), "ant-system", &numbers, 2), &[(1.5, 0.5), (1.75, 0.25)]);
+    }
+
+    /// ρ = 0.2 leaves, Q = 3, τ0 = 2: 0.8·2 + 2·3/4 = 3.1, then 0.8·3.1 + 1.5 = 3.98; elsewhere 1.6 and 1.28.
+    #[test]
+    fn rho_is_what_leaves_and_a_deposit_is_q_over_the_length() {
+        let numbers = [("ants", 2.0), ("rho", 0.2), ("deposit", 3.0), ("initial_trail", 2.0)];
+        assert_near(&trails(&bend(), "ant-system", &numbers, 2), &[(3.1, 1.6), (3.98, 1.28)]);
+    }
+}
+
 mod elitist_ant_system {
     use super::*;
 

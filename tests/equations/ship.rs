@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
+use formicarium::aco::ant_system::{AntSystem, AntSystemParams};
 use formicarium::aco::choice::Weights;
 use formicarium::aco::dead_end::DeadEnd;
+use formicarium::aco::heuristic::Heuristic;
 use formicarium::aco::on_demand::OnDemand;
 use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
 use formicarium::aco::trails::Trails;
@@ -43,6 +45,32 @@ fn eta_at(reading: Reading, omega: f64, d: Direction) -> f64 {
 
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * b.abs().max(1.0)
+}
+
+#[test]
+fn eq_2_the_basic_heuristic_as_printed_and_by_the_distance_to_the_goal() {
+    let s = two_walls();
+    let i = s.grid.cell(Point::new(2, 2));
+    let seen = |heuristic: Heuristic, d| heuristic.of(&s, i, d, s.moves.step(i, d));
+    // d_ij, the step's length: 1 and √2.
+    assert!(close(seen(Heuristic::Step, E), 1.0) && close(seen(Heuristic::Step, SE), 1.0 / SQRT2));
+    // The goal lies at (+2, +4) from (3, 2), at (+2, +3) from (3, 3): 1/√20 and 1/√13.
+    assert!(close(seen(Heuristic::Goal, E), 0.2236068) && close(seen(Heuristic::Goal, SE), 0.2773501));
+}
+
+#[test]
+fn eq_3_to_5_the_basic_update_evaporates_and_every_ant_adds() {
+    let both = Corridor::walked(&BOTH);
+    let mut basic = AntSystem::new(AntSystemParams { rho: 0.8, deposit: 10.0, ..AntSystemParams::default() });
+    let mut trails = Trails::new(both.scenario.grid.len(), 10.0);
+    let iteration = Iteration { scenario: &both.scenario, ants: &both.ants, number: 1, budget: 100, best_so_far: None };
+    basic.update_trails(&mut trails, iteration);
+    // 0.2·10 + 10/2, 0.2·10 + 10/(2√2), and 0.2·10 where nobody came by.
+    all_close([trails.get(1, E), trails.get(4, NE), trails.get(3, E)], [7.0, 5.5355339, 2.0]);
+    let preset = catalog::find("ant-system").expect("listed").presets.iter().find(|p| p.name == "ship").expect("the paper's");
+    let given = [("ants", 50.0), ("iterations", 100.0), ("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)];
+    assert!(given.iter().all(|g| preset.numbers.contains(g)), "section 4; α = 1 is the default");
+    assert_eq!(AntSystemParams::default().choice.alpha, 1.0);
 }
 
 #[test]

@@ -136,10 +136,16 @@ fn eq_7_to_9_each_move_leaves_q1_over_the_length_walked() {
     let s = open(4, 2, Point::new(3, 1));
     let variant = Acost::new(AcostParams { move_deposit: 3.0, ..AcostParams::default() });
     let mut trails = Trails::new(8, 1.0);
-    // (0,0) → (1,1) → (2,1): l = √2, then 1 + √2.
+    // (0,0) → (1,1) → (2,1): l = √2, then 1 + √2, as the ant counts it.
     let (first, second) = (direction(&s, (0, 0), (1, 1)), direction(&s, (1, 1), (2, 1)));
-    variant.on_move(&mut trails, Step { from: 0, direction: first, walked: SQRT2 });
-    variant.on_move(&mut trails, Step { from: 5, direction: second, walked: 1.0 + SQRT2 });
+    let walk = Walk { moves: &s.moves, goal: s.goal, dead_end: DeadEnd::Die, max_moves: u32::MAX };
+    let mut ant = Ant::new(4, 2, stream());
+    ant.begin(4, s.start, stream());
+    for direction in [first, second] {
+        let from = ant.cell();
+        ant.go(&walk, Some(direction));
+        variant.on_move(&mut trails, Step { from, direction, walked: ant.walked() });
+    }
     assert!((trails.get(0, first) - (1.0 + 3.0 / SQRT2)).abs() < 1e-6, "3.1213");
     assert!((trails.get(5, second) - (1.0 + 3.0 / (1.0 + SQRT2))).abs() < 1e-6, "2.2426");
     assert_eq!(trails.get(5, first), 1.0, "nothing elsewhere");

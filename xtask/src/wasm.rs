@@ -114,8 +114,17 @@ fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
     let target_dir = tools::target_dir().join(build.folder);
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", mode.profile()];
-    run(tools::cargo().args(args).arg(&target_dir).args(target).args(build.features))?;
+    let quiet = ["--config".to_string(), anonymous_paths()];
+    run(tools::cargo().args(args).arg(&target_dir).args(target).args(build.features).args(quiet))?;
     Ok(target_dir.join("wasm32-unknown-unknown").join(mode.folder()).join("formicarium.wasm"))
+}
+
+/// Panics name source files: the folders of the machine that builds are no business of who reads the library. Cargo adds these flags to
+/// those of its own configuration.
+fn anonymous_paths() -> String {
+    let home = std::env::var("CARGO_HOME").map_or_else(|_| std::env::home_dir().unwrap_or_default().join(".cargo"), PathBuf::from);
+    let remap = |from: &Path, to: &str| format!("--remap-path-prefix={}={to}", from.display());
+    format!("target.wasm32-unknown-unknown.rustflags={:?}", [remap(&home, "cargo"), remap(&root(), ".")])
 }
 
 fn bind(compiled: &Path, pkg: &Path) -> Result<()> {

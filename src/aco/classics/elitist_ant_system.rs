@@ -1,5 +1,5 @@
 //! Elitist Ant System: Dorigo, Maniezzo, Colorni, "Ant System: optimization by a colony of cooperating agents", IEEE Transactions on
-//! Systems, Man, and Cybernetics B 26 (1996) 29–41, doi:10.1109/3477.484436, section IV; equations and parameters after Dorigo and
+//! Systems, Man, and Cybernetics B 26 (1996) 29–41, doi:10.1109/3477.484436; equations and parameters after Dorigo and
 //! Stützle, *Ant Colony Optimization* (MIT Press, 2004), section 3.3.2 and box 3.1.
 //!
 //! | override point | source |

@@ -15,9 +15,10 @@
 //! `reading` decides about ρ: the text calls it the evaporation coefficient, Eq. 4 multiplies what stays by it. *repaired*: ρ = 0.3 leaves;
 //! *printed*: 0.3 stays.
 //!
-//! Step 4 of its section 3.2 names Eq. 3 and 10 for the choice of the next fire. Eq. 10 evaluates paths. Other references in the text are
-//! two too high as well (Eq. 12 for V(d, r), which is Eq. 10; Eq. 8 for R, which is Eq. 6), so Eq. 3 and 8 are meant: the random
-//! proportional rule with η = 1/R, while Eq. 9 belongs to section 3.3, the legs. `order_rule=improved` takes Eq. 9 for the order too.
+//! Step 4 of its section 3.2 names Eq. 3 and 10 for the choice of the next fire. Eq. 10 evaluates paths. All references to equations after
+//! Eq. 3 are two too high (Eq. 5 for d, which has no number; Eq. 8 for R, which is Eq. 6; Eq. 12 for V(d, r), which is Eq. 10), so Eq. 3
+//! and 8 are meant: the random proportional rule with η = 1/R, while Eq. 9 belongs to section 3.3, the legs. `order_rule=improved` takes
+//! Eq. 9 for the order too.
 //!
 //! Where the paper is silent, we: set Q = 1, τ0 = 1 and r0 = 0.7 (it gives 0.6 to 0.8); give the order level m, K, α, β, ρ and Q of the
 //! legs, and its own K as a parameter; take Σ R of a tour for L_k there; deposit on directed edges, for R depends on the direction; let

@@ -17,7 +17,7 @@
 //! | equation | where |
 //! |---|---|
 //! | 1 | `swarm/decode.rs` |
-//! | 2–9 | `swarm/fireworks.rs` |
+//! | 2–9 | `swarm/explosion.rs`, put to work in `swarm/fireworks.rs` |
 //! | 10–12 | here |
 //!
 //! `pso-aco` has a particle swarm in place of the fireworks: the hybrid that the paper says it compares with, without a formula or a number
@@ -191,7 +191,7 @@ fn hybrid(
     seed: u32,
 ) -> Box<dyn Planner> {
     let second = move |path| Seeded::new(rows, path);
-    Box::new(Hybrid::new(Arc::clone(scenario), first, Box::new(second), planner, seed))
+    Box::new(Hybrid::new(Arc::clone(scenario), first, Box::new(second), (planner, LAYERS), seed))
 }
 
 fn build_fwa_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
