@@ -1,5 +1,6 @@
 //! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
+use crate::choice;
 use crate::map::{Cell, Grid, Movement, Moves, OFFSETS, Point};
 use crate::scenario::Scenario;
 use serde::{Deserialize, Serialize};
@@ -191,16 +192,34 @@ pub fn crossed(width: u32, path: &[Cell]) -> impl Iterator<Item = Cell> + use<'_
     path.first().copied().into_iter().chain(path.windows(2).flat_map(between))
 }
 
-/// Refinement by line of sight (engine-room paper, section 3.3): from the start on, the farthest later node in sight is kept and those
-/// between are dropped. A path of steps becomes a polyline, never a longer one.
-pub fn refine(scenario: &Scenario, path: &[Cell]) -> Path {
+choice! {
+    /// Refinement by line of sight (engine-room paper, section 3.3): which later node follows a kept one.
+    pub enum Refinement {
+        /// the farthest later node in sight
+        Farthest = "farthest",
+        /// the last node before the first one out of sight
+        Next = "next",
+        /// every node is kept: the path stays cell by cell
+        None = "none",
+    }
+}
+
+/// What refinement makes of a path of steps: from the start on, nodes in sight are dropped and the one that [`Refinement`] names is kept.
+/// The polyline is never longer than the path.
+pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
     let at = |k: usize| scenario.grid.point(path[k]);
     let mut refined: Path = path.first().copied().into_iter().collect();
     let mut here = 0;
     while here + 1 < path.len() {
+        let sees = |&k: &usize| line_of_sight(scenario, at(here), at(k));
         // Neighbours on a path always see each other.
-        let farthest = (here + 2..path.len()).rev().find(|&k| line_of_sight(scenario, at(here), at(k)));
-        here = farthest.unwrap_or(here + 1);
+        let later = here + 2..path.len();
+        let follower = match how {
+            Refinement::Farthest => later.rev().find(sees),
+            Refinement::Next => later.take_while(sees).last(),
+            Refinement::None => None,
+        };
+        here = follower.unwrap_or(here + 1);
         refined.push(path[here]);
     }
     refined
@@ -259,8 +278,18 @@ mod tests {
     fn refinement_drops_what_lies_in_sight() {
         let s = scenario(&["....", ".##.", "....", "...."], CornerRule::BothFree);
         // (0,0) down to (0,2), then east to (3,2), then south: only the bend at (0,2) stays, for (0,2) sees (3,3).
-        assert_eq!(refine(&s, &[0, 4, 8, 9, 10, 11, 15]), [0, 8, 15]);
-        assert_eq!(refine(&s, &[0]), [0]);
-        assert_eq!(refine(&s, &[]), Path::new());
+        assert_eq!(refine(&s, &[0, 4, 8, 9, 10, 11, 15], Refinement::Farthest), [0, 8, 15]);
+        assert_eq!(refine(&s, &[0], Refinement::Farthest), [0]);
+        assert_eq!(refine(&s, &[], Refinement::Farthest), Path::new());
+        assert_eq!(refine(&s, &[0, 4, 8], Refinement::None), [0, 4, 8]);
+    }
+
+    #[test]
+    fn a_node_out_of_sight_ends_the_search_for_the_next_but_not_for_the_farthest() {
+        let s = scenario(&["....", "#...", "...."], CornerRule::BothFree);
+        // From (0,0) by (1,0), (1,1), (1,2) to (2,1): the corner of (0,1) hides (1,1) and (1,2), but not (2,1).
+        let path = [0, 1, 5, 9, 6];
+        assert_eq!(refine(&s, &path, Refinement::Farthest), [0, 6]);
+        assert_eq!(refine(&s, &path, Refinement::Next), [0, 1, 6]);
     }
 }

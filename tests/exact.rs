@@ -12,7 +12,7 @@ use formicarium::exact::{self, Reference, point_robot};
 use formicarium::map::{Cell, CornerRule, Direction, Grid, Movement, Moves, Point, step_length};
 use formicarium::metrics::{Metrics, TURN_WEIGHT};
 use formicarium::params::Values;
-use formicarium::path::{PathKind, audit, line_of_sight, points, refine};
+use formicarium::path::{PathKind, Refinement, audit, line_of_sight, points, refine};
 use formicarium::planner::{Objective, Planner, Status};
 use formicarium::scenario::Scenario;
 
@@ -238,7 +238,7 @@ fn polylines_have_a_proven_yardstick_up_to_64_by_64_cells() {
     let [small, large] = [64, 65].map(|side| random(side, 0.3, 2, rule));
     let Reference::Proven { value } = exact::reference(&small, Objective::PolylineLength) else { panic!("proven") };
     let steps = solve(&small, "astar").best().map(|b| b.path.clone()).expect("a path");
-    let refined = Metrics::of(&small, &refine(&small, &steps)).length;
+    let refined = Metrics::of(&small, &refine(&small, &steps, Refinement::Farthest)).length;
     let point = point_robot(&small).expect("within its limit").expect("a way");
     assert!(point < value && value < refined && refined < Metrics::of(&small, &steps).length, "{point} {value} {refined}");
 

@@ -8,7 +8,7 @@ use formicarium::exact;
 use formicarium::map::{Cell, CornerRule, Grid, Movement, Moves, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
-use formicarium::path::{PathKind, audit, crossed, line_of_sight, points, refine};
+use formicarium::path::{PathKind, Refinement, audit, crossed, line_of_sight, points, refine};
 use formicarium::planner::{Family, Planner, Status};
 use formicarium::scenario::Scenario;
 use proptest::prelude::*;
@@ -99,7 +99,7 @@ proptest! {
         let lengths = ["any-angle", "theta-star", "astar"].map(|id| by(id).best().map_or(f64::INFINITY, |b| b.length));
         let point = exact::point_robot(&scenario).expect("a small map").unwrap_or(f64::INFINITY);
         let steps = by("astar").best().map(|b| b.path.clone());
-        let refined = steps.as_ref().map_or(f64::INFINITY, |path| Metrics::of(&scenario, &refine(&scenario, path)).length);
+        let refined = steps.as_ref().map_or(f64::INFINITY, |path| Metrics::of(&scenario, &refine(&scenario, path, Refinement::Farthest)).length);
         let [any, theta, shortest] = lengths;
         let order = [euclidean(scenario.spec.start, scenario.spec.goals[0].at), point, any, refined, shortest];
         prop_assert!(order.windows(2).all(|pair| pair[0] <= pair[1] + 1e-9), "{:?}", order);

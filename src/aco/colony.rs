@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::map::Cell;
 use crate::metrics::{obstacle_density, path_length};
+use crate::path::{Refinement, refine};
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
@@ -179,8 +180,7 @@ impl<V: Variant + 'static> Colony<V> {
             && self.progress.best.as_ref().is_none_or(|b| length < b.length)
         {
             let path = cells(scenario, ant);
-            let refined = self.variant.refine(scenario, &path);
-            let refined = refined.map(|path| Refined { length: path_length(scenario.grid.width(), &path), path });
+            let refined = refined(scenario, &path, self.variant.refinement());
             self.progress.best = Some(Solution { path, length, iteration: number, refined });
         }
         let record = record(&Iteration { best_so_far: self.progress.best.as_ref(), ..iteration });
@@ -310,7 +310,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
     }
 
     fn objective(&self) -> Objective {
-        if self.variant.refines() { Objective::PolylineLength } else { Objective::Length }
+        objective(self.variant.refinement())
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
@@ -342,6 +342,21 @@ impl<V: Variant + 'static> Planner for Colony<V> {
             out.extend(tables.ants.iter().filter(|a| a.fate() != Fate::Lost).map(Ant::cell));
         }
     }
+}
+
+/// The best path after refinement, if there is any.
+#[inline(never)]
+fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refined> {
+    let refined = || {
+        let path = refine(scenario, path, how);
+        Refined { length: path_length(scenario.grid.width(), &path), path }
+    };
+    (how != Refinement::None).then(refined)
+}
+
+/// What the result of a colony with this refinement is measured by.
+pub(super) fn objective(refinement: Refinement) -> Objective {
+    if refinement == Refinement::None { Objective::Length } else { Objective::PolylineLength }
 }
 
 /// The strongest trail that leaves each cell.

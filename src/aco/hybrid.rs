@@ -10,7 +10,7 @@ use crate::path::Path;
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
-use super::colony::Colony;
+use super::colony::{self, Colony};
 use super::variant::{Settings, Variant};
 
 /// Makes the second stage's variant from the first one's best path and its length in cells, if there is one.
@@ -108,7 +108,7 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
     }
 
     fn objective(&self) -> Objective {
-        if (self.second)(None).refines() { Objective::PolylineLength } else { Objective::Length }
+        colony::objective((self.second)(None).refinement())
     }
 
     fn budget(&self) -> Option<u32> {

@@ -1,7 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
-use crate::path::{Path, refine};
+use crate::path::Refinement;
 use crate::planner::Solution;
 use crate::rng::Stream;
 use crate::scenario::Scenario;
@@ -140,14 +140,9 @@ pub trait Variant: Send {
         deposit::ant_cycle(trails, iteration.scenario, iteration.ants, settings.deposit);
     }
 
-    /// Whether the best path is refined: it is then measured as a polyline.
-    fn refines(&self) -> bool {
-        false
-    }
-
-    /// The refined best path, where [`Variant::refines`].
-    fn refine(&self, scenario: &Scenario, path: &[Cell]) -> Option<Path> {
-        self.refines().then(|| refine(scenario, path))
+    /// How the best path is refined by line of sight; a refined path is measured as a polyline.
+    fn refinement(&self) -> Refinement {
+        Refinement::None
     }
 
     /// What no single ant could do: reinitialise…

@@ -91,7 +91,9 @@ fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize)
     let (question, claim) = (&experiment.question, &experiment.question.claims[index]);
     let place = &question.instances[instance].id;
     let values = |entry, measure| values(experiment, rows, instance, entry, measure);
-    let (improved, baseline) = (values(&claim.improved, claim.measure), values(&claim.baseline, claim.measure));
+    let sample =
+        |entry| values(entry, claim.measure).into_iter().map(|v| worst_if_missing(claim.direction, v)).collect::<Vec<_>>();
+    let (improved, baseline) = (sample(&claim.improved), sample(&claim.baseline));
     let pairs: Vec<(f64, f64)> = improved.iter().copied().zip(baseline.iter().copied()).collect();
     let finite: Vec<(f64, f64)> = pairs.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     let statistic = claim.statistic(finite.len() == pairs.len());
@@ -121,6 +123,11 @@ fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize)
 fn values(experiment: &Experiment, rows: &[Row], instance: usize, entry: &str, measure: Measure) -> Vec<f64> {
     let of_entry = |r: &&Row| experiment.question.entries.get(r.task.entry).is_some_and(|e| e.id == entry);
     rows.iter().filter(|r| r.task.instance == instance).filter(of_entry).map(|r| r.value(measure)).collect()
+}
+
+/// A run without a path is never the better one, also where more is better.
+fn worst_if_missing(direction: Direction, value: f64) -> f64 {
+    if value.is_infinite() && direction == Direction::More { f64::NEG_INFINITY } else { value }
 }
 
 /// The number that stands for a sample.
@@ -229,6 +236,16 @@ mod tests {
         assert_eq!(verdict(&claim, &full(41.0, 0.5, 1.5)), Verdict::Opposite);
         let turns = Claim { measure: Measure::Turns, ..claim };
         assert_eq!(verdict(&turns, &full(40.0, -0.1, 0.0)), Verdict::Not);
+    }
+
+    #[test]
+    fn a_run_without_a_path_is_never_the_better_one() {
+        let inf = f64::INFINITY;
+        let of = |direction| [inf, 3.0].map(|v| worst_if_missing(direction, v));
+        assert_eq!((of(Direction::Less), of(Direction::More)), ([inf, 3.0], [-inf, 3.0]));
+        let claim: Claim = serde_json::from_str(CLAIM).unwrap();
+        let means = Claim { statistic: Some(Statistic::Mean), ..claim };
+        assert_eq!((means.statistic(true), means.statistic(false)), (Statistic::Mean, Statistic::Median));
     }
 
     #[test]

@@ -233,9 +233,9 @@ pub struct Claim {
 
 impl Claim {
     /// What decides. Means tell small shifts of values that come in few steps, which medians and their bootstrap do not; but a mean
-    /// over the runs that happened to find a path would favour whoever fails where it is hard.
+    /// over the runs that happened to find a path would favour whoever fails where it is hard: then medians decide, asked for or not.
     pub fn statistic(&self, every_run_counts: bool) -> Statistic {
-        self.statistic.unwrap_or(if every_run_counts { Statistic::Mean } else { Statistic::Median })
+        if every_run_counts { self.statistic.unwrap_or(Statistic::Mean) } else { Statistic::Median }
     }
 
     /// Whether it is about an instance.

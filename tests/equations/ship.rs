@@ -16,7 +16,7 @@ use formicarium::catalog;
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
 use formicarium::metrics::{obstacle_density, path_length};
 use formicarium::params::Values;
-use formicarium::path::refine;
+use formicarium::path::{Refinement, refine};
 use formicarium::planner::{Layer, Objective, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
@@ -260,14 +260,15 @@ fn section_3_3_refinement_keeps_the_farthest_node_in_sight() {
     // The wall hides all after (1,2) from the start, the goal from (1,2), nothing from (3,2).
     let path: Vec<Cell> =
         [(0, 0), (0, 1), (0, 2), (1, 2), (2, 2), (3, 2), (4, 1), (5, 0)].map(|(x, y)| s.grid.cell(Point::new(x, y))).into();
-    let refined = Ship::new(ShipParams::default()).refine(&s, &path).expect("refined by default");
+    assert_eq!(Ship::new(ShipParams::default()).refinement(), Refinement::Farthest);
+    let refined = refine(&s, &path, Refinement::Farthest);
     let kept: Vec<_> = refined.iter().map(|&c| (s.grid.point(c).x, s.grid.point(c).y)).collect();
     assert_eq!(kept, [(0, 0), (1, 2), (3, 2), (5, 0)]);
     // 2 + 3 + 2√2 before, √5 + 2 + 2√2 after
     let lengths = [&path, &refined].map(|p| path_length(6, p));
     assert!(close(lengths[0], 5.0 + 2.0 * SQRT2) && close(lengths[1], 5f64.sqrt() + 2.0 + 2.0 * SQRT2), "{lengths:?}");
-    let cells = Ship::new(ShipParams { refine: false, ..ShipParams::default() });
-    assert!(!cells.refines() && cells.refine(&s, &path).is_none());
+    // From each of these nodes all that follow are in sight up to the last: node by node gives the same.
+    assert_eq!(refine(&s, &path, Refinement::Next), refined);
 }
 
 #[test]
@@ -284,7 +285,11 @@ fn section_3_3_refinement_is_the_last_step_and_changes_no_walk() {
     assert_eq!((refined.objective(), cells.objective()), (Objective::PolylineLength, Objective::Length));
     let [a, b] = [&refined, &cells].map(|p| p.best().expect("a path"));
     assert_eq!((&a.path, a.length, a.iteration, &b.refined), (&b.path, b.length, b.iteration, &None));
-    assert_eq!(a.refined.as_ref().map(|r| &r.path), Some(&refine(&s, &b.path)), "step 6: the best path is refined");
+    assert_eq!(
+        a.refined.as_ref().map(|r| &r.path),
+        Some(&refine(&s, &b.path, Refinement::Farthest)),
+        "step 6: the best path is refined"
+    );
     assert!(a.result().1 < a.length);
 }
 

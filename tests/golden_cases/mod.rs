@@ -203,6 +203,24 @@ pub const GOLDENS: &[Golden] = &[
         seed: 1,
         digest: "717ee0f4bc954287",
     },
+    Golden {
+        map: (Generator::Cave, 50, 40, 22, 0.0),
+        movement: eight(CornerRule::BothFree),
+        planner: "custom",
+        values: &[
+            ("initial_trail_of", "max-min-ant-system"),
+            ("heuristic_of", "ship"),
+            ("selection_of", "ant-colony-system"),
+            ("local_update_of", "acost"),
+            ("update_of", "rank-based-ant-system"),
+            ("refinement_of", "ship"),
+            ("beta", "1.5"),
+            ("q0", "0.6"),
+            ("iterations", "60"),
+        ],
+        seed: 22,
+        digest: "434f8b33f25df82d",
+    },
 ];
 
 /// Frozen runs by this many goals.

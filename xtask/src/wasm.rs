@@ -122,7 +122,8 @@ fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
 /// Panics name source files: the folders of the machine that builds are no business of who reads the library. Cargo adds these flags to
 /// those of its own configuration.
 fn anonymous_paths() -> String {
-    let home = std::env::var("CARGO_HOME").map_or_else(|_| std::env::home_dir().unwrap_or_default().join(".cargo"), PathBuf::from);
+    let home =
+        std::env::var("CARGO_HOME").map_or_else(|_| std::env::home_dir().unwrap_or_default().join(".cargo"), PathBuf::from);
     let remap = |from: &Path, to: &str| format!("--remap-path-prefix={}={to}", from.display());
     format!("target.wasm32-unknown-unknown.rustflags={:?}", [remap(&home, "cargo"), remap(&root(), ".")])
 }

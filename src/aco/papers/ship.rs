@@ -9,7 +9,7 @@
 //! | selection | Eq. 1: as Ant System |
 //! | on each move | as Ant System (nothing) |
 //! | update | Eq. 9–11 and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
-//! | daemon actions | section 3.3: the best path is refined by line of sight (`refine`); ants and trails know nothing of it |
+//! | daemon actions | section 3.3: the best path is refined by line of sight (`refinement`); ants and trails know nothing of it |
 //!
 //! `reading` decides where the printed formula does not do what its text says:
 //!
@@ -28,7 +28,8 @@
 //! d(i, E) as at least 1; let ants at a dead end step back. Its section 4 calls Q = 10 the initial trail, Eq. 5 and 10 the intensity of a
 //! deposit: we use it as the equations do. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here. Its step 6
 //! refines once, after the last iteration; we refine each new best path, which shows the same path in the end: the shortest one is
-//! chosen by its length before refinement. Of section 3.3 we take the reading that keeps the farthest later node in sight.
+//! chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the farthest later one in sight, as
+//! its introduction says of ref. 22, the default; or node by node up to the first one out of sight (`refinement`).
 
 use std::sync::Arc;
 
@@ -43,6 +44,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, OFFSETS, Point, step_length};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
+use crate::path::Refinement;
 use crate::planner::{Entry, Family, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::{choice, params};
@@ -98,8 +100,8 @@ params! {
         move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
         /// stops after this many iterations without a shorter path; 0 = never
         stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
-        /// whether the best path is refined: nodes between others in sight are dropped, so that segments may have any angle
-        refine: bool = true, "", [], "", "Fan et al. 2026, section 3.3";
+        /// which node of the best path follows a kept one: those between are dropped, so that segments may have any angle
+        refinement: Refinement = Refinement::Farthest, "", [], "", "Fan et al. 2026, section 3.3; next: its words taken one by one";
     }
 }
 
@@ -274,8 +276,8 @@ impl Variant for Ship {
     }
 
     /// Section 3.3.
-    fn refines(&self) -> bool {
-        self.params.refine
+    fn refinement(&self) -> Refinement {
+        self.params.refinement
     }
 
     /// Eq. 14, or Eq. 12. What is taken from the worst path is taken last, so that the floor holds for the sum.
@@ -315,16 +317,16 @@ const PRESETS: &[Preset] = &[
     Preset {
         name: "printed",
         source: "rescue robot in a ship's engine room (Fan et al. 2026)",
-        meaning: "everything literally: eq. 7 and 8 as printed, and eq. 12 for the update, as its step 4 says",
+        meaning: "everything literally: eq. 7 and 8 as printed, eq. 12 for the update, as its step 4 says, and section 3.3 node by node",
         numbers: &[],
-        choices: &[("reading", "printed"), ("update", "all-ants")],
+        choices: &[("reading", "printed"), ("update", "all-ants"), ("refinement", "next")],
     },
     Preset {
         name: "cells",
         source: "rescue robot in a ship's engine room (Fan et al. 2026), without its section 3.3",
         meaning: "the search alone: the best path stays cell by cell, to be compared with planners that do not refine",
         numbers: &[],
-        choices: &[("refine", "false")],
+        choices: &[("refinement", "none")],
     },
 ];
 

@@ -38,7 +38,7 @@ export const en = {
     what_other: '{{count}} planners, same map, same seed',
     target: '{{what}}: {{value}}',
     best: {
-      length: 'Shortest possible',
+      length: 'Shortest path',
       'polyline-length': 'Shortest polyline',
       'turn-index': 'Smallest turn index',
       'tour-length': 'Shortest tour',
@@ -189,6 +189,7 @@ export const en = {
     unknown: 'nothing to compare with',
     unknownWhy: 'Nothing is proven for a question of this size, so there is no gap to give.',
     noPathYet: 'no path yet',
+    noPathFound: 'no path found',
     proving: 'comparing…',
     noPathExists: 'no path exists',
   },
@@ -355,7 +356,7 @@ export const en = {
     generateHint:
       'The same seed gives the same map on every computer. Start and goals are always connected. Undo brings the present map back.',
     resizeHint:
-      'From 2 to {{most}} cells a side. The upper left part is kept; undo brings the rest back.',
+      'From 2 to {{most}} cells a side. The upper left part is kept, start and goals move into it; undo brings the rest back.',
     chooseFiles: 'Choose files',
     orDrop: 'or drop them anywhere on the page, at any time',
     pasteHere: 'Or paste a map, a scenario or a share link',
@@ -377,7 +378,7 @@ export const en = {
       },
       'movingai-scen': {
         name: 'MovingAI scenario',
-        note: 'Start, goal and proven optimal length, to go with the map.',
+        note: 'Start, goal (the first of several) and proven optimal length, to go with the map.',
       },
       matrix: {
         name: '0/1 matrix',
@@ -487,6 +488,8 @@ export const en = {
   errors: {
     unexpected: 'Something went wrong: {{message}}',
     unexpectedHint: 'What is on the page is unchanged. Please try again.',
+    unfetched: 'This part of the page could not be fetched.',
+    unfetchedHint: 'Check the connection and try again. Nothing on the page is lost.',
   },
   gallery: {
     'two-corridors': { name: 'Two corridors', note: 'A short way and a long one' },

@@ -13,6 +13,9 @@ interface Coded extends Described {
   args?: Record<string, string>
 }
 
+/** What browsers, each in its own words, say of a part of the page that did not arrive. */
+const UNFETCHED = /dynamically imported module|importing a module script|unable to preload/i
+
 export function describeError(error: unknown): Described {
   if (isCoded(error)) {
     const args = { ...error.args, field: error.field ?? '' }
@@ -22,6 +25,8 @@ export function describeError(error: unknown): Described {
     }
   }
   const message = error instanceof Error ? error.message : String(error)
+  if (UNFETCHED.test(message))
+    return { message: t('errors.unfetched'), hint: t('errors.unfetchedHint') }
   return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
 }
 

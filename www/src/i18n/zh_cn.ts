@@ -45,7 +45,7 @@ export const zhCN: Shape<typeof en> = {
     what_other: '{{count}} 个规划器，同一地图，同一种子',
     target: '{{what}}：{{value}}',
     best: {
-      length: '理论最短',
+      length: '最短路径',
       'polyline-length': '最短折线',
       'turn-index': '最小转弯指数',
       'tour-length': '最短巡回',
@@ -191,6 +191,7 @@ export const zhCN: Shape<typeof en> = {
     unknown: '无可比较',
     unknownWhy: '此规模的问题没有已证明的最优值，因此给不出差距。',
     noPathYet: '尚无路径',
+    noPathFound: '未找到路径',
     proving: '正在比较…',
     noPathExists: '不存在通路',
   },
@@ -346,7 +347,7 @@ export const zhCN: Shape<typeof en> = {
     height: '高',
     density: '墙（%）',
     generateHint: '相同的种子在任何电脑上生成相同的地图。起点与各目标必定连通。可撤销。',
-    resizeHint: '每边 2 到 {{most}} 格。保留左上部分；可撤销。',
+    resizeHint: '每边 2 到 {{most}} 格。保留左上部分，起点与目标移入其中；可撤销。',
     chooseFiles: '选择文件',
     orDrop: '或随时拖放到页面任意位置',
     pasteHere: '或粘贴地图、场景或分享链接',
@@ -365,7 +366,7 @@ export const zhCN: Shape<typeof en> = {
       'movingai-map': { name: 'MovingAI 地图', note: '仅含格子。多数路径规划工具可读。' },
       'movingai-scen': {
         name: 'MovingAI 场景',
-        note: '起点、终点与已证明的最优长度，配合地图使用。',
+        note: '起点、终点（多个目标时仅第一个）与已证明的最优长度，配合地图使用。',
       },
       matrix: { name: '0/1 矩阵', note: '仅含格子，与 MATLAB、NumPy 及许多论文的写法相同。' },
       scenario: {
@@ -466,6 +467,8 @@ export const zhCN: Shape<typeof en> = {
   errors: {
     unexpected: '出错了：{{message}}',
     unexpectedHint: '页面内容没有改变。请重试。',
+    unfetched: '无法获取页面的这一部分。',
+    unfetchedHint: '请检查网络连接后重试；页面上的内容没有丢失。',
   },
   gallery: {
     'two-corridors': { name: '两条走廊', note: '一条近路，一条远路' },

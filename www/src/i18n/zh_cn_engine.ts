@@ -114,7 +114,7 @@ export const zhCNEngine = {
     order_iterations: '确定次序的蚁群的迭代次数',
     legs: '蚂蚁如何选择路段上的下一步',
     r0: '改进规则下，直接取最好的一步或目标而不抽取的概率',
-    refine: '是否拉直最优路径：去掉视线之内的中间点，线段可取任意角度',
+    refinement: '最优路径上保留点之后接哪一点：其间的点去掉，线段可取任意角度',
     fireworks: '逐代保留的烟花数',
     sparks: '全部烟花按长度分配的爆炸火花数',
     fewest: '每个烟花最少的火花，占 m 的比例',
@@ -203,6 +203,9 @@ export const zhCNEngine = {
     printed: '按印刷公式',
     weighted: '加权更新（式 14）',
     'all-ants': '全体更新（式 12）',
+    farthest: '视线内最远的点',
+    next: '逐点检查，直到看不见为止',
+    none: '不拉直',
     die: '死亡',
   },
   notices: {

@@ -4,6 +4,7 @@ import { useEffect, useId, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../messages'
+import { plannerEntry } from '../state'
 import { optionName, paramMeaning } from './planner_text'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
@@ -47,7 +48,9 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
 function chosenMeaning({ kind }: ParamSpec, value: Value): string {
   if (kind.type !== 'choice') return ''
   const option = kind.options.find(({ id }) => id === value)
-  return option ? `. ${optionName(option.id)}: ${option.meaning}` : ''
+  // The name of a planner says it already.
+  if (!option || plannerEntry(option.id)) return ''
+  return `. ${optionName(option.id)}: ${option.meaning}`
 }
 
 function Control({ spec, value, error, onChange, id }: ParameterControlProps & { id: string }) {

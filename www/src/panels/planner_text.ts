@@ -26,12 +26,14 @@ export const plannerSummary = ({ id, summary }: CatalogEntry) =>
 export const paramMeaning = ({ key, meaning }: ParamSpec) =>
   capital(engineText(`params.${key}`, meaning))
 
-export const optionName = (id: string) => engineText(`options.${id}`, id.replaceAll('-', ' '))
+/** Options that name a planner are called as it is. */
+export const optionName = (id: string) =>
+  engineText(`options.${id}`, plannerEntry(id)?.name ?? id.replaceAll('-', ' '))
 
 export const presetName = ({ name }: CatalogEntry['presets'][number]) =>
   engineText(`presets.${name}`, name)
 
-/** Name of a panel's planner, numbered when several panels run the same; its id when the catalog does not know it. */
+/** Name of a panel's planner, told apart when several panels run the same; its id when the catalog does not know it. */
 export function panelTitle(panelId: number): string {
   const planner = panelById(panelId)?.setup.planner ?? ''
   const entry = plannerEntry(planner)
@@ -39,12 +41,26 @@ export function panelTitle(panelId: number): string {
   return `${name}${namesakeMark(panelId)}`
 }
 
-/** " (2)" for the second of several panels with the same planner; nothing for a planner that runs once. */
+/**
+ * What tells a panel from others with the same planner: its set of parameters, " (paper)", where it alone has that set; else
+ * its number, " (2)". Nothing for a planner that runs once.
+ */
 export function namesakeMark(panelId: number): string {
   const planner = panelById(panelId)?.setup.planner
   const namesakes = panels.value.filter(({ setup }) => setup.planner === planner)
   if (namesakes.length < 2) return ''
-  return ` (${namesakes.findIndex(({ id }) => id === panelId) + 1})`
+  const place = namesakes.findIndex(({ id }) => id === panelId)
+  const sets = namesakes.map(({ setup }) => setName(setup))
+  const set = sets[place]
+  const alone = set && sets.filter((each) => each === set).length === 1
+  return ` (${alone ? set : place + 1})`
+}
+
+/** A preset's name, or that of the defaults; values of one's own have none. */
+function setName({ planner, preset, params }: PanelSetup): string | null {
+  const known = plannerEntry(planner)?.presets.find(({ name }) => name === preset)
+  if (known) return presetName(known)
+  return Object.keys(params).length === 0 ? t('parameters.defaults') : null
 }
 
 function capital(text: string): string {

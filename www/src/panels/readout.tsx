@@ -106,6 +106,7 @@ function gapWords(panel: Panel, gap: number | null): string {
   const reference = referenceOf(panel)
   const { summary, objective } = panel.live.value
   if (reference?.kind === 'no-path') return t('gap.noPathExists')
+  if (summary && !summary.metrics && summary.status !== 'running') return t('gap.noPathFound')
   if (!summary?.metrics || !objective) return t('gap.noPathYet')
   if (reference === null) return t('gap.proving')
   if (gap === null) return t('gap.unknown')

@@ -96,7 +96,9 @@ export function chooseScen(line: ScenLine): void {
 export function exportMap(format: MapFormat): Promise<string> {
   const now = scenario.peek()
   if (!now) return Promise.resolve('')
-  return tools.exportMap(now.spec, now.cells, format)
+  // A .scen names the file of its map: the one that is downloaded.
+  const spec = format === 'movingai-scen' ? { ...now.spec, name: fileStem() } : now.spec
+  return tools.exportMap(spec, now.cells, format)
 }
 
 export async function exportExperiment(): Promise<string> {

@@ -17,7 +17,7 @@ import { dropResults, presetSetup, replacePanels } from './panels'
 import { fetchRest } from './rest'
 import { pause, play, reset, restart } from './runs'
 import { suitSpeed } from './speed'
-import { activeGoal, galleryId, panels, phase, plannerEntry, scenario, tool } from './store'
+import { activeGoal, galleryId, panels, phase, plannerEntry, rest, scenario, tool } from './store'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
@@ -100,11 +100,17 @@ export function setScenario(next: Scenario, options: { undoable: boolean }): voi
   if (wasRunning) play()
 }
 
+/** Of several maps asked for while one is being fetched, the last counts. */
+let asked = 0
+
 export async function openGallery(id: string): Promise<void> {
   const entry = gallery.find((each) => each.id === id)
   if (!entry) return
+  const mine = ++asked
+  if (entry.racers && rest.peek() !== 'here') notify('info', t('panels.fetchingMore'))
   const opened = fromGallery(id, await entry.scenario())
   if (entry.racers) await fetchRest()
+  if (mine !== asked) return
   suitSpeed(opened)
   batch(() => {
     if (entry.racers) letRace(entry.racers)

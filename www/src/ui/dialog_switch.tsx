@@ -1,16 +1,19 @@
 import { effect, signal } from '@preact/signals'
-import { notifyError, scenChoice } from '../state'
+import { notifyError, rest, scenChoice } from '../state'
 import { closeDialog, openDialog } from './dialogs'
 
 const fetched = signal<typeof import('./all_dialogs') | null>(null)
 
+// Fetched when one is asked for, else with the rest of the engine, so that sharing and saving outlive the connection.
 effect(() => {
-  if (fetched.value || (!openDialog.value && !scenChoice.value)) return
+  const asked = openDialog.value || scenChoice.value
+  if (fetched.value || (!asked && rest.value !== 'here')) return
   import('./all_dialogs').then(
     (dialogs) => {
       fetched.value = dialogs
     },
     (error) => {
+      if (!asked) return
       closeDialog()
       notifyError(error)
     },

@@ -1,0 +1,165 @@
+//! The rows of `custom`: which planner lends which rule, the numbers that all of them share, and every donor's own.
+
+use super::donors::{Donor, Donors};
+use crate::aco::papers::Reading;
+use crate::aco::shared_params::{ChoiceParams, WalkParams};
+use crate::params;
+use crate::params::{AppliesWhen, ParamSpec, Params, Value};
+use crate::planner::Preset;
+
+params! {
+    /// The rules by name, and the numbers that all donors share.
+    pub struct CustomParams {
+        /// the trails before the first iteration are those of this planner; a hybrid's first stage needs a single goal
+        initial_trail_of: Donor = Donor::AntSystem, "", [], "", "composition";
+        /// what an ant sees of a step is as in this planner
+        heuristic_of: Donor = Donor::AntSystem, "", [], "", "composition";
+        /// an ant selects a step as in this planner; its random numbers are those of this planner
+        selection_of: Donor = Donor::AntSystem, "", [], "", "composition";
+        /// what happens to the trail of each step that an ant takes is as in this planner
+        local_update_of: Donor = Donor::AntSystem, "", [], "", "composition; Ant System: nothing";
+        /// trails change at the end of an iteration as in this planner
+        update_of: Donor = Donor::AntSystem, "", [], "", "composition";
+        /// what no single ant could do is as in this planner; MAX–MIN restarts need its update, whose limits they use
+        daemon_of: Donor = Donor::AntSystem, "", [], "", "composition; Ant System: nothing";
+        /// the best path is refined, or not, as in this planner
+        refinement_of: Donor = Donor::AntSystem, "", [], "", "composition; Ant System: not refined";
+        /// how the lent rules take the places where their papers contradict themselves
+        reading: Reading = Reading::Repaired, "", [], "", "the planners that lend the rules";
+        /// ants that build a path in each iteration
+        ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value";
+        ..choice: ChoiceParams;
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.5, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
+        ..walk: WalkParams;
+    }
+}
+
+/// When a donor's own row has an effect: the rule that must be one of these planners'. None where more than one rule can need it
+/// (`elitists` and `ranks`: update and initial trail; `deposit`: the seed's trail, too), or the order of several goals (`initial_trail`, `r0`).
+fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
+    const GOAL: &[Donor] = &[Donor::Acost, Donor::Acomsp];
+    const CLASSICS_AND_HYBRIDS: &[Donor] = &[
+        Donor::AntSystem,
+        Donor::Elitist,
+        Donor::RankBased,
+        Donor::MaxMin,
+        Donor::AntColonySystem,
+        Donor::FwaAco,
+        Donor::PsoAco,
+    ];
+    const SEEDED: &[Donor] = &[Donor::FwaAco, Donor::PsoAco];
+    Some(match key {
+        "heuristic" => ("heuristic_of", CLASSICS_AND_HYBRIDS),
+        "goal_pull" | "omega_min" | "omega_max" | "obstacle_push" => ("heuristic_of", &[Donor::Ship]),
+        "goal_distance" => ("heuristic_of", GOAL),
+        "q0" => ("selection_of", &[Donor::AntColonySystem]),
+        "seed_iterations" | "seed_ants" | "range" | "decode_limit" => ("initial_trail_of", SEEDED),
+        "fireworks" | "sparks" | "fewest" | "most" | "radius" | "gaussian_sparks" | "radius_end" | "mutation_start"
+        | "mutation_end" => ("initial_trail_of", &[Donor::FwaAco]),
+        "particles" | "inertia_start" | "inertia_end" | "cognitive" | "social" | "speed_limit" => {
+            ("initial_trail_of", &[Donor::PsoAco])
+        }
+        "legs" => ("selection_of", &[Donor::Fire]),
+        "rule" => ("selection_of", &[Donor::Acost]),
+        "xi" => ("local_update_of", &[Donor::AntColonySystem]),
+        "move_deposit" => ("local_update_of", &[Donor::Acost]),
+        "p_best" | "best_every" => ("update_of", &[Donor::MaxMin]),
+        "update" | "k_best" | "k_worst" | "trail_min" => ("update_of", &[Donor::Ship]),
+        "path_deposit" => ("update_of", GOAL),
+        "refinement" => ("refinement_of", &[Donor::Ship]),
+        "restart_after" => ("daemon_of", &[Donor::MaxMin]),
+        _ => return None,
+    })
+}
+
+/// The rows of this file, then every donor's own.
+pub(super) fn specs() -> Vec<ParamSpec> {
+    let mut rows = CustomParams::specs();
+    for row in Donors::specs() {
+        if rows.iter().all(|r| r.key != row.key) {
+            rows.push(row);
+        }
+    }
+    for row in &mut rows {
+        if let Some((key, donors)) = applies(row.key) {
+            row.applies_when = Some(AppliesWhen { key, values: donors.iter().map(|d| Value::from(d.id())).collect() });
+        }
+    }
+    rows
+}
+
+/// All rules from one planner.
+macro_rules! all_rules {
+    ($id:literal $(, $key:literal = $value:literal)*) => {
+        &[
+            ("initial_trail_of", $id),
+            ("heuristic_of", $id),
+            ("selection_of", $id),
+            ("local_update_of", $id),
+            ("update_of", $id),
+            ("daemon_of", $id),
+            ("refinement_of", $id),
+            $(($key, $value)),*
+        ]
+    };
+}
+
+pub(super) const PRESETS: &[Preset] = &[
+    Preset {
+        name: "max-min-ant-system",
+        source: "Stützle, Hoos 2000",
+        meaning: "all rules of MAX–MIN Ant System: the same runs",
+        numbers: &[("rho", 0.02)],
+        choices: all_rules!("max-min-ant-system"),
+    },
+    Preset {
+        name: "ant-colony-system",
+        source: "Dorigo, Gambardella 1997",
+        meaning: "all rules of Ant Colony System: the same runs",
+        numbers: &[("ants", 10.0), ("rho", 0.1)],
+        choices: all_rules!("ant-colony-system"),
+    },
+    Preset {
+        name: "fire",
+        source: "Zhang et al. 2020",
+        meaning: "all rules of the multi-fire ACO: the same runs",
+        numbers: &[("beta", 7.0), ("rho", 0.3)],
+        choices: all_rules!("fire"),
+    },
+    Preset {
+        name: "ship",
+        source: "Fan et al. 2026",
+        meaning: "all rules of the engine-room ACO: the same runs",
+        numbers: &[("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)],
+        choices: all_rules!("ship"),
+    },
+    Preset {
+        name: "acost",
+        source: "Lai, Guo 2014",
+        meaning: "all rules of ACOST: the same runs",
+        numbers: &[("ants", 10.0), ("iterations", 50.0), ("beta", 25.0), ("move_limit", 0.0)],
+        choices: all_rules!("acost", "dead_end" = "die"),
+    },
+    Preset {
+        name: "acomsp",
+        source: "Lai, Guo 2014",
+        meaning: "all rules of ACOMSP: the same runs",
+        numbers: &[("ants", 10.0), ("iterations", 50.0), ("beta", 15.0), ("move_limit", 0.0)],
+        choices: all_rules!("acomsp", "dead_end" = "die"),
+    },
+    Preset {
+        name: "fwa-aco",
+        source: "Zhou, Mu, Zhang 2019",
+        meaning: "all rules of the fireworks hybrid: the same runs",
+        numbers: &[("iterations", 50.0), ("alpha", 2.0), ("beta", 8.0), ("rho", 0.1)],
+        choices: all_rules!("fwa-aco", "heuristic" = "goal"),
+    },
+    Preset {
+        name: "pso-aco",
+        source: "named by Zhou, Mu, Zhang 2019",
+        meaning: "all rules of the particle hybrid: the same runs",
+        numbers: &[("iterations", 50.0), ("alpha", 2.0), ("beta", 8.0), ("rho", 0.1)],
+        choices: all_rules!("pso-aco", "heuristic" = "goal"),
+    },
+];
