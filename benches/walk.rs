@@ -22,8 +22,13 @@ fn random_map(side: u32) -> Arc<Scenario> {
     Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("a valid scenario"))
 }
 
+/// 50 ants each, so that what an iteration costs for the whole map is spread over as many walks; a hybrid's first stage is over at once.
 fn colony(id: &str, scenario: &Arc<Scenario>) -> Box<dyn Planner> {
-    let values: Values = [("iterations".to_string(), formicarium::params::Value::Number(100_000.0))].into();
+    let entry = formicarium::catalog::find(id).expect("in the catalog");
+    let wanted = [("iterations", 100_000.0), ("ants", 50.0), ("seed_iterations", 1.0)];
+    let known = |key: &str| (entry.specs)().iter().any(|s| s.key == key);
+    let values = wanted.iter().filter(|(key, _)| known(key));
+    let values: Values = values.map(|&(key, value)| (key.to_string(), formicarium::params::Value::Number(value))).collect();
     formicarium::catalog::build(scenario, id, None, &values, 1).expect("valid parameters")
 }
 
@@ -106,9 +111,9 @@ fn arena2(c: &mut Criterion) {
     group.finish();
 }
 
-/// Every colony of the catalog with its defaults, beside Ant System.
+/// Every colony of the catalog, otherwise with its defaults, beside Ant System.
 fn colonies(c: &mut Criterion) {
-    let mut group = c.benchmark_group("ant move by colony, 100x100, 20 % walls");
+    let mut group = c.benchmark_group("ant move by colony, 100x100, 20 % walls, 50 ants");
     group.throughput(Throughput::Elements(1));
     let scenario = random_map(100);
     for entry in CATALOG.iter().filter(|e| e.family == Family::AntColony) {

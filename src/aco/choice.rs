@@ -139,19 +139,35 @@ pub fn threshold(weights: &Row, lambda: f64, stream: &mut Stream) -> Option<Dire
     // In f64: beside a step of weight 1, a probability of 1 − 1e-8 is not yet 1.
     let total: f64 = weights.iter().map(|&w| f64::from(w)).sum();
     let candidates = weights.map(|w| if f64::from(w) <= lambda * total { w } else { 0.0 });
-    random_proportional(&candidates, stream).or_else(|| random_proportional(&any(weights, 0.0), stream))
+    random_proportional(&candidates, stream).or_else(|| random_proportional(&feasible(weights), stream))
 }
 
 /// The step of the largest weight; equal ones are drawn from uniformly. `None` when no step is left.
-#[inline]
+#[inline(always)]
 pub fn maximal(weights: &Row, stream: &mut Stream) -> Option<Direction> {
-    let largest = weights.iter().fold(0.0f32, |m, &w| m.max(w));
-    random_proportional(&any(weights, largest), stream)
+    let (largest, mut equal) = largest(weights);
+    if largest <= 0.0 {
+        return None;
+    }
+    // The random proportional rule over weights of 1: as many of the first ones are passed over as whole units are drawn.
+    let units = unit_f32(stream.next_u32()) * equal.count_ones() as f32;
+    for _ in 0..units as u32 {
+        equal &= equal - 1;
+    }
+    Some(equal.trailing_zeros() as Direction)
 }
 
-/// 1 for the feasible steps that weigh at least this much, 0 for the others.
-fn any(weights: &Row, least: f32) -> Row {
-    weights.map(|w| f32::from(u8::from(w > 0.0 && w >= least)))
+/// The largest weight, and as bits by direction the steps that have it.
+#[inline(always)]
+fn largest(weights: &Row) -> (f32, u32) {
+    let largest = weights.iter().fold(0.0f32, |m, &w| if w > m { w } else { m });
+    let equal = (0..DIRECTIONS).fold(0, |bits, d| bits | u32::from(weights[d] >= largest) << d);
+    (largest, equal)
+}
+
+/// 1 for the feasible steps, 0 for the others.
+fn feasible(weights: &Row) -> Row {
+    weights.map(|w| f32::from(u8::from(w > 0.0)))
 }
 
 /// Pseudo-random proportional rule (Ant Colony System): with probability q0 the step of the largest weight, the first of equals;
@@ -160,16 +176,11 @@ fn any(weights: &Row, least: f32) -> Row {
 /// Draws q first, and for the random proportional rule a second number; at a dead end none at all.
 #[inline(always)]
 pub fn pseudo_random_proportional(weights: &Row, q0: f64, stream: &mut Stream) -> Option<Direction> {
-    let mut best = 0;
-    for d in 1..DIRECTIONS {
-        if weights[d] > weights[best] {
-            best = d;
-        }
-    }
-    if weights[best] <= 0.0 {
+    let (largest, equal) = largest(weights);
+    if largest <= 0.0 {
         None
     } else if f64::from(unit_f32(stream.next_u32())) <= q0 {
-        Some(best as Direction)
+        Some(equal.trailing_zeros() as Direction)
     } else {
         random_proportional(weights, stream)
     }

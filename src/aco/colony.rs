@@ -219,16 +219,12 @@ fn take_in_trails<V: Variant>(choice: &mut Choice, on_demand: &mut OnDemand, tra
     }
 }
 
-/// Every ant's walk, one after the other or in lanes.
+/// Every ant's walk, four side by side.
 fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
     if V::RANDOM_PROPORTIONAL {
         lanes::walk_all(weights, walk, ants);
-        return;
-    }
-    for ant in ants {
-        while ant.fate() == Fate::Walking {
-            move_one(variant, weights, walk, ant);
-        }
+    } else {
+        lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream));
     }
 }
 

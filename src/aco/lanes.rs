@@ -1,4 +1,5 @@
-//! Four ants side by side in 128-bit lanes: the walk of Ant System, with the very same numbers as one ant at a time.
+//! Four ants side by side: while one waits for memory, the others move. With the random proportional rule they share 128-bit lanes; with
+//! the very same numbers as one ant at a time.
 //!
 //! Every lane sums its weights in the same order, draws from its own ant's stream and compares in the same way as
 //! [`super::choice::random_proportional`]; so which lane an ant walks in, and beside whom, changes nothing. An ant that has ended is
@@ -9,40 +10,76 @@ use wide::f32x4;
 
 use super::ant::{Ant, Fate, Walk};
 use super::choice::{Weights, random_proportional, without};
+use super::trails::Row;
 use crate::map::{DIRECTIONS, Direction};
-use crate::rng::unit_f32;
+use crate::rng::{Stream, unit_f32};
 
 const LANES: usize = 4;
 
-/// Lets all walking ants walk to their end. One copy for all variants that select by this rule.
+/// Lets all walking ants walk to their end by the random proportional rule. One copy for all variants that select by it.
 #[inline(never)]
 pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
+    side_by_side(
+        weights,
+        ants,
+        |weights, ants| move_four(weights, walk, ants),
+        |weights, ant| {
+            move_one(weights, walk, ant, random_proportional);
+        },
+    );
+}
+
+/// The same by another rule.
+pub(super) fn walk_all_by<W: Weights>(
+    weights: &mut W,
+    walk: &Walk,
+    ants: &mut [Ant],
+    choose: impl Fn(&Row, &mut Stream) -> Option<Direction> + Copy,
+) {
+    let four =
+        |weights: &mut W, ants: &mut [&mut Ant; LANES]| ants.iter_mut().for_each(|ant| move_one(weights, walk, ant, choose));
+    side_by_side(weights, ants, four, |weights, ant| move_one(weights, walk, ant, choose));
+}
+
+/// Keeps four ants under way as long as there are four, then lets each of the last ones finish alone, with the same numbers.
+#[inline(always)]
+fn side_by_side<W>(
+    weights: &mut W,
+    ants: &mut [Ant],
+    four: impl Fn(&mut W, &mut [&mut Ant; LANES]),
+    alone: impl Fn(&mut W, &mut Ant),
+) {
     let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
-    while let Ok(four) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
-        walk_until_one_ends(weights, walk, four);
+    while let Ok(abreast) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
+        while abreast.iter().all(|a| a.fate() == Fate::Walking) {
+            four(weights, abreast);
+        }
         lanes.retain(|a| a.fate() == Fate::Walking);
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
     }
-    lanes.into_iter().for_each(|ant| walk_alone(weights, walk, ant));
-}
-
-/// The last ants, with the same numbers.
-fn walk_alone<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant) {
-    while ant.fate() == Fate::Walking {
-        let left = without(weights.row(ant.cell()), ant.visited());
-        let step = random_proportional(&left, &mut ant.stream);
-        ant.go(walk, step);
+    for ant in lanes {
+        while ant.fate() == Fate::Walking {
+            alone(weights, ant);
+        }
     }
 }
 
-fn walk_until_one_ends<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES]) {
-    while ants.iter().all(|a| a.fate() == Fate::Walking) {
-        let (steps, totals) = select(weights, ants);
-        for lane in 0..LANES {
-            let step = (totals[lane] > 0.0).then_some(steps[lane]);
-            ants[lane].go(walk, step);
-        }
+/// One move of one ant.
+#[inline(always)]
+fn move_one<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
+    let left = without(weights.row(ant.cell()), ant.visited());
+    let step = choose(&left, &mut ant.stream);
+    ant.go(walk, step);
+}
+
+/// One move of four ants by the random proportional rule.
+#[inline(always)]
+fn move_four<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES]) {
+    let (steps, totals) = select(weights, ants);
+    for lane in 0..LANES {
+        let step = (totals[lane] > 0.0).then_some(steps[lane]);
+        ants[lane].go(walk, step);
     }
 }
 

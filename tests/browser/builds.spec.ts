@@ -110,6 +110,23 @@ test.describe('the planners of the whole engine', () => {
     await context.close()
   })
 
+  test('outlive the connection: sharing works, and what is missing is said', async ({ page }) => {
+    await new Lab(page).openAtRest()
+    await page.getByTestId('add-panel').click()
+    await expect(page.getByTestId(`add-${LATER}`)).toBeVisible()
+    await page.keyboard.press('Escape')
+    await page.waitForLoadState('networkidle')
+    await page.context().setOffline(true)
+    await page.getByTestId('share').click()
+    await expect(page.getByTestId('share-link')).toHaveValue(/#x=/)
+    await page.keyboard.press('Escape')
+    await new Lab(page).menu('map-menu', 'gallery-paper-ship-20')
+    await expect(page.getByText('This part of the page could not be fetched.')).toBeVisible()
+    await page.context().setOffline(false)
+    await new Lab(page).menu('map-menu', 'gallery-paper-ship-20')
+    await expect(page.getByTestId('planner-1')).toHaveValue('ship')
+  })
+
   test('can be asked for again in the menu, and a panel that waits starts', async ({
     page,
     browser,

@@ -138,9 +138,13 @@ test.describe('export', () => {
 
   test('MovingAI scenario with the exact optimum', async ({ page }) => {
     const text = await exported(new Lab(page), 'movingai-scen')
+    await new Lab(page).menu('map-menu', 'open-export')
+    const map = await page.getByTestId('export-download').textContent()
+    await page.keyboard.press('Escape')
     const fields = text.trim().split('\n')[1]?.split('\t') ?? []
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
     expect(fields).toHaveLength(9)
+    expect(map).toContain(` ${fields[1]}`)
     expect(Number(fields[8])).toBeCloseTo(optimum, 6)
   })
 

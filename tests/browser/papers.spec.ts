@@ -46,6 +46,21 @@ test.describe('scenarios of the papers', () => {
     })
   }
 
+  test('two panels of one planner are told apart by their presets', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'gallery-paper-fire')
+    const panel = (place: number) => page.getByTestId(`panel-${place}`)
+    await expect(panel(1)).toHaveAccessibleName(/Multi-fire ACO \(paper\)/)
+    await expect(panel(2)).toHaveAccessibleName(/Multi-fire ACO \(basic\)/)
+    await expect(panel(3)).toHaveAccessibleName(/Exact tour$/)
+    await page.getByTestId('parameters-2').click()
+    await page.getByTestId('preset').selectOption('paper')
+    await expect(panel(2)).toHaveAccessibleName(/Multi-fire ACO \(2\)/)
+    await page.getByTestId('preset').selectOption('')
+    await expect(panel(2)).toHaveAccessibleName(/Multi-fire ACO$/)
+  })
+
   test('the former planners can be brought back, and undo the former map', async ({ page }) => {
     const lab = new Lab(page)
     await lab.openAtRest()

@@ -45,17 +45,16 @@ use rows::{PRESETS, specs};
 pub use donors::Donor;
 pub use rows::CustomParams;
 
-/// A composed colony. `IN_STEP`: ants move in lock step, because trails change on moves or the selection rule is not the random
-/// proportional one; `TIMED`: as [`Variant::TIMED`].
+/// A composed colony. The constants are those of [`Variant`]: how its ants may walk follows from the rules.
 #[derive(Debug, Clone)]
-pub struct Custom<const IN_STEP: bool, const TIMED: bool> {
+pub struct Custom<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> {
     rules: CustomParams,
     donors: Donors,
 }
 
-impl<const IN_STEP: bool, const TIMED: bool> Variant for Custom<IN_STEP, TIMED> {
-    const LOCK_STEP: bool = IN_STEP;
-    const RANDOM_PROPORTIONAL: bool = !IN_STEP;
+impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant for Custom<LOCK_STEP, PROPORTIONAL, TIMED> {
+    const LOCK_STEP: bool = LOCK_STEP;
+    const RANDOM_PROPORTIONAL: bool = PROPORTIONAL;
     const TIMED: bool = TIMED;
 
     fn settings(&self) -> Settings {
@@ -132,12 +131,15 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
         first: first_stage(scenario, rules, &all, seed)?,
         seed,
     };
-    let in_step = !rules.selection_of.is_proportional() || rules.local_update_of.updates_on_moves();
-    Ok(match (in_step, rules.heuristic_of.is_timed()) {
-        (false, false) => parts.planner(Custom::<false, false> { rules, donors }),
-        (false, true) => parts.planner(Custom::<false, true> { rules, donors }),
-        (true, false) => parts.planner(Custom::<true, false> { rules, donors }),
-        (true, true) => parts.planner(Custom::<true, true> { rules, donors }),
+    let (lock_step, proportional) = (rules.local_update_of.updates_on_moves(), rules.selection_of.is_proportional());
+    Ok(match (lock_step, proportional, rules.heuristic_of.is_timed()) {
+        (false, true, false) => parts.planner(Custom::<false, true, false> { rules, donors }),
+        (false, true, true) => parts.planner(Custom::<false, true, true> { rules, donors }),
+        (false, false, false) => parts.planner(Custom::<false, false, false> { rules, donors }),
+        (false, false, true) => parts.planner(Custom::<false, false, true> { rules, donors }),
+        // In lock step the rule makes no difference to how ants walk.
+        (true, _, false) => parts.planner(Custom::<true, false, false> { rules, donors }),
+        (true, _, true) => parts.planner(Custom::<true, false, true> { rules, donors }),
     })
 }
 
@@ -164,14 +166,14 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    fn planner<const S: bool, const T: bool>(self, custom: Custom<S, T>) -> Box<dyn Planner> {
+    fn planner<const S: bool, const P: bool, const T: bool>(self, custom: Custom<S, P, T>) -> Box<dyn Planner> {
         let (rules, streams) = (custom.rules, custom.rules.selection_of.id());
         let Some(first) = self.first else {
             return legs::planner(self.scenario, self.level, custom, (streams, ENTRY.layers), self.seed);
         };
         let second = move |found| {
             let seeded = custom.donors.seeded.with_seed(found);
-            Custom::<S, T> { rules, donors: Donors { seeded, ..custom.donors.clone() } }
+            Custom::<S, P, T> { rules, donors: Donors { seeded, ..custom.donors.clone() } }
         };
         Box::new(Hybrid::new(Arc::clone(self.scenario), first, Box::new(second), (streams, ENTRY.layers), self.seed))
     }
