@@ -1,6 +1,7 @@
 /** The catalog's own words, in the reader's language where it has them. */
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { engineText, t } from '../i18n'
+import type { PanelSetup } from '../session'
 import { panelById, panels, plannerEntry, scenario } from '../state'
 
 /** In the order in which people meet them. */
@@ -42,8 +43,8 @@ export function panelTitle(panelId: number): string {
 }
 
 /**
- * What tells a panel from others with the same planner: its set of parameters, " (paper)", where it alone has that set; else
- * its number, " (2)". Nothing for a planner that runs once.
+ * What tells a panel from others with the same planner: its preset, " (paper)", or nothing for the defaults, where it alone
+ * has them; else its number, " (2)".
  */
 export function namesakeMark(panelId: number): string {
   const planner = panelById(panelId)?.setup.planner
@@ -51,16 +52,16 @@ export function namesakeMark(panelId: number): string {
   if (namesakes.length < 2) return ''
   const place = namesakes.findIndex(({ id }) => id === panelId)
   const sets = namesakes.map(({ setup }) => setName(setup))
-  const set = sets[place]
-  const alone = set && sets.filter((each) => each === set).length === 1
-  return ` (${alone ? set : place + 1})`
+  const set = sets[place] ?? null
+  if (set === null || sets.filter((each) => each === set).length > 1) return ` (${place + 1})`
+  return set === '' ? '' : ` (${set})`
 }
 
-/** A preset's name, or that of the defaults; values of one's own have none. */
+/** A preset's name, nothing for the defaults; values of one's own have no name. */
 function setName({ planner, preset, params }: PanelSetup): string | null {
   const known = plannerEntry(planner)?.presets.find(({ name }) => name === preset)
   if (known) return presetName(known)
-  return Object.keys(params).length === 0 ? t('parameters.defaults') : null
+  return Object.keys(params).length === 0 ? '' : null
 }
 
 function capital(text: string): string {
