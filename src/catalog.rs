@@ -91,7 +91,7 @@ pub fn build(
 ) -> Result<Box<dyn Planner>, ParamError> {
     let entry = find(id)?;
     if scenario.goals.len() > entry.max_goals as usize {
-        return Err(ParamError::TooManyGoals { planner: id.into(), most: entry.max_goals, got: scenario.goals.len() });
+        return Err(too_many_goals(entry, scenario.goals.len()));
     }
     let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
     all.extend(values.clone());
@@ -107,6 +107,11 @@ fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
     let cells = scenario.grid.len() as u64;
     let colonies = if ants > 0 { scenario.goals.len() as u64 } else { 1 };
     ParamError::check_memory("ants", ants, colonies * (cells * PER_CELL + u64::from(ants) * (cells / 8 + 4096)))
+}
+
+fn too_many_goals(entry: &Entry, got: usize) -> ParamError {
+    let able = CATALOG.iter().filter(|e| e.max_goals as usize >= got).map(|e| e.id);
+    ParamError::TooManyGoals { planner: entry.id.into(), most: entry.max_goals, got, others: able.collect::<Vec<_>>().join(", ") }
 }
 
 fn preset_values(entry: &Entry, name: &str) -> Result<Values, ParamError> {

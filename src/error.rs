@@ -105,6 +105,8 @@ pub enum ParamError {
         most: u32,
         /// Goals of the scenario.
         got: usize,
+        /// Ids of the planners that can, comma-separated.
+        others: String,
     },
     /// The map is too large for an exact method.
     #[error("`{planner}` plans on maps of up to {most} cells; this one has {width} × {height}")]
@@ -331,10 +333,10 @@ impl ParamError {
                     .with("min", min)
                     .with("max", max)
             }
-            Self::TooManyGoals { most, got, .. } => {
-                ErrorReport::new("too-many-goals", "goals", message, "remove goals, or choose a planner that visits more of them")
-                    .with("value", got)
-                    .with("max", most)
+            Self::TooManyGoals { most, got, others, .. } => {
+                let instead = if others.is_empty() { String::new() } else { format!(", or choose one of {others}") };
+                let hint = format!("remove goals{instead}");
+                ErrorReport::new("too-many-goals", "goals", message, hint).with("value", got).with("max", most)
             }
             Self::MapTooLarge { width, height, most, instead, .. } => {
                 let hint = format!("use `{instead}`, which has no such limit, or crop or resample the map");

@@ -149,7 +149,7 @@ fn more_goals_than_a_planner_takes_are_refused_by_name() {
         let cells: Vec<_> = (1..=most as u32 + 1).map(|c| (c % 8, c / 8)).collect();
         let error = catalog::build(&with_goals(&open, &cells), entry.id, None, &short(entry), 1).err();
         assert!(
-            matches!(&error, Some(ParamError::TooManyGoals { planner, most, got })
+            matches!(&error, Some(ParamError::TooManyGoals { planner, most, got, .. })
                 if planner == entry.id && *most == entry.max_goals && *got == cells.len()),
             "{}: {error:?}",
             entry.id

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use formicarium::error::Error;
+use formicarium::error::{Error, Notice};
 use formicarium::formats::{self, Imported, ScenLine};
 use formicarium::map::{CornerRule, Moves, Point};
 use formicarium::scenario::{Goal, Scenario};
@@ -89,9 +89,7 @@ impl ScenarioArgs {
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
         let mut map = import(path)?;
-        if self.scen.is_some() || (self.from.is_some() && !self.to.is_empty()) {
-            map.notices.retain(|n| n.kind != "ends-chosen");
-        }
+        self.correct_note(&mut map);
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
             // Ends that do not fit are errors of the scenario; another size would pass unnoticed.
@@ -104,6 +102,24 @@ impl ScenarioArgs {
         text::notes(&map.notices);
         text::notes(&scenario.notices());
         Ok(Arc::new(scenario))
+    }
+}
+
+impl ScenarioArgs {
+    /// The note about ends that a map does not name tells only of those that are not given here either.
+    fn correct_note(&self, map: &mut Imported) {
+        let goal = map.spec.goals.first().map_or(map.spec.start, |g| g.at);
+        let left = match (self.scen.is_some(), &self.from, self.to.is_empty()) {
+            (false, None, true) => return,
+            (false, None, false) => Some(format!("the map names no start: {} is used", text::cell(map.spec.start))),
+            (false, Some(_), true) => Some(format!("the map names no goal: {} is used", text::cell(goal))),
+            _ => None,
+        };
+        let chosen = |n: &Notice| n.kind == "ends-chosen";
+        if map.notices.iter().any(chosen) {
+            map.notices.retain(|n| !chosen(n));
+            map.notices.extend(left.map(|message| Notice::new("ends-chosen", message)));
+        }
     }
 }
 
