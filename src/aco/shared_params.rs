@@ -22,10 +22,16 @@ params! {
 }
 
 params! {
-    /// What an ant sees, and when it or the colony gives up: the publications for tours are silent on all of it.
-    pub struct WalkParams {
+    /// What an ant sees: the publications for tours are silent on it.
+    pub struct SightParams {
         /// what an ant sees of a step
         heuristic: Heuristic = Heuristic::Detour, "η", [], "", "our choice; papers: goal or step";
+    }
+}
+
+params! {
+    /// When an ant or the colony gives up: most publications are silent on it.
+    pub struct WalkParams {
         /// what an ant does where no neighbour is left
         dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice; papers differ or are silent";
         /// an ant gives up after this many times width + height moves; 0 = never

@@ -151,7 +151,8 @@ fn eq_4_and_5_trails_of_the_order_are_directed_and_in_both_readings() {
     // Start, goal 1, goal 2 with costs 4 (0→1), 1 (1→2), 9 (0→2), 7 (2→1). By β = 50 every ant takes 0→1→2, 5 long: 10 ants leave 10·Q/5.
     let costs = || Costs::new(3, |i, j| [[0.0, 4.0, 9.0], [0.0, 0.0, 1.0], [0.0, 7.0, 0.0]][i][j]);
     for (reading, stays) in [(Reading::Repaired, 0.7), (Reading::Printed, 0.3)] {
-        let params = FireParams { reading, ants: 10, beta: 50.0, ..FireParams::default() };
+        let mut params = FireParams { reading, ants: 10, ..FireParams::default() };
+        params.choice.beta = 50.0;
         let mut colony = OrderColony::new(costs(), Shape::Open, params.order_level().settings, Streams::new(1, "test", 0));
         colony.advance();
         let trails = [(0, 1), (1, 2), (0, 2), (2, 1)].map(|(i, j)| colony.trail(i, j));

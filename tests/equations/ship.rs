@@ -77,7 +77,8 @@ fn eq_3_to_5_the_basic_update_evaporates_and_every_ant_adds() {
 fn eq_6_omega_grows_linearly_from_its_least_to_its_largest() {
     let p = ShipParams::default();
     assert_eq!([0, 50, 100].map(|t| omega(&p, t)), [2.0, 3.0, 4.0], "in both readings");
-    let falling = ShipParams { omega_min: 3.0, omega_max: 1.0, iterations: 4, ..p };
+    let mut falling = ShipParams { omega_min: 3.0, omega_max: 1.0, ..p };
+    falling.choice.iterations = 4;
     assert_eq!(omega(&falling, 1), 2.5);
 }
 
@@ -127,7 +128,7 @@ fn eq_1_and_7_probabilities_on_demand_are_those_of_the_formula() {
     for reading in [Reading::Repaired, Reading::Printed] {
         let p = ShipParams { reading, ..ShipParams::default() };
         let (mut ship, mut trails) = (Ship::new(p), Trails::new(s.grid.len(), 1.0));
-        let mut tables = OnDemand::new(s.grid.len(), p.alpha, p.beta);
+        let mut tables = OnDemand::new(s.grid.len(), p.choice.alpha, p.choice.beta);
         for t in [1, 37, 100] {
             trails.evaporate(0.25);
             for c in s.moves.directions(s.start).map(|d| s.moves.step(s.start, d)) {

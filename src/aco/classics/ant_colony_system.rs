@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use crate::aco::choice::pseudo_random_proportional;
 use crate::aco::colony::Colony;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, open_map_length, open_map_steps, settings};
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, open_map_steps, settings};
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
@@ -43,6 +43,7 @@ params! {
         q0: f64 = 0.9, "q0", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// local evaporation: the part of a step's trail that an ant replaces by τ0 as it passes
         xi: f64 = 0.1, "ξ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
+        ..sight: SightParams;
         ..walk: WalkParams;
     }
 }
@@ -76,7 +77,7 @@ impl Variant for AntColonySystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.walk.heuristic.of(scenario, i, d, j)
+        self.params.sight.heuristic.of(scenario, i, d, j)
     }
 
     fn prepare(&mut self, scenario: &Scenario) {

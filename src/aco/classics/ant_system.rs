@@ -20,7 +20,7 @@
 use std::sync::Arc;
 
 use crate::aco::colony::Colony;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, settings};
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
@@ -41,6 +41,7 @@ params! {
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.5: 1 / length";
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: no tour to derive it from";
+        ..sight: SightParams;
         ..walk: WalkParams;
     }
 }
@@ -69,7 +70,7 @@ impl Variant for AntSystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.walk.heuristic.of(scenario, i, d, j)
+        self.params.sight.heuristic.of(scenario, i, d, j)
     }
 }
 

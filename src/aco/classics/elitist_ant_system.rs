@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, open_map_length, settings};
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -40,6 +40,7 @@ params! {
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.5: 1 / length";
         /// weight of the best path so far: it is deposited this many times in each iteration
         elitists: f64 = 50.0, "e", [0.0..=1000.0], "ants", "Dorigo and Stützle 2004, box 3.1: e = n = m";
+        ..sight: SightParams;
         ..walk: WalkParams;
     }
 }
@@ -69,7 +70,7 @@ impl Variant for ElitistAntSystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.walk.heuristic.of(scenario, i, d, j)
+        self.params.sight.heuristic.of(scenario, i, d, j)
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {

@@ -26,7 +26,7 @@ use std::sync::Arc;
 use crate::aco::choice::power;
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, open_map_length, settings};
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -50,6 +50,7 @@ params! {
         best_every: u32 = 25, "u_gb", [0..=100_000], "iterations", "Stützle's program ACOTSP, without local search";
         /// all trails start again at the upper limit after this many iterations without a shorter path; 0 = never
         restart_after: u32 = 250, "", [0..=100_000], "iterations", "Stützle's program ACOTSP";
+        ..sight: SightParams;
         ..walk: WalkParams;
     }
 }
@@ -123,7 +124,7 @@ impl Variant for MaxMinAntSystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.walk.heuristic.of(scenario, i, d, j)
+        self.params.sight.heuristic.of(scenario, i, d, j)
     }
 
     fn prepare(&mut self, scenario: &Scenario) {

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, open_map_length, settings};
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -40,6 +40,7 @@ params! {
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.8: 1 / length";
         /// weight of the best path so far; the ant of rank r weighs w − r, so w − 1 ants deposit
         ranks: u32 = 6, "w", [2..=100], "ants", "Dorigo and Stützle 2004, box 3.1";
+        ..sight: SightParams;
         ..walk: WalkParams;
     }
 }
@@ -70,7 +71,7 @@ impl Variant for RankBasedAntSystem {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.params.walk.heuristic.of(scenario, i, d, j)
+        self.params.sight.heuristic.of(scenario, i, d, j)
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {

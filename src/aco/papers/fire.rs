@@ -33,9 +33,9 @@ use std::sync::Arc;
 
 use super::Reading;
 use crate::aco::choice::{pseudo_random_proportional, random_proportional};
-use crate::aco::dead_end::DeadEnd;
 use crate::aco::heuristic::{AT_GOAL, goal_distance};
 use crate::aco::legs::{self, OrderLevel};
+use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
 use crate::aco::tour::TourSettings;
 use crate::aco::trails::Row;
 use crate::aco::variant::{Settings, Variant};
@@ -94,12 +94,11 @@ params! {
         reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
         /// ants of each level and leg that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "section 4";
-        /// iterations after which the colonies of the legs stop
-        iterations: u32 = 100, "K", [1..=100_000], "iterations", "section 4";
-        /// weight of the trail τ in the choice of a step or goal
-        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "section 4";
-        /// weight of the heuristic η in the choice of a step or goal
-        beta: f64 = 7.0, "β", [0.0..=50.0], "", "section 4";
+        ..choice: ChoiceParams {
+            iterations = 100, "section 4";
+            alpha = 1.0, "section 4";
+            beta = 7.0, "section 4";
+        };
         /// ρ of the paper: the part of every trail that leaves in each iteration; as printed, the part that stays
         rho: f64 = 0.3, "ρ", [0.0..=1.0], "", "section 4, eq. 4";
         /// an ant leaves Q / length of its path or tour on each step of it
@@ -108,12 +107,7 @@ params! {
         r0: f64 = 0.7, "r0", [0.0..=1.0], "", "eq. 9: 0.6 to 0.8";
         /// trail on every step and edge before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
-        /// what an ant does where no neighbour is left
-        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice: not given";
-        /// an ant gives up after this many times width + height moves; 0 = never
-        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
-        /// stops after this many iterations without a shorter path; 0 = never
-        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        ..walk: WalkParams;
     }
 }
 
@@ -131,8 +125,8 @@ impl FireParams {
         let settings = TourSettings {
             ants: self.ants,
             iterations: self.order_iterations,
-            alpha: self.alpha,
-            beta: self.beta,
+            alpha: self.choice.alpha,
+            beta: self.choice.beta,
             rho: self.evaporation(),
             deposit: self.deposit,
             initial_trail: self.initial_trail,
@@ -160,17 +154,7 @@ impl Variant for Fire {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        Settings {
-            ants: p.ants,
-            iterations: p.iterations,
-            stagnation: p.stagnation,
-            alpha: p.alpha,
-            beta: p.beta,
-            rho: p.evaporation(),
-            deposit: p.deposit,
-            dead_end: p.dead_end,
-            move_limit: p.move_limit,
-        }
+        settings(p.ants, p.evaporation(), p.deposit, &p.choice, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {

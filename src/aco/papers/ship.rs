@@ -36,8 +36,8 @@ use std::sync::Arc;
 use super::Reading;
 use crate::aco::ant::Ant;
 use crate::aco::colony::Colony;
-use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
+use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -68,12 +68,11 @@ params! {
         update: Update = Update::Weighted, "", [], "", "Fan et al. 2026, eq. 14; its step 4 names eq. 12";
         /// ants that build a path in each iteration
         ants: u32 = 50, "M", [1..=1024], "ants", "Fan et al. 2026, section 4";
-        /// iterations after which the colony stops
-        iterations: u32 = 100, "T", [1..=100_000], "iterations", "Fan et al. 2026, section 4";
-        /// weight of the trail τ in the choice of a step
-        alpha: f64 = 1.0, "α", [0.0..=10.0], "", "Fan et al. 2026, section 4";
-        /// weight of the heuristic η in the choice of a step
-        beta: f64 = 2.0, "β", [0.0..=50.0], "", "Fan et al. 2026, section 4";
+        ..choice: ChoiceParams {
+            iterations = 100, "Fan et al. 2026, section 4";
+            alpha = 1.0, "Fan et al. 2026, section 4";
+            beta = 2.0, "Fan et al. 2026, section 4";
+        };
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.8, "ρ", [0.0..=1.0], "", "Fan et al. 2026, section 4";
         /// intensity of every deposit: Q / length
@@ -94,12 +93,7 @@ params! {
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
         /// the worst path is not weakened below this trail
         trail_min: f64 = 1e-6, "τ_min", [1e-30..=1.0], "", "our choice: the paper's proof needs positive trails";
-        /// what an ant does where no neighbour is left
-        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "our choice: not given";
-        /// an ant gives up after this many times width + height moves; 0 = never
-        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "as Ant System";
-        /// stops after this many iterations without a shorter path; 0 = never
-        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        ..walk: WalkParams;
         /// which node of the best path follows a kept one: those between are dropped, so that segments may have any angle
         refinement: Refinement = Refinement::Farthest, "", [], "", "Fan et al. 2026, section 3.3; next: its words taken one by one";
     }
@@ -107,7 +101,7 @@ params! {
 
 /// Eq. 6: ω(t) = ω_min + (ω_max − ω_min)·t/T.
 pub fn omega(p: &ShipParams, t: u32) -> f64 {
-    p.omega_min + (p.omega_max - p.omega_min) * f64::from(t) / f64::from(p.iterations)
+    p.omega_min + (p.omega_max - p.omega_min) * f64::from(t) / f64::from(p.choice.iterations)
 }
 
 /// The four quantities of Eq. 7 that ω(t) and the parameters act on, for the step from i to j.
@@ -238,17 +232,7 @@ impl Variant for Ship {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        Settings {
-            ants: p.ants,
-            iterations: p.iterations,
-            stagnation: p.stagnation,
-            alpha: p.alpha,
-            beta: p.beta,
-            rho: p.rho,
-            deposit: p.deposit,
-            dead_end: p.dead_end,
-            move_limit: p.move_limit,
-        }
+        settings(p.ants, p.rho, p.deposit, &p.choice, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
