@@ -194,7 +194,10 @@ fn corridor() -> Scenario {
 #[test]
 fn eq_10_the_seed_path_starts_with_more_trail() {
     let (s, rows) = (corridor(), ColonyRows::default());
-    assert_eq!((rows.alpha, rows.beta, rows.rho, rows.deposit, rows.ants, rows.iterations), (2.0, 8.0, 0.1, 1.0, 50, 50));
+    assert_eq!(
+        (rows.choice.alpha, rows.choice.beta, rows.rho, rows.deposit, rows.ants, rows.choice.iterations),
+        (2.0, 8.0, 0.1, 1.0, 50, 50)
+    );
     // Over (1, 1), length 2√2; 50 ants · 1 / 2.828427.
     let length = 2.0 * SQRT2;
     assert!(close(seed_trail(&rows, length), 17.6776695));

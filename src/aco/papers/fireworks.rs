@@ -38,6 +38,7 @@ use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
 use crate::aco::heuristic::Heuristic;
 use crate::aco::hybrid::Hybrid;
+use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
@@ -57,12 +58,11 @@ params! {
     pub struct ColonyRows {
         /// ants that build a path in each iteration of the second stage
         ants: u32 = 50, "m", [1..=1024], "ants", "Zhou, Mu, Zhang 2019, section 2.2";
-        /// iterations of the second stage
-        iterations: u32 = 50, "N", [1..=100_000], "iterations", "Zhou, Mu, Zhang 2019, section 2.2";
-        /// weight of the trail τ in the choice of a step
-        alpha: f64 = 2.0, "α", [0.0..=10.0], "", "Zhou, Mu, Zhang 2019, section 2.2";
-        /// weight of the heuristic η in the choice of a step
-        beta: f64 = 8.0, "β", [0.0..=50.0], "", "Zhou, Mu, Zhang 2019, section 2.2";
+        ..choice: ChoiceParams {
+            iterations = 50, "Zhou, Mu, Zhang 2019, section 2.2: of the second stage";
+            alpha = 2.0, "Zhou, Mu, Zhang 2019, section 2.2";
+            beta = 8.0, "Zhou, Mu, Zhang 2019, section 2.2";
+        };
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Zhou, Mu, Zhang 2019, section 2.2: 0.9, by eq. 11 what stays";
         /// an arrived ant leaves Q / length on each of its steps
@@ -71,14 +71,8 @@ params! {
         seed_ants: f64 = 50.0, "", [0.0..=1e6], "ants", "our choice: eq. 10 does not say how much; as many as the colony has";
         /// trail on every step before the seed
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
-        /// what an ant sees of a step
-        heuristic: Heuristic = Heuristic::Goal, "η", [], "", "our reading: as in the traditional algorithm";
-        /// what an ant does where no neighbour is left
-        dead_end: DeadEnd = DeadEnd::Backtrack, "", [], "", "Zhou, Mu, Zhang 2019, section 1.3.2, step 2";
-        /// an ant gives up after this many times width + height moves; 0 = never
-        move_limit: f64 = 4.0, "", [0.0..=1000.0], "× (width + height)", "our addition, as in our Ant System";
-        /// the second stage stops after this many iterations without a shorter path of its own; 0 = never
-        stagnation: u32 = 0, "", [0..=100_000], "iterations", "our addition";
+        ..sight: SightParams { heuristic = Heuristic::Goal, "our reading: as in the traditional algorithm"; };
+        ..walk: WalkParams { dead_end = DeadEnd::Backtrack, "Zhou, Mu, Zhang 2019, section 1.3.2, step 2"; };
     }
 }
 
@@ -134,17 +128,7 @@ pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
 impl Variant for Seeded {
     fn settings(&self) -> Settings {
         let r = &self.rows;
-        Settings {
-            ants: r.ants,
-            iterations: r.iterations,
-            stagnation: r.stagnation,
-            alpha: r.alpha,
-            beta: r.beta,
-            rho: r.rho,
-            deposit: r.deposit,
-            dead_end: r.dead_end,
-            move_limit: r.move_limit,
-        }
+        settings(r.ants, r.rho, r.deposit, &r.choice, &r.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
@@ -152,7 +136,7 @@ impl Variant for Seeded {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        self.rows.heuristic.of(scenario, i, d, j)
+        self.rows.sight.heuristic.of(scenario, i, d, j)
     }
 
     /// Eq. 10: τ^s = τ + Δτ.
