@@ -79,11 +79,18 @@ fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usi
         let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), published);
         let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(&of));
     }
-    references(out, map);
+    references(out, map, |objective| best_of_runs(map, rows, index, objective));
 }
 
-/// The best there is, by each objective that some entry has.
-fn references(out: &mut String, map: &Map) {
+/// The best value that any of the runs on a map has reached by an objective.
+fn best_of_runs(map: &Map, rows: &[Row], instance: usize, objective: Objective) -> Option<f64> {
+    let by = |r: &&Row| map.yardsticks.get(r.task.entry).and_then(|y| y.as_ref()).is_some_and(|y| y.objective == objective);
+    let found = rows.iter().filter(|r| r.task.instance == instance).filter(by).filter_map(|r| Some(r.found.as_ref()?.value));
+    found.reduce(f64::min)
+}
+
+/// The best there is, by each objective that some entry has; where nothing is proven, the best of these runs stands in.
+fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> Option<f64>) {
     let mut said: Vec<Objective> = Vec::new();
     for yardstick in map.yardsticks.iter().flatten() {
         if said.contains(&yardstick.objective) {
@@ -93,9 +100,15 @@ fn references(out: &mut String, map: &Map) {
         let name = objective_name(yardstick.objective);
         let (name, value) = match yardstick.reference {
             Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
-            Reference::Unproven { value } => (format!("best known, {name}"), length(value)),
+            Reference::Unproven { value } => {
+                let best = best_of_runs(yardstick.objective).map_or(value, |best| best.min(value));
+                (format!("best known, not proven, {name}"), length(best))
+            }
             Reference::NoPath => ("exact".into(), "no path exists".into()),
-            Reference::Unknown => (format!("exact optimum, {name}"), "not known".into()),
+            Reference::Unknown => {
+                let best = best_of_runs(yardstick.objective).map_or("none".into(), length);
+                (format!("best of these runs, nothing is proven, {name}"), best)
+            }
         };
         let _ = writeln!(out, "| {name} | | | {value} | | | | | | | |");
     }

@@ -320,19 +320,28 @@ test.describe('tours', () => {
     )
   })
 
-  test('beyond what can be proven a dash says why', async ({ page }) => {
+  test('beyond what can be proven the best of the panels stands in, and says so', async ({
+    page,
+  }) => {
     const lab = await openField(page)
     await load(
       lab,
       Array.from({ length: 17 }, (_, i): Cell => [2 * i + 1, 2]),
-      ['fire'],
+      ['fire', 'custom'],
     )
-    await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
-    const cell = page.getByTestId('metric-comparedWith-1')
-    await expect(cell).toContainText('–')
-    await expect(cell).toContainText('Nothing is proven for a question of this size')
-    await expect(page.getByTestId('gap-1')).toContainText('nothing to compare with')
+    const first = page.getByTestId('metric-comparedWith-1')
+    const second = page.getByTestId('metric-comparedWith-2')
+    await expect(first).toContainText('–')
+    await expect(first).toContainText('Nothing is proven for a question of this size')
     await expect(page.getByTestId('optimum')).toContainText('not known at this size')
+    await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
+    const values = (await lab.results()).map(({ summary }) => summary?.value ?? Number.NaN)
+    for (const cell of [first, second]) {
+      await expect(cell).toContainText(Math.min(...values).toFixed(2))
+      await expect(cell).toContainText('not proven')
+    }
+    const best = values.indexOf(Math.min(...values)) + 1
+    await expect(page.getByTestId(`gap-${best}`)).toContainText('the best known (not proven)')
   })
 
   test('a goal out of reach is said', async ({ page }) => {

@@ -30,7 +30,18 @@ export const objectives = computed((): Objective[] => {
 /** What a panel's result is compared with; null while that is being found out, or nobody knows what the panel is measured by. */
 export function referenceOf({ live }: Panel): Reference | null {
   const { objective } = live.value
-  return (objective && references.value[objective]) ?? null
+  if (!objective) return null
+  const reference = references.value[objective] ?? null
+  return reference?.kind === 'unknown' ? (bestOfPanels(objective) ?? reference) : reference
+}
+
+/** Where nothing can be proven, the best that any panel has reached so far stands in. */
+function bestOfPanels(objective: Objective): Reference | null {
+  const lives = panels.value.map(({ live }) => live.value)
+  const reached = lives.flatMap((live) =>
+    live.objective === objective ? (live.summary?.value ?? []) : [],
+  )
+  return reached.length > 0 ? { kind: 'unproven', value: Math.min(...reached) } : null
 }
 
 export function watchScenario(): void {
