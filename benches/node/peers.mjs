@@ -45,7 +45,7 @@ function astar(mapName, count) {
   for (const { start, goal, optimal } of picked) {
     const best = { ours: Infinity, whole: Infinity, npm: Infinity }
     for (let round = 0; round < 3; round++) {
-      const spec = { ...map.spec, start, goals: [{ at: goal, name: '' }] }
+      const spec = { ...map.spec, start, goals: [{ at: goal, name: '', area: 1, strength: 1, danger: 1 }] }
       const [setup, run] = timed(() => new engine.Run(spec, map.cells, 'astar', {}, 0))
       const [search] = timed(() => run.advance('iteration', 1e9))
       const length = run.summary().metrics?.length ?? NaN
@@ -73,7 +73,7 @@ function astar(mapName, count) {
 function antSystem(mapName) {
   const map = engine.import_map(read(mapName), mapName)
   const longest = engine.import_scen(read(`${mapName}.scen`)).lines.at(-1)
-  const spec = { ...map.spec, start: longest.start, goals: [{ at: longest.goal, name: '' }] }
+  const spec = { ...map.spec, start: longest.start, goals: [{ at: longest.goal, name: '', area: 1, strength: 1, danger: 1 }] }
   const rates = []
   for (let round = 0; round < 5; round++) {
     const run = new engine.Run(spec, map.cells, 'ant-system', { iterations: 100000 }, 1)
