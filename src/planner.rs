@@ -81,6 +81,20 @@ pub struct Record {
     pub arrived: u32,
 }
 
+impl Record {
+    /// Of a search, which has one path or none; length in cells.
+    pub fn of_search(iteration: u32, length: Option<f64>) -> Self {
+        Self {
+            iteration,
+            best_so_far: length,
+            iteration_best: length,
+            iteration_mean: length,
+            iteration_worst: length,
+            arrived: u32::from(length.is_some()),
+        }
+    }
+}
+
 /// The best path so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
@@ -200,6 +214,16 @@ impl Default for Progress {
 }
 
 impl Progress {
+    /// Answers what needs no search for a path to one goal: a start that is the goal, and a goal that nobody can reach.
+    pub fn settle(&mut self, scenario: &Scenario) {
+        if scenario.start == scenario.goal {
+            self.best = Some(Solution { path: vec![scenario.start], length: 0.0, iteration: 0, refined: None });
+            self.status = Status::Optimal;
+        } else if !scenario.moves.connected(scenario.start, scenario.goal) {
+            self.status = Status::NoPath;
+        }
+    }
+
     /// Adds a finished iteration to the history.
     pub fn record(&mut self, r: Record) {
         self.digest.u32(r.iteration);
@@ -234,13 +258,19 @@ pub trait Planner: Send {
     /// Where it stands.
     fn progress(&self) -> &Progress;
     /// The budget of iterations; `None` for a search, which ends by itself.
-    fn budget(&self) -> Option<u32>;
+    fn budget(&self) -> Option<u32> {
+        None
+    }
     /// Number of ants per iteration; 0 for a search.
-    fn colony_size(&self) -> u32;
+    fn colony_size(&self) -> u32 {
+        0
+    }
     /// Writes a layer (one value a cell, row by row); false when the planner has no such layer.
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool;
     /// Writes the cell of every living ant of the current iteration.
-    fn ants(&self, out: &mut Vec<Cell>);
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+    }
 
     /// What its result is measured by.
     fn objective(&self) -> Objective {

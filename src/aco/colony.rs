@@ -85,17 +85,6 @@ impl<V: Variant + 'static> Colony<V> {
         self
     }
 
-    /// Answers what needs no ants: start = goal, and a goal that nobody can reach.
-    fn settle(&mut self) {
-        let s = &self.scenario;
-        if s.start == s.goal {
-            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0, refined: None });
-            self.progress.status = Status::Optimal;
-        } else if !s.moves.connected(s.start, s.goal) {
-            self.progress.status = Status::NoPath;
-        }
-    }
-
     fn prepare(&mut self) {
         self.variant.prepare(&self.scenario);
         let trails = self.initial_trails();
@@ -271,7 +260,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
             return self.progress.status;
         }
         if self.tables.is_none() {
-            self.settle();
+            self.progress.settle(&self.scenario);
             if self.progress.status.is_finished() {
                 return self.progress.status;
             }

@@ -191,14 +191,7 @@ impl<R: Rules> BestFirst<R> {
             None => self.finish(),
         }
         let length = self.progress.best.as_ref().map(|b| b.length);
-        self.progress.record(Record {
-            iteration: self.progress.effort.iterations,
-            best_so_far: length,
-            iteration_best: length,
-            iteration_mean: length,
-            iteration_worst: length,
-            arrived: u32::from(length.is_some()),
-        });
+        self.progress.record(Record::of_search(self.progress.effort.iterations, length));
     }
 
     fn finish(&mut self) {
@@ -235,14 +228,6 @@ impl<R: Rules> Planner for BestFirst<R> {
         &self.progress
     }
 
-    fn budget(&self) -> Option<u32> {
-        None
-    }
-
-    fn colony_size(&self) -> u32 {
-        0
-    }
-
     fn objective(&self) -> Objective {
         R::OBJECTIVE
     }
@@ -262,9 +247,5 @@ impl<R: Rules> Planner for BestFirst<R> {
         // Before the first step: nothing expanded, no cost known.
         out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
         true
-    }
-
-    fn ants(&self, out: &mut Vec<Cell>) {
-        out.clear();
     }
 }

@@ -171,14 +171,7 @@ impl<E: Estimate> Search<E> {
             self.finish();
         }
         let length = self.progress.best.as_ref().map(|b| b.length);
-        self.progress.record(Record {
-            iteration: self.progress.effort.iterations,
-            best_so_far: length,
-            iteration_best: length,
-            iteration_mean: length,
-            iteration_worst: length,
-            arrived: u32::from(length.is_some()),
-        });
+        self.progress.record(Record::of_search(self.progress.effort.iterations, length));
     }
 
     fn finish(&mut self) {
@@ -236,14 +229,6 @@ impl<E: Estimate> Planner for Search<E> {
         &self.progress
     }
 
-    fn budget(&self) -> Option<u32> {
-        None
-    }
-
-    fn colony_size(&self) -> u32 {
-        0
-    }
-
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         out.clear();
         match kind {
@@ -254,9 +239,5 @@ impl<E: Estimate> Planner for Search<E> {
         // Before the first step: nothing expanded, no cost known.
         out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
         true
-    }
-
-    fn ants(&self, out: &mut Vec<Cell>) {
-        out.clear();
     }
 }

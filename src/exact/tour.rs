@@ -121,14 +121,7 @@ impl ExactTour {
     fn record(&mut self, iterations: std::ops::RangeInclusive<u32>) {
         for iteration in iterations {
             let length = self.progress.best.as_ref().filter(|b| b.iteration == iteration).map(|b| b.length);
-            self.progress.record(Record {
-                iteration,
-                best_so_far: length,
-                iteration_best: length,
-                iteration_mean: length,
-                iteration_worst: length,
-                arrived: u32::from(length.is_some()),
-            });
+            self.progress.record(Record::of_search(iteration, length));
         }
     }
 }
@@ -161,14 +154,6 @@ impl Planner for ExactTour {
         &self.progress
     }
 
-    fn budget(&self) -> Option<u32> {
-        None
-    }
-
-    fn colony_size(&self) -> u32 {
-        0
-    }
-
     fn objective(&self) -> Objective {
         self.objective
     }
@@ -176,10 +161,6 @@ impl Planner for ExactTour {
     /// Of the search at work; once finished, of the last leg's.
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         self.search.layer(kind, out)
-    }
-
-    fn ants(&self, out: &mut Vec<Cell>) {
-        out.clear();
     }
 }
 

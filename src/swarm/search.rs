@@ -95,17 +95,6 @@ impl<M: Method> Swarm<M> {
         }
     }
 
-    /// Answers what needs no decoding: start = goal, and a goal that nobody can reach.
-    fn settle(&mut self) {
-        let s = &self.scenario;
-        if s.start == s.goal {
-            self.progress.best = Some(Solution { path: vec![s.start], length: 0.0, iteration: 0, refined: None });
-            self.progress.status = Status::Optimal;
-        } else if !s.moves.connected(s.start, s.goal) {
-            self.progress.status = Status::NoPath;
-        }
-    }
-
     fn prepare(&mut self) {
         let decoder = Decoder::new(&self.scenario, self.settings.decode_limit);
         let population = Population::new(decoder.dimensions());
@@ -183,7 +172,7 @@ impl<M: Method> Planner for Swarm<M> {
             return self.progress.status;
         }
         if self.tables.is_none() {
-            self.settle();
+            self.progress.settle(&self.scenario);
             if self.progress.status.is_finished() {
                 return self.progress.status;
             }
@@ -229,10 +218,6 @@ impl<M: Method> Planner for Swarm<M> {
             _ => return false,
         }
         true
-    }
-
-    fn ants(&self, out: &mut Vec<Cell>) {
-        out.clear();
     }
 }
 
