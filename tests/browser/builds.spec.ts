@@ -1,4 +1,4 @@
-import { type BrowserContext, expect, type Page, test } from '@playwright/test'
+import { type Browser, type BrowserContext, expect, type Page, test } from '@playwright/test'
 import { freshLab, Lab } from './lab'
 
 /** A planner that the core of the engine does not have. */
@@ -36,6 +36,20 @@ async function linkToLater(page: Page): Promise<string> {
   return lab.shareLink()
 }
 
+/** The link, opened by somebody whose whole engine is held back until `pass`. */
+async function openLater(
+  page: Page,
+  browser: Browser,
+  how: 'fail' | 'wait',
+): Promise<{ opened: Page; pass: () => void }> {
+  const link = await linkToLater(page)
+  const context = await browser.newContext()
+  const pass = await holdWhole(context, how)
+  const opened = await context.newPage()
+  await opened.goto(link)
+  return { opened, pass }
+}
+
 test.describe('the planners of the whole engine', () => {
   test('are on offer without a click, and take over a panel and give it back', async ({ page }) => {
     const lab = new Lab(page)
@@ -69,11 +83,7 @@ test.describe('the planners of the whole engine', () => {
     page,
     browser,
   }) => {
-    const link = await linkToLater(page)
-    const context = await browser.newContext()
-    const release = await holdWhole(context, 'wait')
-    const opened = await context.newPage()
-    await opened.goto(link)
+    const { opened, pass: release } = await openLater(page, browser, 'wait')
     await expect(opened.getByTestId('panel-1').getByTestId('panel-waiting')).toBeVisible()
     await expect(opened.getByTestId('planner-1')).toHaveValue(LATER)
     await expect(opened.getByTestId('panel-2')).toBeVisible()
@@ -82,19 +92,15 @@ test.describe('the planners of the whole engine', () => {
     await expect(opened.getByTestId('panel-waiting')).toBeHidden()
     await expect(opened.getByTestId('parameters-1')).toBeVisible()
     expect((await new Lab(opened).session()).panels[0]?.planner).toBe(LATER)
-    await context.close()
+    await opened.context().close()
   })
 
   test('that cannot be fetched leave the page as it is, until one tries again', async ({
     page,
     browser,
   }) => {
-    const link = await linkToLater(page)
-    const context = await browser.newContext()
-    const reconnect = await holdWhole(context, 'fail')
-    const opened = await context.newPage()
+    const { opened, pass: reconnect } = await openLater(page, browser, 'fail')
     const lab = new Lab(opened)
-    await opened.goto(link)
     const alert = opened.getByTestId('panel-not-fetched')
     await expect(alert).toBeVisible()
     // The planner that is here runs meanwhile.
@@ -107,7 +113,7 @@ test.describe('the planners of the whole engine', () => {
     await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
     await expect(alert).toBeHidden()
     await lab.ready()
-    await context.close()
+    await opened.context().close()
   })
 
   test('outlive the connection: sharing works, and what is missing is said', async ({ page }) => {
@@ -131,11 +137,7 @@ test.describe('the planners of the whole engine', () => {
     page,
     browser,
   }) => {
-    const link = await linkToLater(page)
-    const context = await browser.newContext()
-    const reconnect = await holdWhole(context, 'fail')
-    const opened = await context.newPage()
-    await opened.goto(link)
+    const { opened, pass: reconnect } = await openLater(page, browser, 'fail')
     await expect(opened.getByTestId('panel-not-fetched')).toBeVisible()
     await opened.getByTestId('add-panel').click()
     const again = opened.getByTestId('fetch-planners')
@@ -148,7 +150,7 @@ test.describe('the planners of the whole engine', () => {
     await new Lab(opened).ready()
     await expect(opened.getByTestId('panel-1').getByRole('alert')).toBeHidden()
     await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
-    await context.close()
+    await opened.context().close()
   })
 
   test('that no version knows leave the page, once the catalog is complete', async ({
