@@ -9,9 +9,9 @@ use crate::aco::{
     threshold,
 };
 use crate::error::ParamError;
-use crate::exact::{any_angle, astar, dijkstra, theta_star, tour, turn_aware};
+use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 use crate::swarm;
 
@@ -33,6 +33,7 @@ const LIST: &[(bool, &Entry)] = &[
     (MORE, &any_angle::ENTRY),
     (MORE, &turn_aware::ENTRY),
     (MORE, &tour::ENTRY),
+    (MORE, &slices::ENTRY),
     (MORE, &fire::ENTRY),
     (MORE, &ship::ENTRY),
     (MORE, &threshold::ACOST),
@@ -93,6 +94,7 @@ pub fn build(
     if scenario.goals.len() > entry.max_goals as usize {
         return Err(too_many_goals(entry, scenario.goals.len()));
     }
+    check_ground(entry, scenario)?;
     let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
     all.extend(values.clone());
     let planner = (entry.build)(scenario, &all, seed)?;
@@ -107,6 +109,18 @@ fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
     let cells = scenario.grid.len() as u64;
     let colonies = if ants > 0 { scenario.goals.len() as u64 } else { 1 };
     ParamError::check_memory("ants", ants, colonies * (cells * PER_CELL + u64::from(ants) * (cells / 8 + 4096)))
+}
+
+/// # Errors
+/// [`ParamError::Ground`] where the planner does not know how one moves in the scenario.
+fn check_ground(entry: &Entry, scenario: &Scenario) -> Result<(), ParamError> {
+    let ground = Ground::of(scenario);
+    if entry.grounds.contains(&ground) {
+        return Ok(());
+    }
+    let able = CATALOG.iter().filter(|e| e.grounds.contains(&ground)).map(|e| e.id).collect::<Vec<_>>();
+    let (id, words) = ground.words();
+    Err(ParamError::Ground { planner: entry.id.into(), ground: words, id, others: able.join(", ") })
 }
 
 fn too_many_goals(entry: &Entry, got: usize) -> ParamError {
@@ -154,6 +168,8 @@ pub struct CatalogEntry {
     pub layers: Vec<Layer>,
     /// Most goals that it can visit.
     pub max_goals: u32,
+    /// The ways of moving that it knows.
+    pub grounds: Vec<Ground>,
 }
 
 /// One preset as data.
@@ -189,6 +205,7 @@ pub fn catalog() -> Catalog {
         params: (e.specs)(),
         layers: e.layers.to_vec(),
         max_goals: e.max_goals,
+        grounds: e.grounds.to_vec(),
     };
     Catalog { format: "formicarium/catalog@1".into(), planners: CATALOG.iter().map(entry).collect() }
 }

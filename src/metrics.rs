@@ -1,4 +1,4 @@
-//! What is measured on a path: length, turns, V(d, r), clearance, arrival time.
+//! What is measured on a path: length, turns, V(d, r), clearance, arrival time; on a terrain what it climbs.
 
 use std::f64::consts::SQRT_2;
 
@@ -15,9 +15,10 @@ pub const TURN_WEIGHT: f64 = 1.2;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Metrics {
-    /// Length in cells: straight steps + √2 · diagonal steps + oblique segments.
+    /// Length in cells: straight steps + √2 · diagonal steps + oblique segments; on a terrain along its ground; by slices
+    /// Σ √(1 + Δy² + Δh²).
     pub length: f64,
-    /// Length in metres.
+    /// Length in metres; by slices with the levels' true distance.
     pub length_metres: f64,
     /// Number of steps.
     pub steps: u32,
@@ -32,6 +33,24 @@ pub struct Metrics {
     pub mean_clearance: f64,
     /// Arrival time in seconds: metres / speed + turns · seconds per turn.
     pub travel_time: f64,
+    /// On a terrain alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub terrain: Option<TerrainMetrics>,
+}
+
+/// What a path does on a terrain.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct TerrainMetrics {
+    /// Metres up.
+    pub climb: f64,
+    /// Metres down.
+    pub descent: f64,
+    /// Steepest stretch in degrees, up or down.
+    pub steepest: f64,
+    /// By slices: Σ √(1 + Δy² + Δh²) + |h|, the textbook program's cost.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub level_cost: Option<f64>,
 }
 
 /// Length in cells. Straight and diagonal steps are counted and √2 multiplied once, so that equal paths have equal bits in any order.
@@ -41,7 +60,7 @@ pub fn length(straight: u32, diagonal: u32) -> f64 {
 
 /// Length in cells of a path on a map of this width: of allowed steps or of straight segments between cells. Rows, columns and exact
 /// diagonals are counted, so that a path of steps and the same path with its straight stretches merged have equal bits.
-pub fn path_length(width: u32, path: &[Cell]) -> f64 {
+pub fn length_on_plane(width: u32, path: &[Cell]) -> f64 {
     let mut tally = Tally::default();
     path.windows(2).for_each(|s| tally.add(offset(width, s[0], s[1])));
     tally.length()
@@ -86,30 +105,87 @@ fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
 impl Metrics {
     /// Measures a valid path of either kind.
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Self {
-        let width = scenario.grid.width();
-        let length = path_length(width, path);
-        let (mut turns, mut turning) = (0u32, Tally::default());
-        for s in path.windows(3) {
-            let (before, after) = (offset(width, s[0], s[1]), offset(width, s[1], s[2]));
-            if self::turns(before, after) {
-                turns += 1;
-                turning.add(after);
-            }
-        }
-        let (min_clearance, mean_clearance) = clearance(&scenario.grid, path);
-        let metres = length * scenario.spec.resolution;
+        let length = scenario.path_length(path);
+        let cells = scenario.cells_of(path);
+        let (turns, turning) = turning(scenario, path, &cells);
+        let (min_clearance, mean_clearance) = clearance(&scenario.grid, &cells);
+        let metres = if scenario.slices.is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
         let vehicle = scenario.spec.vehicle;
         Self {
             length,
             length_metres: metres,
             steps: path.len().saturating_sub(1) as u32,
             turns,
-            turn_index: length + (TURN_WEIGHT - 1.0) * turning.length(),
+            turn_index: length + (TURN_WEIGHT - 1.0) * turning,
             min_clearance,
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
+            terrain: terrain(scenario, path),
         }
     }
+}
+
+/// Number of turns, and the length of the steps or segments that turn. By slices the levels count as a third axis.
+fn turning(scenario: &Scenario, path: &[Cell], cells: &[Cell]) -> (u32, f64) {
+    let (width, area) = (scenario.grid.width(), scenario.grid.len() as Cell);
+    let climbs = |a: usize, b: usize| (path[b] / area) as i32 - (path[a] / area) as i32;
+    let on_plane = scenario.slices.is_none() && scenario.moves.relief().is_none();
+    let (mut turns, mut tally, mut sum) = (0u32, Tally::default(), 0.0);
+    for k in 2..path.len() {
+        let (before, after) = (offset(width, cells[k - 2], cells[k - 1]), offset(width, cells[k - 1], cells[k]));
+        if !self::turns(before, after) && climbs(k - 2, k - 1) == climbs(k - 1, k) {
+            continue;
+        }
+        turns += 1;
+        if on_plane {
+            tally.add(after);
+        } else {
+            sum += scenario.path_length(&path[k - 1..=k]);
+        }
+    }
+    (turns, if on_plane { tally.length() } else { sum })
+}
+
+/// Metres of a path by slices: cells by the resolution, levels by their height.
+fn metres_by_slices(scenario: &Scenario, path: &[Cell]) -> f64 {
+    stretches(scenario, path).map(|(run, rise)| libm::sqrt(run * run + rise * rise)).sum()
+}
+
+/// Run and rise in metres of each step or segment of a path by slices.
+fn stretches<'a>(scenario: &'a Scenario, path: &'a [Cell]) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let (width, resolution) = (scenario.grid.width(), scenario.spec.resolution);
+    let altitudes = scenario.altitudes(path);
+    let cells = scenario.cells_of(path);
+    (1..path.len()).map(move |k| {
+        let (dx, dy) = offset(width, cells[k - 1], cells[k]);
+        let run = libm::sqrt(f64::from(dx * dx + dy * dy)) * resolution;
+        (run, altitudes[k] - altitudes[k - 1])
+    })
+}
+
+/// What a path climbs; none on a plane.
+fn terrain(scenario: &Scenario, path: &[Cell]) -> Option<TerrainMetrics> {
+    let relief = scenario.moves.relief()?;
+    let (mut climb, mut descent, mut steepness) = (0.0, 0.0, 0.0f64);
+    if scenario.slices.is_some() {
+        for (run, rise) in stretches(scenario, path) {
+            climb += rise.max(0.0);
+            descent += (-rise).max(0.0);
+            steepness = steepness.max(rise.abs() / run);
+        }
+    } else {
+        for s in path.windows(2).map(|s| relief.segment(s[0], s[1])) {
+            climb += s.climb * scenario.spec.resolution;
+            descent += s.descent * scenario.spec.resolution;
+            steepness = steepness.max(s.steepness);
+        }
+    }
+    let steepest = libm::atan(steepness).to_degrees();
+    let level_cost = |slices: &crate::map::Slices| {
+        let levels: f64 = path.iter().skip(1).map(|&p| f64::from(slices.at(p).2)).sum();
+        scenario.path_length(path) + levels
+    };
+    Some(TerrainMetrics { climb, descent, steepest, level_cost: scenario.slices.as_deref().map(level_cost) })
 }
 
 /// Share of blocked cells among the eight around a cell, 0 to 1; beyond the border is blocked.

@@ -1,7 +1,7 @@
 //! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
 use crate::choice;
-use crate::map::{Cell, Grid, Movement, Moves, OFFSETS, Point};
+use crate::map::{ALL_DIRECTIONS, Cell, Grid, Movement, Moves, Point, Way, offset};
 use crate::scenario::Scenario;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -60,8 +60,8 @@ pub enum Flaw {
     /// Two cells in a row are not neighbours.
     #[error("step {0} of the path leads to a cell that is no neighbour")]
     NotAdjacent(usize),
-    /// A diagonal step that the movement does not allow.
-    #[error("step {index} of the path, from ({}, {}) to ({}, {}), cuts a corner or is no allowed move", from.x, from.y, to.x, to.y)]
+    /// A step that the movement does not allow.
+    #[error("step {index} of the path, from ({}, {}) to ({}, {}), cuts a corner, is too steep or is no allowed move", from.x, from.y, to.x, to.y)]
     ForbiddenMove {
         /// Which step.
         index: usize,
@@ -105,9 +105,35 @@ pub fn audit(scenario: &Scenario, path: &[Point], kind: PathKind) -> Result<(), 
     }
 }
 
+/// Checks a path by slices, as cells and levels: its ends, and that each step leads to the next column within the limits, above the ground.
+///
+/// # Errors
+/// The first [`Flaw`]. [`Flaw::WrongStart`] where the scenario is not by slices.
+pub fn audit_slices(scenario: &Scenario, path: &[(Point, u32)]) -> Result<(), Flaw> {
+    let (Some(&(first, _)), Some(&(last, _))) = (path.first(), path.last()) else { return Err(Flaw::Empty) };
+    let Some(slices) = &scenario.slices else { return Err(Flaw::WrongStart(first)) };
+    let levels = slices.rules().levels;
+    if let Some(index) = path.iter().position(|&(at, level)| !scenario.grid.contains(at) || level > levels) {
+        return Err(Flaw::OutsideMap(index));
+    }
+    let place = |&(at, level): &(Point, u32)| slices.place(at.x, at.y, level);
+    let places: Vec<Cell> = path.iter().map(place).collect();
+    if places[0] != slices.start() {
+        return Err(Flaw::WrongStart(first));
+    }
+    for (index, step) in places.windows(2).enumerate() {
+        if !(0..slices.directions()).any(|k| slices.step(step[0], k, Way::Forward) == Some(step[1])) {
+            return Err(Flaw::ForbiddenMove { index, from: path[index].0, to: path[index + 1].0 });
+        }
+    }
+    if places.last() == Some(&slices.goal()) { Ok(()) } else { Err(Flaw::WrongEnd(last)) }
+}
+
 fn audit_step(scenario: &Scenario, index: usize, from: Point, to: Point) -> Result<(), Flaw> {
     let d = direction_between(from, to).ok_or(Flaw::NotAdjacent(index))?;
-    let allowed = scenario.spec.movement.allows(&scenario.grid, i64::from(from.x), i64::from(from.y), d);
+    let (a, b) = (scenario.grid.cell(from), scenario.grid.cell(to));
+    let flat = scenario.moves.relief().is_none_or(|relief| relief.is_passable(a, b));
+    let allowed = flat && scenario.spec.movement.allows(&scenario.grid, i64::from(from.x), i64::from(from.y), d);
     if allowed { Ok(()) } else { Err(Flaw::ForbiddenMove { index, from, to }) }
 }
 
@@ -169,8 +195,10 @@ impl Iterator for Segment {
 /// Whether the straight segment between the centres of two cells of the map touches no obstacle, under the scenario's corner rule: every
 /// cell that it crosses is free, and where it passes exactly through a corner of cells, the rule allows the diagonal step there. With
 /// 4 moves there is sight along rows and columns only. Whole-number arithmetic, so it is exact.
+/// On a terrain no part of it may be too steep.
 pub fn line_of_sight(scenario: &Scenario, from: Point, to: Point) -> bool {
-    in_sight(&scenario.grid, scenario.spec.movement, from, to)
+    let passable = || scenario.moves.relief().is_none_or(|r| r.is_passable(scenario.grid.cell(from), scenario.grid.cell(to)));
+    in_sight(&scenario.grid, scenario.spec.movement, from, to) && passable()
 }
 
 /// [`line_of_sight`] on a map that belongs to no scenario yet.
@@ -228,12 +256,12 @@ pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
 /// The direction of the step between two neighbouring cells.
 pub fn direction_between(from: Point, to: Point) -> Option<u8> {
     let step = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
-    OFFSETS.iter().position(|&(dx, dy)| (i64::from(dx), i64::from(dy)) == step).map(|d| d as u8)
+    (0..ALL_DIRECTIONS as u8).find(|&d| (i64::from(offset(d).0), i64::from(offset(d).1)) == step)
 }
 
 /// A path's cells as points.
 pub fn points(scenario: &Scenario, path: &[Cell]) -> Vec<Point> {
-    path.iter().map(|&c| scenario.grid.point(c)).collect()
+    scenario.cells_of(path).into_iter().map(|c| scenario.grid.point(c)).collect()
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::digest::Digest;
 use crate::error::ParamError;
-use crate::map::Cell;
+use crate::map::{Cell, Moves};
 use crate::metrics::Metrics;
 use crate::params::{ParamSpec, Value, Values};
 use crate::path::{Path, PathKind};
@@ -98,9 +98,9 @@ impl Record {
 /// The best path so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// Cells from start to goal, as the planner found them; a polyline where [`Planner::objective`] says so.
+    /// Cells from start to goal, as the planner found them; a polyline where [`Planner::objective`] says so; by slices its places.
     pub path: Path,
-    /// Its length in cells.
+    /// Its length in cells; by slices its cost by the scenario's measure.
     pub length: f64,
     /// The iteration (from 1) that found it; 0 where none was needed, because the start is the goal.
     pub iteration: u32,
@@ -134,6 +134,8 @@ pub enum Objective {
     Length,
     /// Length of a polyline to the goal, its segments in line of sight.
     PolylineLength,
+    /// By slices: Σ √(1 + Δy² + Δh²) + |h|, or Σ √(1 + Δy² + Δh²), as the scenario says.
+    SliceCost,
     /// V(d, r) of a path of steps to the goal.
     TurnIndex,
     /// Length of a path of steps by all goals.
@@ -143,6 +145,18 @@ pub enum Objective {
 }
 
 impl Objective {
+    /// What it is, in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Length => "length by steps",
+            Self::PolylineLength => "length of a polyline",
+            Self::SliceCost => "cost by slices",
+            Self::TurnIndex => "turn index V",
+            Self::TourLength => "length by all goals",
+            Self::TourWeight => "weight R by all goals",
+        }
+    }
+
     /// The kind of the paths that it compares.
     pub fn path_kind(self) -> PathKind {
         if self == Self::PolylineLength { PathKind::Polyline } else { PathKind::Steps }
@@ -216,10 +230,10 @@ impl Default for Progress {
 impl Progress {
     /// Answers what needs no search for a path to one goal: a start that is the goal, and a goal that nobody can reach.
     pub fn settle(&mut self, scenario: &Scenario) {
-        if scenario.start == scenario.goal {
+        if scenario.start == scenario.goal && scenario.slices.is_none() {
             self.best = Some(Solution { path: vec![scenario.start], length: 0.0, iteration: 0, refined: None });
             self.status = Status::Optimal;
-        } else if !scenario.moves.connected(scenario.start, scenario.goal) {
+        } else if !scenario.connected() {
             self.status = Status::NoPath;
         }
     }
@@ -280,7 +294,9 @@ pub trait Planner: Send {
     /// Its result's value by its own objective, in cells, given the metrics of that result; none while there is none.
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         match self.objective() {
-            Objective::Length | Objective::PolylineLength | Objective::TourLength => self.best().map(|b| b.result().1),
+            Objective::Length | Objective::PolylineLength | Objective::SliceCost | Objective::TourLength => {
+                self.best().map(|b| b.result().1)
+            }
             Objective::TurnIndex => Some(metrics.turn_index),
             Objective::TourWeight => self.tour().and_then(|t| t.walked_weight),
         }
@@ -342,6 +358,52 @@ pub enum Family {
     Exact,
 }
 
+/// A way of moving, as far as planners differ in what they know.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Ground {
+    /// 4 or 8 moves on a plane.
+    Plane,
+    /// 4 or 8 moves on the surface of a terrain.
+    Surface,
+    /// 16 moves, on a plane or on a surface.
+    Sixteen,
+    /// By slices over a terrain.
+    Slices,
+}
+
+impl Ground {
+    /// Of planners that only know the plane.
+    pub const PLANE: &'static [Self] = &[Self::Plane];
+    /// Of planners that go from cell to neighbouring cell.
+    pub const NEIGHBOURS: &'static [Self] = &[Self::Plane, Self::Surface];
+    /// Of planners that go from cell to cell by any allowed step.
+    pub const STEPS: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen];
+    /// Of planners that know every way of moving.
+    pub const ALL: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen, Self::Slices];
+
+    /// How one moves in a scenario.
+    pub fn of(scenario: &Scenario) -> Self {
+        match (&scenario.slices, scenario.spec.movement.moves, scenario.moves.relief()) {
+            (Some(_), ..) => Self::Slices,
+            (None, Moves::Sixteen, _) => Self::Sixteen,
+            (None, _, Some(_)) => Self::Surface,
+            (None, _, None) => Self::Plane,
+        }
+    }
+
+    /// Its stable name, and as a phrase after "plans".
+    pub const fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Plane => ("plane", "on a plane"),
+            Self::Surface => ("surface", "on the surface of a terrain"),
+            Self::Sixteen => ("sixteen", "with 16 moves"),
+            Self::Slices => ("slices", "by slices"),
+        }
+    }
+}
+
 /// A named parameter set, e.g. a paper's.
 #[derive(Debug, Clone, Copy)]
 pub struct Preset {
@@ -385,6 +447,8 @@ pub struct Entry {
     pub layers: &'static [Layer],
     /// Most goals that it can visit: 1 for a planner from one place to another.
     pub max_goals: u32,
+    /// The ways of moving that it knows.
+    pub grounds: &'static [Ground],
     /// The rows of its parameters.
     pub specs: fn() -> Vec<ParamSpec>,
     /// Makes one, after checking the values.

@@ -1,9 +1,12 @@
 //! A scenario: a map and the question asked on it. [`ScenarioSpec`] is what people write, [`Scenario`] what planners may rely on.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Grid, MoveSet, Movement, Point};
+use crate::map::{Cell, Grid, MAX_LEVELS, MAX_REACH, MoveSet, Movement, Point, Relief, SliceRules, Slices};
+use crate::metrics;
 
 /// Largest number of goals of a scenario.
 pub const MAX_GOALS: usize = 64;
@@ -53,6 +56,37 @@ impl Default for Vehicle {
     }
 }
 
+/// How one moves on a terrain. Serialized as `{"kind": "surface", …}` or `{"kind": "slices", …}`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum TerrainMoves {
+    /// From cell to cell on the ground, by the scenario's movement.
+    Surface {
+        /// Steepest ground in degrees, above 0; 90 = no limit.
+        max_slope: f64,
+    },
+    /// From column to column, above the ground.
+    Slices(SliceRules),
+}
+
+/// What makes a map with heights a terrain.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct TerrainSpec {
+    /// Metres per unit of the heights, above 0.
+    pub vertical_unit: f64,
+    /// How one moves.
+    pub moves: TerrainMoves,
+}
+
+impl Default for TerrainSpec {
+    /// Heights in metres, on the surface, without a limit of slope.
+    fn default() -> Self {
+        Self { vertical_unit: 1.0, moves: TerrainMoves::Surface { max_slope: 90.0 } }
+    }
+}
+
 /// A scenario without its cells, as files and the page hold it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -74,10 +108,14 @@ pub struct ScenarioSpec {
     pub goals: Vec<Goal>,
     /// For the arrival time.
     pub vehicle: Vehicle,
+    /// On a map with heights; none on a plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terrain: Option<TerrainSpec>,
 }
 
 impl ScenarioSpec {
-    /// A scenario with one goal, 8 moves, corner rule `both-free`, one metre a cell.
+    /// A scenario with one goal, 8 moves, corner rule `both-free`, one metre a cell; with heights, a terrain with the defaults of
+    /// [`TerrainSpec`].
     pub fn new(grid: &Grid, start: Point, goal: Point) -> Self {
         Self {
             name: String::new(),
@@ -88,7 +126,27 @@ impl ScenarioSpec {
             start,
             goals: vec![Goal::new(goal, "")],
             vehicle: Vehicle::default(),
+            terrain: grid.heights().map(|_| TerrainSpec::default()),
         }
+    }
+
+    /// The allowed steps on a map.
+    fn steps(&self, grid: &Grid) -> MoveSet {
+        let moves = MoveSet::new(grid, self.movement);
+        match self.relief(grid) {
+            Some(relief) => moves.over(relief),
+            None => moves,
+        }
+    }
+
+    /// The ground of a terrain in lengths of cells; none on a plane.
+    fn relief(&self, grid: &Grid) -> Option<Relief> {
+        let terrain = self.terrain?;
+        let steepest = match terrain.moves {
+            TerrainMoves::Surface { max_slope } if max_slope < 90.0 => libm::tan(max_slope.to_radians()),
+            _ => f64::INFINITY,
+        };
+        Some(Relief::new(Arc::clone(grid.heights()?), self.width, terrain.vertical_unit / self.resolution, steepest))
     }
 }
 
@@ -99,8 +157,10 @@ pub struct Scenario {
     pub grid: Grid,
     /// What it was made from.
     pub spec: ScenarioSpec,
-    /// The allowed steps of every cell.
+    /// The allowed steps of every cell. By slices only the ground below.
     pub moves: MoveSet,
+    /// The places and steps of movement by slices; none where one moves from cell to cell.
+    pub slices: Option<Arc<Slices>>,
     /// Start cell.
     pub start: Cell,
     /// Goal cell; the first of several.
@@ -122,10 +182,18 @@ impl Scenario {
         quantity("speed", spec.vehicle.speed, spec.vehicle.speed > 0.0, "a positive number of metres per second")?;
         let turn = spec.vehicle.seconds_per_turn;
         quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
+        check_terrain(&grid, &spec)?;
         let start = free_cell(&grid, "start", spec.start)?;
         let goals = goal_cells(&grid, &spec.goals)?;
-        let moves = MoveSet::new(&grid, spec.movement);
-        Ok(Self { grid, spec, moves, start, goal: goals[0], goals })
+        let slices = slices(&grid, &spec, start, &goals)?.map(Arc::new);
+        let moves = spec.steps(&grid);
+        Ok(Self { grid, spec, moves, slices, start, goal: goals[0], goals })
+    }
+
+    /// For measuring paths that need not be valid, from cell to cell between any two cells of the map.
+    pub fn unvalidated(grid: Grid, spec: ScenarioSpec, start: Cell, goal: Cell) -> Self {
+        let moves = spec.steps(&grid);
+        Self { grid, spec, moves, slices: None, start, goal, goals: vec![goal] }
     }
 
     /// The same map with another start and one goal: a leg of a tour. Both must be free cells.
@@ -133,7 +201,35 @@ impl Scenario {
     pub fn leg(&self, start: Cell, goal: Cell) -> Self {
         let goals = vec![Goal::new(self.grid.point(goal), "")];
         let spec = ScenarioSpec { start: self.grid.point(start), goals, ..self.spec.clone() };
-        Self { grid: self.grid.clone(), spec, moves: self.moves.clone(), start, goal, goals: vec![goal] }
+        let slices = self.slices.clone();
+        Self { grid: self.grid.clone(), spec, moves: self.moves.clone(), slices, start, goal, goals: vec![goal] }
+    }
+
+    /// Length in cells of a path of allowed steps or of segments in line of sight; along the ground of a terrain. By slices
+    /// Σ √(1 + Δy² + Δh²), cells and levels counting 1 each.
+    pub fn path_length(&self, path: &[Cell]) -> f64 {
+        let sum = |length: &dyn Fn(Cell, Cell) -> f64| path.windows(2).map(|s| length(s[0], s[1])).sum();
+        match (&self.slices, self.moves.relief()) {
+            (Some(slices), _) => sum(&|a, b| slices.length(a, b)),
+            (None, Some(relief)) => sum(&|a, b| relief.segment(a, b).length),
+            (None, None) => metrics::length_on_plane(self.grid.width(), path),
+        }
+    }
+
+    /// The cells of a path, whatever its places are.
+    pub fn cells_of(&self, path: &[Cell]) -> Vec<Cell> {
+        let area = self.grid.len() as Cell;
+        path.iter().map(|place| place % area).collect()
+    }
+
+    /// Altitudes of a path's places in metres, on the ground or by slices at their levels; empty on a plane.
+    pub fn altitudes(&self, path: &[Cell]) -> Vec<f64> {
+        let Some(heights) = self.grid.heights() else { return Vec::new() };
+        let unit = self.spec.terrain.map_or(1.0, |t| t.vertical_unit);
+        match &self.slices {
+            Some(slices) => path.iter().map(|&p| f64::from(slices.at(p).2) * slices.rules().level).collect(),
+            None => path.iter().map(|&c| f64::from(heights[c as usize]) * unit).collect(),
+        }
     }
 
     /// From one goal on a grid, with the defaults of [`ScenarioSpec::new`] and the given movement.
@@ -156,10 +252,79 @@ impl Scenario {
         notices
     }
 
+    /// Whether the first goal can be reached from the start.
+    pub fn connected(&self) -> bool {
+        self.slices.as_ref().map_or_else(|| self.moves.connected(self.start, self.goal), |slices| slices.reachable())
+    }
+
     /// Whether every goal can be reached from the start.
     pub fn reachable(&self) -> bool {
+        if let Some(slices) = &self.slices {
+            return slices.reachable();
+        }
         let reached = self.moves.reached_from(self.start);
         self.goals.iter().all(|&g| reached[g as usize])
+    }
+}
+
+/// Whether heights and terrain come together, and what the terrain says can be used.
+fn check_terrain(grid: &Grid, spec: &ScenarioSpec) -> Result<(), ScenarioError> {
+    /// More cells up than any map has sideways: the unit must be wrong.
+    const MOST: f64 = 1e6;
+    let (terrain, heights) = match (&spec.terrain, grid.heights()) {
+        (Some(terrain), Some(heights)) => (terrain, heights),
+        (None, None) => return Ok(()),
+        (Some(_), None) => return Err(ScenarioError::Heights { missing: true }),
+        (None, Some(_)) => return Err(ScenarioError::Heights { missing: false }),
+    };
+    let unit = terrain.vertical_unit;
+    quantity("vertical_unit", unit, unit > 0.0, "a positive number of metres")?;
+    let tallest = heights.iter().fold(0f32, |most, h| if h.abs() > most { h.abs() } else { most });
+    let cells = f64::from(tallest) * unit / spec.resolution;
+    quantity(
+        "height in cells",
+        cells,
+        cells <= MOST,
+        "at most 1,000,000 cells high; check the vertical unit and the resolution",
+    )?;
+    match terrain.moves {
+        TerrainMoves::Surface { max_slope } => {
+            quantity("max_slope", max_slope, max_slope > 0.0 && max_slope <= 90.0, "above 0 and up to 90 degrees")
+        }
+        TerrainMoves::Slices(rules) => check_slices(&rules),
+    }
+}
+
+fn check_slices(rules: &SliceRules) -> Result<(), ScenarioError> {
+    let whole = |field, value: u32, range: std::ops::RangeInclusive<u32>, allowed| {
+        quantity(field, f64::from(value), range.contains(&value), allowed)
+    };
+    quantity("level", rules.level, rules.level > 0.0, "a positive number of metres")?;
+    whole("levels", rules.levels, 1..=MAX_LEVELS, "1 to 255")?;
+    whole("max_aside", rules.max_aside, 0..=MAX_REACH, "0 to 5 cells")?;
+    whole("max_climb", rules.max_climb, 0..=MAX_REACH, "0 to 5 levels")?;
+    whole("start_level", rules.start_level, 1..=rules.levels, "between 1 and the number of levels")?;
+    whole("goal_level", rules.goal_level, 1..=rules.levels, "between 1 and the number of levels")
+}
+
+/// The places of movement by slices, if that is how one moves.
+fn slices(grid: &Grid, spec: &ScenarioSpec, start: Cell, goals: &[Cell]) -> Result<Option<Slices>, ScenarioError> {
+    let Some(TerrainSpec { vertical_unit, moves: TerrainMoves::Slices(rules) }) = spec.terrain else { return Ok(None) };
+    let heights = grid.heights().ok_or(ScenarioError::Heights { missing: true })?;
+    if grid.len() as u64 * (u64::from(rules.levels) + 1) > u64::from(u32::MAX) {
+        let (width, height) = (u64::from(spec.width), u64::from(spec.height));
+        return Err(ScenarioError::MapSize { width, height });
+    }
+    let slices = Slices::new(grid, rules, vertical_unit, start, goals[0]);
+    let ground = |c: Cell| f64::from(heights[c as usize]) * vertical_unit;
+    let above = slices.ends_above_ground(ground(start), ground(goals[0]));
+    let ends = [("start", above[0], start, rules.start_level), ("goal", above[1], goals[0], rules.goal_level)];
+    match ends.into_iter().find(|end| !end.1) {
+        Some((role, _, cell, level)) => {
+            let lowest = libm::ceil(ground(cell) / rules.level);
+            Err(ScenarioError::BelowGround { role, level, lowest: lowest as u32 })
+        }
+        None => Ok(Some(slices)),
     }
 }
 

@@ -73,6 +73,8 @@ pub struct Ant {
     steps: Vec<Direction>,
     /// How many of the steps are diagonal.
     diagonals: u32,
+    /// Length of its way over the ground of a terrain, in cells; 0 on a plane, where steps are counted.
+    over_ground: f64,
     /// Bit positions that were left by backtracking and are still on the tabu list.
     abandoned: Vec<u32>,
     tabu: Tabu,
@@ -104,6 +106,7 @@ impl Ant {
             moves: 0,
             steps: Vec::new(),
             diagonals: 0,
+            over_ground: 0.0,
             abandoned: Vec::new(),
             tabu,
             stream,
@@ -118,6 +121,7 @@ impl Ant {
         self.cell = start;
         self.moves = 0;
         self.diagonals = 0;
+        self.over_ground = 0.0;
         self.steps.clear();
         self.stream = stream;
         self.fate = Fate::Walking;
@@ -161,7 +165,11 @@ impl Ant {
 
     /// Length of its way so far in cells, without what it took back.
     pub fn walked(&self) -> f64 {
-        metrics::length(self.steps.len() as u32 - self.diagonals, self.diagonals)
+        if self.over_ground > 0.0 {
+            self.over_ground
+        } else {
+            metrics::length(self.steps.len() as u32 - self.diagonals, self.diagonals)
+        }
     }
 
     /// Length of its way in cells, once it has arrived.
@@ -192,12 +200,33 @@ impl Ant {
     fn step(&mut self, walk: &Walk, d: Direction) {
         self.steps.push(d);
         self.diagonals += u32::from(is_diagonal(d));
+        if walk.moves.relief().is_some() {
+            self.over_ground += walk.moves.length(self.cell, d);
+        }
         self.cell = walk.moves.step(self.cell, d);
         self.position = self.position.wrapping_add_signed(self.tabu.delta[d as usize]);
         self.tabu.insert(self.position);
         if self.cell == walk.goal {
             self.fate = Fate::Arrived;
+            if walk.moves.relief().is_some() {
+                self.over_ground = self.summed(walk.moves);
+            }
         }
+    }
+
+    /// Length of its way over the ground, from the start on: what steps taken back have left behind by rounding is gone.
+    #[inline(never)]
+    fn summed(&self, moves: &MoveSet) -> f64 {
+        let mut at = self.cell;
+        for &d in self.steps.iter().rev() {
+            at = moves.step(at, opposite(d));
+        }
+        let mut sum = 0.0;
+        for &d in &self.steps {
+            sum += moves.length(at, d);
+            at = moves.step(at, d);
+        }
+        sum
     }
 
     #[inline(always)]
@@ -208,6 +237,9 @@ impl Ant {
                 self.diagonals -= u32::from(is_diagonal(d));
                 let back = opposite(d);
                 self.cell = walk.moves.step(self.cell, back);
+                if walk.moves.relief().is_some() {
+                    self.over_ground -= walk.moves.length(self.cell, d);
+                }
                 self.position = self.position.wrapping_add_signed(self.tabu.delta[back as usize]);
             }
             (DeadEnd::Die, Some(d)) => {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::metrics::{obstacle_density, path_length};
+use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status};
 use crate::rng::Streams;
@@ -334,7 +334,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
 fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refined> {
     let refined = || {
         let path = refine(scenario, path, how);
-        Refined { length: path_length(scenario.grid.width(), &path), path }
+        Refined { length: scenario.path_length(&path), path }
     };
     (how != Refinement::None).then(refined)
 }

@@ -2,7 +2,7 @@
 
 use crate::choice;
 use crate::exact::{Distance, Estimate};
-use crate::map::{Cell, Direction, Point, step_length};
+use crate::map::{Cell, Direction, Point};
 use crate::scenario::Scenario;
 
 choice! {
@@ -20,15 +20,16 @@ choice! {
 /// d(goal, goal) where a formula divides by it: η = 100 at the goal, as in the textbook MATLAB program.
 pub const AT_GOAL: f64 = 0.01;
 
-/// η by goal distance: 1 / d(j, goal), Euclidean; `at_goal` stands for the distance 0.
+/// η by goal distance: 1 / d(j, goal), Euclidean, on a terrain as on its map; `at_goal` stands for the distance 0.
 pub fn goal_distance(j: Point, goal: Point, at_goal: f64) -> f64 {
     let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
     1.0 / libm::sqrt(dx * dx + dy * dy).max(at_goal)
 }
 
-/// η by detour: 1 / (1 + c_ij + d(j) − d(i)), d = length of the shortest path on an open map. Between 1/(1 + 2√2) and 1.
-pub fn detour(distance: &Distance, i: Point, j: Point, d: Direction) -> f64 {
-    let extra = step_length(d) + distance.to_goal(j.x, j.y) - distance.to_goal(i.x, i.y);
+/// η by detour: 1 / (1 + c_ij + d(j) − d(i)), c_ij = length of the step, d = length of the shortest path on an open map. On a plane
+/// between 1/(1 + 2√2) and 1.
+pub fn detour(distance: &Distance, i: Point, j: Point, step: f64) -> f64 {
+    let extra = step + distance.to_goal(j.x, j.y) - distance.to_goal(i.x, i.y);
     1.0 / (1.0 + extra.max(0.0))
 }
 
@@ -37,9 +38,9 @@ impl Heuristic {
     pub fn of(self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
         let (from, to) = (scenario.grid.point(i), scenario.grid.point(j));
         match self {
-            Self::Detour => detour(&Distance::of(scenario), from, to, d),
+            Self::Detour => detour(&Distance::of(scenario), from, to, scenario.moves.length(i, d)),
             Self::Goal => goal_distance(to, scenario.grid.point(scenario.goal), AT_GOAL),
-            Self::Step => 1.0 / step_length(d),
+            Self::Step => 1.0 / scenario.moves.length(i, d),
         }
     }
 }

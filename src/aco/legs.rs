@@ -11,7 +11,6 @@ use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
 use crate::map::Cell;
-use crate::metrics::path_length;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
@@ -166,7 +165,7 @@ impl<V: Variant + Clone + 'static> Legs<V> {
     fn take_best(&mut self, number: u32) {
         let Some(best) = self.legs.iter().map(Colony::best).collect::<Option<Vec<_>>>() else { return };
         let path = order::join(best.iter().map(|b| &b.path));
-        let length = path_length(self.scenario.grid.width(), &path);
+        let length = self.scenario.path_length(&path);
         if let Some(tour) = &mut self.progress.tour {
             order::walk(&self.scenario, tour, best.iter().map(|b| b.length).collect());
         }

@@ -70,5 +70,7 @@ pub fn open_map_steps(scenario: &Scenario) -> u32 {
     match scenario.spec.movement.moves {
         Moves::Four => dx + dy,
         Moves::Eight => dx.max(dy),
+        // A step takes two cells along one axis, or three along both.
+        Moves::Sixteen => dx.max(dy).div_ceil(2).max((dx + dy).div_ceil(3)),
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use formicarium::formats::{Imported, path_kind, read_path};
-use formicarium::map::{Grid, MoveSet, Movement, Point};
+use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::path::{PathKind, direction_between, in_sight};
 use formicarium::scenario::Scenario;
@@ -219,7 +219,6 @@ fn wrong_ends(map: &Imported, path: &[Point]) -> Vec<String> {
 fn measure(map: &Imported, path: &[Point]) -> Option<Metrics> {
     let cells: Vec<_> = path.iter().map(|&p| map.grid.cell(p)).collect();
     let (&start, &goal) = (cells.first()?, cells.last()?);
-    let moves = MoveSet::new(&map.grid, map.spec.movement);
-    let scenario = Scenario { grid: map.grid.clone(), spec: map.spec.clone(), moves, start, goal, goals: vec![goal] };
+    let scenario = Scenario::unvalidated(map.grid.clone(), map.spec.clone(), start, goal);
     Some(Metrics::of(&scenario, &cells))
 }

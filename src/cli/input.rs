@@ -47,7 +47,11 @@ pub struct MovementArgs {
 }
 
 fn moves() -> impl TypedValueParser<Value = Moves> {
-    PossibleValuesParser::new(["4", "8"]).map(|text| if text == "4" { Moves::Four } else { Moves::Eight })
+    PossibleValuesParser::new(["4", "8", "16"]).map(|text| match text.as_str() {
+        "4" => Moves::Four,
+        "16" => Moves::Sixteen,
+        _ => Moves::Eight,
+    })
 }
 
 impl MovementArgs {

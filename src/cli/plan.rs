@@ -203,7 +203,7 @@ impl Report<'_> {
             Reference::Proven { .. } => format!("the optimum of {value:.4} cells"),
             _ => format!("{value:.4} cells, a good result without a proof"),
         };
-        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), objective_text(self.planner.objective())));
+        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.planner.objective().words()));
     }
 
     /// What refinement has saved, and the bound that no polyline can beat.
@@ -266,16 +266,6 @@ fn from_to(spec: &ScenarioSpec) -> String {
     match spec.goals.as_slice() {
         [goal] => format!("{} → {}", text::cell(spec.start), text::cell(goal.at)),
         goals => format!("{} → {} goals", text::cell(spec.start), goals.len()),
-    }
-}
-
-fn objective_text(objective: Objective) -> &'static str {
-    match objective {
-        Objective::Length => "length by steps",
-        Objective::PolylineLength => "length of a polyline",
-        Objective::TurnIndex => "turn index V",
-        Objective::TourLength => "length by all goals",
-        Objective::TourWeight => "weight R by all goals",
     }
 }
 

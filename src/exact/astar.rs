@@ -1,23 +1,28 @@
 //! Hart, Nilsson, Raphael, "A formal basis for the heuristic determination of minimum cost paths", IEEE Transactions on Systems Science
 //! and Cybernetics 4 (1968) 100–107.
 //!
-//! Estimate: octile distance with 8 moves, Manhattan distance with 4. Both are consistent under every corner rule, because a stricter
-//! rule only removes steps; so the length is exact.
+//! Estimate: Manhattan distance with 4 moves, octile distance with 8, its like with 16. Each is consistent under every corner rule, because a
+//! stricter rule only removes steps; so the length is exact. On a terrain √(d² + z²), z being the difference in height: a step is at least
+//! as long as the straight line between its ends, and √(d² + z²) is a norm because d is one.
 
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
 use super::search::{Estimate, Search};
 use crate::error::ParamError;
-use crate::map::{Cell, Moves, Point};
+use crate::map::{Cell, DIRECTIONS, Moves, Point, Relief, step_length};
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
-/// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves.
+/// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
+/// terrain it is a lower bound.
 pub struct Distance {
     goal: Point,
     saved_by_diagonal: f64,
+    saved_by_far: f64,
+    /// The ground, the map's width, and the height of the goal; all lengths in cells.
+    relief: Option<(Relief, u32, f64)>,
 }
 
 impl Distance {
@@ -28,11 +33,14 @@ impl Distance {
 
     /// To any cell of the scenario's map.
     pub fn to(scenario: &Scenario, goal: Cell) -> Self {
-        let saved_by_diagonal = match scenario.spec.movement.moves {
-            Moves::Four => 0.0,
-            Moves::Eight => 2.0 - SQRT_2,
+        // Between a row and a diagonal, 16 moves replace a straight and a diagonal step by one of √5.
+        let (saved_by_diagonal, saved_by_far) = match scenario.spec.movement.moves {
+            Moves::Four => (0.0, 0.0),
+            Moves::Eight => (2.0 - SQRT_2, 0.0),
+            Moves::Sixteen => (2.0 - SQRT_2, 1.0 + SQRT_2 - step_length(DIRECTIONS as u8)),
         };
-        Self { goal: scenario.grid.point(goal), saved_by_diagonal }
+        let relief = scenario.moves.relief().map(|r| (r.clone(), scenario.grid.width(), r.height(goal)));
+        Self { goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, relief }
     }
 }
 
@@ -40,7 +48,17 @@ impl Estimate for Distance {
     #[inline(always)]
     fn to_goal(&self, x: u32, y: u32) -> f64 {
         let (dx, dy) = (x.abs_diff(self.goal.x), y.abs_diff(self.goal.y));
-        f64::from(dx + dy) - self.saved_by_diagonal * f64::from(dx.min(dy))
+        let mut plane = f64::from(dx + dy) - self.saved_by_diagonal * f64::from(dx.min(dy));
+        if self.saved_by_far > 0.0 {
+            plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
+        }
+        match &self.relief {
+            None => plane,
+            Some((relief, width, height)) => {
+                let z = relief.height(y * width + x) - height;
+                libm::sqrt(plane * plane + z * z)
+            }
+        }
     }
 }
 
@@ -59,6 +77,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::STEPS,
     specs: Vec::new,
     build,
 };

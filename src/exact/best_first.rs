@@ -9,7 +9,6 @@ use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::metrics::path_length;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
@@ -200,7 +199,7 @@ impl<R: Rules> BestFirst<R> {
             return;
         }
         let path: Vec<Cell> = self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect();
-        let length = path_length(self.scenario.grid.width(), &path);
+        let length = self.scenario.path_length(&path);
         // Nothing is shorter than not to move at all.
         self.progress.status = if length == 0.0 { Status::Optimal } else { R::FOUND };
         self.progress.effort.constructed_paths = 1;

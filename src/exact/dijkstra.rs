@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::search::{Estimate, Search};
 use crate::error::ParamError;
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
 /// Knows nothing of the goal.
@@ -35,6 +35,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::STEPS,
     specs: Vec::new,
     build,
 };

@@ -7,6 +7,7 @@ pub mod dijkstra;
 pub mod order;
 pub mod point_robot;
 mod search;
+pub mod slices;
 pub mod theta_star;
 pub mod tour;
 pub mod turn_aware;
@@ -21,7 +22,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::map::Cell;
-use crate::metrics::{Metrics, path_length};
+use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::path::Path;
 use crate::planner::{Entry, Objective};
@@ -69,6 +70,7 @@ pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     }
     let proven = match objective {
         Objective::Length => optimum(scenario),
+        Objective::SliceCost => slices::optimum(scenario),
         Objective::TourLength => best_tour(scenario, false),
         Objective::TourWeight => best_tour(scenario, true),
         Objective::TurnIndex => solved(scenario, &turn_aware::ENTRY).map(|path| Metrics::of(scenario, &path).turn_index),
@@ -77,11 +79,11 @@ pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     proven.map_or(Reference::Unknown, |value| Reference::Proven { value })
 }
 
-/// Length in cells of the shortest path; `None` when there is none.
+/// Length in cells of the shortest path of steps from cell to cell; `None` when there is none.
 pub fn optimum(scenario: &Arc<Scenario>) -> Option<f64> {
     let mut search = search::Search::new(Arc::clone(scenario), astar::Distance::of(scenario));
     crate::planner::Planner::run(&mut search);
-    crate::planner::Planner::best(&search).map(|s| path_length(scenario.grid.width(), &s.path))
+    crate::planner::Planner::best(&search).map(|s| scenario.path_length(&s.path))
 }
 
 /// Σ of the legs of the best tour by all goals, or Σ R; `None` for more goals than can be ordered exactly.
@@ -105,7 +107,7 @@ fn polyline(scenario: &Arc<Scenario>) -> Reference {
     }
     let proven = cells <= any_angle::MOST_CELLS;
     let entry = if proven { &any_angle::ENTRY } else { &theta_star::ENTRY };
-    let value = solved(scenario, entry).map(|path| path_length(scenario.grid.width(), &path));
+    let value = solved(scenario, entry).map(|path| scenario.path_length(&path));
     value.map_or(Reference::Unknown, |value| if proven { Reference::Proven { value } } else { Reference::Unproven { value } })
 }
 

@@ -1,13 +1,12 @@
 //! Best-first search over a bucket queue: Dijkstra and A* are this file with different estimates.
 //!
-//! Buckets are half a cell of f wide and worked off last in, first out, which costs O(1) per cell where a heap costs O(log n). Order
+//! Buckets are half a cell of f wide (on a steep terrain more, so that they stay few) and worked off last in, first out, which costs O(1) per cell where a heap costs O(log n). Order
 //! within a bucket is loose, so a cell can be expanded again when a shorter way to it turns up; the search ends only when no open
 //! cell can beat the goal's cost, which keeps the result exact for any consistent estimate.
 
 use std::sync::Arc;
 
-use crate::map::{Cell, DIRECTIONS, Direction, opposite, step_length};
-use crate::metrics::path_length;
+use crate::map::{Cell, Direction, offset, opposite};
 use crate::path::Path;
 use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
@@ -20,8 +19,8 @@ pub trait Estimate: Send {
 
 /// Costs closer than this are one cost: rounding differs between orders of the same steps.
 const SAME: f64 = 1e-9;
-/// Buckets per cell of f.
-const BUCKETS_PER_CELL: f64 = 2.0;
+/// Buckets per contour, which is a cell of f wide unless steps are far longer.
+const BUCKETS_PER_CONTOUR: f64 = 2.0;
 /// Parent of the start.
 const NO_PARENT: u8 = u8::MAX;
 /// The goal of a search that is to reach every cell.
@@ -49,6 +48,8 @@ pub(super) struct Search<E> {
     bucket: usize,
     /// f below which bucket 0 begins.
     base: f64,
+    /// Cells of f to a contour: 1 but on a terrain with steps of hundreds of cells.
+    contour: f64,
     /// Cost of the best way to the goal so far.
     bound: f64,
     progress: Progress,
@@ -73,6 +74,7 @@ impl<E: Estimate> Search<E> {
             buckets: Vec::new(),
             bucket: 0,
             base: 0.0,
+            contour: 1.0,
             bound: f64::INFINITY,
             progress: Progress::default(),
         }
@@ -91,6 +93,7 @@ impl<E: Estimate> Search<E> {
         self.expanded = vec![false; cells];
         let start = self.start;
         let p = self.scenario.grid.point(start);
+        self.contour = contour(&self.scenario);
         self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
         self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
     }
@@ -108,7 +111,7 @@ impl<E: Estimate> Search<E> {
             return;
         }
         // Rounding may put f a hair below the bucket at work: never file behind it.
-        let bucket = (((f - self.base) * BUCKETS_PER_CELL) as usize).max(self.bucket);
+        let bucket = (((f - self.base) * (BUCKETS_PER_CONTOUR / self.contour)) as usize).max(self.bucket);
         if bucket >= self.buckets.len() {
             self.buckets.resize_with(bucket + 1, Vec::new);
         }
@@ -131,13 +134,13 @@ impl<E: Estimate> Search<E> {
         let g = self.g[cell as usize];
         self.expanded[cell as usize] = true;
         self.progress.effort.cell_expansions += 1;
-        let mut bits = self.scenario.moves.bits[cell as usize];
+        let mut bits = self.scenario.moves.all_bits(cell);
         while bits != 0 {
             let d = bits.trailing_zeros() as Direction;
             bits &= bits - 1;
-            let (dx, dy) = crate::map::OFFSETS[d as usize];
+            let (dx, dy) = offset(d);
             let next = self.scenario.moves.step(cell, d);
-            let next_g = g + STEP[d as usize];
+            let next_g = g + self.scenario.moves.length(cell, d);
             let h = self.estimate.to_goal(x.wrapping_add_signed(dx), y.wrapping_add_signed(dy));
             self.relax(next, next_g, next_g + h, d);
         }
@@ -151,7 +154,7 @@ impl<E: Estimate> Search<E> {
                 return true;
             }
             let more = self.bucket + 1 < self.buckets.len();
-            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CELL == 0.0;
+            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CONTOUR == 0.0;
             if more {
                 // Given back: on a large map the emptied buckets would hold more than all tables together.
                 self.buckets[self.bucket] = Vec::new();
@@ -166,7 +169,7 @@ impl<E: Estimate> Search<E> {
 
     fn close_contour(&mut self, exhausted: bool) {
         self.progress.effort.iterations += 1;
-        let floor = self.base + self.bucket as f64 / BUCKETS_PER_CELL;
+        let floor = self.base + self.bucket as f64 * (self.contour / BUCKETS_PER_CONTOUR);
         if exhausted || floor >= self.bound - SAME {
             self.finish();
         }
@@ -180,7 +183,7 @@ impl<E: Estimate> Search<E> {
             return;
         }
         let path = self.path();
-        let length = path_length(self.scenario.grid.width(), &path);
+        let length = self.scenario.path_length(&path);
         self.progress.effort.constructed_paths = 1;
         self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations, refined: None });
         self.progress.status = Status::Optimal;
@@ -198,16 +201,13 @@ impl<E: Estimate> Search<E> {
     }
 }
 
-/// Step lengths by direction.
-const STEP: [f64; DIRECTIONS] = {
-    let mut step = [0.0; DIRECTIONS];
-    let mut d = 0;
-    while d < DIRECTIONS {
-        step[d] = step_length(d as Direction);
-        d += 1;
-    }
-    step
-};
+/// Width of a contour in cells of f: no step is longer than 16 of them.
+fn contour(scenario: &Scenario) -> f64 {
+    let longest = |c: Cell| scenario.moves.directions(c).map(move |d| scenario.moves.length(c, d));
+    let on_plane = scenario.moves.relief().is_none();
+    let cells = if on_plane { 0 } else { scenario.grid.len() as Cell };
+    (0..cells).flat_map(longest).fold(1.0, |most: f64, length| most.max(libm::ceil(length / 16.0)))
+}
 
 impl<E: Estimate> Planner for Search<E> {
     fn advance(&mut self, by: Granularity) -> Status {

@@ -15,7 +15,7 @@ use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Entry, Family, Layer, Objective, Planner, Status};
+use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
 use crate::scenario::Scenario;
 
 /// The rules of Theta*.
@@ -65,6 +65,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::PLANE,
     specs: Vec::new,
     build,
 };

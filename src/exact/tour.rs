@@ -10,10 +10,9 @@ use super::order::{self, Costs, MAX_ORDERED, Shape, held_karp, nodes};
 use super::search::{EVERYWHERE, Estimate, Search};
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::metrics::path_length;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Effort, Entry, Family, Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Effort, Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 use crate::{choice, params};
 
@@ -104,13 +103,12 @@ impl ExactTour {
     }
 
     fn finish(&mut self) {
-        let width = self.scenario.grid.width();
-        let walked = self.legs.iter().map(|leg| path_length(width, leg)).collect();
+        let walked = self.legs.iter().map(|leg| self.scenario.path_length(leg)).collect();
         if let Some(tour) = &mut self.progress.tour {
             order::walk(&self.scenario, tour, walked);
         }
         let path = order::join(&self.legs);
-        let length = path_length(width, &path);
+        let length = self.scenario.path_length(&path);
         let iteration = self.progress.effort.iterations;
         self.progress.effort.constructed_paths = 1;
         self.progress.best = Some(Solution { path, length, iteration, refined: None });
@@ -188,6 +186,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: MAX_ORDERED as u32,
+    grounds: Ground::STEPS,
     specs: TourParams::specs,
     build,
 };

@@ -14,7 +14,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, step_length};
 use crate::metrics::TURN_WEIGHT;
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Layer, Objective, Planner, Status};
+use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
 use crate::scenario::Scenario;
 
 /// A cell's state at the start, which no step led to.
@@ -92,6 +92,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::PLANE,
     specs: Vec::new,
     build,
 };

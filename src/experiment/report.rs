@@ -97,7 +97,7 @@ fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> O
             continue;
         }
         said.push(yardstick.objective);
-        let name = objective_name(yardstick.objective);
+        let name = yardstick.objective.words();
         let (name, value) = match yardstick.reference {
             Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
             Reference::Unproven { value } => {
@@ -114,19 +114,12 @@ fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> O
     }
 }
 
-fn objective_name(objective: Objective) -> &'static str {
-    match objective {
-        Objective::Length => "length by steps",
-        Objective::PolylineLength => "length of a polyline",
-        Objective::TurnIndex => "turn index V",
-        Objective::TourLength => "length by all goals",
-        Objective::TourWeight => "weight R by all goals",
-    }
-}
-
 fn moves(movement: Movement) -> &'static str {
     match (u8::from(movement.moves), movement.corner_rule) {
         (4, _) => "4 moves",
+        (16, CornerRule::Always) => "16 moves, `always`",
+        (16, CornerRule::OneFree) => "16 moves, `one-free`",
+        (16, CornerRule::BothFree) => "16 moves, `both-free`",
         (_, CornerRule::Always) => "8 moves, `always`",
         (_, CornerRule::OneFree) => "8 moves, `one-free`",
         (_, CornerRule::BothFree) => "8 moves, `both-free`",

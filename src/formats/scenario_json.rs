@@ -1,4 +1,5 @@
-//! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`.
+//! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`,
+//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data.
 //!
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
 
@@ -110,7 +111,7 @@ fn unknown_field(given: &Value, known: &Value, path: &str) -> Option<(String, St
 
 fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
     const EXPECTED: &str = r#"{"rows": ["..@.", …]} with `.` for free and `@` for blocked"#;
-    if let Some(key) = map.as_object().and_then(|m| m.keys().find(|k| *k != "rows")) {
+    if let Some(key) = map.as_object().and_then(|m| m.keys().find(|k| *k != "rows" && *k != "heights")) {
         return Err(field_error(format!("there is no field `map.{}`", quote(key)), EXPECTED));
     }
     check_size(u64::from(spec.width), u64::from(spec.height))?;
@@ -134,13 +135,40 @@ fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
             });
         }
     }
-    Ok(Grid::from_bytes(spec.width, spec.height, &cells)?)
+    let grid = Grid::from_bytes(spec.width, spec.height, &cells)?;
+    match map.get("heights") {
+        Some(heights) => Ok(grid.with_heights(read_heights(heights, spec)?)?),
+        None => Ok(grid),
+    }
+}
+
+fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, FormatError> {
+    const EXPECTED: &str = r#""heights": [[12.5, 13, null, …], …], one number for each cell, `null` for no data"#;
+    let rows = heights.as_array().ok_or_else(|| field_error("`map.heights` is no list", EXPECTED))?;
+    if rows.len() != spec.height as usize {
+        return Err(field_error(format!("`map.heights` has {} rows where `height` is {}", rows.len(), spec.height), EXPECTED));
+    }
+    let mut values = Vec::with_capacity(spec.width as usize * spec.height as usize);
+    for (y, row) in rows.iter().enumerate() {
+        let row = row
+            .as_array()
+            .filter(|row| row.len() == spec.width as usize)
+            .ok_or_else(|| field_error(format!("row {y} of the heights is no list of {} numbers", spec.width), EXPECTED))?;
+        for (x, value) in row.iter().enumerate() {
+            values.push(match value {
+                Value::Null => f32::NAN,
+                Value::Number(n) => n.as_f64().map_or(f32::NAN, |v| v as f32),
+                other => return Err(field_error(format!("{} at ({x}, {y}) is no height", quote(&other.to_string())), EXPECTED)),
+            });
+        }
+    }
+    Ok(values)
 }
 
 /// The scenario as a file: one line for each field and for each row of the map.
 pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     // Taken apart, so that a new field cannot be forgotten.
-    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle } = spec;
+    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle, terrain } = spec;
     let fields = [
         ("format", text(&FORMAT)),
         ("name", text(name)),
@@ -152,9 +180,19 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
         ("goals", text(goals)),
         ("vehicle", text(vehicle)),
     ];
-    let fields: String = fields.iter().map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
+    let terrain = terrain.iter().map(|terrain| ("terrain", text(terrain)));
+    let fields: String = fields.into_iter().chain(terrain).map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
-    format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]}}\n}}\n", rows.join(",\n"))
+    format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))
+}
+
+/// The heights as a field behind the rows, one line for each row of the map; nothing on a plane.
+fn write_heights(grid: &Grid) -> String {
+    let Some(heights) = grid.heights() else { return String::new() };
+    // Shortest digits that give back the same f32; what is not finite becomes null.
+    let row = |row: &[f32]| format!("    {}", text(&row));
+    let rows: Vec<String> = heights.chunks(grid.width() as usize).map(row).collect();
+    format!(", \"heights\": [\n{}\n  ]", rows.join(",\n"))
 }
 
 fn json_value(value: &impl Serialize) -> Value {

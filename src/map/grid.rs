@@ -1,4 +1,6 @@
-//! The occupancy grid: free and blocked cells, row by row from the upper left.
+//! The occupancy grid: free and blocked cells, row by row from the upper left; on a terrain, with a height for each cell.
+
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -40,12 +42,24 @@ impl From<Point> for [u32; 2] {
 }
 
 /// A rectangular map of free and blocked cells.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Grid {
     width: u32,
     height: u32,
     blocked: Vec<bool>,
+    /// One a cell on a terrain, in the unit of the file; NaN where there is no data, and such a cell is blocked.
+    heights: Option<Arc<[f32]>>,
 }
+
+impl PartialEq for Grid {
+    /// Heights by their bits, so that a map with cells that lack data equals itself.
+    fn eq(&self, other: &Self) -> bool {
+        let bits = |grid: &Self| grid.heights.as_ref().map(|h| h.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
+        (self.width, self.height, &self.blocked) == (other.width, other.height, &other.blocked) && bits(self) == bits(other)
+    }
+}
+
+impl Eq for Grid {}
 
 impl Grid {
     /// A map without obstacles.
@@ -54,7 +68,7 @@ impl Grid {
     /// [`ScenarioError::MapSize`] when a side is 0 or above [`MAX_SIDE`].
     pub fn open(width: u32, height: u32) -> Result<Self, ScenarioError> {
         check_size(u64::from(width), u64::from(height))?;
-        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize] })
+        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize], heights: None })
     }
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
@@ -66,7 +80,27 @@ impl Grid {
         if cells.len() != width as usize * height as usize {
             return Err(ScenarioError::CellCount { width, height, got: cells.len() });
         }
-        Ok(Self { width, height, blocked: cells.iter().map(|&c| c != 0).collect() })
+        Ok(Self { width, height, blocked: cells.iter().map(|&c| c != 0).collect(), heights: None })
+    }
+
+    /// The same map as a terrain: one height a cell, row by row, in the unit of the file. Cells whose height is not finite have no data
+    /// and are blocked for good.
+    ///
+    /// # Errors
+    /// [`ScenarioError::CellCount`].
+    pub fn with_heights(mut self, heights: Vec<f32>) -> Result<Self, ScenarioError> {
+        if heights.len() != self.len() {
+            return Err(ScenarioError::CellCount { width: self.width, height: self.height, got: heights.len() });
+        }
+        let heights: Arc<[f32]> = heights.into_iter().map(|h| if h.is_finite() { h } else { f32::NAN }).collect();
+        self.blocked.iter_mut().zip(heights.iter()).for_each(|(blocked, h)| *blocked |= h.is_nan());
+        self.heights = Some(heights);
+        Ok(self)
+    }
+
+    /// The heights of a terrain, one a cell; NaN where there is no data. `None` on a plane.
+    pub fn heights(&self) -> Option<&Arc<[f32]>> {
+        self.heights.as_ref()
     }
 
     /// One byte a cell, row by row: 0 = free, 1 = blocked.
@@ -122,9 +156,10 @@ impl Grid {
             && !self.blocked[y as usize * self.width as usize + x as usize]
     }
 
-    /// Blocks or frees a cell.
+    /// Blocks or frees a cell. A cell of a terrain without data stays blocked.
     pub fn set_blocked(&mut self, cell: Cell, blocked: bool) {
-        self.blocked[cell as usize] = blocked;
+        let no_data = self.heights.as_ref().is_some_and(|h| h[cell as usize].is_nan());
+        self.blocked[cell as usize] = blocked || no_data;
     }
 
     /// Number of free cells.

@@ -3,9 +3,14 @@
 mod generate;
 mod grid;
 mod movement;
+mod relief;
+mod slices;
 
 pub use generate::{Generated, Generator, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
 pub use movement::{
-    CornerRule, DIRECTIONS, Direction, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, opposite, step_length,
+    ALL_DIRECTIONS, CornerRule, DIRECTIONS, Direction, FAR, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, offset,
+    opposite, step_length,
 };
+pub use relief::{Relief, Stretch};
+pub use slices::{MAX_LEVELS, MAX_REACH, Measure, SliceRules, Slices, Way};

@@ -1,4 +1,5 @@
-//! Which steps are allowed on a grid: 4 or 8 moves, and the corner rule for diagonal ones.
+//! Which steps are allowed on a grid, and how long they are: 4, 8 or 16 moves, the corner rule for those that squeeze past obstacles, and on
+//! a terrain the slope.
 //!
 //! None of the papers states its corner rule, yet lengths change by up to 86 % with it; so it belongs to the scenario.
 
@@ -7,29 +8,47 @@ use std::f64::consts::SQRT_2;
 use serde::{Deserialize, Serialize};
 
 use super::grid::{Cell, Grid, Point};
+use super::relief::Relief;
 
-/// A direction index 0..8, in reading order of the neighbours: NW, N, NE, W, E, SW, S, SE. The opposite of `d` is `7 - d`.
+/// A direction index: 0..8 in reading order of the neighbours, NW, N, NE, W, E, SW, S, SE; with 16 moves 8..16 for [`FAR`].
 pub type Direction = u8;
 
-/// Number of directions.
+/// Number of directions to neighbouring cells.
 pub const DIRECTIONS: usize = 8;
+/// Number of directions with 16 moves.
+pub const ALL_DIRECTIONS: usize = 16;
 
 /// (dx, dy) of each direction; y grows downwards.
 pub const OFFSETS: [(i32, i32); DIRECTIONS] = [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)];
 
+/// (dx, dy) of the directions 8..16: one cell along one axis and two along the other, in reading order.
+pub const FAR: [(i32, i32); DIRECTIONS] = [(-1, -2), (1, -2), (-2, -1), (2, -1), (-2, 1), (2, 1), (-1, 2), (1, 2)];
+
+/// (dx, dy) of any direction.
+pub const fn offset(d: Direction) -> (i32, i32) {
+    if (d as usize) < DIRECTIONS { OFFSETS[d as usize] } else { FAR[d as usize - DIRECTIONS] }
+}
+
 /// Whether a direction is diagonal.
 pub const fn is_diagonal(d: Direction) -> bool {
-    0b1010_0101 >> d & 1 == 1
+    0b1010_0101u32 >> d & 1 == 1
 }
 
 /// The direction that leads back.
 pub const fn opposite(d: Direction) -> Direction {
-    7 - d
+    if (d as usize) < DIRECTIONS { 7 - d } else { 23 - d }
 }
 
-/// Length of one step in cells: 1 or √2.
+/// Length of one step on the plane in cells: 1, √2, or √5 where two cells along one axis are taken at once.
 pub const fn step_length(d: Direction) -> f64 {
-    if is_diagonal(d) { SQRT_2 } else { 1.0 }
+    const SQRT_5: f64 = 2.236_067_977_499_79;
+    if d as usize >= DIRECTIONS {
+        SQRT_5
+    } else if is_diagonal(d) {
+        SQRT_2
+    } else {
+        1.0
+    }
 }
 
 /// Octile distance in cells: the length of the shortest path with 8 moves on an open map.
@@ -38,7 +57,7 @@ pub fn octile(a: Point, b: Point) -> f64 {
     (dx - dy).abs() + dx.min(dy) * SQRT_2
 }
 
-/// How many moves a cell offers. Serialized as the number 4 or 8.
+/// How many moves a cell offers. Serialized as the number 4, 8 or 16.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(try_from = "u8", into = "u8")]
 pub enum Moves {
@@ -47,6 +66,8 @@ pub enum Moves {
     /// With the diagonals.
     #[default]
     Eight,
+    /// With the steps of [`FAR`] as well, along which no cell may be blocked.
+    Sixteen,
 }
 
 impl TryFrom<u8> for Moves {
@@ -55,7 +76,8 @@ impl TryFrom<u8> for Moves {
         match n {
             4 => Ok(Self::Four),
             8 => Ok(Self::Eight),
-            _ => Err(format!("moves = {n}: it must be 4 or 8")),
+            16 => Ok(Self::Sixteen),
+            _ => Err(format!("moves = {n}: it must be 4, 8 or 16")),
         }
     }
 }
@@ -65,6 +87,7 @@ impl From<Moves> for u8 {
         match m {
             Moves::Four => 4,
             Moves::Eight => 8,
+            Moves::Sixteen => 16,
         }
     }
 }
@@ -101,8 +124,8 @@ impl CornerRule {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Movement {
-    /// 4 or 8 moves.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "4 | 8"))]
+    /// 4, 8 or 16 moves.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "4 | 8 | 16"))]
     pub moves: Moves,
     /// The rule for diagonal moves; without effect on 4 moves.
     pub corner_rule: CornerRule,
@@ -111,13 +134,17 @@ pub struct Movement {
 impl Movement {
     /// Whether the step from a free cell (x, y) in direction `d` is allowed.
     pub fn allows(self, grid: &Grid, x: i64, y: i64, d: Direction) -> bool {
-        let (dx, dy) = OFFSETS[d as usize];
+        let (dx, dy) = offset(d);
         let (dx, dy) = (i64::from(dx), i64::from(dy));
         if !grid.is_free_at(x + dx, y + dy) {
             return false;
         }
+        if d as usize >= DIRECTIONS {
+            return self.moves == Moves::Sixteen
+                && beside_far(d).iter().all(|&(bx, by)| grid.is_free_at(x + i64::from(bx), y + i64::from(by)));
+        }
         !is_diagonal(d)
-            || (self.moves == Moves::Eight && self.corner_rule.allows(grid.is_free_at(x + dx, y), grid.is_free_at(x, y + dy)))
+            || (self.moves != Moves::Four && self.corner_rule.allows(grid.is_free_at(x + dx, y), grid.is_free_at(x, y + dy)))
     }
 }
 
@@ -137,13 +164,25 @@ impl Movement {
     }
 }
 
+/// The two cells that a step of [`FAR`] passes between its ends, as offsets: the straight line crosses both.
+const fn beside_far(d: Direction) -> [(i32, i32); 2] {
+    let (dx, dy) = offset(d);
+    // The nearer one along the long axis, then the one beside the end.
+    let (long_x, long_y) = (dx / 2, dy / 2);
+    [(long_x, long_y), (dx - long_x, dy - long_y)]
+}
+
 /// The allowed steps of every cell, as bits: the one neighbourhood that all planners share.
 #[derive(Debug, Clone)]
 pub struct MoveSet {
     /// Bit `d` of entry `c`: direction `d` may be taken from cell `c`. Blocked cells have none.
     pub bits: Vec<u8>,
+    /// The same for the directions 8..16; empty unless there are 16 moves.
+    far: Vec<u8>,
     /// What to add to a cell index for each direction.
-    pub delta: [i32; DIRECTIONS],
+    pub delta: [i32; ALL_DIRECTIONS],
+    /// The ground that steps go up and down; none on a plane.
+    relief: Option<Relief>,
 }
 
 impl MoveSet {
@@ -167,8 +206,48 @@ impl MoveSet {
                 }
             }
         }
-        let delta = OFFSETS.map(|(dx, dy)| dy * grid.width() as i32 + dx);
-        Self { bits, delta }
+        let delta = std::array::from_fn(|d| {
+            let (dx, dy) = offset(d as Direction);
+            dy * grid.width() as i32 + dx
+        });
+        let far = if movement.moves == Moves::Sixteen { far_steps(grid, movement) } else { Vec::new() };
+        Self { bits, far, delta, relief: None }
+    }
+
+    /// On a terrain: steps go over its ground, and those that are too steep are not allowed.
+    #[must_use]
+    pub fn over(mut self, relief: Relief) -> Self {
+        for c in 0..self.bits.len() as Cell {
+            for d in self.directions(c) {
+                if !relief.passable(c, self.step(c, d), d) {
+                    let (set, bit) = if d < DIRECTIONS as u8 { (&mut self.bits, d) } else { (&mut self.far, d - 8) };
+                    set[c as usize] &= !(1 << bit);
+                }
+            }
+        }
+        self.relief = Some(relief);
+        self
+    }
+
+    /// The ground of a terrain; none on a plane.
+    #[inline(always)]
+    pub fn relief(&self) -> Option<&Relief> {
+        self.relief.as_ref()
+    }
+
+    /// Length of an allowed step in cells: along the ground of a terrain.
+    #[inline(always)]
+    pub fn length(&self, from: Cell, d: Direction) -> f64 {
+        match &self.relief {
+            None => step_length(d),
+            Some(relief) => relief.step(from, self.step(from, d), d).length,
+        }
+    }
+
+    /// The allowed directions of a cell as bits, all 16.
+    #[inline(always)]
+    pub fn all_bits(&self, c: Cell) -> u16 {
+        u16::from(self.bits[c as usize]) | u16::from(self.far.get(c as usize).copied().unwrap_or(0)) << 8
     }
 
     /// The cell one step away; the step must be allowed.
@@ -188,7 +267,7 @@ impl MoveSet {
     /// The allowed directions of a cell, in index order.
     #[inline]
     pub fn directions(&self, c: Cell) -> impl Iterator<Item = Direction> + use<> {
-        let mut bits = self.bits[c as usize];
+        let mut bits = self.all_bits(c);
         std::iter::from_fn(move || {
             (bits != 0).then(|| {
                 let d = bits.trailing_zeros() as u8;
@@ -220,6 +299,16 @@ impl MoveSet {
     }
 }
 
+/// The allowed steps of [`FAR`] of every cell.
+fn far_steps(grid: &Grid, movement: Movement) -> Vec<u8> {
+    let steps = |c: Cell| {
+        let p = grid.point(c);
+        let allowed = |k: u8| !grid.is_blocked(c) && movement.allows(grid, i64::from(p.x), i64::from(p.y), 8 + k);
+        (0..DIRECTIONS as u8).fold(0, |bits, k| bits | u8::from(allowed(k)) << k)
+    };
+    (0..grid.len() as Cell).map(steps).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -228,15 +317,15 @@ mod tests {
     fn bits_agree_with_the_rule_cell_by_cell() {
         let cells: Vec<u8> = (0..11 * 7u32).map(|i| u8::from(i.wrapping_mul(2_654_435_761) >> 30 == 0)).collect();
         let grid = Grid::from_bytes(11, 7, &cells).unwrap();
-        for moves in [Moves::Four, Moves::Eight] {
+        for moves in [Moves::Four, Moves::Eight, Moves::Sixteen] {
             for corner_rule in CornerRule::ALL {
                 let movement = Movement { moves, corner_rule };
                 let set = MoveSet::new(&grid, movement);
                 for c in 0..grid.len() as Cell {
                     let p = grid.point(c);
-                    for d in 0..DIRECTIONS as u8 {
+                    for d in 0..ALL_DIRECTIONS as u8 {
                         let slow = !grid.is_blocked(c) && movement.allows(&grid, i64::from(p.x), i64::from(p.y), d);
-                        assert_eq!(set.bits[c as usize] >> d & 1 == 1, slow, "{movement:?} {p:?} {d}");
+                        assert_eq!(set.all_bits(c) >> d & 1 == 1, slow, "{movement:?} {p:?} {d}");
                     }
                 }
             }
@@ -245,8 +334,8 @@ mod tests {
 
     #[test]
     fn steps_lead_back() {
-        for d in 0..DIRECTIONS as u8 {
-            let (a, b) = (OFFSETS[d as usize], OFFSETS[opposite(d) as usize]);
+        for d in 0..ALL_DIRECTIONS as u8 {
+            let (a, b) = (offset(d), offset(opposite(d)));
             assert_eq!((a.0 + b.0, a.1 + b.1), (0, 0));
         }
     }

@@ -8,7 +8,6 @@
 
 use crate::aco::heuristic;
 use crate::map::{Cell, Point};
-use crate::metrics::path_length;
 use crate::params;
 use crate::scenario::Scenario;
 
@@ -92,7 +91,7 @@ impl Decoder {
         self.begin(scenario.start);
         while let Some(&here) = self.path.last() {
             if here == scenario.goal {
-                return Some(path_length(scenario.grid.width(), &self.path));
+                return Some(scenario.path_length(&self.path));
             }
             if self.moves >= self.max_moves {
                 return None;

@@ -33,7 +33,7 @@ use crate::aco::Reading;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
@@ -259,6 +259,7 @@ pub const FWA: Entry = Entry {
     presets: &[PRINTED],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: FwaParams::specs,
     build: build_fwa,
 };
@@ -273,6 +274,7 @@ pub const IFWA: Entry = Entry {
     presets: &[PRINTED],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: IfwaParams::specs,
     build: build_ifwa,
 };

@@ -23,6 +23,10 @@ pub struct Imported {
     #[serde(with = "serde_bytes")]
     #[tsify(type = "Uint8Array")]
     pub cells: Vec<u8>,
+    /// On a terrain one height a cell as little-endian f32, NaN for no data; empty on a plane.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub heights: Vec<u8>,
     /// What is worth saying about the file.
     pub warnings: Vec<Notice>,
 }
@@ -66,7 +70,12 @@ pub fn sniff(bytes: &[u8], name: &str) -> Ts<Kind> {
 #[wasm_bindgen]
 pub fn import_map(bytes: &[u8], name: &str) -> Answer<Ts<Imported>> {
     let formats::Imported { kind, grid, spec, notices } = formats::import(bytes, name).map_err(throw)?;
-    Ok(object(&Imported { kind, spec, cells: grid.to_bytes(), warnings: notices }))
+    Ok(object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), warnings: notices }))
+}
+
+/// The heights of a terrain as little-endian f32; empty on a plane.
+fn height_bytes(grid: &Grid) -> Vec<u8> {
+    grid.heights().iter().flat_map(|heights| heights.iter().flat_map(|h| h.to_le_bytes())).collect()
 }
 
 /// Reads the lines of a MovingAI .scen file.
@@ -78,8 +87,8 @@ pub fn import_scen(bytes: &[u8]) -> Answer<Ts<ScenFile>> {
 /// Writes a map or scenario. A .scen line carries the exact optimum of its format's rule (8 moves, no corner cut), computed here; it throws
 /// when there is no path to write down.
 #[wasm_bindgen]
-pub fn export_map(spec: Ts<ScenarioSpec>, cells: &[u8], format: Ts<ExportFormat>) -> Answer<String> {
-    let scenario = scenario(&spec, cells)?;
+pub fn export_map(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>, format: Ts<ExportFormat>) -> Answer<String> {
+    let scenario = scenario(&spec, cells, heights)?;
     let (grid, spec) = (&scenario.grid, &scenario.spec);
     let format = match format.to_rust().map_err(|e| argument("format", &e.to_string()))? {
         ExportFormat::MovingaiMap => Export::MovingaiMap,

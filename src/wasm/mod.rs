@@ -66,10 +66,19 @@ fn argument(field: &str, message: &str) -> JsValue {
     plain(&ErrorReport::new("bad-argument", field, message, "see the types of the package"))
 }
 
+/// The map from what the page holds: one byte a cell, and on a terrain one height.
+fn grid(width: u32, height: u32, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Grid> {
+    let grid = Grid::from_bytes(width, height, cells).map_err(throw)?;
+    match heights {
+        Some(heights) => grid.with_heights(heights).map_err(throw),
+        None => Ok(grid),
+    }
+}
+
 /// A validated scenario from what the page holds.
-fn scenario(spec: &Ts<ScenarioSpec>, cells: &[u8]) -> Answer<Arc<Scenario>> {
+fn scenario(spec: &Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Arc<Scenario>> {
     let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
-    let grid = Grid::from_bytes(spec.width, spec.height, cells).map_err(throw)?;
+    let grid = grid(spec.width, spec.height, cells, heights)?;
     Ok(Arc::new(Scenario::new(grid, spec).map_err(throw)?))
 }
 
@@ -93,16 +102,21 @@ pub fn catalog() -> Ts<crate::catalog::Catalog> {
 
 /// Throws when a scenario cannot be used; otherwise tells what is worth saying, e.g. that the goal cannot be reached.
 #[wasm_bindgen]
-pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &[u8]) -> Answer<Vec<Ts<Notice>>> {
-    Ok(scenario(&spec, cells)?.notices().iter().map(object).collect())
+pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Vec<Ts<Notice>>> {
+    Ok(scenario(&spec, cells, heights)?.notices().iter().map(object).collect())
 }
 
 /// The yardstick of an objective on a scenario: what results are compared with. The core of the engine knows that of `length` alone; to it
 /// the others are `unknown`.
 #[wasm_bindgen]
-pub fn reference(spec: Ts<ScenarioSpec>, cells: &[u8], objective: Ts<Objective>) -> Answer<Ts<Reference>> {
+pub fn reference(
+    spec: Ts<ScenarioSpec>,
+    cells: &[u8],
+    heights: Option<Vec<f32>>,
+    objective: Ts<Objective>,
+) -> Answer<Ts<Reference>> {
     let objective = objective.to_rust().map_err(|e| argument("objective", &e.to_string()))?;
-    Ok(object(&yardstick(&scenario(&spec, cells)?, objective)))
+    Ok(object(&yardstick(&scenario(&spec, cells, heights)?, objective)))
 }
 
 #[cfg(feature = "whole")]

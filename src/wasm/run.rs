@@ -9,8 +9,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvasRenderingContext2d;
 
 use super::paint::{Canvas, Theme};
-use super::{Answer, argument, object, scenario, throw};
-use crate::map::Grid;
+use super::{Answer, argument, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
@@ -68,8 +67,15 @@ pub struct Run {
 impl Run {
     /// Makes a run; nothing is computed before the first `advance`.
     #[wasm_bindgen(constructor)]
-    pub fn new(spec: Ts<ScenarioSpec>, cells: &[u8], planner: &str, params: Ts<ParamInput>, seed: u32) -> Answer<Run> {
-        let scenario = scenario(&spec, cells)?;
+    pub fn new(
+        spec: Ts<ScenarioSpec>,
+        cells: &[u8],
+        heights: Option<Vec<f32>>,
+        planner: &str,
+        params: Ts<ParamInput>,
+        seed: u32,
+    ) -> Answer<Run> {
+        let scenario = scenario(&spec, cells, heights)?;
         let ParamInput(values) = params.to_rust().map_err(|e| argument("params", &e.to_string()))?;
         let layers = crate::catalog::find(planner).map_err(throw)?.layers;
         let planner = crate::catalog::build(&scenario, planner, None, &values, seed).map_err(throw)?;
@@ -140,6 +146,11 @@ impl Run {
         self.planner.best().map_or_else(Vec::new, |b| self.points(b.result().0))
     }
 
+    /// Altitude in metres of each place of the best path: on the ground of a terrain, by slices at its level; empty on a plane.
+    pub fn best_altitudes(&self) -> Vec<f64> {
+        self.planner.best().map_or_else(Vec::new, |b| self.scenario.altitudes(b.result().0))
+    }
+
     /// x, y of every living ant of the current iteration.
     pub fn ants(&self) -> Vec<u32> {
         let mut cells = Vec::new();
@@ -171,16 +182,17 @@ pub fn paint_map(
     width: u32,
     height: u32,
     cells: &[u8],
+    heights: Option<Vec<f32>>,
     #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
 ) -> Answer<()> {
-    let grid = Grid::from_bytes(width, height, cells).map_err(throw)?;
+    let grid = grid(width, height, cells, heights)?;
     Canvas::default().paint_map(context, &grid, Theme::of(theme))
 }
 
 impl Run {
     fn points(&self, cells: &[u32]) -> Vec<u32> {
         let width = self.scenario.grid.width();
-        cells.iter().flat_map(|&c| [c % width, c / width]).collect()
+        self.scenario.cells_of(cells).iter().flat_map(|&c| [c % width, c / width]).collect()
     }
 
     fn metrics(&self) -> Option<Metrics> {

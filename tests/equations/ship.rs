@@ -14,7 +14,7 @@ use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::catalog;
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
-use formicarium::metrics::{obstacle_density, path_length};
+use formicarium::metrics::{length_on_plane, obstacle_density};
 use formicarium::params::Values;
 use formicarium::path::{Refinement, refine};
 use formicarium::planner::{Layer, Objective, Solution};
@@ -266,7 +266,7 @@ fn section_3_3_refinement_keeps_the_farthest_node_in_sight() {
     let kept: Vec<_> = refined.iter().map(|&c| (s.grid.point(c).x, s.grid.point(c).y)).collect();
     assert_eq!(kept, [(0, 0), (1, 2), (3, 2), (5, 0)]);
     // 2 + 3 + 2√2 before, √5 + 2 + 2√2 after
-    let lengths = [&path, &refined].map(|p| path_length(6, p));
+    let lengths = [&path, &refined].map(|p| length_on_plane(6, p));
     assert!(close(lengths[0], 5.0 + 2.0 * SQRT2) && close(lengths[1], 5f64.sqrt() + 2.0 + 2.0 * SQRT2), "{lengths:?}");
     // From each of these nodes all that follow are in sight up to the last: node by node gives the same.
     assert_eq!(refine(&s, &path, Refinement::Next), refined);

@@ -27,7 +27,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -117,6 +117,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: AntColonySystemParams::specs,
     build,
 };

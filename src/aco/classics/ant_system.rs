@@ -26,7 +26,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 
 params! {
@@ -134,6 +134,7 @@ pub const ENTRY: Entry = Entry {
     presets: PRESETS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: AntSystemParams::specs,
     build,
 };

@@ -25,7 +25,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
 params! {
@@ -98,6 +98,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: ElitistAntSystemParams::specs,
     build,
 };

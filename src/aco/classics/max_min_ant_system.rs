@@ -33,7 +33,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner, Solution};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Solution};
 use crate::scenario::Scenario;
 
 params! {
@@ -172,6 +172,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: MaxMinAntSystemParams::specs,
     build,
 };

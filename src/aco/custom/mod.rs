@@ -35,7 +35,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Values, check_keys};
 use crate::path::Refinement;
-use crate::planner::{Entry, Family, Layer, Planner};
+use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 
@@ -189,6 +189,7 @@ pub const ENTRY: Entry = Entry {
     presets: PRESETS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::InitialTrail, Layer::Density],
     max_goals: MAX_GOALS as u32,
+    grounds: Ground::NEIGHBOURS,
     specs,
     build,
 };

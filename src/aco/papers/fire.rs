@@ -42,7 +42,7 @@ use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{choice, params};
@@ -217,6 +217,7 @@ pub const ENTRY: Entry = Entry {
     presets: PRESETS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: MAX_GOALS as u32,
+    grounds: Ground::NEIGHBOURS,
     specs: FireParams::specs,
     build,
 };

@@ -46,7 +46,7 @@ use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::swarm::decode::DecodeRows;
 use crate::swarm::fireworks::{self, AnnealingRows, FireworkRows};
@@ -217,6 +217,7 @@ pub const FWA_ACO: Entry = Entry {
     ],
     layers: LAYERS,
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: FwaAcoParams::specs,
     build: build_fwa_aco,
 };
@@ -231,6 +232,7 @@ pub const PSO_ACO: Entry = Entry {
     presets: &[EVAPORATING],
     layers: LAYERS,
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: PsoAcoParams::specs,
     build: build_pso_aco,
 };

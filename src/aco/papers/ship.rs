@@ -41,11 +41,11 @@ use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
-use crate::map::{Cell, Direction, OFFSETS, Point, step_length};
+use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::{choice, params};
 
@@ -248,11 +248,11 @@ impl Variant for Ship {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        eta(&self.params, self.omega, &sight(self.params.reading, scenario, i, d, j), step_length(d))
+        eta(&self.params, self.omega, &sight(self.params.reading, scenario, i, d, j), scenario.moves.length(i, d))
     }
 
     fn log_heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> (f64, f64) {
-        log_eta(&self.params, &sight(self.params.reading, scenario, i, d, j), step_length(d))
+        log_eta(&self.params, &sight(self.params.reading, scenario, i, d, j), scenario.moves.length(i, d))
     }
 
     fn time(&self) -> f64 {
@@ -324,6 +324,7 @@ pub const ENTRY: Entry = Entry {
     presets: PRESETS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Density],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: ShipParams::specs,
     build,
 };

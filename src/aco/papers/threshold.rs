@@ -49,7 +49,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Layer, Planner, Preset};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -294,6 +294,7 @@ pub const ACOST: Entry = Entry {
     ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: AcostParams::specs,
     build: build_acost,
 };
@@ -308,6 +309,7 @@ pub const ACOMSP: Entry = Entry {
     presets: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
+    grounds: Ground::NEIGHBOURS,
     specs: AcomspParams::specs,
     build: build_acomsp,
 };

@@ -1,0 +1,119 @@
+//! What is wrong with a file.
+
+use thiserror::Error;
+
+use super::{ErrorReport, ScenarioError};
+
+/// A file cannot be read.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FormatError {
+    /// Nothing in the file tells its format.
+    #[error("this is none of the known formats")]
+    Unknown {
+        /// What the file begins with, shortened.
+        begins: String,
+    },
+    /// The bytes are no text that can be read.
+    #[error("this is {found}, not text in UTF-8")]
+    NotText {
+        /// What it seems to be, e.g. "a PNG image".
+        found: String,
+    },
+    /// A known file, but none that holds a map.
+    #[error("this is {found}, not a map")]
+    NotAMap {
+        /// What it is.
+        found: &'static str,
+    },
+    /// The map is a single obstacle.
+    #[error("the map has no free cell")]
+    NoFreeCell,
+    /// A line (counted from 1) breaks the format's grammar.
+    #[error("{}{what}", line_prefix(*.line))]
+    Syntax {
+        /// Line, from 1; 0 when the whole file is meant.
+        line: usize,
+        /// What is wrong.
+        what: String,
+        /// What the format asks for there.
+        expected: String,
+    },
+    /// The file claims or holds more than can be used.
+    #[error("{what} is more than the {max} that can be read")]
+    TooLarge {
+        /// What is too large, with its size.
+        what: String,
+        /// The limit.
+        max: String,
+    },
+    /// A versioned file is newer than this engine, or of another tool.
+    #[error("`format` is `{found}`")]
+    Version {
+        /// What the file says.
+        found: String,
+        /// What is understood.
+        expected: &'static str,
+    },
+    /// The file is well-formed, but its scenario is not usable.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+}
+
+/// "line 12: ", or nothing when the whole file is meant.
+fn line_prefix(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
+}
+
+impl FormatError {
+    /// Shorthand for a broken line.
+    pub fn syntax(line: usize, what: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self::Syntax { line, what: what.into(), expected: expected.into() }
+    }
+
+    /// The flat form.
+    pub fn report(&self) -> ErrorReport {
+        let message = self.to_string();
+        match self {
+            Self::Unknown { begins } => ErrorReport::new(
+                "unknown-format",
+                "file",
+                message,
+                "known are MovingAI .map and .scen, a matrix of 0 and 1, and a scenario as JSON",
+            )
+            .with("begins", begins),
+            Self::NotText { found } => ErrorReport::new(
+                "not-text",
+                "file",
+                message,
+                "save it as plain text in UTF-8: a .map, a .csv or a scenario as .json",
+            )
+            .with("found", found),
+            Self::NotAMap { found } => {
+                ErrorReport::new("not-a-map", "file", message, "open the map that belongs to it").with("found", found)
+            }
+            Self::NoFreeCell => {
+                let hint = "clear at least one cell, or invert the map if it means 1 as free";
+                ErrorReport::new("no-free-cell", "map", message, hint)
+            }
+            Self::Syntax { line, what, expected } => {
+                let field = if *line == 0 { "file".to_string() } else { format!("line {line}") };
+                ErrorReport::new("syntax", field, message, format!("expected {expected}"))
+                    .with("line", line)
+                    .with("what", what)
+                    .with("expected", expected)
+            }
+            Self::TooLarge { what, max } => ErrorReport::new("too-large", "file", message, "crop or resample the map first")
+                .with("what", what)
+                .with("max", max),
+            Self::Version { found, expected } => ErrorReport::new(
+                "version",
+                "format",
+                message,
+                format!("this engine reads `{expected}`; a newer file needs a newer version"),
+            )
+            .with("value", found)
+            .with("expected", expected),
+            Self::Scenario(e) => e.report(),
+        }
+    }
+}

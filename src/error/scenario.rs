@@ -1,0 +1,147 @@
+//! What is wrong with a scenario.
+
+use thiserror::Error;
+
+use super::ErrorReport;
+
+/// A scenario cannot be planned on.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ScenarioError {
+    /// The map has no cells or more than [`crate::map::MAX_SIDE`] a side.
+    #[error("a map of {width} × {height} cells cannot be used")]
+    MapSize {
+        /// Width in cells.
+        width: u64,
+        /// Height in cells.
+        height: u64,
+    },
+    /// The cell list does not have width × height entries.
+    #[error("the map has {got} cells where {width} × {height} = {} are needed", u64::from(*.width) * u64::from(*.height))]
+    CellCount {
+        /// Width in cells.
+        width: u32,
+        /// Height in cells.
+        height: u32,
+        /// Entries found.
+        got: usize,
+    },
+    /// Start or goal lies outside the map.
+    #[error("the {role} ({x}, {y}) lies outside the map of {width} × {height} cells")]
+    OutsideMap {
+        /// `start` or `goal`.
+        role: &'static str,
+        /// Column asked for.
+        x: i64,
+        /// Row asked for.
+        y: i64,
+        /// Width in cells.
+        width: u32,
+        /// Height in cells.
+        height: u32,
+    },
+    /// Start or goal lies on an obstacle.
+    #[error("the {role} ({x}, {y}) lies on a blocked cell")]
+    Blocked {
+        /// `start` or `goal`.
+        role: &'static str,
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+    },
+    /// The scenario has no goal, or more than [`crate::scenario::MAX_GOALS`].
+    #[error("the scenario has {got} goals where 1 to {} are possible", crate::scenario::MAX_GOALS)]
+    GoalCount {
+        /// Goals found.
+        got: usize,
+    },
+    /// Two goals share a cell.
+    #[error("two goals lie on the cell ({x}, {y})")]
+    GoalTwice {
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+    },
+    /// Heights without a terrain, or a terrain without heights.
+    #[error("{}", if *.missing { "the scenario is a terrain, but the map has no heights" } else { "the map has heights, but the scenario is no terrain" })]
+    Heights {
+        /// Whether the heights are what is missing.
+        missing: bool,
+    },
+    /// By slices: start or goal lies in the ground.
+    #[error("the {role} at level {level} lies below the ground there")]
+    BelowGround {
+        /// `start` or `goal`.
+        role: &'static str,
+        /// Level asked for.
+        level: u32,
+        /// The lowest level that is not below the ground there.
+        lowest: u32,
+    },
+    /// A physical quantity is not a positive, finite number (or not in its set).
+    #[error("{field} = {value} cannot be used: it must be {allowed}")]
+    Quantity {
+        /// The field.
+        field: &'static str,
+        /// The refused value.
+        value: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+}
+
+impl ScenarioError {
+    /// The flat form.
+    pub fn report(&self) -> ErrorReport {
+        let message = self.to_string();
+        match self {
+            Self::MapSize { width, height } => {
+                ErrorReport::new("map-size", "map", message, format!("use 1 to {} cells a side", crate::map::MAX_SIDE))
+                    .with("width", width)
+                    .with("height", height)
+                    .with("max", crate::map::MAX_SIDE)
+            }
+            Self::CellCount { got, .. } => {
+                ErrorReport::new("cell-count", "cells", message, "give one cell for each place of the map").with("value", got)
+            }
+            Self::OutsideMap { role, x, y, width, height } => ErrorReport::new(
+                "outside-map",
+                *role,
+                message,
+                format!("columns run from 0 to {}, rows from 0 to {}", width - 1, height - 1),
+            )
+            .with("x", x)
+            .with("y", y),
+            Self::Blocked { role, x, y } => {
+                ErrorReport::new(&format!("{role}-blocked"), *role, message, "move it to a free cell or clear the wall under it")
+                    .with("x", x)
+                    .with("y", y)
+            }
+            Self::GoalCount { got } => {
+                let hint = format!("use 1 to {} goals", crate::scenario::MAX_GOALS);
+                ErrorReport::new("goal-count", "goals", message, hint).with("value", got).with("max", crate::scenario::MAX_GOALS)
+            }
+            Self::GoalTwice { x, y } => {
+                ErrorReport::new("goal-twice", "goals", message, "move one of them, or remove it").with("x", x).with("y", y)
+            }
+            Self::Heights { missing } => {
+                let (kind, hint) = if *missing {
+                    ("heights-missing", "open the terrain again, or plan on the plane")
+                } else {
+                    ("terrain-missing", "say how one moves: give the scenario a `terrain`")
+                };
+                ErrorReport::new(kind, "terrain", message, hint)
+            }
+            Self::BelowGround { role, level, lowest } => {
+                let hint = format!("the lowest level there is {lowest}");
+                ErrorReport::new(&format!("{role}-below-ground"), *role, message, hint)
+                    .with("level", level)
+                    .with("lowest", lowest)
+            }
+            Self::Quantity { field, value, allowed } => {
+                ErrorReport::new("quantity", *field, message, format!("give {allowed}")).with("value", value)
+            }
+        }
+    }
+}
