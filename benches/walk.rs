@@ -1,4 +1,5 @@
-//! Ant System's walk: time per ant move beside the naive kernel (pow per neighbour), and whole iterations on larger maps.
+//! Ant System's walk: time per ant move beside the naive kernel (pow per neighbour), and whole iterations on larger maps; and A* on a real
+//! surface.
 //!
 //! `cargo xtask bench` (all) or `cargo bench --bench walk`. Read ratios within one run; times drift with the machine.
 
@@ -9,10 +10,10 @@ use std::time::{Duration, Instant};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::catalog::CATALOG;
-use formicarium::map::{Generator, Movement, generate};
+use formicarium::map::{Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::Values;
 use formicarium::planner::{Family, Granularity, Planner};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Scenario, ScenarioSpec};
 
 #[path = "reference/mod.rs"]
 mod reference;
@@ -130,5 +131,37 @@ fn colonies(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, moves, sizes, colonies, arena2);
+/// An ESRI ASCII grid: six lines of names and numbers, then heights.
+fn tile(text: &str) -> Grid {
+    let number = |line: usize| text.lines().nth(line).and_then(|l| l.split_whitespace().nth(1)).expect("a header");
+    let side = |line| number(line).parse().expect("a whole number");
+    let heights = text.lines().skip(6).flat_map(str::split_whitespace).map(|h| h.parse().expect("a height")).collect();
+    Grid::open(side(0), side(1)).and_then(|grid| grid.with_heights(heights)).expect("a grid")
+}
+
+/// A* from corner to corner of a real tile of 144 × 144 heights, and to the middle of its right edge.
+fn surface(c: &mut Criterion) {
+    let Ok(data) = std::env::var("FORMICARIUM_DATA") else {
+        eprintln!("the tile is skipped: FORMICARIUM_DATA is not set");
+        return;
+    };
+    let grid = tile(&std::fs::read_to_string(format!("{data}/dem/srtmgl3_144x144.asc")).expect("the data folder"));
+    let mut group = c.benchmark_group("A* on a surface, srtmgl3_144x144");
+    for moves in [Moves::Eight, Moves::Sixteen] {
+        for goal in [Point::new(143, 143), Point::new(143, 71)] {
+            let movement = Movement { moves, ..Movement::default() };
+            let spec = ScenarioSpec { movement, resolution: 92.6, ..ScenarioSpec::new(&grid, Point::new(0, 0), goal) };
+            let scenario = Arc::new(Scenario::new(grid.clone(), spec).expect("usable"));
+            group.bench_function(format!("{moves:?} moves to ({}, {})", goal.x, goal.y), |b| {
+                b.iter(|| {
+                    let mut search = formicarium::catalog::build(&scenario, "astar", None, &Values::new(), 1).expect("usable");
+                    black_box(search.run())
+                });
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, moves, sizes, colonies, arena2, surface);
 criterion_main!(benches);

@@ -109,7 +109,8 @@ impl Metrics {
         let cells = scenario.cells_of(path);
         let (turns, turning) = turning(scenario, path, &cells);
         let (min_clearance, mean_clearance) = clearance(&scenario.grid, &cells);
-        let metres = if scenario.slices.is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
+        let metres =
+            if scenario.by_slices().is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
         let vehicle = scenario.spec.vehicle;
         Self {
             length,
@@ -129,7 +130,7 @@ impl Metrics {
 fn turning(scenario: &Scenario, path: &[Cell], cells: &[Cell]) -> (u32, f64) {
     let (width, area) = (scenario.grid.width(), scenario.grid.len() as Cell);
     let climbs = |a: usize, b: usize| (path[b] / area) as i32 - (path[a] / area) as i32;
-    let on_plane = scenario.slices.is_none() && scenario.moves.relief().is_none();
+    let on_plane = scenario.by_slices().is_none() && scenario.moves.relief().is_none();
     let (mut turns, mut tally, mut sum) = (0u32, Tally::default(), 0.0);
     for k in 2..path.len() {
         let (before, after) = (offset(width, cells[k - 2], cells[k - 1]), offset(width, cells[k - 1], cells[k]));
@@ -167,7 +168,7 @@ fn stretches<'a>(scenario: &'a Scenario, path: &'a [Cell]) -> impl Iterator<Item
 fn terrain(scenario: &Scenario, path: &[Cell]) -> Option<TerrainMetrics> {
     let relief = scenario.moves.relief()?;
     let (mut climb, mut descent, mut steepness) = (0.0, 0.0, 0.0f64);
-    if scenario.slices.is_some() {
+    if scenario.by_slices().is_some() {
         for (run, rise) in stretches(scenario, path) {
             climb += rise.max(0.0);
             descent += (-rise).max(0.0);
@@ -185,7 +186,7 @@ fn terrain(scenario: &Scenario, path: &[Cell]) -> Option<TerrainMetrics> {
         let levels: f64 = path.iter().skip(1).map(|&p| f64::from(slices.at(p).2)).sum();
         scenario.path_length(path) + levels
     };
-    Some(TerrainMetrics { climb, descent, steepest, level_cost: scenario.slices.as_deref().map(level_cost) })
+    Some(TerrainMetrics { climb, descent, steepest, level_cost: scenario.by_slices().map(level_cost) })
 }
 
 /// Share of blocked cells among the eight around a cell, 0 to 1; beyond the border is blocked.

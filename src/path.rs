@@ -233,13 +233,13 @@ choice! {
 }
 
 /// What refinement makes of a path of steps: from the start on, nodes in sight are dropped and the one that [`Refinement`] names is kept.
-/// The polyline is never longer than the path.
+/// The polyline is never longer than the path: on a terrain, where the straight way may lead over a hill, nodes in sight stay if it would be.
 pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
     let at = |k: usize| scenario.grid.point(path[k]);
     let mut refined: Path = path.first().copied().into_iter().collect();
     let mut here = 0;
     while here + 1 < path.len() {
-        let sees = |&k: &usize| line_of_sight(scenario, at(here), at(k));
+        let sees = |&k: &usize| line_of_sight(scenario, at(here), at(k)) && no_detour(scenario, &path[here..=k]);
         // Neighbours on a path always see each other.
         let later = here + 2..path.len();
         let follower = match how {
@@ -251,6 +251,12 @@ pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
         refined.push(path[here]);
     }
     refined
+}
+
+/// Whether the straight way between the ends of a path is no longer than the path: always on a plane.
+fn no_detour(scenario: &Scenario, path: &[Cell]) -> bool {
+    let (Some(relief), [first, .., last]) = (scenario.moves.relief(), path) else { return true };
+    relief.segment(*first, *last).length <= scenario.path_length(path)
 }
 
 /// The direction of the step between two neighbouring cells.

@@ -230,8 +230,9 @@ impl Default for Progress {
 impl Progress {
     /// Answers what needs no search for a path to one goal: a start that is the goal, and a goal that nobody can reach.
     pub fn settle(&mut self, scenario: &Scenario) {
-        if scenario.start == scenario.goal && scenario.slices.is_none() {
-            self.best = Some(Solution { path: vec![scenario.start], length: 0.0, iteration: 0, refined: None });
+        let (start, goal) = scenario.by_slices().map_or((scenario.start, scenario.goal), |s| (s.start(), s.goal()));
+        if start == goal {
+            self.best = Some(Solution { path: vec![start], length: 0.0, iteration: 0, refined: None });
             self.status = Status::Optimal;
         } else if !scenario.connected() {
             self.status = Status::NoPath;
@@ -385,7 +386,7 @@ impl Ground {
 
     /// How one moves in a scenario.
     pub fn of(scenario: &Scenario) -> Self {
-        match (&scenario.slices, scenario.spec.movement.moves, scenario.moves.relief()) {
+        match (scenario.by_slices(), scenario.spec.movement.moves, scenario.moves.relief()) {
             (Some(_), ..) => Self::Slices,
             (None, Moves::Sixteen, _) => Self::Sixteen,
             (None, _, Some(_)) => Self::Surface,

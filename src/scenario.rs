@@ -56,10 +56,8 @@ impl Default for Vehicle {
     }
 }
 
-/// How one moves on a terrain. Serialized as `{"kind": "surface", …}` or `{"kind": "slices", …}`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+/// How one moves on a terrain.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TerrainMoves {
     /// From cell to cell on the ground, by the scenario's movement.
     Surface {
@@ -70,9 +68,9 @@ pub enum TerrainMoves {
     Slices(SliceRules),
 }
 
-/// What makes a map with heights a terrain.
+/// What makes a map with heights a terrain. Serialized as [`TerrainFields`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(from = "TerrainFields", into = "TerrainFields")]
 pub struct TerrainSpec {
     /// Metres per unit of the heights, above 0.
     pub vertical_unit: f64,
@@ -84,6 +82,36 @@ impl Default for TerrainSpec {
     /// Heights in metres, on the surface, without a limit of slope.
     fn default() -> Self {
         Self { vertical_unit: 1.0, moves: TerrainMoves::Surface { max_slope: 90.0 } }
+    }
+}
+
+/// A [`TerrainSpec`] as files and the page hold it: one moves by slices where `slices` is given, on the surface otherwise.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct TerrainFields {
+    /// Metres per unit of the heights, above 0.
+    pub vertical_unit: f64,
+    /// On the surface: steepest ground in degrees, above 0; 90 = no limit, and what is meant where it is absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_slope: Option<f64>,
+    /// By slices: the rules.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slices: Option<SliceRules>,
+}
+
+impl From<TerrainFields> for TerrainSpec {
+    fn from(TerrainFields { vertical_unit, max_slope, slices }: TerrainFields) -> Self {
+        let surface = TerrainMoves::Surface { max_slope: max_slope.unwrap_or(90.0) };
+        Self { vertical_unit, moves: slices.map_or(surface, TerrainMoves::Slices) }
+    }
+}
+
+impl From<TerrainSpec> for TerrainFields {
+    fn from(TerrainSpec { vertical_unit, moves }: TerrainSpec) -> Self {
+        match moves {
+            TerrainMoves::Surface { max_slope } => Self { vertical_unit, max_slope: Some(max_slope), slices: None },
+            TerrainMoves::Slices(rules) => Self { vertical_unit, max_slope: None, slices: Some(rules) },
+        }
     }
 }
 
@@ -108,8 +136,10 @@ pub struct ScenarioSpec {
     pub goals: Vec<Goal>,
     /// For the arrival time.
     pub vehicle: Vehicle,
-    /// On a map with heights; none on a plane.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// On a map with heights; none on a plane. The opening build knows no terrains and is spared reading them.
+    #[cfg_attr(feature = "whole", serde(default, skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(not(feature = "whole"), serde(skip))]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "TerrainFields", optional))]
     pub terrain: Option<TerrainSpec>,
 }
 
@@ -134,8 +164,8 @@ impl ScenarioSpec {
     fn steps(&self, grid: &Grid) -> MoveSet {
         let moves = MoveSet::new(grid, self.movement);
         match self.relief(grid) {
-            Some(relief) => moves.over(relief),
-            None => moves,
+            Some(relief) if cfg!(feature = "whole") => moves.over(relief),
+            _ => moves,
         }
     }
 
@@ -143,7 +173,7 @@ impl ScenarioSpec {
     fn relief(&self, grid: &Grid) -> Option<Relief> {
         let terrain = self.terrain?;
         let steepest = match terrain.moves {
-            TerrainMoves::Surface { max_slope } if max_slope < 90.0 => libm::tan(max_slope.to_radians()),
+            TerrainMoves::Surface { max_slope } if max_slope < 90.0 => rise_over_run(max_slope),
             _ => f64::INFINITY,
         };
         Some(Relief::new(Arc::clone(grid.heights()?), self.width, terrain.vertical_unit / self.resolution, steepest))
@@ -185,7 +215,7 @@ impl Scenario {
         check_terrain(&grid, &spec)?;
         let start = free_cell(&grid, "start", spec.start)?;
         let goals = goal_cells(&grid, &spec.goals)?;
-        let slices = slices(&grid, &spec, start, &goals)?.map(Arc::new);
+        let slices = if cfg!(feature = "whole") { slices(&grid, &spec, start, &goals)?.map(Arc::new) } else { None };
         let moves = spec.steps(&grid);
         Ok(Self { grid, spec, moves, slices, start, goal: goals[0], goals })
     }
@@ -205,11 +235,17 @@ impl Scenario {
         Self { grid: self.grid.clone(), spec, moves: self.moves.clone(), slices, start, goal, goals: vec![goal] }
     }
 
+    /// The places and steps of movement by slices, if that is how one moves; never in the opening build, which is spared their code.
+    #[inline(always)]
+    pub fn by_slices(&self) -> Option<&Slices> {
+        if cfg!(feature = "whole") { self.slices.as_deref() } else { None }
+    }
+
     /// Length in cells of a path of allowed steps or of segments in line of sight; along the ground of a terrain. By slices
     /// Σ √(1 + Δy² + Δh²), cells and levels counting 1 each.
     pub fn path_length(&self, path: &[Cell]) -> f64 {
         let sum = |length: &dyn Fn(Cell, Cell) -> f64| path.windows(2).map(|s| length(s[0], s[1])).sum();
-        match (&self.slices, self.moves.relief()) {
+        match (self.by_slices(), self.moves.relief()) {
             (Some(slices), _) => sum(&|a, b| slices.length(a, b)),
             (None, Some(relief)) => sum(&|a, b| relief.segment(a, b).length),
             (None, None) => metrics::length_on_plane(self.grid.width(), path),
@@ -226,7 +262,7 @@ impl Scenario {
     pub fn altitudes(&self, path: &[Cell]) -> Vec<f64> {
         let Some(heights) = self.grid.heights() else { return Vec::new() };
         let unit = self.spec.terrain.map_or(1.0, |t| t.vertical_unit);
-        match &self.slices {
+        match self.by_slices() {
             Some(slices) => path.iter().map(|&p| f64::from(slices.at(p).2) * slices.rules().level).collect(),
             None => path.iter().map(|&c| f64::from(heights[c as usize]) * unit).collect(),
         }
@@ -254,12 +290,12 @@ impl Scenario {
 
     /// Whether the first goal can be reached from the start.
     pub fn connected(&self) -> bool {
-        self.slices.as_ref().map_or_else(|| self.moves.connected(self.start, self.goal), |slices| slices.reachable())
+        self.by_slices().map_or_else(|| self.moves.connected(self.start, self.goal), |slices| slices.reachable())
     }
 
     /// Whether every goal can be reached from the start.
     pub fn reachable(&self) -> bool {
-        if let Some(slices) = &self.slices {
+        if let Some(slices) = self.by_slices() {
             return slices.reachable();
         }
         let reached = self.moves.reached_from(self.start);
@@ -267,10 +303,23 @@ impl Scenario {
     }
 }
 
+/// The largest rise over run whose angle is not above this one, in degrees: what metrics call that steep is that steep.
+fn rise_over_run(degrees: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 1e6);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if libm::atan(middle).to_degrees() <= degrees { low = middle } else { high = middle }
+    }
+    low
+}
+
 /// Whether heights and terrain come together, and what the terrain says can be used.
 fn check_terrain(grid: &Grid, spec: &ScenarioSpec) -> Result<(), ScenarioError> {
     /// More cells up than any map has sideways: the unit must be wrong.
     const MOST: f64 = 1e6;
+    if !cfg!(feature = "whole") {
+        return Ok(());
+    }
     let (terrain, heights) = match (&spec.terrain, grid.heights()) {
         (Some(terrain), Some(heights)) => (terrain, heights),
         (None, None) => return Ok(()),

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::{ErrorReport, ScenarioError};
+use crate::map::Window;
 
 /// A file cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -24,6 +25,35 @@ pub enum FormatError {
     NotAMap {
         /// What it is.
         found: &'static str,
+    },
+    /// A known file, but none that holds heights.
+    #[error("this is {found}, not a raster of heights")]
+    NotATerrain {
+        /// What it is.
+        found: &'static str,
+    },
+    /// A raster without a single height.
+    #[error("the terrain has no height anywhere")]
+    NoHeights,
+    /// A part of a binary file that has no lines, or of a text's header, cannot be used.
+    #[error("{field}: {what}")]
+    Field {
+        /// The tag, key or part.
+        field: &'static str,
+        /// What is wrong.
+        what: String,
+        /// What the format asks for there.
+        expected: String,
+    },
+    /// A window that does not lie on the map.
+    #[error("the window of {} × {} cells at ({}, {}) does not lie within {width} × {height} cells", .window.width, .window.height, .window.x, .window.y)]
+    Window {
+        /// The window asked for.
+        window: Window,
+        /// Columns there are.
+        width: u32,
+        /// Rows there are.
+        height: u32,
     },
     /// The map is a single obstacle.
     #[error("the map has no free cell")]
@@ -70,6 +100,11 @@ impl FormatError {
         Self::Syntax { line, what: what.into(), expected: expected.into() }
     }
 
+    /// Shorthand for a broken field.
+    pub fn field(field: &'static str, what: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self::Field { field, what: what.into(), expected: expected.into() }
+    }
+
     /// The flat form.
     pub fn report(&self) -> ErrorReport {
         let message = self.to_string();
@@ -78,7 +113,7 @@ impl FormatError {
                 "unknown-format",
                 "file",
                 message,
-                "known are MovingAI .map and .scen, a matrix of 0 and 1, and a scenario as JSON",
+                "known are MovingAI .map and .scen, a matrix of 0 and 1, rasters of heights (ESRI ASCII, CSV, GeoTIFF, SRTM), and a scenario as JSON",
             )
             .with("begins", begins),
             Self::NotText { found } => ErrorReport::new(
@@ -90,6 +125,24 @@ impl FormatError {
             .with("found", found),
             Self::NotAMap { found } => {
                 ErrorReport::new("not-a-map", "file", message, "open the map that belongs to it").with("found", found)
+            }
+            Self::NotATerrain { found } => {
+                ErrorReport::new("not-a-terrain", "file", message, "open it as a map").with("found", found)
+            }
+            Self::NoHeights => {
+                let hint = "every cell holds the file's no-data value, or the window lies where there is no data";
+                ErrorReport::new("no-heights", "heights", message, hint)
+            }
+            Self::Field { field, what, expected } => {
+                ErrorReport::new("bad-field", *field, message, format!("expected {expected}"))
+                    .with("what", what)
+                    .with("expected", expected)
+            }
+            Self::Window { window, width, height } => {
+                let hint = format!("columns run from 0 to {}, rows from 0 to {}", width - 1, height - 1);
+                let Window { x, y, .. } = window;
+                let report = ErrorReport::new("window", "crop", message, hint).with("width", width).with("height", height);
+                report.with("x", x).with("y", y).with("columns", window.width).with("rows", window.height)
             }
             Self::NoFreeCell => {
                 let hint = "clear at least one cell, or invert the map if it means 1 as free";

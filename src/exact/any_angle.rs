@@ -5,6 +5,10 @@
 //! obstacle (`tests/exact.rs` has such a map). The Euclidean distance to the goal is a consistent estimate, so the length is exact. Sight
 //! is tried last, only where it would shorten a way: after a few expansions that is hardly anywhere.
 //!
+//! On a terrain segments follow the ground, which is no shorter than the straight line through the air: that one is the estimate, and what
+//! tells whether a segment is worth following. Bends lie on cells that can be reached by steps, as those of every refined path do; with a
+//! limit of slope an oblique segment may be passable where no step is.
+//!
 //! Pairs of cells grow with the square of the map, hence the limit of [`MOST_CELLS`]; `theta-star` has none.
 
 use std::sync::Arc;
@@ -50,19 +54,32 @@ impl Rules for AnyAngle {
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
-        euclidean(scenario, cell, scenario.goal)
+        through_the_air(scenario, cell, scenario.goal, euclidean(scenario, cell, scenario.goal))
     }
 
     fn expand(&mut self, scenario: &Scenario, cell: State, tree: &mut Tree) {
         let (g, at, width) = (tree.g(cell), scenario.grid.point(cell), scenario.grid.width());
         for next in &self.candidates {
             let offset = next.at.y.abs_diff(at.y) * width + next.at.x.abs_diff(at.x);
-            let next_g = g + self.distances[offset as usize];
+            let on_map = self.distances[offset as usize];
+            let straight = g + through_the_air(scenario, cell, next.cell, on_map);
+            if !tree.improves(next.cell, straight, next.to_goal) {
+                continue;
+            }
+            let next_g = scenario.moves.relief().map_or(straight, |relief| g + relief.segment(cell, next.cell).length);
             if tree.improves(next.cell, next_g, next.to_goal) && line_of_sight(scenario, at, next.at) {
                 tree.relax(next.cell, next_g, next.to_goal, cell, next.cell == scenario.goal);
             }
         }
     }
+}
+
+/// Length in cells of the straight line between two cells' centres that are so far apart on the map: on a terrain with their heights.
+fn through_the_air(scenario: &Scenario, a: Cell, b: Cell, on_map: f64) -> f64 {
+    scenario.moves.relief().map_or(on_map, |relief| {
+        let z = relief.height(a) - relief.height(b);
+        libm::sqrt(on_map * on_map + z * z)
+    })
 }
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
@@ -85,7 +102,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
-    grounds: Ground::PLANE,
+    grounds: Ground::STEPS,
     specs: Vec::new,
     build,
 };

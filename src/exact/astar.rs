@@ -52,7 +52,7 @@ impl Estimate for Distance {
         if self.saved_by_far > 0.0 {
             plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
         }
-        match &self.relief {
+        match self.relief.as_ref().filter(|_| cfg!(feature = "whole")) {
             None => plane,
             Some((relief, width, height)) => {
                 let z = relief.height(y * width + x) - height;

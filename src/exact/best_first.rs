@@ -41,10 +41,13 @@ pub(super) trait Rules: Send {
     fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree);
 }
 
-struct Open {
-    state: State,
-    g: f64,
-    f: f64,
+/// A state that waits to be expanded.
+pub(super) struct Open {
+    pub(super) state: State,
+    /// Cost from the start.
+    pub(super) g: f64,
+    /// That and the estimate.
+    pub(super) f: f64,
 }
 
 impl Ord for Open {

@@ -25,7 +25,7 @@ use crate::map::Cell;
 use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::path::Path;
-use crate::planner::{Entry, Objective};
+use crate::planner::{Entry, Ground, Objective};
 use crate::scenario::Scenario;
 
 /// The yardstick of an objective on a scenario: the value of the best result there is, in cells.
@@ -68,6 +68,9 @@ pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     if !cfg!(feature = "whole") && objective != Objective::Length {
         return Reference::Unknown;
     }
+    if (objective == Objective::SliceCost) != scenario.by_slices().is_some() {
+        return Reference::Unknown;
+    }
     let proven = match objective {
         Objective::Length => optimum(scenario),
         Objective::SliceCost => slices::optimum(scenario),
@@ -99,20 +102,28 @@ fn best_tour(scenario: &Arc<Scenario>, weighted: bool) -> Option<f64> {
 /// Largest map in cells for which Theta* is run just to compare with it: half a second.
 const MOST_CELLS_TO_COMPARE: usize = 1 << 20;
 
-/// The shortest polyline where it can be proven, a good one where the map is larger.
+/// The shortest polyline where it can be proven, a good one where the map is larger: on a terrain, whose ground Theta* does not know, the
+/// shortest path of steps.
 fn polyline(scenario: &Arc<Scenario>) -> Reference {
     let cells = scenario.grid.len();
     if cells > MOST_CELLS_TO_COMPARE {
         return Reference::Unknown;
     }
     let proven = cells <= any_angle::MOST_CELLS;
-    let entry = if proven { &any_angle::ENTRY } else { &theta_star::ENTRY };
+    let entry = match (proven, scenario.moves.relief()) {
+        (true, _) => &any_angle::ENTRY,
+        (false, None) => &theta_star::ENTRY,
+        (false, Some(_)) => &astar::ENTRY,
+    };
     let value = solved(scenario, entry).map(|path| scenario.path_length(&path));
     value.map_or(Reference::Unknown, |value| if proven { Reference::Proven { value } } else { Reference::Unproven { value } })
 }
 
-/// The path of a search without parameters; none where it refuses the map.
+/// The path of a search without parameters; none where it refuses the map or does not know how one moves there.
 fn solved(scenario: &Arc<Scenario>, entry: &Entry) -> Option<Path> {
+    if !entry.grounds.contains(&Ground::of(scenario)) {
+        return None;
+    }
     let mut planner = (entry.build)(scenario, &Values::new(), 0).ok()?;
     planner.run();
     planner.best().map(|best| best.path.clone())

@@ -1,11 +1,16 @@
 //! Best-first search over a bucket queue: Dijkstra and A* are this file with different estimates.
 //!
-//! Buckets are half a cell of f wide (on a steep terrain more, so that they stay few) and worked off last in, first out, which costs O(1) per cell where a heap costs O(log n). Order
-//! within a bucket is loose, so a cell can be expanded again when a shorter way to it turns up; the search ends only when no open
-//! cell can beat the goal's cost, which keeps the result exact for any consistent estimate.
+//! Buckets are half a cell of f wide (on a steep terrain more, so that they stay few) and worked off last in, first out, which costs O(1)
+//! per cell where a heap costs O(log n). Order within a bucket is loose, so a cell can be expanded again when a shorter way to it turns up;
+//! the search ends only when no open cell can beat the goal's cost, which keeps the result exact for any consistent estimate.
+//!
+//! On a terrain hardly two ways are equally long, and loose order would expand cells dozens of times over: there the bucket at work is a
+//! heap, and each cell is expanded once.
 
+use std::collections::BinaryHeap;
 use std::sync::Arc;
 
+use super::best_first::Open;
 use crate::map::{Cell, Direction, offset, opposite};
 use crate::path::Path;
 use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
@@ -26,12 +31,6 @@ const NO_PARENT: u8 = u8::MAX;
 /// The goal of a search that is to reach every cell.
 pub(super) const EVERYWHERE: Cell = Cell::MAX;
 
-struct Open {
-    cell: Cell,
-    g: f64,
-    f: f64,
-}
-
 /// A search at work.
 pub(super) struct Search<E> {
     scenario: Arc<Scenario>,
@@ -46,6 +45,8 @@ pub(super) struct Search<E> {
     buckets: Vec<Vec<Open>>,
     /// The bucket worked on.
     bucket: usize,
+    /// On a terrain what that bucket holds, the least f first.
+    sorted: Option<BinaryHeap<Open>>,
     /// f below which bucket 0 begins.
     base: f64,
     /// Cells of f to a contour: 1 but on a terrain with steps of hundreds of cells.
@@ -73,6 +74,7 @@ impl<E: Estimate> Search<E> {
             expanded: Vec::new(),
             buckets: Vec::new(),
             bucket: 0,
+            sorted: None,
             base: 0.0,
             contour: 1.0,
             bound: f64::INFINITY,
@@ -94,8 +96,15 @@ impl<E: Estimate> Search<E> {
         let start = self.start;
         let p = self.scenario.grid.point(start);
         self.contour = contour(&self.scenario);
+        self.sorted = self.scenario.moves.relief().map(|_| BinaryHeap::new());
         self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
         self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
+    }
+
+    /// The bucket at work as a heap; the opening build knows no terrains and is spared its code.
+    #[inline(always)]
+    fn sorted(&mut self) -> Option<&mut BinaryHeap<Open>> {
+        if cfg!(feature = "whole") { self.sorted.as_mut() } else { None }
     }
 
     /// Takes note of a way to a cell when it is the shortest so far and can still lead to a shorter path.
@@ -112,20 +121,30 @@ impl<E: Estimate> Search<E> {
         }
         // Rounding may put f a hair below the bucket at work: never file behind it.
         let bucket = (((f - self.base) * (BUCKETS_PER_CONTOUR / self.contour)) as usize).max(self.bucket);
+        let open = Open { state: cell, g, f };
+        if bucket == self.bucket
+            && let Some(sorted) = self.sorted()
+        {
+            sorted.push(open);
+            return;
+        }
         if bucket >= self.buckets.len() {
             self.buckets.resize_with(bucket + 1, Vec::new);
         }
-        self.buckets[bucket].push(Open { cell, g, f });
+        self.buckets[bucket].push(open);
     }
 
     /// The next open cell of the bucket at work that is neither outdated nor hopeless.
     fn pop(&mut self) -> Option<Cell> {
-        while let Some(open) = self.buckets.get_mut(self.bucket)?.pop() {
-            if open.g <= self.g[open.cell as usize] && open.f < self.bound - SAME {
-                return Some(open.cell);
+        loop {
+            let open = match self.sorted() {
+                Some(sorted) => sorted.pop()?,
+                None => self.buckets.get_mut(self.bucket)?.pop()?,
+            };
+            if open.g <= self.g[open.state as usize] && open.f < self.bound - SAME {
+                return Some(open.state);
             }
         }
-        None
     }
 
     fn expand(&mut self, cell: Cell) {
@@ -159,6 +178,9 @@ impl<E: Estimate> Search<E> {
                 // Given back: on a large map the emptied buckets would hold more than all tables together.
                 self.buckets[self.bucket] = Vec::new();
                 self.bucket += 1;
+                if self.sorted().is_some() {
+                    self.sorted = Some(std::mem::take(&mut self.buckets[self.bucket]).into());
+                }
             }
             if !more || ends_contour {
                 self.close_contour(!more);
@@ -201,11 +223,13 @@ impl<E: Estimate> Search<E> {
     }
 }
 
-/// Width of a contour in cells of f: no step is longer than 16 of them.
+/// Width of a contour in cells of f: no step is longer than 16 of them. Every step leads back, so half of the directions are looked at.
 fn contour(scenario: &Scenario) -> f64 {
-    let longest = |c: Cell| scenario.moves.directions(c).map(move |d| scenario.moves.length(c, d));
-    let on_plane = scenario.moves.relief().is_none();
-    let cells = if on_plane { 0 } else { scenario.grid.len() as Cell };
+    const ONWARDS: u16 = 0xf0f0;
+    let moves = &scenario.moves;
+    let cells = if moves.relief().is_none() { 0 } else { scenario.grid.len() as Cell };
+    let onwards = |c: Cell| moves.directions(c).filter(|d| ONWARDS >> d & 1 == 1);
+    let longest = |c: Cell| onwards(c).map(move |d| moves.length(c, d));
     (0..cells).flat_map(longest).fold(1.0, |most: f64, length| most.max(libm::ceil(length / 16.0)))
 }
 

@@ -1,14 +1,18 @@
-//! Made-up maps: random obstacles, a maze, rooms with doors, a cave. Seeded, and the same bits on every machine.
+//! Made-up maps: random obstacles, a maze, rooms with doors, a cave; terrains of eroded ground or of round hills. Seeded, and the same
+//! bits on every machine.
 //!
 //! Start and goal lie near the upper-left and the lower-right corner and are connected even under 4 moves (so under every
 //! corner rule). Mazes and rooms are connected by construction; elsewhere walls are opened along the path from start to goal
 //! that needs the fewest openings ([`openings`]), which leaves a map alone where both are connected already.
-//! Everything is integer arithmetic over one random stream and linear in the number of cells.
+//! Planes are integer arithmetic over one random stream, terrains f64 with `libm` alone; all are linear in the number of cells.
 
 mod cave;
+mod fractal;
+mod hills;
 mod maze;
 mod openings;
 mod rooms;
+mod terrain;
 
 use rand::Rng;
 use serde::{Deserialize, Serialize};
@@ -16,14 +20,18 @@ use serde::{Deserialize, Serialize};
 use super::grid::{Grid, Point, check_size};
 use crate::error::ScenarioError;
 use crate::rng::{Stream, Streams};
+use crate::scenario::ScenarioSpec;
 
-/// Largest share of obstacles that [`Generator::Random`] takes.
+/// Largest share of obstacles that [`Generator::Random`] takes, and largest roughness of the terrains.
 pub const MAX_DENSITY: f64 = 0.9;
 
 /// Smallest side at which mazes and rooms get a wall around them.
 const FRAMED_SIDE: u32 = 5;
 
-/// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`.
+/// Metres a cell of a terrain: the grid of the radar mission that mapped most of the land.
+const RESOLUTION: f64 = 30.0;
+
+/// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`, `fractal`, `hills`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -36,11 +44,20 @@ pub enum Generator {
     Rooms,
     /// A cave of round chambers, grown by a cellular automaton.
     Cave,
+    /// A terrain of eroded ground: value noise in octaves.
+    Fractal,
+    /// A terrain of round hills.
+    Hills,
 }
 
 impl Generator {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Random, Self::Maze, Self::Rooms, Self::Cave];
+    pub const ALL: [Self; 6] = [Self::Random, Self::Maze, Self::Rooms, Self::Cave, Self::Fractal, Self::Hills];
+
+    /// Whether it makes heights.
+    pub const fn is_terrain(self) -> bool {
+        matches!(self, Self::Fractal | Self::Hills)
+    }
 
     /// Its id in files, links and on the command line.
     pub const fn id(self) -> &'static str {
@@ -49,38 +66,65 @@ impl Generator {
             Self::Maze => "maze",
             Self::Rooms => "rooms",
             Self::Cave => "cave",
+            Self::Fractal => "fractal",
+            Self::Hills => "hills",
         }
     }
 }
 
 /// A made-up map.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Generated {
-    /// The map.
+    /// The map; with heights in metres on a terrain.
     pub grid: Grid,
     /// A free cell near the upper left.
     pub start: Point,
     /// A free cell near the lower right, connected with the start under 4 moves.
     pub goal: Point,
+    /// Metres per cell: 1 on planes, 30 on terrains.
+    pub resolution: f64,
 }
 
-/// Makes a map. `density` is the share of obstacles, 0 to [`MAX_DENSITY`]; only [`Generator::Random`] looks at it.
+impl Generated {
+    /// A plane.
+    fn plane(grid: Grid, start: Point, goal: Point) -> Self {
+        Self { grid, start, goal, resolution: 1.0 }
+    }
+
+    /// The question that comes with the map.
+    pub fn spec(&self, name: impl Into<String>) -> ScenarioSpec {
+        let spec = ScenarioSpec::new(&self.grid, self.start, self.goal);
+        ScenarioSpec { name: name.into(), resolution: self.resolution, ..spec }
+    }
+}
+
+/// Makes a map. `density` is the share of obstacles for [`Generator::Random`], the roughness of terrains, 0 to [`MAX_DENSITY`]; the others
+/// do not look at it. The relief of a terrain is 12 % of its longer side.
 ///
 /// # Errors
 /// [`ScenarioError::MapSize`], or [`ScenarioError::Quantity`] for the density.
 pub fn generate(kind: Generator, width: u32, height: u32, seed: u32, density: f64) -> Result<Generated, ScenarioError> {
     check_size(u64::from(width), u64::from(height))?;
-    if !(0.0..=MAX_DENSITY).contains(&density) && kind == Generator::Random {
-        let value = density.to_string();
-        return Err(ScenarioError::Quantity { field: "density", value, allowed: "a share between 0 and 0.9" });
-    }
+    check_density(kind, density)?;
     let mut dice = Dice::new(seed, kind);
     match kind {
         Generator::Random => random(Grid::open(width, height)?, &mut dice, density),
         Generator::Maze => Ok(maze::carve(solid(width, height)?, &mut dice)),
         Generator::Rooms => Ok(rooms::build(Grid::open(width, height)?, &mut dice)),
         Generator::Cave => Ok(cave::grow(Grid::open(width, height)?, &mut dice)),
+        Generator::Fractal => fractal::ground(width, height, &mut dice, density).terrain(),
+        Generator::Hills => hills::ground(width, height, &mut dice, density).terrain(),
     }
+}
+
+fn check_density(kind: Generator, density: f64) -> Result<(), ScenarioError> {
+    let (field, allowed) = match kind {
+        Generator::Random => ("density", "a share between 0 and 0.9"),
+        Generator::Fractal | Generator::Hills => ("roughness", "a number between 0 and 0.9"),
+        Generator::Maze | Generator::Rooms | Generator::Cave => return Ok(()),
+    };
+    let value = density.to_string();
+    if (0.0..=MAX_DENSITY).contains(&density) { Ok(()) } else { Err(ScenarioError::Quantity { field, value, allowed }) }
 }
 
 fn random(mut grid: Grid, dice: &mut Dice, density: f64) -> Result<Generated, ScenarioError> {
@@ -90,7 +134,7 @@ fn random(mut grid: Grid, dice: &mut Dice, density: f64) -> Result<Generated, Sc
     }
     let (start, goal) = (Point::new(0, 0), Point::new(grid.width() - 1, grid.height() - 1));
     openings::connect(&mut grid, start, goal);
-    Ok(Generated { grid, start, goal })
+    Ok(Generated::plane(grid, start, goal))
 }
 
 /// A map without a free cell.
@@ -125,6 +169,11 @@ impl Dice {
     /// A whole number below `n`; 0 when `n` is 0.
     fn below(&mut self, n: u32) -> u32 {
         ((u64::from(self.0.next_u32()) * u64::from(n)) >> 32) as u32
+    }
+
+    /// A number from 0 to below 1, in steps of 2⁻³².
+    fn share(&mut self) -> f64 {
+        f64::from(self.0.next_u32()) / 4_294_967_296.0
     }
 
     fn happens(&mut self, chance: Chance) -> bool {
@@ -189,10 +238,47 @@ mod tests {
             let made = generate(kind, 64, 48, 1, 0.3).unwrap();
             let mut digest = crate::digest::Digest::default();
             digest.bytes(&made.grid.to_bytes());
+            made.grid.heights().iter().flat_map(|h| h.iter()).for_each(|h| digest.bytes(&h.to_le_bytes()));
             digest.hex()
         };
-        let golden = ["2c632ca1d68b3b45", "fd359060835c17a6", "6121c2df948c6a04", "79eee4b11e1b285f"];
+        let golden = [
+            "2c632ca1d68b3b45",
+            "fd359060835c17a6",
+            "6121c2df948c6a04",
+            "79eee4b11e1b285f",
+            "e66abdfd28e817a1",
+            "479969d69fde95d5",
+        ];
         assert_eq!(Generator::ALL.map(digest), golden);
+    }
+
+    #[test]
+    fn terrains_rise_from_0_to_their_relief() {
+        for kind in [Generator::Fractal, Generator::Hills] {
+            for (w, h) in [(2, 2), (21, 21), (40, 90), (257, 129)] {
+                for roughness in [0.0, 0.5, MAX_DENSITY] {
+                    let made = generate(kind, w, h, 3, roughness).unwrap();
+                    let heights = made.grid.heights().unwrap();
+                    let (low, high) = heights.iter().fold((f32::MAX, f32::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+                    let relief = (0.12 * 30.0 * f64::from(w.max(h)) * 10.0).round() / 10.0;
+                    assert_eq!((low, high, made.resolution), (0.0, relief as f32, 30.0), "{kind:?} {w}×{h} {roughness}");
+                    assert_eq!(made.grid.free_count(), made.grid.len());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rough_ground_is_steeper() {
+        for kind in [Generator::Fractal, Generator::Hills] {
+            let steepness = |roughness| -> f64 {
+                let makes = (0..20).map(|seed| generate(kind, 128, 128, seed, roughness).unwrap());
+                let climb = |heights: &[f32]| heights.windows(2).map(|h| f64::from((h[1] - h[0]).abs())).sum::<f64>();
+                makes.map(|made| climb(made.grid.heights().unwrap())).sum()
+            };
+            let steep = [0.0, 0.3, 0.6, 0.9].map(steepness);
+            assert!(steep.is_sorted(), "{kind:?}: {steep:?}");
+        }
     }
 
     #[test]
@@ -215,6 +301,10 @@ mod tests {
         assert!((share - 0.3).abs() < 0.01, "{share}");
         for density in [-0.1, 0.95, f64::NAN] {
             assert!(generate(Generator::Random, 9, 9, 0, density).is_err(), "{density}");
+        }
+        for density in [-0.1, 0.95, f64::NAN] {
+            let refused = generate(Generator::Hills, 9, 9, 0, density).unwrap_err();
+            assert!(refused.to_string().starts_with("roughness"), "{refused}");
         }
         assert!(generate(Generator::Cave, 0, 9, 0, 0.0).is_err());
     }

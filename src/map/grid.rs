@@ -98,6 +98,12 @@ impl Grid {
         Ok(self)
     }
 
+    /// The same cells as a plane.
+    #[must_use]
+    pub fn without_heights(self) -> Self {
+        Self { heights: None, ..self }
+    }
+
     /// The heights of a terrain, one a cell; NaN where there is no data. `None` on a plane.
     pub fn heights(&self) -> Option<&Arc<[f32]>> {
         self.heights.as_ref()

@@ -1,11 +1,15 @@
 //! Maps and how one moves on them.
 
+mod contours;
 mod generate;
 mod grid;
 mod movement;
 mod relief;
+pub mod resample;
+mod shading;
 mod slices;
 
+pub use contours::{ContourLine, Contours};
 pub use generate::{Generated, Generator, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
 pub use movement::{
@@ -13,4 +17,6 @@ pub use movement::{
     opposite, step_length,
 };
 pub use relief::{Relief, Stretch};
+pub use resample::Window;
+pub use shading::{LEVEL_LIGHT, Shading};
 pub use slices::{MAX_LEVELS, MAX_REACH, Measure, SliceRules, Slices, Way};

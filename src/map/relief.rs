@@ -1,13 +1,13 @@
 //! The ground of a terrain as steps and segments feel it: how long they are, and how steep.
 //!
 //! A segment between the centres of two cells is followed in max(|dx|, |dy|) equal parts. Between them the ground is interpolated linearly
-//! between the two cells that the segment passes there; so a step to a neighbour is the straight line between two heights, and a step of
-//! [`super::FAR`] has a joint halfway.
+//! between the two cells beside it; so a step to a neighbour is the straight line between two heights, and a step of [`super::FAR`] has a
+//! joint halfway.
 
 use std::sync::Arc;
 
 use super::grid::Cell;
-use super::movement::{Direction, step_length};
+use super::movement::{Direction, offset, step_length};
 
 /// Heights as lengths in cells, and the steepest ground that may be walked.
 #[derive(Debug, Clone)]
@@ -51,7 +51,36 @@ impl Relief {
         if (d as usize) < super::DIRECTIONS {
             part(step_length(d), self.height(to) - self.height(from))
         } else {
-            self.segment(from, to)
+            self.far_step(from, to, d)
+        }
+    }
+
+    /// A step of two cells: as [`Relief::segment`], whose only joint lies halfway between the two cells that the step passes.
+    #[inline]
+    fn far_step(&self, from: Cell, to: Cell, d: Direction) -> Stretch {
+        let (dx, dy) = offset(d);
+        let half = dy / 2 * self.width as i32 + dx / 2;
+        let (one, other) = (from.wrapping_add_signed(half), to.wrapping_add_signed(-half));
+        let middle = self.mixed(one.min(other), one.max(other), 0.5);
+        let run = step_length(d) / 2.0;
+        let (before, after) = (part(run, middle - self.height(from)), part(run, self.height(to) - middle));
+        Stretch {
+            length: before.length + after.length,
+            climb: before.climb + after.climb,
+            descent: before.descent + after.descent,
+            steepness: before.steepness.max(after.steepness),
+        }
+    }
+
+    /// Height in cells between two cells, this share of the way from the first; where one has no data, the other's. The nearer of the two
+    /// is one that the segment comes through, so it has.
+    #[inline]
+    fn mixed(&self, low: Cell, high: Cell, share: f64) -> f64 {
+        let (low, high) = (self.height(low), self.height(high));
+        match (low.is_nan(), high.is_nan()) {
+            (true, _) => high,
+            (_, true) => low,
+            _ => low + (high - low) * share,
         }
     }
 
@@ -99,14 +128,14 @@ impl Relief {
         let (across_x, across_y) = (dx * k, dy * k);
         let (low_x, low_y) = (x + across_x.div_euclid(parts), y + across_y.div_euclid(parts));
         let (over_x, over_y) = (across_x.rem_euclid(parts), across_y.rem_euclid(parts));
-        let at = |x: i64, y: i64| self.height((y * i64::from(self.width) + x) as Cell);
+        let at = |x: i64, y: i64| (y * i64::from(self.width) + x) as Cell;
         let low = at(low_x, low_y);
         if over_x == 0 && over_y == 0 {
-            return low;
+            return self.height(low);
         }
         // One axis is the long one and has no remainder.
         let high = at(low_x + i64::from(over_x > 0), low_y + i64::from(over_y > 0));
-        low + (high - low) * ((over_x + over_y) as f64 / parts as f64)
+        self.mixed(low, high, (over_x + over_y) as f64 / parts as f64)
     }
 }
 
@@ -151,8 +180,15 @@ mod tests {
         assert!((far.length - 2.0 * (run * run + 2.5 * 2.5).sqrt()).abs() < 1e-12);
         assert_eq!((far.climb, far.descent), (2.5, 2.5));
         assert_eq!(r.profile(0, 5).collect::<Vec<_>>(), [2.5, 0.0]);
+        assert_eq!(far, r.segment(0, 5));
         // Backwards it is as long.
         assert_eq!(r.segment(5, 0).length, far.length);
+        // A corner may hide the farther of the two cells, which then need not have data: 2 up to (1,0), 2.5 up to (2,1), 1 down.
+        let hidden = relief(&[0.0, 4.0, f32::NAN, f32::NAN, f32::NAN, f32::NAN, 9.0, 7.0], 4).segment(0, 7);
+        let run = 10f64.sqrt() / 3.0;
+        let long = |rise: f64| (run * run + rise * rise).sqrt();
+        assert!((hidden.length - long(2.0) - long(2.5) - long(1.0)).abs() < 1e-12);
+        assert_eq!((hidden.climb, hidden.descent), (4.5, 1.0));
         assert_eq!(r.segment(2, 2), Stretch { length: 0.0, climb: 0.0, descent: 0.0, steepness: 0.0 });
     }
 }

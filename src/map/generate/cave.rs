@@ -29,7 +29,7 @@ pub(super) fn grow(mut grid: Grid, dice: &mut Dice) -> Generated {
     let (start, goal) = ends(&grid);
     connect(&mut grid, start, goal);
     fill_pockets(&mut grid, start);
-    Generated { grid, start, goal }
+    Generated::plane(grid, start, goal)
 }
 
 /// One round; sums over rows first, then over columns.

@@ -61,7 +61,7 @@ pub(super) fn carve(grid: Grid, dice: &mut Dice) -> Generated {
         trail.push(next);
     }
     let goal = Point::new(x.cell(2 * (x.rooms - 1)), y.cell(2 * (y.rooms - 1)));
-    Generated { start: Point::new(x.first, y.first), goal, grid: carver.grid }
+    Generated::plane(carver.grid, Point::new(x.first, y.first), goal)
 }
 
 impl Carver {

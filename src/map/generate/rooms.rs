@@ -51,7 +51,7 @@ pub(super) fn build(mut grid: Grid, dice: &mut Dice) -> Generated {
         }
     }
     let goal = Point::new(frame + inner_w - 1, frame + inner_h - 1);
-    Generated { grid, start: Point::new(frame, frame), goal }
+    Generated::plane(grid, Point::new(frame, frame), goal)
 }
 
 fn wall_around(grid: &mut Grid) {
