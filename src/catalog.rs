@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::aco::{
     ant_colony_system, ant_system, custom, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
-    threshold,
+    terrain, threshold,
 };
 use crate::error::ParamError;
 use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
@@ -36,10 +36,13 @@ const LIST: &[(bool, &Entry)] = &[
     (MORE, &slices::ENTRY),
     (MORE, &fire::ENTRY),
     (MORE, &ship::ENTRY),
+    (MORE, &terrain::ACO),
+    (MORE, &terrain::EPF),
     (MORE, &threshold::ACOST),
     (MORE, &threshold::ACOMSP),
     (MORE, &swarm::fireworks::FWA),
     (MORE, &swarm::fireworks::IFWA),
+    (MORE, &swarm::pso::ENTRY),
     (MORE, &fireworks::FWA_ACO),
     (MORE, &fireworks::PSO_ACO),
     (MORE, &custom::ENTRY),

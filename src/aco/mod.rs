@@ -28,6 +28,8 @@
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
 //! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System | – |
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
+//! | `terrain-aco` | τ0, on places | goal | pseudo-random proportional | evaporate the place | evaporate, every arrived ant deposits Q/L | – |
+//! | `terrain-epf` | by a potential field | goal, times a power of the field's force | as `terrain-aco` | as `terrain-aco`; ants of two teams that meet join | as `terrain-aco`, and more and more by the elite | – |
 //! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;
@@ -50,4 +52,4 @@ mod classics;
 mod papers;
 
 pub use classics::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system};
-pub use papers::{Reading, fire, fireworks, ship, threshold};
+pub use papers::{Reading, fire, fireworks, ship, terrain, threshold};

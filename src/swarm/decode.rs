@@ -6,10 +6,14 @@
 //! and what it left stays visited: so it reaches every goal that can be reached. At the goal L would be 1 / 0: a goal that is allowed is
 //! taken.
 
+use std::f64::consts::SQRT_2;
+
 use crate::aco::heuristic;
-use crate::map::{Cell, Point};
+use crate::map::{Cell, DIRECTIONS, Direction, Moves, Point, step_length};
 use crate::params;
 use crate::scenario::Scenario;
+
+use super::search::{Decode, Settings};
 
 params! {
     /// What all planners over cell priorities share.
@@ -31,6 +35,14 @@ pub fn free_cells(scenario: &Scenario) -> impl Iterator<Item = Cell> + use<'_> {
     (0..scenario.grid.len() as Cell).filter(|&c| !scenario.grid.is_blocked(c))
 }
 
+/// Length in cells that no step exceeds.
+fn longest_step(scenario: &Scenario) -> f64 {
+    let moves = &scenario.moves;
+    let on_plane = if scenario.spec.movement.moves == Moves::Sixteen { step_length(DIRECTIONS as Direction) } else { SQRT_2 };
+    let cells = if moves.relief().is_some() { 0..scenario.grid.len() as Cell } else { 0..0 };
+    cells.flat_map(|c| moves.directions(c).map(move |d| moves.length(c, d))).fold(on_plane, f64::max)
+}
+
 /// Decodes positions on one map, again and again, without allocating.
 #[derive(Debug, Clone)]
 pub struct Decoder {
@@ -47,6 +59,8 @@ pub struct Decoder {
     path: Vec<Cell>,
     moves: u32,
     max_moves: u32,
+    /// No path of this map is that long, in cells.
+    never: f64,
 }
 
 impl Decoder {
@@ -65,6 +79,7 @@ impl Decoder {
             path: Vec::new(),
             moves: 0,
             max_moves: if limit == 0.0 { u32::MAX } else { cap as u32 },
+            never: cells as f64 * longest_step(scenario),
         }
     }
 
@@ -136,5 +151,35 @@ impl Decoder {
             }
         }
         best
+    }
+}
+
+impl Decode for Decoder {
+    fn new(scenario: &Scenario, settings: &Settings) -> Self {
+        Self::new(scenario, settings.decode_limit)
+    }
+
+    fn dimensions(&self) -> usize {
+        self.dimensions()
+    }
+
+    fn decode(&mut self, scenario: &Scenario, position: &mut [f32]) -> Option<f64> {
+        self.decode(scenario, position)
+    }
+
+    fn lost(&self) -> f64 {
+        self.never
+    }
+
+    fn path(&self) -> &[Cell] {
+        &self.path
+    }
+
+    fn moves(&self) -> u32 {
+        self.moves
+    }
+
+    fn draw(&self, _: &Scenario, position: &[f32], out: &mut [f32]) {
+        self.free.iter().zip(position).for_each(|(&c, &a)| out[c as usize] = a);
     }
 }

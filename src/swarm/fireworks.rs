@@ -37,7 +37,7 @@ use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
-use super::decode::DecodeRows;
+use super::decode::{DecodeRows, Decoder};
 use super::explosion::{
     confined, cooled_radius, crowding, displacement, explosions, gaussian, inertia, mutation_factor, roulette, rounded_sparks,
 };
@@ -233,7 +233,7 @@ fn build_fwa(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box
     let p = FwaParams::read(FWA.id, values)?;
     let method = Fireworks::new(p.fireworks, UNCHANGING, p.decoding, p.iterations, p.stagnation);
     check_memory(scenario, "fireworks", p.fireworks.fireworks, method.settings.most)?;
-    Ok(Box::new(Swarm::new(Arc::clone(scenario), method, FWA.id, seed)))
+    Ok(Box::new(Swarm::<_, Decoder>::new(Arc::clone(scenario), method, FWA.id, seed)))
 }
 
 fn build_ifwa(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {

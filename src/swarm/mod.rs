@@ -1,4 +1,5 @@
 //! Swarms over cell priorities: a position is one real number for each free cell, and decodes into a path (Zhou, Mu, Zhang 2019, Eq. 1).
+//! By slices a position is a row and a level for each column between the ends.
 //!
 //! [`search::Swarm`] is the one skeleton: decode what a [`search::Method`] proposes, until its iteration is complete. The parts:
 //!
@@ -10,6 +11,8 @@
 //! | fireworks, `fwa` and `ifwa` | `fireworks.rs` |
 //! | their formulas (Eq. 2–9) | `explosion.rs` |
 //! | particles, the seeder of `pso-aco` | `particle_swarm.rs` |
+//! | particles as a planner of their own, `pso` | `pso.rs` |
+//! | from rows and levels to a path by slices | `slices.rs` |
 //!
 //! A move is one decoded path. `constructed_paths` counts decoded paths; `ant_moves` counts what a decoding walks, steps and steps back.
 
@@ -18,4 +21,6 @@ pub mod explosion;
 pub mod fireworks;
 pub mod particle_swarm;
 pub mod population;
+pub mod pso;
 pub mod search;
+pub mod slices;

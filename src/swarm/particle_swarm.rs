@@ -1,4 +1,5 @@
-//! A particle swarm over cell priorities: the seeder of the hybrid that Zhou, Mu, Zhang 2019 compare with, of which they give no formula.
+//! A particle swarm: over cell priorities the seeder of the hybrid that Zhou, Mu, Zhang 2019 compare with, of which they give no formula;
+//! by itself the planner `pso` (`pso.rs`), there also over the places of movement by slices.
 //!
 //! Standard particle swarm with inertia weight: Shi, Eberhart, "A modified particle swarm optimizer", ICEC 1998, 69–73,
 //! doi:10.1109/ICEC.1998.699146; the weight falls linearly as in their "Empirical study of particle swarm optimization", CEC 1999,
@@ -53,7 +54,8 @@ pub fn moved(x: f64, v: f64, range: f64) -> (f64, f64) {
 pub struct ParticleSwarm {
     settings: Settings,
     rows: ParticleRows,
-    range: f64,
+    /// Largest value of a dimension, the smallest being 0; the dimensions take them in turn.
+    ranges: [f64; 2],
     /// The particles' positions are decoded and not yet taken in.
     flown: bool,
     velocities: Vec<f32>,
@@ -65,13 +67,20 @@ pub struct ParticleSwarm {
 }
 
 impl ParticleSwarm {
-    /// With these parameters, for so many iterations.
-    pub fn new(rows: ParticleRows, decoding: DecodeRows, iterations: u32) -> Self {
+    /// Over cell priorities with these parameters, for so many iterations, and no longer than `stagnation` without a shorter path (0 = all).
+    pub fn new(rows: ParticleRows, decoding: DecodeRows, iterations: u32, stagnation: u32) -> Self {
+        let mut swarm = Self::within([decoding.range; 2], rows, iterations, stagnation);
+        swarm.settings.decode_limit = decoding.decode_limit;
+        swarm
+    }
+
+    /// Over any dimensions, whose values lie between 0 and these in turn.
+    pub fn within(ranges: [f64; 2], rows: ParticleRows, iterations: u32, stagnation: u32) -> Self {
         let (size, most) = (rows.particles, 3 * rows.particles);
         Self {
-            settings: Settings { size, most, iterations, stagnation: 0, decode_limit: decoding.decode_limit },
+            settings: Settings { size, most, iterations, stagnation, decode_limit: 0.0 },
             rows,
-            range: decoding.range,
+            ranges,
             flown: false,
             velocities: Vec::new(),
             own: Vec::new(),
@@ -99,17 +108,16 @@ impl ParticleSwarm {
     }
 
     fn fly(&mut self, population: &mut Population, number: u32, streams: Streams) {
-        let (n, rows, range) = (population.dimensions(), self.rows, self.range);
+        let (n, rows, ranges) = (population.dimensions(), self.rows, self.ranges);
         let w = inertia(rows.inertia_start, rows.inertia_end, number, self.settings.iterations);
-        let limit = rows.speed_limit * range;
         for i in 0..population.len() {
             let mut stream = streams.ant(number, i as u32);
             let mut draw = || f64::from(unit_f32(stream.next_u32()));
-            for (k, x) in population.position_mut(i).iter_mut().enumerate() {
+            for ((k, x), range) in population.position_mut(i).iter_mut().enumerate().zip(ranges.into_iter().cycle()) {
                 let best = [self.own[i * n + k], self.own[self.leader * n + k]].map(f64::from);
                 let pulls = [rows.cognitive * draw(), rows.social * draw()];
                 let v = &mut self.velocities[i * n + k];
-                let faster = velocity(f64::from(*v), f64::from(*x), best, w, pulls, limit);
+                let faster = velocity(f64::from(*v), f64::from(*x), best, w, pulls, rows.speed_limit * range);
                 let (to, left) = moved(f64::from(*x), faster, range);
                 (*x, *v) = (to as f32, left as f32);
             }
@@ -127,7 +135,7 @@ impl Method for ParticleSwarm {
         if self.flown {
             self.learn(population);
         } else if population.is_empty() {
-            (0..self.rows.particles).for_each(|i| population.push_random(self.range, &mut streams.ant(0, i)));
+            (0..self.rows.particles).for_each(|i| population.push_within(&self.ranges, &mut streams.ant(0, i)));
         } else {
             self.fly(population, number, streams);
         }

@@ -73,8 +73,13 @@ impl Population {
 
     /// Adds a position drawn uniformly from 0 to `range` in every dimension.
     pub fn push_random(&mut self, range: f64, stream: &mut Stream) {
-        let draw = || (f64::from(unit_f32(stream.next_u32())) * range) as f32;
-        self.positions.extend(std::iter::repeat_with(draw).take(self.dimensions));
+        self.push_within(&[range], stream);
+    }
+
+    /// The same with ranges that the dimensions take in turn.
+    pub fn push_within(&mut self, ranges: &[f64], stream: &mut Stream) {
+        let draw = |range: &f64| (f64::from(unit_f32(stream.next_u32())) * range) as f32;
+        self.positions.extend(ranges.iter().cycle().take(self.dimensions).map(draw));
     }
 
     /// Adds a copy of position `i`, to be changed.

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
-use super::decode::{Decoder, free_cells};
+use super::decode::Decoder;
 use super::population::Population;
 
 /// Numbers that every swarm has.
@@ -36,9 +36,27 @@ pub trait Method: Send {
     fn propose(&mut self, population: &mut Population, number: u32, streams: Streams) -> bool;
 }
 
+/// What turns positions into paths.
+pub trait Decode: Send {
+    /// For one scenario.
+    fn new(scenario: &Scenario, settings: &Settings) -> Self;
+    /// Length of a position, at least 1.
+    fn dimensions(&self) -> usize;
+    /// Decodes a position; what it may not be is put right in place. Length in cells (by slices the cost); `None` if that is no path.
+    fn decode(&mut self, scenario: &Scenario, position: &mut [f32]) -> Option<f64>;
+    /// What a position costs that has no path: more than any path.
+    fn lost(&self) -> f64;
+    /// Cells (by slices places) of the last decoded path, without what it took back.
+    fn path(&self) -> &[Cell];
+    /// Moves of the last decoding, steps back included.
+    fn moves(&self) -> u32;
+    /// Writes a position's numbers where they belong on the map; `out` has a value for each cell.
+    fn draw(&self, scenario: &Scenario, position: &[f32], out: &mut [f32]);
+}
+
 /// What a swarm needs while it works; allocated at its first step.
-struct Tables {
-    decoder: Decoder,
+struct Tables<D> {
+    decoder: D,
     population: Population,
     /// How many paths of the iteration have a cell on their way.
     visits: Vec<u32>,
@@ -63,12 +81,12 @@ impl Tally {
 }
 
 /// A swarm at work on one scenario.
-pub struct Swarm<M> {
+pub struct Swarm<M, D = Decoder> {
     scenario: Arc<Scenario>,
     method: M,
     settings: Settings,
     streams: Streams,
-    tables: Option<Tables>,
+    tables: Option<Tables<D>>,
     /// An iteration has begun and not ended.
     decoding: bool,
     tally: Tally,
@@ -78,7 +96,7 @@ pub struct Swarm<M> {
     progress: Progress,
 }
 
-impl<M: Method> Swarm<M> {
+impl<M: Method, D: Decode> Swarm<M, D> {
     /// A swarm whose streams are those of the planner with this id.
     pub fn new(scenario: Arc<Scenario>, method: M, planner: &str, seed: u32) -> Self {
         Self {
@@ -96,7 +114,7 @@ impl<M: Method> Swarm<M> {
     }
 
     fn prepare(&mut self) {
-        let decoder = Decoder::new(&self.scenario, self.settings.decode_limit);
+        let decoder = D::new(&self.scenario, &self.settings);
         let population = Population::new(decoder.dimensions());
         self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
     }
@@ -111,11 +129,12 @@ impl<M: Method> Swarm<M> {
             self.method.propose(population, number, self.streams);
         }
         if let Some(i) = population.next() {
-            let length = decoder.decode(&self.scenario, population.position(i));
+            let length = decoder.decode(&self.scenario, population.position_mut(i));
             self.progress.effort.constructed_paths += 1;
             self.progress.effort.ant_moves += u64::from(decoder.moves());
-            decoder.path().iter().for_each(|&c| visits[c as usize] += 1);
-            population.note(length.unwrap_or_else(|| never(&self.scenario)));
+            let cells = visits.len();
+            decoder.path().iter().for_each(|&place| visits[place as usize % cells] += 1);
+            population.note(length.unwrap_or_else(|| decoder.lost()));
             if let Some(length) = length {
                 self.tally.add(length);
                 if self.leader.as_ref().is_none_or(|(_, best)| length < *best) {
@@ -161,12 +180,7 @@ impl<M: Method> Swarm<M> {
     }
 }
 
-/// What a position costs whose decoding was cut off: no path of this map is that long.
-fn never(scenario: &Scenario) -> f64 {
-    scenario.grid.len() as f64 * std::f64::consts::SQRT_2
-}
-
-impl<M: Method> Planner for Swarm<M> {
+impl<M: Method, D: Decode> Planner for Swarm<M, D> {
     fn advance(&mut self, by: Granularity) -> Status {
         if self.progress.status.is_finished() {
             return self.progress.status;
@@ -203,6 +217,10 @@ impl<M: Method> Planner for Swarm<M> {
         self.settings.size
     }
 
+    fn objective(&self) -> Objective {
+        if self.scenario.by_slices().is_some() { Objective::SliceCost } else { Objective::Length }
+    }
+
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         out.clear();
         out.resize(self.scenario.grid.len(), 0.0);
@@ -212,8 +230,7 @@ impl<M: Method> Planner for Swarm<M> {
                 out.iter_mut().zip(visits).for_each(|(v, &n)| *v = n as f32);
             }
             Layer::Priority => {
-                let cells = free_cells(&self.scenario).zip(&self.leader_position);
-                cells.for_each(|(c, &a)| out[c as usize] = a);
+                self.tables.iter().for_each(|t| t.decoder.draw(&self.scenario, &self.leader_position, out));
             }
             _ => return false,
         }

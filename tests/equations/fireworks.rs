@@ -230,7 +230,7 @@ fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
     assert!(close(trails.get(1, E), 10.0) && close(trails.get(4, NE), 9.3535534) && close(trails.get(3, E), 9.0));
 }
 
-fn map(seed: u32) -> Arc<Scenario> {
+pub fn map(seed: u32) -> Arc<Scenario> {
     let made = generate(Generator::Random, 20, 20, seed, 0.2).expect("a usable size");
     Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("usable"))
 }

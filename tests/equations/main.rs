@@ -5,5 +5,7 @@ mod cards;
 mod classics;
 mod fire;
 mod fireworks;
+mod pso;
 mod ship;
+mod terrain;
 mod threshold;

@@ -50,8 +50,8 @@ use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::swarm::decode::DecodeRows;
 use crate::swarm::fireworks::{self, AnnealingRows, FireworkRows};
-use crate::swarm::particle_swarm::{ParticleRows, ParticleSwarm};
-use crate::swarm::search::{Method, Swarm, check_memory};
+use crate::swarm::particle_swarm::ParticleRows;
+use crate::swarm::pso;
 
 params! {
     /// The ant colony that comes second.
@@ -156,14 +156,13 @@ pub fn fireworks_first(scenario: &Arc<Scenario>, p: &FwaAcoParams, seed: u32) ->
     Ok(Box::new(fireworks::improved(scenario, rows, p.seed_iterations, 0, seed)?))
 }
 
-/// The first stage of `pso-aco`.
+/// The first stage of `pso-aco`: a run of `pso`.
 ///
 /// # Errors
 /// [`ParamError::Memory`] where the positions would not fit.
 pub fn particles_first(scenario: &Arc<Scenario>, p: &PsoAcoParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
-    let swarm = ParticleSwarm::new(p.particles, p.decoding, p.seed_iterations);
-    check_memory(scenario, "particles", p.particles.particles, swarm.settings().most)?;
-    Ok(Box::new(Swarm::new(Arc::clone(scenario), swarm, "priority-particles", seed)))
+    let swarm = pso::over_cells(scenario, (p.particles, p.decoding), p.seed_iterations, 0, seed)?;
+    Ok(Box::new(swarm))
 }
 
 /// The first stage, and then the colony.

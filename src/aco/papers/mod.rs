@@ -5,6 +5,7 @@ use crate::choice;
 pub mod fire;
 pub mod fireworks;
 pub mod ship;
+pub mod terrain;
 pub mod threshold;
 
 choice! {

@@ -1,0 +1,202 @@
+//! The colony of the terrain paper: one team from the start, or two of equal size from both ends, which join where they meet.
+//!
+//! All ants move in lock step, one move each in index order, the forward team first: they change trails as they go, and they meet.
+
+use std::sync::Arc;
+
+use super::params::EpfParams;
+use super::sight::force_weight;
+use super::space::Space;
+use super::team::{Tables, check_memory};
+use super::walk::Walker;
+use crate::aco::ant::Fate;
+use crate::error::ParamError;
+use crate::map::Cell;
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::rng::Streams;
+use crate::scenario::Scenario;
+
+/// Both planners draw from the streams of this name: with everything off `terrain-epf` is `terrain-aco`, bit for bit.
+const STREAMS: &str = "terrain-aco";
+
+/// The colony at work on one scenario.
+pub(super) struct FieldColony<S> {
+    pub(super) space: S,
+    scenario: Arc<Scenario>,
+    pub(super) params: EpfParams,
+    streams: Streams,
+    max_moves: u32,
+    pub(super) tables: Option<Tables>,
+    /// An iteration has begun and not ended.
+    constructing: bool,
+    progress: Progress,
+}
+
+impl<S: Space> FieldColony<S> {
+    /// A colony in the space of this scenario.
+    ///
+    /// # Errors
+    /// [`ParamError::Memory`] where its tables could grow too large.
+    pub(super) fn new(space: S, scenario: &Arc<Scenario>, params: EpfParams, seed: u32) -> Result<Self, ParamError> {
+        check_memory(&space, &params)?;
+        let (width, height) = (scenario.grid.width(), scenario.grid.height());
+        let limit = params.common.walk.move_limit;
+        Ok(Self {
+            space,
+            scenario: Arc::clone(scenario),
+            params,
+            streams: Streams::new(u64::from(seed), STREAMS, 0),
+            max_moves: if limit == 0.0 { u32::MAX } else { (limit * f64::from(width + height)) as u32 },
+            tables: None,
+            constructing: false,
+            progress: Progress::default(),
+        })
+    }
+
+    /// Answers what needs no ants.
+    fn settle(&mut self) {
+        let [start, goal] = self.space.ends();
+        if start == goal {
+            self.progress.best = Some(Solution { path: vec![start], length: 0.0, iteration: 0, refined: None });
+            self.progress.status = Status::Optimal;
+        } else {
+            self.progress.settle(&self.scenario);
+        }
+    }
+
+    /// The iteration at work, or the next one; the last one once the budget is spent.
+    pub(super) fn iteration(&self) -> u32 {
+        (self.progress.effort.iterations + 1).min(self.params.common.choice.iterations)
+    }
+
+    /// The weight of the force in an iteration.
+    pub(super) fn weight(&self, iteration: u32) -> f64 {
+        force_weight(self.params.reading, iteration, self.params.common.choice.iterations)
+    }
+
+    fn begin_iteration(&mut self) {
+        let number = self.progress.effort.iterations + 1;
+        let weight = self.weight(number);
+        let Some(Tables { teams, ants, .. }) = &mut self.tables else { return };
+        for team in teams {
+            team.sight.begin(number, weight);
+            let origin = self.space.origin(team.way);
+            for k in team.range() {
+                ants[k].begin(origin, self.streams.ant(number, k as u32));
+                team.note(origin);
+            }
+        }
+        self.constructing = true;
+    }
+
+    /// One move of every walking ant, in index order; true when none is left.
+    fn move_all(&mut self) -> bool {
+        let Some(tables) = &mut self.tables else { return true };
+        let mut done = true;
+        for k in 0..tables.ants.len() {
+            if !tables.ants[k].is_walking() {
+                continue;
+            }
+            tables.move_one(&self.space, &self.params, k);
+            if tables.ants[k].is_walking() && tables.ants[k].moves() >= self.max_moves {
+                tables.give_up(k);
+            }
+            done &= !tables.ants[k].is_walking();
+        }
+        done
+    }
+
+    fn end_iteration(&mut self) {
+        let Some(Tables { teams, ants, .. }) = &mut self.tables else { return };
+        self.constructing = false;
+        let progress = &mut self.progress;
+        progress.effort.iterations += 1;
+        progress.effort.constructed_paths += ants.len() as u64;
+        progress.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
+        let number = progress.effort.iterations;
+        let arrived = || ants.iter().filter_map(Walker::path);
+        let best = arrived().reduce(|best, next| if next.1 < best.1 { next } else { best });
+        if let Some((path, length)) = best
+            && progress.best.as_ref().is_none_or(|b| length < b.length)
+        {
+            progress.best = Some(Solution { path: path.to_vec(), length, iteration: number, refined: None });
+        }
+        let worst = arrived().map(|(_, cost)| cost).reduce(f64::max);
+        let (count, sum) = arrived().fold((0u32, 0.0), |(count, sum), (_, cost)| (count + 1, sum + cost));
+        progress.record(Record {
+            iteration: number,
+            best_so_far: progress.best.as_ref().map(|b| b.length),
+            iteration_best: best.map(|(_, cost)| cost),
+            iteration_mean: (count > 0).then(|| sum / f64::from(count)),
+            iteration_worst: worst,
+            arrived: count,
+        });
+        teams.iter_mut().for_each(|team| team.update_trails(&self.params, ants, number));
+        self.progress.status = self.stop();
+    }
+
+    fn stop(&self) -> Status {
+        let (done, common) = (self.progress.effort.iterations, &self.params.common);
+        match &self.progress.best {
+            Some(b) if common.walk.stagnation > 0 && done - b.iteration >= common.walk.stagnation => Status::Stagnated,
+            _ if done >= common.choice.iterations => Status::BudgetSpent,
+            _ => Status::Running,
+        }
+    }
+}
+
+impl<S: Space> Planner for FieldColony<S> {
+    fn advance(&mut self, by: Granularity) -> Status {
+        if self.progress.status.is_finished() {
+            return self.progress.status;
+        }
+        if self.tables.is_none() {
+            self.settle();
+            if self.progress.status.is_finished() {
+                return self.progress.status;
+            }
+            self.tables = Some(Tables::new(&self.space, &self.params, self.streams));
+        }
+        if !self.constructing {
+            self.begin_iteration();
+        }
+        let done = match by {
+            Granularity::Move => self.move_all(),
+            Granularity::Iteration => {
+                while !self.move_all() {}
+                true
+            }
+        };
+        if done {
+            self.end_iteration();
+        }
+        self.progress.status
+    }
+
+    fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    fn budget(&self) -> Option<u32> {
+        Some(self.params.common.choice.iterations)
+    }
+
+    fn colony_size(&self) -> u32 {
+        self.params.common.ants
+    }
+
+    fn objective(&self) -> Objective {
+        S::OBJECTIVE
+    }
+
+    fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
+        self.show(kind, out)
+    }
+
+    fn ants(&self, out: &mut Vec<Cell>) {
+        out.clear();
+        if let (Some(tables), true) = (&self.tables, self.constructing) {
+            out.extend(tables.ants.iter().filter(|a| a.fate() != Fate::Lost).map(Walker::place));
+        }
+    }
+}

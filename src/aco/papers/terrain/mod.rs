@@ -1,0 +1,144 @@
+//! Elitist potential-field ACO in three dimensions: 基于改进精英势场蚁群算法的机器人三维路径规划算法研究 (Robot 3D Path Planning Algorithm Based on
+//! Improved Elitist Potential Field Ant Colony Algorithm), Hans Publishers, article 41567, in Chinese with an English abstract. The copy
+//! that we read names no author, journal or DOI.
+//!
+//! | override point | `terrain-aco` (sections 2 and 5) | `terrain-epf` (section 4) |
+//! |---|---|---|
+//! | initial trail | τ0 | Eq. 14: τ0·F'_tot (`initial`) |
+//! | heuristic | Eq. 2 | second "Eq. 12": a^(F_tot·cos φ)·Eq. 2 (`force`) |
+//! | selection | Eq. 1, with q0 of Table 1 | as `terrain-aco` |
+//! | on each move | local evaporation of Table 1 by Eq. 3 | as `terrain-aco` |
+//! | update | Eq. 3 and 4 | and Eq. 10 and 11: the best 5 % deposit once more (`elite`) |
+//! | construction | from the start | from both ends, joined where two ants meet (`two_colonies`) |
+//!
+//! Each addition has a parameter that turns it off; with all four off `terrain-epf` is `terrain-aco`, bit for bit. Both go over places
+//! ([`space::Space`]): the cells of a plane or a surface, with as many moves as the scenario has, or the places of slices. Trails lie on
+//! places, not on steps, as in Eq. 14.
+//!
+//! `reading` decides where the print does not do what its text says:
+//!
+//! | Eq. | `printed` | `repaired` |
+//! |---|---|---|
+//! | 6 | k·d, the farther the stronger | 2k·d0/(d0 + d): "the nearer the goal, the stronger" |
+//! | 12, 13 | ρ ≤ ρ0 *or* z > z0: low places near the ground attract, high ones far from it too | ρ ≤ ρ0 *and* z > z0: "below the base height 0" |
+//! | second 12 | ((T − t)/T)³ is a factor of η, common to all steps: it cancels in Eq. 1 | it weighs the exponent: "strong early, weak late" |
+//!
+//! Where the print does not decide: η is 1/d(j, E), as the words before Eq. 1 have it; `heuristic=step` is 1/L_ij, as Eq. 2 has it. Eq. 3 is
+//! called a local update, but Δτ of Eq. 4 needs the whole path: a step evaporates by the local λ, the end of the iteration evaporates by
+//! the global one and adds Δτ. F_tot is a scalar in Eq. 14, the pull less the push as in Eq. 9, and a vector in η: the pull to the goal, the
+//! push straight down, for heights push and nothing says whereto.
+//!
+//! Where the paper is silent, we: give the baseline Table 1 too, which is headed EPF-ACO; count 50 ants in both teams together; take ρ for
+//! the height above the ground, at least 1, and 1 on a surface; measure distances for k in parts of the distance from start to goal and
+//! heights for θ in parts of the highest place's, so that k = θ = 1 and a = e do on any map; keep Eq. 14 at or above 1 % of τ0; mirror all
+//! of it for the backward team (its goal is the start, its base height the goal's); let an ant meet the first ant of the other team that
+//! still walks and has the place on its list, without what it took back; let both deposit on the whole path, each on its own team's trails;
+//! round 5 % of a team down, to at least one ant; let ants at a dead end step back (`dead_end`), by slices also those that can no longer
+//! reach the end.
+
+pub mod field;
+pub mod params;
+pub mod sight;
+pub mod space;
+pub mod trails;
+pub mod walk;
+
+mod colony;
+mod team;
+mod view;
+
+use std::sync::Arc;
+
+use colony::FieldColony;
+use params::{BasicParams, EpfParams};
+use space::{Layered, Surface};
+
+use crate::error::ParamError;
+use crate::params::{Params, Values};
+use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::scenario::Scenario;
+
+/// The colony in the scenario's space.
+fn colony(scenario: &Arc<Scenario>, params: EpfParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    Ok(match &scenario.slices {
+        None => Box::new(FieldColony::new(Surface::new(Arc::clone(scenario)), scenario, params, seed)?),
+        Some(slices) => {
+            let space = Layered::new(Arc::clone(scenario), Arc::clone(slices));
+            Box::new(FieldColony::new(space, scenario, params, seed)?)
+        }
+    })
+}
+
+fn build_basic(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    colony(scenario, EpfParams::basic(BasicParams::read(ACO.id, values)?), seed)
+}
+
+fn build_epf(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    colony(scenario, EpfParams::read(EPF.id, values)?, seed)
+}
+
+const SOURCE: &str = "elitist potential-field ACO in three dimensions (Hans Publishers, article 41567)";
+
+/// Table 1, as far as both planners have it.
+const TABLE_1: &[(&str, f64)] =
+    &[("ants", 50.0), ("iterations", 100.0), ("alpha", 1.0), ("beta", 7.0), ("q0", 0.8), ("local_rho", 0.1), ("rho", 0.2)];
+
+/// The paper's basic ACO in the catalog.
+pub const ACO: Entry = Entry {
+    id: "terrain-aco",
+    name: "Terrain ACO",
+    family: Family::AntColony,
+    summary: "The terrain paper's basic colony, on surfaces and by slices: trails lie on places, ants mostly take the best step, and trails evaporate where they come by.",
+    source: SOURCE,
+    presets: &[
+        Preset {
+            name: "paper",
+            source: SOURCE,
+            meaning: "its table 1, which is headed EPF-ACO, and η = 1/distance to the goal, as its text has it",
+            numbers: TABLE_1,
+            choices: &[("heuristic", "goal")],
+        },
+        Preset {
+            name: "printed",
+            source: SOURCE,
+            meaning: "eq. 1–4 and nothing else: η = 1/step length, every step by its probability, evaporation at the end of the iteration alone",
+            numbers: &[("q0", 0.0), ("local_rho", 0.0)],
+            choices: &[("heuristic", "step")],
+        },
+    ],
+    layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
+    grounds: Ground::ALL,
+    specs: BasicParams::specs,
+    build: build_basic,
+};
+
+/// The paper's own method in the catalog.
+pub const EPF: Entry = Entry {
+    id: "terrain-epf",
+    name: "Elitist potential-field ACO",
+    family: Family::AntColony,
+    summary: "Two teams set out from both ends and join where they meet; a potential field makes the first trails and bends the heuristic, and the best ants deposit more and more.",
+    source: SOURCE,
+    presets: &[
+        Preset {
+            name: "paper",
+            source: SOURCE,
+            meaning: "its method with its table 1, repaired where the print does not do what its text says",
+            numbers: TABLE_1,
+            choices: &[("reading", "repaired"), ("heuristic", "goal")],
+        },
+        Preset {
+            name: "printed",
+            source: SOURCE,
+            meaning: "everything literally: the pull grows with the distance, \"or\" in eq. 13, no time in the exponent, η = 1/step length",
+            numbers: &[],
+            choices: &[("reading", "printed"), ("heuristic", "step")],
+        },
+    ],
+    layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
+    max_goals: 1,
+    grounds: Ground::ALL,
+    specs: EpfParams::specs,
+    build: build_epf,
+};

@@ -1,0 +1,93 @@
+//! Parameters of the terrain paper's two planners; Table 1 gives eight of them.
+
+use super::super::Reading;
+use super::field::Gains;
+use super::sight::Heuristic;
+use crate::aco::shared_params::{ChoiceParams, WalkParams};
+use crate::map::Way;
+use crate::{choice, params};
+
+choice! {
+    /// τ of every place before the first iteration.
+    pub enum Initial {
+        /// τ0·F'_tot, at least 1 % of τ0: eq. 14
+        Field = "field",
+        /// τ0 everywhere
+        Uniform = "uniform",
+    }
+}
+
+params! {
+    /// Parameters of the paper's basic ACO, which are its Table 1 as far as it has them.
+    pub struct BasicParams {
+        /// ants that build a path in each iteration, of both colonies together
+        ants: u32 = 50, "m", [1..=1024], "ants", "table 1; that it counts both colonies is our reading";
+        ..choice: ChoiceParams {
+            iterations = 100, "table 1";
+            alpha = 1.0, "table 1";
+            beta = 7.0, "table 1";
+        };
+        /// probability of taking the best step instead of drawing one
+        q0: f64 = 0.8, "q0", [0.0..=1.0], "", "table 1, the selection threshold";
+        /// what an ant sees of a step
+        heuristic: Heuristic = Heuristic::Goal, "η", [], "", "the paper's words; step: its eq. 2";
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.2, "λ", [0.0..=1.0], "", "table 1, global";
+        /// local evaporation rate: the part of a place's trail that an ant takes away by stepping there
+        local_rho: f64 = 0.1, "λ_local", [0.0..=1.0], "", "table 1, local";
+        /// an arrived ant leaves Q / length on each place of its path; by slices Q / cost
+        deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "eq. 4: 1 / length";
+        /// trail of every place before the first iteration; where a field makes it, in these parts
+        initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given; of the order of an iteration's deposits, m/L";
+        ..walk: WalkParams;
+    }
+}
+
+params! {
+    /// Parameters of the elitist potential-field ACO.
+    pub struct EpfParams {
+        /// how the paper's formulas are read where they do not do what its text says
+        reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
+        /// trails before the first iteration
+        initial: Initial = Initial::Field, "", [], "", "eq. 14";
+        /// whether ants feel the force of the potential field
+        force: bool = true, "", [], "", "section 4.5, the second eq. 12";
+        /// base of the power by which the force weighs
+        force_base: f64 = std::f64::consts::E, "a", [0.1..=10.0], "", "our choice: not given; the force then weighs about as much as the distance", when(force: true);
+        /// share of each colony's ants that deposit once more, the shortest first; at least one ant, none with 0
+        elite: f64 = 0.05, "", [0.0..=1.0], "", "section 4.1";
+        /// half of the ants are a colony of their own that sets out from the goal; two ants that meet join their ways
+        two_colonies: bool = true, "", [], "", "section 4.2";
+        /// pull of the goal at the start
+        attraction: f64 = 1.0, "k", [0.0..=100.0], "", "our choice: not given";
+        /// push of the heights above the start
+        repulsion: f64 = 1.0, "θ", [0.0..=100.0], "", "our choice: not given; near the ground of the highest place half of the pull";
+        /// distance to the ground within which heights push
+        repulsion_range: f64 = 2.0, "ρ0", [1.0..=100.0], "cells or levels", "table 1";
+        ..common: BasicParams;
+    }
+}
+
+impl EpfParams {
+    /// The basic ACO: none of the paper's four additions.
+    pub fn basic(common: BasicParams) -> Self {
+        Self { initial: Initial::Uniform, force: false, elite: 0.0, two_colonies: false, common, ..Self::default() }
+    }
+
+    /// The numbers of the field.
+    pub fn gains(&self) -> Gains {
+        let (attraction, repulsion, range) = (self.attraction, self.repulsion, self.repulsion_range);
+        Gains { reading: self.reading, attraction, repulsion, range }
+    }
+
+    /// How many of the ants set out from the goal: half of them, the smaller half of an odd number.
+    pub fn backward_ants(&self) -> u32 {
+        if self.two_colonies { self.common.ants / 2 } else { 0 }
+    }
+
+    /// The ways on which ants walk, the forward one first.
+    pub fn ways(&self) -> impl Iterator<Item = Way> + use<> {
+        let back = (self.backward_ants() > 0).then_some(Way::Backward);
+        std::iter::once(Way::Forward).chain(back)
+    }
+}

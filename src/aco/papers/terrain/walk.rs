@@ -1,0 +1,195 @@
+//! One ant of the terrain paper: its list of places, its path once it has one, and how it selects a step.
+
+use rand::Rng;
+
+use super::space::Place;
+use super::trails::PlaceTrails;
+use crate::aco::ant::Fate;
+use crate::aco::choice::{FLOOR, power};
+use crate::map::Way;
+use crate::rng::{Stream, unit_f32};
+
+/// An ant of one team.
+#[derive(Debug, Clone)]
+pub struct Walker {
+    fate: Fate,
+    /// The places that it has visited, in order, without those that it took back: the paper's list.
+    list: Vec<Place>,
+    /// Places that it took back; they stay on the tabu list.
+    abandoned: Vec<Place>,
+    /// One bit a place.
+    tabu: Vec<u64>,
+    moves: u32,
+    /// From start to goal, once it has arrived or met another.
+    route: Vec<Place>,
+    cost: f64,
+    /// Its random stream.
+    pub stream: Stream,
+}
+
+impl Walker {
+    /// An ant among this many places; it begins to walk by [`Walker::begin`].
+    pub fn new(places: usize, stream: Stream) -> Self {
+        let (list, abandoned, route) = (Vec::new(), Vec::new(), Vec::new());
+        Self { fate: Fate::Lost, list, abandoned, tabu: vec![0; places.div_ceil(64)], moves: 0, route, cost: 0.0, stream }
+    }
+
+    /// Puts the ant on its origin with nothing else on its lists.
+    pub fn begin(&mut self, origin: Place, stream: Stream) {
+        for &place in self.list.iter().chain(&self.abandoned) {
+            self.tabu[place as usize >> 6] = 0;
+        }
+        self.list.clear();
+        self.abandoned.clear();
+        self.route.clear();
+        self.fate = Fate::Walking;
+        self.moves = 0;
+        self.stream = stream;
+        self.enter(origin);
+    }
+
+    /// What became of it.
+    pub fn fate(&self) -> Fate {
+        self.fate
+    }
+
+    /// Whether it is still under way.
+    #[inline(always)]
+    pub fn is_walking(&self) -> bool {
+        self.fate == Fate::Walking
+    }
+
+    /// Where it is.
+    #[inline(always)]
+    pub fn place(&self) -> Place {
+        self.list.last().copied().unwrap_or(0)
+    }
+
+    /// The places that it has visited, in order, without those that it took back.
+    pub fn list(&self) -> &[Place] {
+        &self.list
+    }
+
+    /// Moves so far: steps, steps back, and the one in which it finds itself lost.
+    pub fn moves(&self) -> u32 {
+        self.moves
+    }
+
+    /// Its path from start to goal with what it costs, once it has one.
+    pub fn path(&self) -> Option<(&[Place], f64)> {
+        (self.fate == Fate::Arrived).then_some((self.route.as_slice(), self.cost))
+    }
+
+    /// Whether it has visited a place.
+    #[inline(always)]
+    pub fn is_tabu(&self, place: Place) -> bool {
+        self.tabu[place as usize >> 6] >> (place & 63) & 1 == 1
+    }
+
+    /// One step.
+    #[inline(always)]
+    pub fn step(&mut self, to: Place) {
+        self.moves += 1;
+        self.enter(to);
+    }
+
+    fn enter(&mut self, place: Place) {
+        self.tabu[place as usize >> 6] |= 1 << (place & 63);
+        self.list.push(place);
+    }
+
+    /// At a dead end: back to where it came from; the place that it leaves. None at its origin, where it is lost instead.
+    pub fn step_back(&mut self) -> Option<Place> {
+        if self.list.len() < 2 {
+            self.lose();
+            return None;
+        }
+        self.moves += 1;
+        let left = self.list.pop();
+        self.abandoned.extend(left);
+        left
+    }
+
+    /// At a dead end, without a step back.
+    pub fn lose(&mut self) {
+        self.moves += 1;
+        self.stop();
+    }
+
+    /// It ends where it is, without a path.
+    pub fn stop(&mut self) {
+        self.fate = Fate::Lost;
+    }
+
+    /// It has a path: what [`join`] made of its list, with what that costs.
+    pub fn arrive(&mut self, route: &[Place], cost: f64) {
+        self.route.clear();
+        self.route.extend_from_slice(route);
+        self.cost = cost;
+        self.fate = Fate::Arrived;
+    }
+}
+
+/// Section 4.2: the path from start to goal that a list from the start and one from the goal make where they overlap, at `place`, or that
+/// one of them is alone, whose other end `place` then is. Lists that begin to overlap with their newest place have but that one in
+/// common, so no path visits a place twice.
+pub fn join(from_start: &[Place], from_goal: &[Place], place: Place, route: &mut Vec<Place>) {
+    let before = |list: &[Place]| list.iter().position(|&p| p == place).unwrap_or(list.len());
+    route.clear();
+    route.extend_from_slice(&from_start[..before(from_start)]);
+    route.push(place);
+    route.extend(from_goal[..before(from_goal)].iter().rev());
+}
+
+/// [`join`] for an ant that has walked alone from end to end.
+pub fn alone(list: &[Place], way: Way, route: &mut Vec<Place>) {
+    route.clear();
+    match way {
+        Way::Forward => route.extend_from_slice(list),
+        Way::Backward => route.extend(list.iter().rev()),
+    }
+}
+
+/// Eq. 1 without its denominator, τ_j^α·η_ij^β of every step by what `seen` has of η; 0 for steps that are infeasible or tabu. τ is
+/// divided by the largest of the steps that are left.
+#[inline(always)]
+pub fn weigh(ant: &Walker, seen: &[f32], deltas: &[i32], trails: &PlaceTrails, alpha: f64, weights: &mut [f32]) {
+    let from = ant.place();
+    let mut largest = f32::MIN_POSITIVE;
+    for ((weight, &seen), &delta) in weights.iter_mut().zip(seen).zip(deltas) {
+        let to = from.wrapping_add_signed(delta);
+        *weight = if seen > 0.0 && !ant.is_tabu(to) { trails.relative(to) } else { 0.0 };
+        largest = if *weight > largest { *weight } else { largest };
+    }
+    if alpha == 1.0 {
+        // Without branches, for SIMD.
+        for (weight, &seen) in weights.iter_mut().zip(seen) {
+            let product = (*weight / largest * seen).max(FLOOR);
+            *weight = if *weight > 0.0 { product } else { 0.0 };
+        }
+    } else {
+        for (weight, &seen) in weights.iter_mut().zip(seen).filter(|(weight, _)| **weight > 0.0) {
+            *weight = (power(f64::from(*weight / largest), alpha) as f32 * seen).max(FLOOR);
+        }
+    }
+}
+
+/// With probability q0 the step of the largest weight, the first of equals; otherwise Eq. 1. `None` when no step is left.
+///
+/// Draws q first, unless q0 is 0, and for Eq. 1 a second number; at a dead end none at all.
+#[inline(always)]
+pub fn select(weights: &[f32], q0: f64, stream: &mut Stream) -> Option<usize> {
+    let largest = weights.iter().fold(0.0f32, |m, &w| if w > m { w } else { m });
+    let best = weights.iter().position(|&w| w == largest && w > 0.0)?;
+    if q0 > 0.0 && f64::from(unit_f32(stream.next_u32())) <= q0 {
+        return Some(best);
+    }
+    let threshold = unit_f32(stream.next_u32()) * weights.iter().sum::<f32>();
+    let mut sum = 0.0;
+    let above = weights.iter().position(|w| {
+        sum += w;
+        sum > threshold
+    });
+    // u < 1, but the product may round up to the sum.
+    above.or_else(|| weights.iter().rposition(|w| *w > 0.0))
+}

@@ -1,0 +1,455 @@
+//! Elitist potential-field ACO in three dimensions (Hans Publishers, article 41567).
+
+use std::sync::Arc;
+
+use formicarium::aco::Reading;
+use formicarium::aco::terrain::field::{Field, Gains, LEAST, along, attraction, distance, first_trail, repulsion};
+use formicarium::aco::terrain::params::{BasicParams, EpfParams, Initial};
+use formicarium::aco::terrain::sight::{Eyes, Heuristic, Sight, force_factor, force_weight, visibility};
+use formicarium::aco::terrain::space::{Layered, Place, Space, Surface};
+use formicarium::aco::terrain::trails::{PlaceTrails, elite_count, elite_weight};
+use formicarium::aco::terrain::walk::{Walker, alone, join, select, weigh};
+use formicarium::catalog;
+use formicarium::map::{CornerRule, Grid, Measure, Movement, Moves, Point, SliceRules, Way};
+use formicarium::params::{Value, Values};
+use formicarium::path::{PathKind, audit, audit_slices, points};
+use formicarium::planner::{Layer, Planner};
+use formicarium::rng::Streams;
+use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+
+const RULES: SliceRules =
+    SliceRules { level: 10.0, levels: 6, max_aside: 2, max_climb: 2, start_level: 2, goal_level: 3, measure: Measure::Cost };
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
+}
+
+fn on(grid: Grid, moves: Option<TerrainMoves>, steps: Moves, start: (u32, u32), goal: (u32, u32)) -> Arc<Scenario> {
+    let mut spec = ScenarioSpec::new(&grid, Point::new(start.0, start.1), Point::new(goal.0, goal.1));
+    spec.terrain = moves.map(|moves| TerrainSpec { vertical_unit: 1.0, moves });
+    spec.movement = Movement { moves: steps, corner_rule: CornerRule::BothFree };
+    Arc::new(Scenario::new(grid, spec).expect("usable"))
+}
+
+/// 8 × 7 cells; the ground rises and falls between 0 and 44 m by whole-number arithmetic.
+fn hills() -> Grid {
+    let height = |c: u32| ((c % 8 * 7 + c / 8 * 5) % 11 * 4) as f32;
+    Grid::open(8, 7).expect("a usable size").with_heights((0..56).map(height).collect()).expect("one a cell")
+}
+
+/// From (0, 3) at level 2 to (7, 2) at level 3, levels of 10 m.
+fn by_slices() -> Arc<Scenario> {
+    on(hills(), Some(TerrainMoves::Slices(RULES)), Moves::Eight, (0, 3), (7, 2))
+}
+
+fn on_surface(steps: Moves) -> Arc<Scenario> {
+    let grid = hills();
+    let mut scenario = on(grid, Some(TerrainMoves::Surface { max_slope: 90.0 }), steps, (0, 3), (7, 2)).as_ref().clone();
+    scenario.spec.resolution = 10.0;
+    Arc::new(Scenario::new(scenario.grid, scenario.spec).expect("usable"))
+}
+
+/// One row of open cells, from the first to the last.
+fn corridor(cells: u32) -> Arc<Scenario> {
+    on(Grid::open(cells, 1).expect("a usable size"), None, Moves::Eight, (0, 0), (cells - 1, 0))
+}
+
+fn layered(scenario: &Arc<Scenario>) -> Layered {
+    Layered::new(Arc::clone(scenario), Arc::clone(scenario.slices.as_ref().expect("by slices")))
+}
+
+fn values(set: &[(&str, &str)]) -> Values {
+    set.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect()
+}
+
+fn planner(id: &str, scenario: &Arc<Scenario>, set: &[(&str, &str)], seed: u32) -> Box<dyn Planner> {
+    catalog::build(scenario, id, None, &values(set), seed).expect("valid parameters")
+}
+
+/// One iteration; the trail of every cell.
+fn trails_after_one(id: &str, scenario: &Arc<Scenario>, set: &[(&str, &str)]) -> Vec<f64> {
+    let mut planner = planner(id, scenario, set, 1);
+    planner.advance(formicarium::planner::Granularity::Iteration);
+    let mut out = Vec::new();
+    assert!(planner.layer(Layer::Trail, &mut out));
+    out.into_iter().map(f64::from).collect()
+}
+
+#[test]
+fn eq_1_weights_are_the_place_s_trail_and_the_step_s_visibility() {
+    let streams = Streams::new(1, "test", 0);
+    let mut ant = Walker::new(9, streams.ant(0, 0));
+    ant.begin(3, streams.ant(1, 0));
+    ant.step(4);
+    let trails = PlaceTrails::new((0..9).map(|place| 0.5 * f64::from(place)));
+    // Steps from 4 to 3, which is tabu, to 5, to 7, to 8, which is infeasible, and to 1.
+    let (deltas, seen) = ([-1, 1, 3, 4, -3], [1.0, 0.25, 0.5, 0.0, 1.0]);
+    for (alpha, expected) in
+        [(1.0, [0.0, 0.25 * 2.5 / 3.5, 0.5, 0.0, 0.5 / 3.5]), (2.0, [0.0, 0.25 * 25.0 / 49.0, 0.5, 0.0, 1.0 / 49.0])]
+    {
+        let mut weights = [9.0f32; 5];
+        weigh(&ant, &seen, &deltas, &trails, alpha, &mut weights);
+        assert!(weights.iter().zip(expected).all(|(&w, e)| close(f64::from(w), e)), "{weights:?}");
+    }
+}
+
+#[test]
+fn eq_1_the_selection_threshold_takes_the_first_of_the_best() {
+    let fresh = || Streams::new(3, "test", 0).ant(0, 0);
+    let (weights, mut stream, mut counts) = ([0.0, 1.0, 0.0, 2.0, 2.0], fresh(), [0u32; 5]);
+    assert_eq!(select(&[0.0; 5], 0.8, &mut stream), None);
+    assert_eq!(select(&weights, 1.0, &mut stream), Some(3));
+    for _ in 0..50_000 {
+        counts[select(&weights, 0.8, &mut stream).expect("a step")] += 1;
+    }
+    // 40,000 to step 3; the rest 1 : 2 : 2.
+    for (k, expected) in [(0, 0.0), (1, 2_000.0), (2, 0.0), (3, 44_000.0), (4, 4_000.0)] {
+        assert!((f64::from(counts[k]) - expected).abs() <= 3.5 * f64::sqrt(expected), "step {k}: {}", counts[k]);
+    }
+}
+
+#[test]
+fn eq_2_the_distance_in_three_readings() {
+    assert_eq!(visibility(Heuristic::Step, 3.0, 5.0), 1.0 / 3.0);
+    assert_eq!(visibility(Heuristic::Goal, 3.0, 5.0), 0.2);
+    assert_eq!(visibility(Heuristic::Both, 3.0, 5.0), 0.125);
+    assert_eq!(visibility(Heuristic::Goal, 3.0, 0.0), 100.0, "at the goal 0.01 stands for 0");
+    // By slices, to (1, 5) at level 4 from (0, 3) at level 2: √(1 + 4 + 4) = 3, and √(36 + 9 + 1) to (7, 2) at level 3.
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    let to = slices.place(1, 5, 4);
+    let k = (0..space.steps()).find(|&k| slices.offset(k) == (2, 2)).expect("a step");
+    assert_eq!(space.length(slices.start(), to, k), 3.0);
+    assert!(close(distance(space.position(to), space.position(slices.goal())), 46f64.sqrt()));
+}
+
+#[test]
+fn eq_3_and_4_trails_fade_evaporate_and_grow() {
+    let mut trails = PlaceTrails::new([1.0, 1.0, 2.0].into_iter());
+    trails.fade(1, 0.1);
+    trails.evaporate(0.2);
+    trails.deposit(&[0, 1], 0.5);
+    trails.fade(1, 0.1);
+    assert!([0.8 + 0.5, (0.72 + 0.5) * 0.9, 1.6].iter().zip(0..).all(|(&t, place)| close(trails.get(place), t)));
+    for lambda in [0.0, 0.5, 1.0] {
+        for _ in 0..3000 {
+            trails.evaporate(lambda);
+            trails.fade(2, lambda);
+            trails.deposit(&[0], 1.0);
+        }
+        assert!((0..3).all(|place| trails.get(place) > 0.0 && trails.get(place).is_finite()), "{lambda}");
+    }
+}
+
+#[test]
+fn eq_3_and_4_one_iteration_of_four_ants_on_one_step() {
+    // Four ants step onto the goal: 0.9^4 = 0.6561, 0.8 of it stays, and each leaves 1/1 on both places.
+    let set = [("ants", "4"), ("iterations", "2")];
+    let trails = trails_after_one("terrain-aco", &corridor(2), &set);
+    assert!(close(trails[0], 0.8 + 4.0) && close(trails[1], 0.8 * 0.6561 + 4.0), "{trails:?}");
+}
+
+fn gains(reading: Reading) -> Gains {
+    Gains { reading, attraction: 1.5, repulsion: 2.0, range: 2.0 }
+}
+
+#[test]
+fn eq_6_the_pull_at_the_start_is_k_in_both_readings() {
+    let at = |reading, distance| attraction(&gains(reading), distance, 20.0);
+    // k·d/d0: 1.5·4/20; 2k·d0/(d0 + d): 3·20/24, at the goal 2k.
+    assert!(close(at(Reading::Printed, 4.0), 0.3) && close(at(Reading::Repaired, 4.0), 2.5));
+    assert!(close(at(Reading::Printed, 20.0), 1.5) && close(at(Reading::Repaired, 20.0), 1.5));
+    assert!(close(at(Reading::Printed, 0.0), 0.0) && close(at(Reading::Repaired, 0.0), 3.0));
+}
+
+#[test]
+fn eq_13_heights_push_near_the_ground_and_above_the_start() {
+    let at = |reading, clearance, rise| repulsion(&gains(reading), clearance, rise);
+    for reading in [Reading::Printed, Reading::Repaired] {
+        // θ·(1/ρ − 1/ρ0)/ρ²·rise: 2·0.5·1·0.5, and with ρ = 1.25 2·0.3·0.64·0.5; at ρ0 nothing.
+        assert!(close(at(reading, 1.0, 0.5), 0.5) && close(at(reading, 1.25, 0.5), 0.192));
+        assert_eq!(at(reading, 2.0, 0.5), 0.0);
+    }
+    // Beyond ρ0 or below z0 only the printed "or" acts: 2·(1/3 − 1/2)/9·0.5, and 2·0.5·(−0.5).
+    assert_eq!([at(Reading::Repaired, 3.0, 0.5), at(Reading::Repaired, 1.0, -0.5)], [0.0, 0.0]);
+    assert!(close(at(Reading::Printed, 3.0, 0.5), -1.0 / 54.0) && close(at(Reading::Printed, 1.0, -0.5), -0.5));
+    assert_eq!(at(Reading::Printed, 3.0, -0.5), 0.0);
+}
+
+#[test]
+fn eq_9_and_14_first_trails_are_the_pull_less_the_push_and_stay_positive() {
+    assert!(close(first_trail(1.5, 0.5), 1.0) && close(first_trail(0.3, -0.5), 0.8));
+    assert_eq!([first_trail(0.3, 0.5), first_trail(0.0, 0.0), first_trail(f64::NAN, 0.0)], [LEAST; 3]);
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    let field = Field::new(&space, Way::Forward, gains(Reading::Repaired));
+    // (3, 2) at level 6: the ground is (21 + 10) % 11·4 = 36 m, ρ = 6 − 3.6 = 2.4 > ρ0: the pull alone. d0 = √(49 + 1 + 1),
+    // d = √(16 + 0 + 9) = 5.
+    let d0 = 51f64.sqrt();
+    assert!(close(field.trail(&space, slices.place(3, 2, 6)), 3.0 * d0 / (d0 + 5.0)));
+    // At level 5, ρ = 1.4, z − z0 = 3 of 4: 2·(1/1.4 − 0.5)/1.96·0.75 = 0.163994; d = √(16 + 4).
+    let push = 2.0 * (1.0 / 1.4 - 0.5) / 1.96 * 0.75;
+    assert!(close(push, 0.1639942));
+    assert!(close(field.trail(&space, slices.place(3, 2, 5)), 3.0 * d0 / (d0 + 20f64.sqrt()) - push));
+    // F_tot there: the pull towards (4, 0, −2)/√20, and the push straight down.
+    let pull = 3.0 * d0 / (d0 + 20f64.sqrt());
+    let expected = [pull * 4.0 / 20f64.sqrt(), 0.0, pull * -2.0 / 20f64.sqrt() - push];
+    let force = field.force(&space, slices.place(3, 2, 5));
+    assert!(force.iter().zip(expected).all(|(&f, e)| close(f, e)), "{force:?}");
+    // Backwards, (0, 3) at level 2 attracts and z0 = 3: at level 5 two of three.
+    let back = Field::new(&space, Way::Backward, gains(Reading::Repaired));
+    let push = 2.0 * (1.0 / 1.4 - 0.5) / 1.96 * (2.0 / 3.0);
+    assert!(close(back.trail(&space, slices.place(3, 2, 5)), 3.0 * d0 / (d0 + 19f64.sqrt()) - push));
+}
+
+#[test]
+fn eq_14_on_a_surface_the_ground_is_at_hand_everywhere() {
+    let s = on_surface(Moves::Sixteen);
+    let (space, field) =
+        (Surface::new(Arc::clone(&s)), Field::new(&Surface::new(Arc::clone(&s)), Way::Forward, gains(Reading::Repaired)));
+    // Start (0, 3): 15 % 11·4 = 16 m = 1.6 cells; goal (7, 2): 59 % 11·4 = 16 m; the highest ground 40 m = 4 cells: 2.4 above the start.
+    assert_eq!((space.position(s.start)[2], space.position(s.goal)[2], space.top()), (1.6, 1.6, 4.0));
+    // (3, 2) lies at 3.6 cells: push 2·0.5·(2 / 2.4), d = √(16 + 4), d0 = √50.
+    let (d, d0) = (20f64.sqrt(), 50f64.sqrt());
+    assert!(close(field.trail(&space, 2 * 8 + 3), 3.0 * d0 / (d0 + d) - 2.0 / 2.4));
+}
+
+#[test]
+fn eq_10_and_11_the_elite_deposits_more_and_more() {
+    assert_eq!([0.5, 1.0].map(|part| elite_weight((part * 100.0) as u32, 100)), [0.125, 1.0]);
+    assert_eq!(elite_weight(1, 4), 1.0 / 64.0, "`it` counts from 1");
+    assert_eq!([20, 25, 40, 50, 60].map(|ants| elite_count(0.05, ants)), [1, 1, 2, 2, 3]);
+    assert_eq!([elite_count(0.05, 1), elite_count(0.0, 50), elite_count(1.0, 50)], [1, 0, 50]);
+    // Half of four ants at (1/2)³·1/1 each, beside the four deposits of 1/1.
+    let off = [
+        ("initial", "uniform"),
+        ("two_colonies", "false"),
+        ("force", "false"),
+        ("ants", "4"),
+        ("iterations", "2"),
+        ("elite", "0.5"),
+    ];
+    let trails = trails_after_one("terrain-epf", &corridor(2), &off);
+    assert!(close(trails[0], 0.8 + 4.0 + 0.25) && close(trails[1], 0.8 * 0.6561 + 4.0 + 0.25), "{trails:?}");
+}
+
+#[test]
+fn second_eq_12_the_force_weighs_the_exponent_less_and_less() {
+    assert_eq!([1, 50, 100].map(|it| force_weight(Reading::Repaired, it, 100)), [0.99f64 * 0.99 * 0.99, 0.125, 0.0]);
+    assert_eq!([1, 50, 100].map(|it| force_weight(Reading::Printed, it, 100)), [1.0; 3], "the factor cancels in eq. 1");
+    // 2^(0.125·4) = √2; the force along a step at right angles to it is none.
+    assert!(close(force_factor(2.0, 0.125, 4.0), std::f64::consts::SQRT_2) && force_factor(2.0, 0.0, 4.0) == 1.0);
+    assert!(close(along([3.0, 0.0, -1.5], [1.0, 1.0, 1.0], [2.0, 3.0, 3.0]), 0.0));
+    assert!(close(along([3.0, 0.0, -1.5], [1.0, 1.0, 1.0], [2.0, 3.0, -1.0]), 2.0));
+}
+
+#[test]
+fn eq_1_and_12_rows_are_the_powers_of_the_formula() {
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    for (reading, heuristic, way) in
+        [(Reading::Repaired, Heuristic::Goal, Way::Forward), (Reading::Printed, Heuristic::Step, Way::Backward)]
+    {
+        let field = Field::new(&space, way, gains(reading));
+        let eyes = Eyes { way, heuristic, beta: 3.0, force: Some((field, 2.5)) };
+        let mut sight = Sight::new(&space, eyes);
+        for it in [1, 60, 99] {
+            let weight = force_weight(reading, it, 100);
+            sight.begin(it, weight);
+            for from in [slices.place(3, 2, 5), slices.place(4, 5, 4), space.origin(way)] {
+                let etas: Vec<(Place, f64)> = eyes.eta(&space, from, weight).collect();
+                assert!(!etas.is_empty());
+                let powers: f64 = etas.iter().map(|(_, eta)| eta.powi(3)).sum();
+                let row = sight.row(&space, from).to_vec();
+                let whole: f64 = row.iter().map(|&w| f64::from(w)).sum();
+                let ends = (0..space.steps()).filter_map(|k| space.step(from, k, way).map(|to| (k, to)));
+                for ((k, to), (end, eta)) in ends.zip(etas) {
+                    assert_eq!(to, end);
+                    let (got, expected) = (f64::from(row[k]) / whole, eta.powi(3) / powers);
+                    assert!((got - expected).abs() <= 1e-4 * expected, "{reading:?} {it}: {got}, {expected}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn places_and_steps_agree_with_their_numbers_both_ways() {
+    let mirrored = on(hills(), Some(TerrainMoves::Slices(SliceRules { start_level: 3, ..RULES })), Moves::Eight, (7, 2), (1, 3));
+    let slices = [by_slices(), mirrored].map(|s| layered(&s));
+    let surfaces = [on_surface(Moves::Four), on_surface(Moves::Eight), on_surface(Moves::Sixteen), corridor(5)].map(Surface::new);
+    slices.iter().for_each(check_steps);
+    surfaces.iter().for_each(check_steps);
+}
+
+fn check_steps<S: Space>(space: &S) {
+    let mut count = 0;
+    for (way, back) in [(Way::Forward, Way::Backward), (Way::Backward, Way::Forward)] {
+        assert_ne!(space.origin(way), space.target(way));
+        for from in 0..space.places() as Place {
+            for (k, to) in (0..space.steps()).filter_map(|k| Some((k, space.step(from, k, way)?))) {
+                count += 1;
+                assert_eq!(from.wrapping_add_signed(space.delta(k, way)), to);
+                assert!(space.length(from, to, k) >= 1.0);
+                // What leads there leads back.
+                assert!((0..space.steps()).any(|b| space.step(to, b, back) == Some(from)), "{from} → {to}");
+            }
+        }
+    }
+    assert!(count > 0);
+}
+
+#[test]
+fn clearance_is_the_height_above_the_ground_at_least_one() {
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    // (3, 2): 36 m, levels of 10 m. At level 4 0.4 counts as 1.
+    assert!([(4, 1.0), (5, 1.4), (6, 2.4)].iter().all(|&(h, rho)| close(space.clearance(slices.place(3, 2, h)), rho)));
+    assert_eq!(Surface::new(on_surface(Moves::Eight)).clearance(5), 1.0);
+}
+
+#[test]
+fn section_4_2_lists_join_where_they_overlap() {
+    let mut route = Vec::new();
+    // The ant from the start has come to 5, where the other has been before it went on to 3 and 4.
+    join(&[0, 1, 5], &[9, 8, 5, 3, 4], 5, &mut route);
+    assert_eq!(route, [0, 1, 5, 8, 9]);
+    join(&[0, 1, 5, 7], &[9, 8, 1], 1, &mut route);
+    assert_eq!(route, [0, 1, 8, 9]);
+    join(&[0], &[9, 8, 0], 0, &mut route);
+    assert_eq!(route, [0, 8, 9]);
+    alone(&[9, 8, 0], Way::Backward, &mut route);
+    assert_eq!(route, [0, 8, 9]);
+}
+
+#[test]
+fn section_4_2_two_ants_in_a_corridor_meet_in_its_middle_and_stop() {
+    for (cells, moves) in [(7, 6), (6, 5), (2, 1)] {
+        let mut planner = planner("terrain-epf", &corridor(cells), &[("ants", "2"), ("iterations", "1")], 1);
+        planner.run();
+        assert_eq!(planner.effort().ant_moves, moves, "{cells} cells");
+        let (best, record) = (planner.best().expect("a path"), planner.history()[0]);
+        assert_eq!(best.path, (0..cells).collect::<Vec<_>>());
+        assert_eq!((best.length, record.arrived, record.iteration_mean), (f64::from(cells - 1), 2, Some(f64::from(cells - 1))));
+    }
+    // Both leave 1/6 on the whole path, each on its own trails; the layer shows the stronger. Each has taken 0.1 from three places.
+    let set = [("ants", "2"), ("iterations", "2"), ("initial", "uniform"), ("elite", "0"), ("force", "false")];
+    let trails = trails_after_one("terrain-epf", &corridor(7), &set);
+    for (place, &trail) in trails.iter().enumerate() {
+        let evaporated = if place == 3 { 0.72 } else { 0.8 };
+        assert!(close(trail, evaporated + 1.0 / 6.0), "{place}: {trail}");
+    }
+}
+
+#[test]
+fn section_4_2_the_two_colonies_are_of_equal_size() {
+    let back =
+        |ants| EpfParams { common: BasicParams { ants, ..BasicParams::default() }, ..EpfParams::default() }.backward_ants();
+    assert_eq!([1, 2, 50, 51].map(back), [0, 1, 25, 25]);
+    assert_eq!(EpfParams::basic(BasicParams::default()).backward_ants(), 0);
+}
+
+#[test]
+fn joined_paths_are_paths_without_loops_and_cost_what_they_cost_forwards() {
+    for scenario in [by_slices(), on_surface(Moves::Four), on_surface(Moves::Eight), on_surface(Moves::Sixteen)] {
+        for seed in 0..40 {
+            let mut planner =
+                planner("terrain-epf", &scenario, &[("ants", "12"), ("iterations", "6"), ("q0", "0.3"), ("beta", "1")], seed);
+            planner.run();
+            let best = planner.best().expect("a path");
+            let mut once = best.path.clone();
+            once.sort_unstable();
+            once.dedup();
+            assert_eq!(once.len(), best.path.len(), "a place twice");
+            match &scenario.slices {
+                Some(slices) => {
+                    audit_slices(&scenario, &slices.points(&best.path)).expect("a path");
+                    assert_eq!(best.length, slices.value(&best.path));
+                }
+                None => {
+                    audit(&scenario, &points(&scenario, &best.path), PathKind::Steps).expect("a path");
+                    assert_eq!(best.length, scenario.path_length(&best.path));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn with_all_additions_off_it_is_the_basic_aco_bit_for_bit() {
+    let off = [("initial", "uniform"), ("force", "false"), ("elite", "0"), ("two_colonies", "false")];
+    let common = [("ants", "14"), ("iterations", "15"), ("heuristic", "both"), ("alpha", "1.3"), ("beta", "2.5")];
+    for scenario in [by_slices(), on_surface(Moves::Sixteen), on_surface(Moves::Eight), corridor(9)] {
+        let run = |id, set: &[(&str, &str)]| {
+            let mut planner = planner(id, &scenario, set, 7);
+            planner.run();
+            (planner.digest().hex(), planner.effort())
+        };
+        let basic = run("terrain-aco", &common);
+        assert_eq!(run("terrain-epf", &[&common[..], &off].concat()), basic);
+        if scenario.grid.height() > 1 {
+            // Each addition alone makes another run.
+            for k in 0..4 {
+                let but_one: Vec<_> = off.iter().enumerate().filter(|&(i, _)| i != k).map(|(_, &row)| row).collect();
+                assert_ne!(run("terrain-epf", &[&common[..], &but_one].concat()), basic, "{}", off[k].0);
+            }
+        }
+    }
+}
+
+#[test]
+fn ants_that_can_no_longer_reach_the_end_are_counted_as_lost_or_step_back() {
+    // Three steps of at most two rows to a goal six rows below: one way, and every other place is a dead end.
+    let flat = Grid::open(4, 9).expect("a usable size").with_heights(vec![0.0; 36]).expect("one a cell");
+    let rules = SliceRules { max_climb: 0, start_level: 1, goal_level: 1, ..RULES };
+    let s = on(flat, Some(TerrainMoves::Slices(rules)), Moves::Eight, (0, 1), (3, 7));
+    let arrived = |dead_end| {
+        let set =
+            [("ants", "40"), ("iterations", "1"), ("heuristic", "step"), ("beta", "0"), ("q0", "0"), ("dead_end", dead_end)];
+        let mut planner = planner("terrain-aco", &s, &set, 2);
+        planner.run();
+        assert_eq!(planner.effort().constructed_paths, 40);
+        assert_eq!(planner.best().map(|b| b.path.len()), Some(4), "{dead_end}");
+        (planner.history()[0].arrived, planner.effort().ant_moves)
+    };
+    let (alive, moves) = arrived("die");
+    assert!((1..20).contains(&alive), "{alive}");
+    // Two or three steps, or two and the move in which the ant finds itself lost.
+    assert!((80..=120).contains(&moves), "{moves}");
+    assert_eq!(arrived("backtrack").0, 40);
+}
+
+#[test]
+fn table_1_is_the_default_and_the_preset() {
+    let p = BasicParams::default();
+    assert_eq!((p.ants, p.choice.iterations, p.choice.alpha, p.choice.beta), (50, 100, 1.0, 7.0));
+    assert_eq!((p.q0, p.local_rho, p.rho, EpfParams::default().repulsion_range), (0.8, 0.1, 0.2, 2.0));
+    assert_eq!((EpfParams::default().elite, EpfParams::default().initial), (0.05, Initial::Field));
+    for scenario in [by_slices(), on_surface(Moves::Sixteen)] {
+        for id in ["terrain-aco", "terrain-epf"] {
+            let run = |preset| {
+                let mut planner =
+                    catalog::build(&scenario, id, preset, &values(&[("iterations", "10")]), 1).expect("valid parameters");
+                planner.run();
+                planner.digest().hex()
+            };
+            assert_eq!(run(Some("paper")), run(None), "{id}");
+            assert_ne!(run(Some("printed")), run(None), "{id}");
+        }
+    }
+}
+
+#[test]
+fn layers_show_the_strongest_place_of_each_cell() {
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    let mut shown = Vec::new();
+    assert!(planner("terrain-epf", &s, &[("initial_trail", "3")], 1).layer(Layer::InitialTrail, &mut shown));
+    let fields = [Way::Forward, Way::Backward].map(|way| Field::new(&space, way, EpfParams::default().gains()));
+    for cell in 0..slices.area() {
+        let places = (0..=6).map(|level| cell + level * slices.area());
+        let strongest =
+            places.flat_map(|p| fields.iter().map(move |f| (f, p))).map(|(f, p)| 3.0 * f.trail(&space, p)).fold(0.0, f64::max);
+        assert!(close(f64::from(shown[cell as usize]), strongest), "{cell}");
+    }
+}
