@@ -4,6 +4,8 @@
 #[path = "golden_cases/mod.rs"]
 mod golden;
 
+use formicarium::digest::Digest;
+use formicarium::map::{Generator, generate};
 use formicarium::wasm;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -28,6 +30,18 @@ fn errors_are_objects_with_kind_field_message_and_hint() {
             let value = js_sys::Reflect::get(&error, &key.into()).expect("an object");
             assert!(value.as_string().is_some_and(|s| !s.is_empty()), "{key}");
         }
+    }
+}
+
+/// The digests that `map::generate`'s own test freezes natively.
+#[wasm_bindgen_test]
+fn terrains_have_the_same_bits() {
+    for (kind, golden) in [(Generator::Fractal, "e66abdfd28e817a1"), (Generator::Hills, "479969d69fde95d5")] {
+        let made = generate(kind, 64, 48, 1, 0.3).expect("a valid size");
+        let mut digest = Digest::default();
+        digest.bytes(&made.grid.to_bytes());
+        made.grid.heights().expect("a terrain").iter().for_each(|h| digest.bytes(&h.to_le_bytes()));
+        assert_eq!(digest.hex(), golden, "{kind:?}");
     }
 }
 

@@ -91,7 +91,7 @@ fn exact(id: &str) -> Result<&'static Entry, CliError> {
 fn proves_length(entry: &Entry) -> bool {
     let ends = (Point::new(0, 0), Point::new(1, 0));
     let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
-    let planner = smallest.and_then(|scenario| (entry.build)(&Arc::new(scenario), &Values::new(), 1).ok());
+    let planner = smallest.and_then(|scenario| catalog::build(&Arc::new(scenario), entry.id, None, &Values::new(), 1).ok());
     entry.family == Family::Exact && planner.is_some_and(|p| p.objective() == Objective::Length)
 }
 

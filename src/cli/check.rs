@@ -2,22 +2,24 @@
 
 use std::path::PathBuf;
 
-use formicarium::formats::{Imported, path_kind, read_path};
+use formicarium::formats::{Imported, path_kind, read_places};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
-use formicarium::path::{PathKind, direction_between, in_sight};
-use formicarium::scenario::Scenario;
+use formicarium::path::{PathKind, audit_slices, direction_between, in_sight};
+use formicarium::scenario::{Scenario, TerrainMoves, TerrainSpec};
 use serde::Serialize;
 
 use super::error::CliError;
 use super::input::{self, MovementArgs};
+use super::terrain::TerrainArgs;
 use super::{Outcome, text, text::TextOrJson, text::row};
 
-/// Audits a path: collisions, cut corners, jumps, sight, ends; and measures it
+/// Audits a path: collisions, cut corners, slopes, jumps, sight, ends; and measures it
 #[derive(clap::Args)]
 #[command(after_help = "\
 The path: JSON [[x, y], …] or the output of `plan --format json`, CSV lines x,y, or MATLAB [x y; x y].
 Its points are neighbouring cells, or with --polyline the corners of a polyline; a result says which itself.
+By slices each place has its level: [[x, y, level], …], lines x,y,level, or a result's path and levels.
 The ends are checked only where the map's file names them.
 
 Examples:
@@ -35,6 +37,8 @@ pub struct Args {
     map: PathBuf,
     #[command(flatten)]
     movement: MovementArgs,
+    #[command(flatten)]
+    terrain: TerrainArgs,
     /// The path's points are joined by straight segments in line of sight, not by steps
     #[arg(long)]
     polyline: bool,
@@ -58,9 +62,19 @@ impl Args {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = input::import(&args.map)?;
     args.movement.apply(&mut map);
-    let (mut path, kind) = input::in_file(&args.path, |bytes, _| Ok((read_path(bytes)?, path_kind(bytes))))?;
+    let (mut path, kind) = input::in_file(&args.path, |bytes, _| Ok((read_places(bytes)?, path_kind(bytes))))?;
     let kind = if args.polyline { PathKind::Polyline } else { kind };
-    path.iter_mut().try_for_each(|p| args.shift(p))?;
+    path.iter_mut().try_for_each(|(p, _)| args.shift(p))?;
+    if let (true, Some(&(first, _)), Some(&(last, _))) = (map.ends_were_chosen(), path.first(), path.last()) {
+        // The ends of the path are as good as any; by slices their levels follow.
+        map.spec.start = first;
+        map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
+    }
+    args.terrain.apply(&mut map)?;
+    if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
+        return by_slices(args, map, &path);
+    }
+    let path = on_the_ground(&path)?;
     let findings = Findings::of(&map, &path, kind);
     let text = match args.format {
         TextOrJson::Text => findings.text(&map, path.len()),
@@ -112,6 +126,7 @@ struct Findings {
     collisions: Vec<At>,
     jumps: Vec<Step>,
     corner_cuts: Vec<Step>,
+    too_steep: Vec<Step>,
     out_of_sight: Vec<Step>,
     metrics: Option<Metrics>,
 }
@@ -122,22 +137,25 @@ impl Findings {
         let cells = |wrong: &dyn Fn(Point) -> bool| -> Vec<At> {
             path.iter().enumerate().filter(|(_, p)| wrong(**p)).map(|(index, &at)| At { index, at }).collect()
         };
-        let joints = |of: PathKind, wrong: &dyn Fn(Point, Point) -> bool| -> Vec<Step> {
+        let all = |wrong: &dyn Fn(Point, Point) -> bool| -> Vec<Step> {
             let all = path.windows(2).enumerate().map(|(step, s)| Step { step, from: s[0], to: s[1] });
-            all.filter(|s| kind == of && wrong(s.from, s.to)).collect()
+            all.filter(|s| wrong(s.from, s.to)).collect()
         };
+        let joints = |of: PathKind, wrong: &dyn Fn(Point, Point) -> bool| if kind == of { all(wrong) } else { Vec::new() };
         let outside = cells(&|p| !grid.contains(p));
         let collisions = cells(&|p| grid.contains(p) && grid.is_blocked(grid.cell(p)));
         let jumps = joints(PathKind::Steps, &|from, to| direction_between(from, to).is_none());
         let corner_cuts = joints(PathKind::Steps, &|from, to| cuts_corner(grid, movement, from, to));
         let out_of_sight = joints(PathKind::Polyline, &|from, to| hidden(grid, movement, from, to));
+        let ground = Scenario::unvalidated(map.grid.clone(), map.spec.clone(), 0, 0);
+        let too_steep = all(&|from, to| is_too_steep(&ground, from, to));
         let wrong_ends = wrong_ends(map, path);
         let measurable = outside.is_empty() && jumps.is_empty();
-        let joined = corner_cuts.is_empty() && out_of_sight.is_empty();
+        let joined = corner_cuts.is_empty() && out_of_sight.is_empty() && too_steep.is_empty();
         let ok = measurable && joined && collisions.is_empty() && wrong_ends.is_empty() && !path.is_empty();
         let metrics = if measurable { measure(map, path) } else { None };
         let format = "formicarium/check@1";
-        Self { format, kind, ok, wrong_ends, outside, collisions, jumps, corner_cuts, out_of_sight, metrics }
+        Self { format, kind, ok, wrong_ends, outside, collisions, jumps, corner_cuts, too_steep, out_of_sight, metrics }
     }
 
     fn text(&self, map: &Imported, points: usize) -> String {
@@ -152,7 +170,7 @@ impl Findings {
         for end in &self.wrong_ends {
             row(&mut out, "ends", end);
         }
-        self.counts(&mut out);
+        self.counts(&mut out, map.spec.terrain.is_some());
         if !self.jumps.is_empty() {
             row(&mut out, "", "for the corners of a polyline, add --polyline");
         }
@@ -163,11 +181,12 @@ impl Findings {
     }
 
     /// A line for each kind of flaw that this kind of path can have.
-    fn counts(&self, out: &mut String) {
+    fn counts(&self, out: &mut String, on_terrain: bool) {
         let at = |found: &[At]| (found.len(), found.first().map(|f| format!("cell {} {}", f.index, text::cell(f.at))));
         let step = |found: &[Step], name: &str| {
             (found.len(), found.first().map(|f| format!("{name} {} {} → {}", f.step, text::cell(f.from), text::cell(f.to))))
         };
+        let steep = on_terrain.then(|| ("too steep", step(&self.too_steep, "step")));
         let (cells, joints) = (
             [("outside", at(&self.outside)), ("collisions", at(&self.collisions))],
             match self.kind {
@@ -175,10 +194,87 @@ impl Findings {
                 PathKind::Polyline => vec![("out of sight", step(&self.out_of_sight, "segment"))],
             },
         );
-        for (label, (count, first)) in cells.into_iter().chain(joints) {
+        for (label, (count, first)) in cells.into_iter().chain(joints).chain(steep) {
             row(out, label, first.map_or("none".into(), |first| format!("{count}, first at {first}")));
         }
     }
+}
+
+/// What is wrong with a path by slices, and its measures when nothing is.
+#[derive(Serialize)]
+struct SliceFindings {
+    format: &'static str,
+    kind: &'static str,
+    ok: bool,
+    flaw: Option<String>,
+    metrics: Option<Metrics>,
+}
+
+/// Audits a path by slices.
+fn by_slices(args: &Args, mut map: Imported, path: &[(Point, Option<u32>)]) -> Result<Outcome, CliError> {
+    let name = map.spec.name.clone();
+    let places: Option<Vec<(Point, u32)>> = path.iter().map(|&(at, level)| Some((at, level?))).collect();
+    let places = places.ok_or_else(|| {
+        CliError::usage("the path has no levels, and the map is one by slices", "write x,y,level, or add --model surface")
+    })?;
+    args.take_levels(&mut map, &places);
+    let scenario = Scenario::new(map.grid, map.spec)?;
+    let flaw = audit_slices(&scenario, &places).err().map(|flaw| flaw.to_string());
+    let area = scenario.grid.len() as u32;
+    let path =
+        |places: &[(Point, u32)]| places.iter().map(|&(at, level)| scenario.grid.cell(at) + area * level).collect::<Vec<_>>();
+    let metrics = flaw.is_none().then(|| Metrics::of(&scenario, &path(&places)));
+    let findings = SliceFindings { format: "formicarium/check@1", kind: "slices", ok: flaw.is_none(), flaw, metrics };
+    let text = match args.format {
+        TextOrJson::Text => findings.text(&name, places.len()),
+        TextOrJson::Json => text::json(&findings, 2),
+    };
+    Ok(Outcome { text, fine: findings.ok })
+}
+
+impl Args {
+    /// Where the map's file does not say how one moves, the levels of the path's ends are taken, unless others are asked for.
+    fn take_levels(&self, map: &mut Imported, places: &[(Point, u32)]) {
+        let (chosen, ends) = (map.ends_were_chosen(), places.first().zip(places.last()));
+        let (Some(TerrainSpec { moves: TerrainMoves::Slices(rules), .. }), Some((first, last))) = (&mut map.spec.terrain, ends)
+        else {
+            return;
+        };
+        if chosen {
+            rules.start_level = self.terrain.from_level.unwrap_or(first.1);
+            rules.goal_level = self.terrain.to_level.unwrap_or(last.1);
+        }
+    }
+}
+
+impl SliceFindings {
+    fn text(&self, name: &str, places: usize) -> String {
+        let mut out = format!("{} on {name} (by slices)\n\n", text::count(places as u64, "place", "places"));
+        row(&mut out, "verdict", if self.ok { "a valid path" } else { "not a valid path" });
+        if let Some(flaw) = &self.flaw {
+            row(&mut out, "flaw", flaw);
+        }
+        if let Some(metrics) = &self.metrics {
+            text::metrics(&mut out, metrics);
+        }
+        out
+    }
+}
+
+/// A path's points where no level is asked for.
+fn on_the_ground(path: &[(Point, Option<u32>)]) -> Result<Vec<Point>, CliError> {
+    if path.iter().any(|(_, level)| level.is_some()) {
+        let message = "the path has levels, and here one moves on the ground";
+        return Err(CliError::usage(message, "add --model slices, or leave the levels out"));
+    }
+    Ok(path.iter().map(|&(at, _)| at).collect())
+}
+
+/// A step or segment between free cells over ground that is steeper than allowed.
+fn is_too_steep(ground: &Scenario, from: Point, to: Point) -> bool {
+    let free = |p: Point| ground.grid.is_free_at(i64::from(p.x), i64::from(p.y));
+    let passable = || ground.moves.relief().is_none_or(|r| r.is_passable(ground.grid.cell(from), ground.grid.cell(to)));
+    free(from) && free(to) && !passable()
 }
 
 /// Two free cells that do not see each other.

@@ -1,5 +1,6 @@
 //! `compare`: a question over many seeds, on all cores.
 
+use std::collections::BTreeSet;
 use std::io::{IsTerminal, Write};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -7,19 +8,22 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
+use std::time::Instant;
 
 use formicarium::error::{Error, FormatError};
-use formicarium::experiment::{Experiment, Question, QuestionError, Row, judge, report};
+use formicarium::experiment::{Experiment, Question, QuestionError, Row, Task, judge, report};
 use formicarium::scenario::Scenario;
 
 use super::error::CliError;
+use super::journal::Journal;
 use super::{Outcome, input, text};
 
 /// Runs a question: every entry on every map with every seed, and judges its claims
 #[derive(clap::Args)]
 #[command(after_help = "\
-Writes NAME.csv, one row a run, and NAME.md, tables and verdicts. Both depend on the question alone, not on
-the number of jobs. The question's format and the rule of the verdicts: docs/methodology.md.
+Writes NAME.csv, one row a run, NAME.md, tables and verdicts, and NAME.tests.md, rank tests of all pairs. They
+depend on the question alone, not on the number of jobs. Every finished run is kept in NAME.partial at once: a comparison that was broken off goes
+on where it was when it is started again. The question's format and the rule of the verdicts: docs/methodology.md.
 
 Examples:
   formicarium compare experiments/ship.toml --out experiments/records
@@ -28,7 +32,7 @@ Examples:
 pub struct Args {
     /// The question, as TOML (formicarium/question@1)
     question: PathBuf,
-    /// Folder for the two files; made if it is missing
+    /// Folder for the files; made if it is missing
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     /// Runs at the same time [default: all cores]
@@ -53,17 +57,20 @@ fn stand_in(text: &str) -> Result<(String, PathBuf), String> {
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let experiment = load(args)?;
-    let rows = run_all(&experiment, jobs(args)).map_err(|e| in_question(args, e))?;
+    let name = args.question.file_stem().unwrap_or_default();
+    let (mut journal, kept) = Journal::open(args.out.join(name).with_extension("partial"), &experiment)?;
+    let rows = run_all(args, &experiment, &mut journal, kept)?;
     let comparisons = judge(&experiment, &rows);
     let page = report::markdown(&experiment, &rows, &comparisons, &command(args));
-    let name = args.question.file_stem().unwrap_or_default();
     let mut said = format!("{}: {}\n", experiment.question.title, text::count(rows.len() as u64, "run", "runs"));
     said += &report::verdicts(&experiment, &comparisons);
-    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page)] {
+    let tests = report::tests(&experiment, &rows);
+    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page), ("tests.md", tests)] {
         let path = args.out.join(name).with_extension(ending);
         replace(&path, &contents)?;
         said += &format!("wrote {}\n", path.display());
     }
+    journal.close()?;
     Ok(Outcome::fine(said))
 }
 
@@ -116,14 +123,22 @@ fn jobs(args: &Args) -> usize {
     args.jobs.map_or_else(cores, usize::from)
 }
 
-/// Does every run; rows in the order of the tasks, whoever finishes first.
-fn run_all(experiment: &Experiment, jobs: usize) -> Result<Vec<Row>, QuestionError> {
-    let tasks = experiment.tasks();
-    let mut rows: Vec<Option<Row>> = vec![None; tasks.len()];
+/// Does every run that is not kept from before; rows in the order of the tasks, whoever finishes first.
+fn run_all(args: &Args, experiment: &Experiment, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
+    let all = experiment.tasks();
+    let mut rows: Vec<Option<Row>> = vec![None; all.len()];
+    let mut place = |row: Row| {
+        if let Ok(place) = all.binary_search(&row.task) {
+            rows[place] = Some(row);
+        }
+    };
+    let done: BTreeSet<Task> = kept.iter().map(|row| row.task).collect();
+    kept.into_iter().for_each(&mut place);
+    let tasks: Vec<Task> = all.iter().copied().filter(|task| !done.contains(task)).collect();
     let next = AtomicUsize::new(0);
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
-        for _ in 0..jobs.min(tasks.len()) {
+        for _ in 0..jobs(args).min(tasks.len()) {
             let (sender, next, tasks) = (sender.clone(), &next, &tasks);
             scope.spawn(move || {
                 let take = || tasks.get(next.fetch_add(1, Ordering::Relaxed));
@@ -132,35 +147,40 @@ fn run_all(experiment: &Experiment, jobs: usize) -> Result<Vec<Row>, QuestionErr
             });
         }
         drop(sender);
-        let mut progress = Progress::new(tasks.len());
+        let mut progress = Progress::new(done.len(), all.len());
         for row in receiver {
-            let row = row?;
+            let row = row.map_err(|e| in_question(args, e))?;
+            journal.note(&row)?;
             progress.step();
-            if let Ok(place) = tasks.binary_search(&row.task) {
-                rows[place] = Some(row);
-            }
+            place(row);
         }
-        Ok(())
+        Ok::<_, CliError>(())
     })?;
     Ok(rows.into_iter().flatten().collect())
 }
 
 /// A counter on the error stream, where somebody looks at it.
 struct Progress {
+    /// Runs that were done before.
+    kept: usize,
     done: usize,
     of: usize,
+    began: Instant,
     shown: bool,
 }
 
 impl Progress {
-    fn new(of: usize) -> Self {
-        Self { done: 0, of, shown: std::io::stderr().is_terminal() }
+    fn new(kept: usize, of: usize) -> Self {
+        Self { kept, done: kept, of, began: Instant::now(), shown: std::io::stderr().is_terminal() }
     }
 
     fn step(&mut self) {
         self.done += 1;
         if self.shown {
-            eprint!("\r{} of {} runs", self.done, self.of);
+            let each = self.began.elapsed().as_secs_f64() / (self.done - self.kept) as f64;
+            let left = each * (self.of - self.done) as f64;
+            let kept = if self.kept > 0 { format!(" ({} from before)", self.kept) } else { String::new() };
+            eprint!("\r{} of {} runs{kept}, about {left:.0} s left   ", self.done, self.of);
             let _ = std::io::stderr().flush();
         }
     }
@@ -168,7 +188,7 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if self.shown && self.done > 0 {
+        if self.shown && self.done > self.kept {
             eprintln!();
         }
     }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use formicarium::exact;
-use formicarium::formats::{self, Export, Imported};
-use formicarium::map::Movement;
+use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions};
+use formicarium::map::{Movement, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
@@ -15,24 +15,31 @@ use super::{Outcome, input, text};
 /// Converts a map to another format, told by the output's ending
 #[derive(clap::Args)]
 #[command(after_help = "\
-Endings: .map and .scen (MovingAI; a .scen lists start and goal with the exact optimum),
-.csv .txt .m (matrix), .json (scenario)
+Endings: .map and .scen (MovingAI; a .scen lists start and goal with the exact optimum), .csv .txt .m (matrix;
+of a terrain a table of heights), .asc (ESRI ASCII grid), .tif (GeoTIFF), .hgt (SRTM), .json (scenario)
 
 Examples:
   formicarium convert grid.m grid.map
   formicarium convert grid.csv grid.json --invert
-  formicarium convert arena2.map - --as matrix | head")]
+  formicarium convert arena2.map - --as matrix | head
+  formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100")]
 pub struct Args {
     /// The file to read
     input: PathBuf,
     /// The file to write; `-` needs --as
     output: PathBuf,
-    /// movingai-map, movingai-scen, matrix or scenario, whatever the ending
+    /// movingai-map, movingai-scen, matrix, esri-ascii, height-table, geotiff, srtm or scenario, whatever the ending
     #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
     format: Option<Format>,
     /// Swap free and blocked cells
     #[arg(long)]
     invert: bool,
+    /// Only this window of the map, in its cells
+    #[arg(long, value_name = "X,Y,W,H", value_parser = input::window)]
+    crop: Option<Window>,
+    /// The same ground in this number of cells: heights are interpolated, walls taken from the nearest cell
+    #[arg(long, value_name = "WxH", value_parser = input::size)]
+    size: Option<(u32, u32)>,
 }
 
 /// A format that can be written.
@@ -41,6 +48,10 @@ pub enum Format {
     MovingaiMap,
     MovingaiScen,
     Matrix,
+    EsriAscii,
+    HeightTable,
+    Geotiff,
+    Srtm,
     Scenario,
 }
 
@@ -52,51 +63,93 @@ impl Format {
             "map" => Some(Self::MovingaiMap),
             "scen" => Some(Self::MovingaiScen),
             "csv" | "txt" | "m" => Some(Self::Matrix),
+            "asc" => Some(Self::EsriAscii),
+            "tif" | "tiff" => Some(Self::Geotiff),
+            "hgt" => Some(Self::Srtm),
             "json" => Some(Self::Scenario),
             _ => None,
         }
     }
 
-    /// The text of a map in this format.
-    pub fn write(self, map: &Imported) -> Result<String, CliError> {
+    /// The same, except that an ending of a table means heights where there are any.
+    pub fn suited(self, is_terrain: bool) -> Self {
+        if is_terrain && self == Self::Matrix { Self::HeightTable } else { self }
+    }
+
+    /// A map in this format.
+    pub fn write(self, map: &Imported) -> Result<Vec<u8>, CliError> {
         let export = match self {
             Self::MovingaiMap => Export::MovingaiMap,
             Self::MovingaiScen => Export::MovingaiScen { optimal: listed_optimum(map)? },
             Self::Matrix => Export::Matrix,
+            Self::EsriAscii => Export::EsriAscii,
+            Self::HeightTable => Export::HeightTable,
             Self::Scenario => Export::Scenario,
+            Self::Geotiff => return Ok(formats::export_binary(&map.grid, &map.spec, BinaryExport::Geotiff)?),
+            Self::Srtm => return Ok(formats::export_binary(&map.grid, &map.spec, BinaryExport::Srtm)?),
         };
-        Ok(formats::export(&map.grid, &map.spec, export))
+        Ok(formats::export(&map.grid, &map.spec, export).into_bytes())
     }
 
-    /// Whether start and goal are lost.
-    fn drops_ends(self) -> bool {
-        matches!(self, Self::MovingaiMap | Self::Matrix)
+    /// Whether heights alone are written.
+    fn is_raster(self) -> bool {
+        matches!(self, Self::EsriAscii | Self::HeightTable | Self::Geotiff | Self::Srtm)
     }
 }
 
-/// The optimum under the benchmark's rules: 8 moves, both cells beside a diagonal step free.
+/// The optimum under the benchmark's rules: 8 moves, both cells beside a diagonal step free, on the plane.
 fn listed_optimum(map: &Imported) -> Result<f64, CliError> {
-    let spec = ScenarioSpec { movement: Movement::default(), ..map.spec.clone() };
-    let scenario = Arc::new(Scenario::new(map.grid.clone(), spec)?);
+    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, ..map.spec.clone() };
+    let scenario = Arc::new(Scenario::new(map.grid.clone().without_heights(), spec)?);
     exact::optimum(&scenario).ok_or_else(|| {
         CliError::usage("no path leads from start to goal, so there is no optimum to list", "choose other ends, or write a .map")
     })
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let format = args.format.or_else(|| Format::of(&args.output)).ok_or_else(|| {
-        let message = format!("the ending of `{}` tells no format", args.output.display());
-        CliError::usage(message, "use .map, .scen, .csv or .json, or name the format with --as")
-    })?;
-    let mut map = input::import(&args.input)?;
+    let mut map = read(args)?;
+    let format = match (args.format, Format::of(&args.output)) {
+        (Some(asked), _) => asked,
+        (None, Some(ending)) => ending.suited(map.spec.terrain.is_some()),
+        (None, None) => {
+            let message = format!("the ending of `{}` tells no format", args.output.display());
+            return Err(CliError::usage(message, "use .map, .scen, .csv, .asc, .tif or .json, or name the format with --as"));
+        }
+    };
     if args.invert {
         map = map.invert()?;
     }
     text::notes(&map.notices);
-    if format.drops_ends() && !map.ends_were_chosen() {
-        let (start, goal) = (text::cell(map.spec.start), text::cell(map.spec.goals[0].at));
-        eprintln!("note: this format holds the cells alone, not start {start} and goal {goal}; a .json keeps them");
+    tell_of_losses(format, &map);
+    input::write(Some(&args.output), &format.write(&map)?)?;
+    Ok(Outcome::fine(String::new()))
+}
+
+/// The map, or the piece of it that is asked for.
+fn read(args: &Args) -> Result<Imported, CliError> {
+    let options = TerrainOptions { crop: args.crop, size: args.size };
+    if options == TerrainOptions::default() {
+        return input::import(&args.input);
     }
-    let written = format.write(&map)?;
-    input::write(Some(&args.output), written).map(Outcome::fine)
+    input::in_file(&args.input, |bytes, name| formats::import_piece(bytes, name, options))
+}
+
+/// What the format does not hold.
+fn tell_of_losses(format: Format, map: &Imported) {
+    let is_terrain = map.spec.terrain.is_some();
+    let has_ends = matches!(format, Format::MovingaiScen | Format::Scenario);
+    if !has_ends && !map.ends_were_chosen() {
+        let (start, goal) = (text::cell(map.spec.start), text::cell(map.spec.goals[0].at));
+        let what = if format.is_raster() { "heights" } else { "cells" };
+        eprintln!("note: this format holds the {what} alone, not start {start} and goal {goal}; a .json keeps them");
+    }
+    if is_terrain && !format.is_raster() && format != Format::Scenario {
+        eprintln!("note: this format holds no heights; .asc, .tif and .json do");
+    }
+    let walls = || {
+        (0..map.grid.len() as u32).any(|c| map.grid.is_blocked(c) && map.grid.heights().is_some_and(|h| !h[c as usize].is_nan()))
+    };
+    if format.is_raster() && walls() {
+        eprintln!("note: this format holds heights alone, not the walls that stand on them; a .json keeps them");
+    }
 }

@@ -7,16 +7,17 @@ use std::sync::Arc;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::error::{Error, Notice};
 use formicarium::formats::{self, Imported, ScenLine};
-use formicarium::map::{CornerRule, Moves, Point};
+use formicarium::map::{CornerRule, Moves, Point, Window};
 use formicarium::scenario::{Goal, Scenario};
 
 use super::error::CliError;
+use super::terrain::TerrainArgs;
 use super::text;
 
 /// Which question is asked on which map.
 #[derive(clap::Args)]
 pub struct ScenarioArgs {
-    /// The map: MovingAI .map, a matrix of 0 and 1, or a scenario as JSON
+    /// The map: MovingAI .map, a matrix of 0 and 1, a raster of heights, or a scenario as JSON
     #[arg(required_unless_present = "scenario")]
     map: Option<PathBuf>,
     /// Start cell
@@ -33,6 +34,8 @@ pub struct ScenarioArgs {
     scenario: Option<PathBuf>,
     #[command(flatten)]
     movement: MovementArgs,
+    #[command(flatten)]
+    terrain: TerrainArgs,
 }
 
 /// How one moves.
@@ -42,7 +45,7 @@ pub struct MovementArgs {
     #[arg(long, value_name = "RULE", hide_possible_values = true, value_parser = corner_rules())]
     pub corner_rule: Option<CornerRule>,
     /// Moves a cell offers [default: the map's, else 8]
-    #[arg(long, value_name = "4|8", hide_possible_values = true, value_parser = moves())]
+    #[arg(long, value_name = "4|8|16", hide_possible_values = true, value_parser = moves())]
     pub moves: Option<Moves>,
 }
 
@@ -80,6 +83,22 @@ pub fn corner_rules() -> impl TypedValueParser<Value = CornerRule> {
     })
 }
 
+/// Reads `WIDTHxHEIGHT`.
+pub fn size(text: &str) -> Result<(u32, u32), String> {
+    let wrong = || format!("`{text}` is no size: write WIDTHxHEIGHT such as 40x30");
+    let (w, h) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
+    Ok((w.trim().parse().map_err(|_| wrong())?, h.trim().parse().map_err(|_| wrong())?))
+}
+
+/// Reads `x,y,width,height`.
+pub fn window(text: &str) -> Result<Window, String> {
+    let numbers: Option<Vec<u32>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, width, height]) => Ok(Window { x, y, width, height }),
+        _ => Err(format!("`{text}` is no window: write column,row,width,height such as 10,20,40,30")),
+    }
+}
+
 /// Reads `x,y`.
 pub fn point(text: &str) -> Result<Point, String> {
     let wrong = || format!("`{text}` is no cell: write column,row such as 3,12");
@@ -102,6 +121,7 @@ impl ScenarioArgs {
         }
         set_ends(&mut map, self.from, &self.to);
         self.movement.apply(&mut map);
+        self.terrain.apply(&mut map)?;
         let scenario = Scenario::new(map.grid, map.spec)?;
         text::notes(&map.notices);
         text::notes(&scenario.notices());
@@ -171,12 +191,17 @@ fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     read.map_err(|error| CliError::File { action: "read", path: path.display().to_string(), error })
 }
 
-/// Writes a file, or hands the text back for standard output.
-pub fn write(path: Option<&Path>, text: String) -> Result<String, CliError> {
+/// Writes a file, or to standard output.
+pub fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), CliError> {
     match path {
-        Some(path) if path != Path::new("-") => std::fs::write(path, text)
-            .map(|()| String::new())
-            .map_err(|error| CliError::File { action: "write", path: path.display().to_string(), error }),
-        _ => Ok(text),
+        Some(path) if path != Path::new("-") => std::fs::write(path, bytes).map_err(|error| CliError::File {
+            action: "write",
+            path: path.display().to_string(),
+            error,
+        }),
+        _ => {
+            super::print(bytes);
+            Ok(())
+        }
     }
 }

@@ -8,7 +8,9 @@ mod convert;
 mod error;
 mod generate;
 mod input;
+mod journal;
 mod plan;
+mod terrain;
 mod text;
 
 use std::io::Write;
@@ -32,6 +34,7 @@ const EXAMPLES: &str = "\
 Examples:
   formicarium generate cave --size 60x40 --seed 7 --out cave.json
   formicarium plan cave.json --planner ant-system --set ants=30
+  formicarium plan dem.tif --planner astar --moves 16 --max-slope 30
   formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar --format json
   formicarium compare experiments/ship.toml --out results
   formicarium check path.csv --map arena2.map
@@ -100,14 +103,14 @@ pub fn run() -> ExitCode {
     let cli = Cli::parse();
     match cli.command.run() {
         Ok(outcome) => {
-            print(&outcome.text);
+            print(outcome.text.as_bytes());
             ExitCode::from(u8::from(!outcome.fine))
         }
         Err(error) => {
             let report = error.report();
             eprintln!("error: {}\nhint: {}", report.message, report.hint);
             if cli.command.wants_json() {
-                print(&text::json(&Failure { format: "formicarium/error@1", error: report }, 2));
+                print(text::json(&Failure { format: "formicarium/error@1", error: report }, 2).as_bytes());
             }
             ExitCode::from(2)
         }
@@ -115,7 +118,7 @@ pub fn run() -> ExitCode {
 }
 
 /// Prints; a reader that has seen enough (`| head`) is no error.
-fn print(text: &str) {
+fn print(bytes: &[u8]) {
     let mut out = std::io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    let _ = out.write_all(bytes).and_then(|()| out.flush());
 }

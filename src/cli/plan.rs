@@ -27,6 +27,8 @@ Examples:
   formicarium plan arena2.map --scen arena2.map.scen:200 --planner astar
   formicarium plan maze.csv --planner fire --from 0,0 --to 19,19 --to 3,17 --to 16,2
   formicarium plan room.json --planner ant-system --set ants=40 --set rho=0.2 --format csv > curve.csv
+  formicarium plan dem.asc --planner astar --moves 16 --max-slope 25
+  formicarium plan heights.csv --planner slices-exact --model slices --from 0,9 --from-level 4 --to 20,7 --to-level 5
   formicarium generate rooms --size 80x60 | formicarium plan - --planner dijkstra --format json
 
 Exit code 1 when no path was found.")]
@@ -123,6 +125,12 @@ struct PlanResult<'a> {
     effort: Effort,
     digest: String,
     path: Vec<Point>,
+    /// By slices: the level of each place of the path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    levels: Option<Vec<u32>>,
+    /// On a terrain: metres of each place of the path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    altitudes: Option<Vec<f64>>,
 }
 
 /// One finished run.
@@ -141,6 +149,7 @@ struct Report<'a> {
 impl Report<'_> {
     fn result(&self) -> PlanResult<'_> {
         let best = self.planner.best();
+        let path = best.map_or(&[][..], |b| b.result().0);
         PlanResult {
             format: "formicarium/result@1",
             planner: &self.args.planner,
@@ -160,7 +169,9 @@ impl Report<'_> {
             tour: self.planner.tour(),
             effort: self.planner.effort(),
             digest: self.planner.digest().hex(),
-            path: best.map_or_else(Vec::new, |b| points(self.scenario, b.result().0)),
+            path: points(self.scenario, path),
+            levels: self.scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect()),
+            altitudes: self.scenario.spec.terrain.map(|_| self.scenario.altitudes(path)),
         }
     }
 
@@ -180,13 +191,18 @@ impl Report<'_> {
             None => {
                 if let Some(value) = self.reference.value() {
                     let label = if self.optimum().is_some() { "optimum" } else { "reference" };
-                    row(&mut out, label, format!("{value:.4} cells: a path exists, none was found"));
+                    row(&mut out, label, format!("{value:.4} {}: a path exists, none was found", self.unit()));
                 }
             }
         }
         self.tour_text(&mut out);
         self.run_text(&mut out);
         out
+    }
+
+    /// What the planner's objective counts.
+    fn unit(&self) -> &'static str {
+        if self.planner.objective() == Objective::SliceCost { "cells and levels" } else { "cells" }
     }
 
     /// The proven optimum.
@@ -200,8 +216,8 @@ impl Report<'_> {
         }
         let (Some(gap), Some(value)) = (self.gap, self.reference.value()) else { return };
         let of = match self.reference {
-            Reference::Proven { .. } => format!("the optimum of {value:.4} cells"),
-            _ => format!("{value:.4} cells, a good result without a proof"),
+            Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
+            _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
         };
         row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.planner.objective().words()));
     }

@@ -132,7 +132,19 @@ pub fn cell(p: Point) -> String {
 
 /// The lines about a path.
 pub fn metrics(out: &mut String, m: &Metrics) {
-    row(out, "length", format!("{:.4} cells = {:.4} m", m.length, m.length_metres));
+    let by_slices = m.terrain.as_ref().and_then(|terrain| terrain.level_cost);
+    let unit = match (&m.terrain, by_slices) {
+        (_, Some(_)) => "cells and levels",
+        (Some(_), None) => "cells along the ground",
+        (None, None) => "cells",
+    };
+    row(out, "length", format!("{:.4} {unit} = {:.4} m", m.length, m.length_metres));
+    if let Some(cost) = by_slices {
+        row(out, "level cost", format!("{cost:.4}: every step's length and the level that it leads to"));
+    }
+    if let Some(terrain) = &m.terrain {
+        row(out, "climb", format!("{:.1} m up, {:.1} m down, at most {:.1}°", terrain.climb, terrain.descent, terrain.steepest));
+    }
     row(out, "steps", grouped(m.steps.into()));
     row(out, "turns", format!("{}, turn index V = {:.4} cells", m.turns, m.turn_index));
     row(out, "clearance", format!("at least {:.2}, on average {:.2} cells", m.min_clearance, m.mean_clearance));

@@ -1,10 +1,11 @@
-//! A map as a matrix: 0 = free, 1 = blocked, 2 = start, 3 = goal, in every spelling that [`super::table`] reads.
+//! A map as a matrix: 0 = free, 1 = blocked, 2 = start, 3 = goal, in every spelling that [`super::table`] reads. A table with many
+//! different numbers is none: it holds heights.
 
-use super::table::{self, Row, Table};
+use super::table::{Row, Table};
 use crate::error::{FormatError, Notice};
 use crate::map::{Grid, Point, check_size};
 
-/// How many different other numbers a map may hold before it is taken for something else, such as heights.
+/// How many different other numbers a map may hold before it is taken for heights.
 const MAX_OTHER_NUMBERS: usize = 3;
 
 /// A matrix as read.
@@ -15,45 +16,61 @@ pub(super) struct MatrixFile {
     pub notices: Vec<Notice>,
 }
 
-/// Reads a matrix.
-///
-/// # Errors
-/// [`FormatError`] with the line of a ragged row or of the first thing that is no cell.
-pub(super) fn read(text: &str) -> Result<MatrixFile, FormatError> {
-    let table = table::read(text)?;
-    let (width, height) = shape(&table.rows)?;
-    let marks = Marks { start: only(&table.rows, 2.0), goal: only(&table.rows, 3.0) };
+/// Whether a table holds a map: 0 and 1, one 2, one 3, and no more than three different numbers else.
+pub(super) fn is_map(table: &Table) -> bool {
+    let marks = Marks::of(table);
     let mut others = Others::default();
-    let mut cells = Vec::with_capacity(width as usize * height as usize);
-    for (y, row) in table.rows.iter().enumerate() {
-        for (x, &value) in row.values.iter().enumerate() {
-            let at = Point::new(x as u32, y as u32);
-            let free = value == 0.0 || marks.start == Some(at) || marks.goal == Some(at);
-            if !free && value != 1.0 {
-                others.add(value, row.line)?;
-            }
-            cells.push(u8::from(!free));
-        }
-    }
-    let notices = notices(&table, &marks, &others);
-    Ok(MatrixFile { grid: Grid::from_bytes(width, height, &cells)?, start: marks.start, goal: marks.goal, notices })
+    let values = table.rows.iter().flat_map(|row| row.values.iter().copied());
+    values.filter(|&v| v != 0.0 && v != 1.0 && !marks.has(v)).all(|v| others.add(v))
 }
 
-/// Width and height, if all rows are equally long.
-fn shape(rows: &[Row]) -> Result<(u32, u32), FormatError> {
+/// Reads a matrix; the table holds a map.
+///
+/// # Errors
+/// [`FormatError`] with the line of a ragged row.
+pub(super) fn read(table: &Table) -> Result<MatrixFile, FormatError> {
+    let (width, height) = columns_and_rows(&table.rows)?;
+    check_size(width as u64, height as u64)?;
+    let marks = Marks::of(table);
+    let mut others = Others::default();
+    let mut cells = Vec::with_capacity(width * height);
+    for &value in table.rows.iter().flat_map(|row| &row.values) {
+        let free = value == 0.0 || marks.has(value);
+        if !free && value != 1.0 {
+            others.add(value);
+        }
+        cells.push(u8::from(!free));
+    }
+    let notices = notices(table, &marks, &others);
+    let grid = Grid::from_bytes(width as u32, height as u32, &cells)?;
+    Ok(MatrixFile { grid, start: marks.start, goal: marks.goal, notices })
+}
+
+/// Columns and rows, if all rows are equally long.
+pub(super) fn columns_and_rows(rows: &[Row]) -> Result<(usize, usize), FormatError> {
     let width = rows.first().map_or(0, |r| r.values.len());
     if let Some((index, row)) = rows.iter().enumerate().find(|(_, r)| r.values.len() != width) {
         let what = format!("row {} has {} numbers where the first row has {width}", index + 1, row.values.len());
         return Err(FormatError::syntax(row.line, what, "equally long rows"));
     }
-    check_size(width as u64, rows.len() as u64)?;
-    Ok((width as u32, rows.len() as u32))
+    Ok((width, rows.len()))
 }
 
 /// The cells that stand for start and goal.
 struct Marks {
     start: Option<Point>,
     goal: Option<Point>,
+}
+
+impl Marks {
+    fn of(table: &Table) -> Self {
+        Self { start: only(&table.rows, 2.0), goal: only(&table.rows, 3.0) }
+    }
+
+    /// Whether a number stands for an end.
+    fn has(&self, value: f64) -> bool {
+        (value == 2.0 && self.start.is_some()) || (value == 3.0 && self.goal.is_some())
+    }
 }
 
 /// The place of a number that occurs exactly once.
@@ -73,16 +90,13 @@ struct Others {
 }
 
 impl Others {
-    fn add(&mut self, value: f64, line: usize) -> Result<(), FormatError> {
+    /// Counts a number; false when there are too many different ones.
+    fn add(&mut self, value: f64) -> bool {
         self.count += 1;
         if !self.values.contains(&value) {
             self.values.push(value);
         }
-        if self.values.len() <= MAX_OTHER_NUMBERS {
-            return Ok(());
-        }
-        let what = format!("{} and other numbers make this a table of values, not a map", self.list());
-        Err(FormatError::syntax(line, what, "0 (free), 1 (blocked), one 2 (start) and one 3 (goal)"))
+        self.values.len() <= MAX_OTHER_NUMBERS
     }
 
     fn list(&self) -> String {
@@ -106,12 +120,15 @@ fn notices(table: &Table, marks: &Marks, others: &Others) -> Vec<Notice> {
         let message = format!("{} cells hold {}: they were read as blocked", others.count, others.list());
         notices.push(Notice::new("matrix-other-numbers", message).with("count", others.count).with("value", others.list()));
     }
-    if table.has_rest {
-        let (rows, line) = (table.rows.len(), table.rows[0].line);
-        let message = format!("only the {rows} rows of numbers from line {line} on were read, not the text around them");
-        notices.push(Notice::new("matrix-rest-ignored", message).with("count", rows).with("line", line));
-    }
+    notices.extend(rest_notice(table));
     notices
+}
+
+/// That there was text around the numbers.
+pub(super) fn rest_notice(table: &Table) -> Option<Notice> {
+    let (rows, line) = (table.rows.len(), table.rows.first()?.line);
+    let message = format!("only the {rows} rows of numbers from line {line} on were read, not the text around them");
+    table.has_rest.then(|| Notice::new("matrix-rest-ignored", message).with("count", rows).with("line", line))
 }
 
 /// The map as CSV of 0 and 1.

@@ -1,7 +1,7 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`sniff`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
+//! path; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
 mod ends;
@@ -11,18 +11,21 @@ mod path_list;
 mod scen;
 mod scenario_json;
 mod table;
+mod terrain;
 mod text;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, FormatError, Notice};
-use crate::map::{Grid, Point};
-use crate::scenario::ScenarioSpec;
+use crate::map::{Grid, Point, Window};
+use crate::scenario::{Goal, ScenarioSpec};
 
-pub use path_list::{path_kind, read_path};
+pub use path_list::{path_kind, read_path, read_places};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
+pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 
-/// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `scenario`, `experiment`, `unknown`.
+/// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `esri-ascii`, `height-table`, `geotiff`, `srtm`, `scenario`,
+/// `experiment`, `unknown`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -33,6 +36,14 @@ pub enum Kind {
     MovingaiScen,
     /// Numbers in rows and columns.
     Matrix,
+    /// Heights as an ESRI ASCII grid.
+    EsriAscii,
+    /// Heights in rows and columns.
+    HeightTable,
+    /// Heights as a GeoTIFF.
+    Geotiff,
+    /// Heights as an SRTM tile.
+    Srtm,
     /// A scenario with its map, as JSON.
     Scenario,
     /// An experiment, as JSON.
@@ -54,10 +65,50 @@ pub struct Imported {
     pub notices: Vec<Notice>,
 }
 
+impl Kind {
+    /// Whether files of this kind are rasters of heights.
+    pub const fn is_raster(self) -> bool {
+        matches!(self, Self::EsriAscii | Self::HeightTable | Self::Geotiff | Self::Srtm)
+    }
+}
+
 impl Imported {
     /// Whether start or goal had to be chosen because the file names none.
     pub fn ends_were_chosen(&self) -> bool {
         self.notices.iter().any(|n| n.kind == ends::CHOSEN)
+    }
+
+    /// A window of the map, and the same ground in another number of cells.
+    fn piece(mut self, TerrainOptions { crop, size }: TerrainOptions) -> Result<Self, FormatError> {
+        let window = crop.unwrap_or(Window { x: 0, y: 0, width: self.grid.width(), height: self.grid.height() });
+        self.grid = self.grid.cropped(window)?;
+        let (width, height) = size.unwrap_or((window.width, window.height));
+        self.grid = self.grid.resampled(width, height)?;
+        let scaled = |at: u32, from: u32, of: u32, to: u32| {
+            (u64::from(at.checked_sub(from)?) * u64::from(to) / u64::from(of)).try_into().ok()
+        };
+        let moved = |p: Point| {
+            let x = scaled(p.x, window.x, window.width, width)?;
+            let y = scaled(p.y, window.y, window.height, height)?;
+            Some(Point::new(x, y)).filter(|&p| self.grid.is_free_at(i64::from(p.x), i64::from(p.y)))
+        };
+        let [of, to] = [f64::from(window.width) * f64::from(window.height), f64::from(width) * f64::from(height)];
+        let chosen = self.ends_were_chosen();
+        let mut goals = Vec::new();
+        for goal in self.spec.goals.drain(..).filter(|_| !chosen) {
+            let at = moved(goal.at).filter(|&at| goals.iter().all(|g: &Goal| g.at != at));
+            goals.extend(at.map(|at| Goal { at, ..goal }));
+        }
+        let start = moved(self.spec.start).filter(|_| !chosen);
+        let ends = ends::complete(&self.grid, start, goals.first().map(|g| g.at))?;
+        if goals.is_empty() {
+            goals.push(Goal::new(ends.goal, ""));
+        }
+        let resolution = self.spec.resolution * libm::sqrt(of / to);
+        self.spec = ScenarioSpec { width, height, resolution, start: ends.start, goals, ..self.spec };
+        self.notices.retain(|n| n.kind != ends::CHOSEN);
+        self.notices.extend(ends.notice);
+        Ok(self)
     }
 
     /// Swaps free and blocked cells. Ends that the file names stay free, others are chosen anew.
@@ -96,13 +147,46 @@ pub enum Export {
     },
     /// The cells alone, as CSV of 0 and 1.
     Matrix,
+    /// The heights alone, as an ESRI ASCII grid.
+    EsriAscii,
+    /// The heights alone, as CSV; −9999 for no data.
+    HeightTable,
     /// Everything, as JSON.
     Scenario,
 }
 
+/// A binary format that can be written; it holds heights alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BinaryExport {
+    /// f32 in metres.
+    Geotiff,
+    /// Whole metres, 1201 × 1201 or 3601 × 3601 cells.
+    Srtm,
+}
+
 /// Tells what a file is. Its contents decide; the name only lets a `.scen` pass that lacks its version line.
 pub fn sniff(bytes: &[u8], name: &str) -> Kind {
-    text::decode(bytes).map_or(Kind::Unknown, |text| sniff_text(&text, name))
+    match kind_of(bytes, name) {
+        Kind::Matrix if holds_heights(bytes) => Kind::HeightTable,
+        kind => kind,
+    }
+}
+
+/// The same, except that a table may be a map or hold heights.
+fn kind_of(bytes: &[u8], name: &str) -> Kind {
+    if terrain::geotiff::looks_like(bytes) {
+        return Kind::Geotiff;
+    }
+    let text = text::decode_up_to(bytes, text::MAX_RASTER_BYTES);
+    let called_hgt = name.to_ascii_lowercase().ends_with(".hgt");
+    if terrain::srtm::side_of(bytes.len()).is_some() && (called_hgt || text.is_err()) {
+        return Kind::Srtm;
+    }
+    text.map_or(Kind::Unknown, |text| sniff_text(&text, name))
+}
+
+fn holds_heights(bytes: &[u8]) -> bool {
+    text::decode(bytes).is_ok_and(|text| table::read(&text).is_ok_and(|table| !matrix::is_map(&table)))
 }
 
 fn sniff_text(text: &str, name: &str) -> Kind {
@@ -114,6 +198,8 @@ fn sniff_text(text: &str, name: &str) -> Kind {
         Kind::MovingaiScen
     } else if movingai::looks_like(text) {
         Kind::MovingaiMap
+    } else if terrain::esri_ascii::looks_like(text) {
+        Kind::EsriAscii
     } else if table::looks_like(text) {
         Kind::Matrix
     } else {
@@ -134,30 +220,52 @@ fn sniff_json(text: &str) -> Kind {
 }
 
 /// Reads a map in any format that holds one. Where the file names no start or goal, the cells nearest the upper-left and the
-/// lower-right corner of the largest connected region are taken.
+/// lower-right corner of the largest connected region are taken. Heights become a terrain whose surface is walked, without a limit of slope.
 ///
 /// # Errors
 /// [`FormatError`]: what is wrong, in which line or field, and what is expected there.
 pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
+    let kind = kind_of(bytes, name);
+    if kind.is_raster() {
+        return import_terrain(bytes, name, TerrainOptions::default());
+    }
     let text = text::decode(bytes)?;
-    let kind = sniff_text(&text, name);
     let imported = match kind {
         Kind::MovingaiMap => {
             let file = movingai::read(&text)?;
             complete(kind, name, file.grid, None, None, file.notices)?
         }
-        Kind::Matrix => {
-            let file = matrix::read(&text)?;
-            complete(kind, name, file.grid, file.start, file.goal, file.notices)?
-        }
+        Kind::Matrix => table(&text, name)?,
         Kind::Scenario => scenario(&text)?,
         Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
         Kind::Experiment => return Err(FormatError::NotAMap { found: "an experiment" }.into()),
         // An object without a format: the error names what is missing.
-        Kind::Unknown if text.trim_start().starts_with('{') => scenario(&text)?,
-        Kind::Unknown => return Err(FormatError::Unknown { begins: text::quote(&text) }.into()),
+        _ if text.trim_start().starts_with('{') => scenario(&text)?,
+        _ => return Err(FormatError::Unknown { begins: text::quote(&text) }.into()),
     };
     Ok(imported)
+}
+
+/// Reads a map as [`import`] does, and of it a window, or the same ground in another number of cells. Ends that lie outside the window or
+/// come to lie on an obstacle are chosen anew.
+///
+/// # Errors
+/// As [`import`]; [`FormatError::Window`], or [`crate::error::ScenarioError::MapSize`].
+pub fn import_piece(bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, Error> {
+    if sniff(bytes, name).is_raster() {
+        return import_terrain(bytes, name, options);
+    }
+    Ok(import(bytes, name)?.piece(options)?)
+}
+
+/// A map, or heights.
+fn table(text: &str, name: &str) -> Result<Imported, FormatError> {
+    let table = table::read(text)?;
+    if !matrix::is_map(&table) {
+        return terrain::terrain(terrain::height_table::read(&table)?, name, TerrainOptions::default());
+    }
+    let file = matrix::read(&table)?;
+    complete(Kind::Matrix, name, file.grid, file.start, file.goal, file.notices)
 }
 
 fn scenario(text: &str) -> Result<Imported, FormatError> {
@@ -187,12 +295,27 @@ pub fn import_scen(bytes: &[u8]) -> Result<ScenFile, FormatError> {
     scen::read(&text::decode(bytes)?)
 }
 
-/// Writes a scenario, or its map alone, as text.
+/// Writes a scenario, or its map or heights alone, as text. What a format does not hold is lost: see [`Export`]. A plane has height 0 where
+/// it is free, and no data where it is not.
 pub fn export(grid: &Grid, spec: &ScenarioSpec, format: Export) -> String {
     match format {
         Export::MovingaiMap => movingai::write(grid),
         Export::MovingaiScen { optimal } => scen::write(spec, optimal),
         Export::Matrix => matrix::write(grid),
+        Export::EsriAscii => terrain::esri_ascii::write(grid, &terrain::metres(grid, spec), spec.resolution),
+        Export::HeightTable => terrain::height_table::write(&terrain::metres(grid, spec), grid.width()),
         Export::Scenario => scenario_json::write(grid, spec),
+    }
+}
+
+/// Writes the heights of a scenario.
+///
+/// # Errors
+/// [`FormatError::Field`] for a map that the format cannot hold.
+pub fn export_binary(grid: &Grid, spec: &ScenarioSpec, format: BinaryExport) -> Result<Vec<u8>, FormatError> {
+    let heights = terrain::metres(grid, spec);
+    match format {
+        BinaryExport::Geotiff => terrain::geotiff::write(grid, &heights, spec.resolution),
+        BinaryExport::Srtm => terrain::srtm::write(grid, &heights),
     }
 }

@@ -1,4 +1,5 @@
-//! A path as a list of cells: JSON (`[[0, 0], [1, 1]]` or the output of `plan`), CSV lines `x,y`, or MATLAB pairs.
+//! A path as a list of cells: JSON (`[[0, 0], [1, 1]]` or the output of `plan`), CSV lines `x,y`, or MATLAB pairs; by slices with the level
+//! of each place behind it.
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -11,13 +12,25 @@ use crate::path::PathKind;
 use crate::planner::Objective;
 
 /// What a path looks like, for error messages.
-const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]";
+const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]; by slices each with its level";
 
 /// Reads a path. The points are as they stand in the file: neither checked against a map nor shifted.
 ///
 /// # Errors
 /// [`FormatError`] with the line of the first thing that is no point.
 pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
+    let places = read_places(bytes)?;
+    match places.iter().position(|(_, level)| level.is_some()) {
+        Some(index) => Err(FormatError::syntax(0, format!("place {index} has a level"), EXPECTED)),
+        None => Ok(places.into_iter().map(|(at, _)| at).collect()),
+    }
+}
+
+/// Reads a path that may be one by slices: each point, and its level where it has a third number or a result has `levels`.
+///
+/// # Errors
+/// [`FormatError`] with the line of the first thing that is no place.
+pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
     let text = decode(bytes)?;
     if text.trim_start().starts_with('{') {
         return from_result(&text);
@@ -25,7 +38,7 @@ pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
     let body = without_header(&text);
     let offset = text[..text.len() - body.len()].matches('\n').count();
     let table = table::read(body)?;
-    table.rows.iter().map(|row| point(&row.values, row.line + offset)).collect()
+    table.rows.iter().map(|row| place(&row.values, row.line + offset)).collect()
 }
 
 /// What kind of path a file holds: what a result's objective says; steps for everything else.
@@ -45,10 +58,12 @@ fn without_header(text: &str) -> &str {
     }
 }
 
-fn point(values: &[f64], line: usize) -> Result<Point, FormatError> {
+fn place(values: &[f64], line: usize) -> Result<(Point, Option<u32>), FormatError> {
     let whole = |v: f64| (v.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&v)).then_some(v as u32);
-    match values {
-        &[x, y] => whole(x).zip(whole(y)).map(|(x, y)| Point { x, y }),
+    let point = |x, y| whole(x).zip(whole(y)).map(|(x, y)| Point { x, y });
+    match *values {
+        [x, y] => point(x, y).map(|at| (at, None)),
+        [x, y, level] => point(x, y).zip(whole(level)).map(|(at, level)| (at, Some(level))),
         _ => None,
     }
     .ok_or_else(|| {
@@ -57,13 +72,23 @@ fn point(values: &[f64], line: usize) -> Result<Point, FormatError> {
     })
 }
 
-/// The `path` of a result.
-fn from_result(text: &str) -> Result<Vec<Point>, FormatError> {
+/// The `path` of a result, with its `levels`.
+fn from_result(text: &str) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
     let syntax = |e: serde_json::Error| FormatError::syntax(e.line(), e.to_string(), EXPECTED);
     let mut result: Value = serde_json::from_str(text).map_err(syntax)?;
     let path = result.get_mut("path").map(Value::take);
     let path = path.ok_or_else(|| FormatError::syntax(0, "the JSON object has no `path`", EXPECTED))?;
-    serde_json::from_value(path).map_err(|e| FormatError::syntax(0, format!("`path`: {e}"), EXPECTED))
+    let path: Vec<Point> = serde_json::from_value(path).map_err(|e| FormatError::syntax(0, format!("`path`: {e}"), EXPECTED))?;
+    let Some(levels) = result.get_mut("levels").map(Value::take) else {
+        return Ok(path.into_iter().map(|at| (at, None)).collect());
+    };
+    let levels: Vec<u32> =
+        serde_json::from_value(levels).map_err(|e| FormatError::syntax(0, format!("`levels`: {e}"), EXPECTED))?;
+    if levels.len() != path.len() {
+        let what = format!("there are {} levels for {} cells", levels.len(), path.len());
+        return Err(FormatError::syntax(0, what, "one level for each cell"));
+    }
+    Ok(path.into_iter().zip(levels.into_iter().map(Some)).collect())
 }
 
 #[cfg(test)]
@@ -88,6 +113,18 @@ mod tests {
     }
 
     #[test]
+    fn levels_are_third_numbers_or_a_list_of_their_own() {
+        let spellings =
+            ["[[0, 0, 4], [1, 2, 5]]", "0,0,4\n1,2,5\n", "{\"path\": [[0,0],[1,2]], \"levels\": [4, 5]}", "p = [0 0 4; 1 2 5];"];
+        for text in spellings {
+            let places = read_places(text.as_bytes()).unwrap();
+            assert_eq!(places, [(Point::new(0, 0), Some(4)), (Point::new(1, 2), Some(5))], "{text:?}");
+            assert!(read_path(text.as_bytes()).is_err(), "{text:?}");
+        }
+        assert!(read_places(b"{\"path\": [[0,0],[1,2]], \"levels\": [4]}").is_err());
+    }
+
+    #[test]
     fn a_result_tells_the_kind_of_its_path() {
         let kind = |text: &str| path_kind(text.as_bytes());
         assert_eq!(kind("{\"objective\": \"polyline-length\", \"path\": [[0,0],[5,1]]}"), PathKind::Polyline);
@@ -98,7 +135,7 @@ mod tests {
 
     #[test]
     fn what_is_no_point_is_refused_with_its_line() {
-        for (text, line) in [("0,0\n1,1.5\n", 2), ("x,y\n0,0\n-1,1\n", 3), ("0,0\n0,1,2\n", 2), ("{}", 0), ("{", 1)] {
+        for (text, line) in [("0,0\n1,1.5\n", 2), ("x,y\n0,0\n-1,1\n", 3), ("0,0\n0,1,2,3\n", 2), ("{}", 0), ("{", 1)] {
             let Err(FormatError::Syntax { line: got, .. }) = read_path(text.as_bytes()) else { panic!("{text:?}") };
             assert_eq!(got, line, "{text:?}");
         }

@@ -7,6 +7,9 @@ use crate::error::FormatError;
 /// Largest file that is read: a 4096 × 4096 matrix at three bytes a cell fits.
 const MAX_BYTES: usize = 64 << 20;
 
+/// Largest raster of heights: 8192 × 8192 at eight letters each.
+pub(super) const MAX_RASTER_BYTES: usize = 512 << 20;
+
 /// First bytes of files that people drop by mistake, and what to call them.
 const BINARIES: [(&[u8], &str); 9] = [
     (b"\x89PNG", "a PNG image"),
@@ -26,9 +29,14 @@ const BINARIES: [(&[u8], &str); 9] = [
 /// # Errors
 /// [`FormatError::NotText`] for UTF-16 and binary files, [`FormatError::TooLarge`] beyond 64 MiB.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, FormatError> {
-    if bytes.len() > MAX_BYTES {
+    decode_up_to(bytes, MAX_BYTES)
+}
+
+/// The same for files of up to `max` bytes.
+pub(super) fn decode_up_to(bytes: &[u8], max: usize) -> Result<Cow<'_, str>, FormatError> {
+    if bytes.len() > max {
         let what = format!("a file of {} MiB", bytes.len() >> 20);
-        return Err(FormatError::TooLarge { what, max: format!("{} MiB", MAX_BYTES >> 20) });
+        return Err(FormatError::TooLarge { what, max: format!("{} MiB", max >> 20) });
     }
     if let Some((_, found)) = BINARIES.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return Err(FormatError::NotText { found: (*found).into() });

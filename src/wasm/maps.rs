@@ -8,8 +8,8 @@ use wasm_bindgen::prelude::*;
 
 use super::{Answer, argument, object, plain, scenario, throw};
 use crate::error::{ErrorReport, Notice};
-use crate::formats::{self, Export, Kind, ScenFile};
-use crate::map::{Generator, Grid, Movement, Point};
+use crate::formats::{self, BinaryExport, Export, Kind, ScenFile, TerrainOptions};
+use crate::map::{Generator, Grid, Movement, Point, Window};
 use crate::scenario::{Scenario, ScenarioSpec};
 
 /// An imported map.
@@ -38,6 +38,12 @@ pub struct Generated {
     #[serde(with = "serde_bytes")]
     #[tsify(type = "Uint8Array")]
     pub cells: Vec<u8>,
+    /// Of a terrain one height a cell in metres, as little-endian f32; empty on a plane.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub heights: Vec<u8>,
+    /// Metres per cell.
+    pub resolution: f64,
     /// A free cell near the upper left.
     #[tsify(type = "[number, number]")]
     pub start: Point,
@@ -45,6 +51,42 @@ pub struct Generated {
     #[tsify(type = "[number, number]")]
     pub goal: Point,
 }
+
+/// A raster of heights before it is opened.
+#[derive(Serialize, Tsify)]
+pub struct Survey {
+    /// The format found.
+    pub kind: Kind,
+    /// Columns; may be more than a map has.
+    pub width: u32,
+    /// Rows; may be more than a map has.
+    pub height: u32,
+    /// Metres per cell along a row and along a column.
+    #[tsify(type = "[number, number]")]
+    pub cell: [f64; 2],
+    /// Lowest height, in the file's unit.
+    pub lowest: f32,
+    /// Highest height, in the file's unit.
+    pub highest: f32,
+    /// Cells without data.
+    #[tsify(type = "number")]
+    pub missing: u32,
+    /// Columns of the preview, at most 256.
+    pub preview_width: u32,
+    /// Rows of the preview, at most 256.
+    pub preview_height: u32,
+    /// Heights of the preview as little-endian f32, NaN for no data.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub preview: Vec<u8>,
+    /// What was assumed.
+    pub warnings: Vec<Notice>,
+}
+
+/// Columns and rows.
+#[derive(serde::Deserialize, Tsify)]
+#[serde(transparent)]
+pub struct Size(#[tsify(type = "[number, number]")] (u32, u32));
 
 /// The formats that can be written.
 #[derive(serde::Deserialize, Tsify)]
@@ -56,6 +98,10 @@ pub enum ExportFormat {
     MovingaiScen,
     /// Cells only, 0 and 1.
     Matrix,
+    /// Heights only, as an ESRI ASCII grid.
+    EsriAscii,
+    /// Heights only, as CSV.
+    HeightTable,
     /// Everything.
     Scenario,
 }
@@ -69,13 +115,56 @@ pub fn sniff(bytes: &[u8], name: &str) -> Ts<Kind> {
 /// Reads a map or scenario of any known format.
 #[wasm_bindgen]
 pub fn import_map(bytes: &[u8], name: &str) -> Answer<Ts<Imported>> {
-    let formats::Imported { kind, grid, spec, notices } = formats::import(bytes, name).map_err(throw)?;
-    Ok(object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), warnings: notices }))
+    Ok(imported(formats::import(bytes, name).map_err(throw)?))
+}
+
+fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
+    object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), warnings: notices })
 }
 
 /// The heights of a terrain as little-endian f32; empty on a plane.
 fn height_bytes(grid: &Grid) -> Vec<u8> {
-    grid.heights().iter().flat_map(|heights| heights.iter().flat_map(|h| h.to_le_bytes())).collect()
+    grid.heights().map_or_else(Vec::new, |heights| le_bytes(heights))
+}
+
+fn le_bytes(heights: &[f32]) -> Vec<u8> {
+    heights.iter().flat_map(|h| h.to_le_bytes()).collect()
+}
+
+/// Looks at a raster of heights without opening it.
+#[wasm_bindgen]
+pub fn survey_terrain(bytes: &[u8], name: &str) -> Answer<Ts<Survey>> {
+    let found = formats::survey(bytes, name).map_err(throw)?;
+    Ok(object(&Survey {
+        kind: found.kind,
+        width: found.width,
+        height: found.height,
+        cell: found.cell,
+        lowest: found.lowest,
+        highest: found.highest,
+        missing: found.missing,
+        preview_width: found.preview_width,
+        preview_height: found.preview_height,
+        preview: le_bytes(&found.preview),
+        warnings: found.notices,
+    }))
+}
+
+/// Reads a raster of heights: all of it or a window, in its own cells or in another number of them. What a map cannot hold is shrunk by a
+/// whole number.
+#[wasm_bindgen]
+pub fn import_terrain(bytes: &[u8], name: &str, crop: Option<Ts<Window>>, size: Option<Ts<Size>>) -> Answer<Ts<Imported>> {
+    let crop = crop.map(|c| c.to_rust()).transpose().map_err(|e| argument("crop", &e.to_string()))?;
+    let size = size.map(|s| s.to_rust()).transpose().map_err(|e| argument("size", &e.to_string()))?;
+    let options = TerrainOptions { crop, size: size.map(|Size(size)| size) };
+    Ok(imported(formats::import_terrain(bytes, name, options).map_err(throw)?))
+}
+
+/// Writes the heights as a GeoTIFF of f32 in metres.
+#[wasm_bindgen]
+pub fn export_geotiff(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Vec<u8>> {
+    let scenario = scenario(&spec, cells, heights)?;
+    formats::export_binary(&scenario.grid, &scenario.spec, BinaryExport::Geotiff).map_err(throw)
 }
 
 /// Reads the lines of a MovingAI .scen file.
@@ -94,24 +183,27 @@ pub fn export_map(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>
         ExportFormat::MovingaiMap => Export::MovingaiMap,
         ExportFormat::MovingaiScen => Export::MovingaiScen { optimal: movingai_optimum(grid, spec)? },
         ExportFormat::Matrix => Export::Matrix,
+        ExportFormat::EsriAscii => Export::EsriAscii,
+        ExportFormat::HeightTable => Export::HeightTable,
         ExportFormat::Scenario => Export::Scenario,
     };
     Ok(formats::export(grid, spec, format))
 }
 
 fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
-    let spec = ScenarioSpec { movement: Movement::default(), ..spec.clone() };
-    let scenario = Arc::new(Scenario::new(grid.clone(), spec).map_err(throw)?);
+    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, ..spec.clone() };
+    let scenario = Arc::new(Scenario::new(grid.clone().without_heights(), spec).map_err(throw)?);
     crate::exact::optimum(&scenario).ok_or_else(|| {
         let message = "a .scen line needs a length, and no path leads from start to goal without cutting a corner";
         plain(&ErrorReport::new("no-path", "goal", message, "open a way, or export the scenario as JSON"))
     })
 }
 
-/// Makes a seeded map; `density` (0..=0.9) counts for `random` only.
+/// Makes a seeded map; `density` (0..=0.9) counts for `random`, and is the roughness of the terrains `fractal` and `hills`.
 #[wasm_bindgen]
 pub fn generate(kind: Ts<Generator>, width: u32, height: u32, seed: u32, density: f64) -> Answer<Ts<Generated>> {
     let kind = kind.to_rust().map_err(|e| argument("kind", &e.to_string()))?;
     let made = crate::map::generate(kind, width, height, seed, density).map_err(throw)?;
-    Ok(object(&Generated { cells: made.grid.to_bytes(), start: made.start, goal: made.goal }))
+    let (cells, heights) = (made.grid.to_bytes(), height_bytes(&made.grid));
+    Ok(object(&Generated { cells, heights, resolution: made.resolution, start: made.start, goal: made.goal }))
 }

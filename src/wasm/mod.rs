@@ -4,6 +4,8 @@
 //! what a page may send.
 
 #[cfg(feature = "whole")]
+mod ground;
+#[cfg(feature = "whole")]
 mod maps;
 mod paint;
 mod run;
@@ -21,7 +23,9 @@ use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
-pub use maps::{export_map, generate, import_map, import_scen, sniff};
+pub use ground::ContourLines;
+#[cfg(feature = "whole")]
+pub use maps::{export_geotiff, export_map, generate, import_map, import_scen, import_terrain, sniff, survey_terrain};
 pub use run::{Run, paint_map};
 
 /// No signature mentions what is thrown, so its type is written out here.

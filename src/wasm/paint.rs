@@ -1,15 +1,18 @@
-//! Raster layers: the map and one field over it, one pixel a cell.
+//! Raster layers: the map and one field over it, one pixel a cell. On a terrain the field lies over shaded ground, and what has no data
+//! is left clear, for the page to hatch.
 
 use wasm_bindgen::{Clamped, JsValue};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
+#[cfg(feature = "whole")]
+use super::ground::Ground;
 use crate::map::Grid;
 use crate::planner::{Layer, Planner};
 
-type Rgb = [u8; 3];
+pub(super) type Rgb = [u8; 3];
 
 /// The page's theme.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Theme {
     Light,
     Dark,
@@ -80,6 +83,26 @@ impl Ramp {
             Self::Ground | Self::Position => t,
         }
     }
+
+    /// How much of a terrain's ground the colour hides where the layer is `t` strong, 0 to 1: weak trails let it show through.
+    #[cfg(feature = "whole")]
+    fn cover(self, t: f32) -> f32 {
+        match self {
+            Self::Trail => (1.35 * t).min(0.95),
+            Self::Explored => 0.8,
+            Self::Ground | Self::Position => 0.7,
+        }
+    }
+}
+
+/// How a map is painted: in which colours, and on a terrain with how much relief.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Style {
+    pub theme: Theme,
+    /// Cells per unit of the heights.
+    pub scale: f64,
+    /// Without it the ground has its colours but no light and shade: who draws it in three dimensions lights it himself.
+    pub shaded: bool,
 }
 
 /// The pixel buffer and the field of one run, kept from frame to frame.
@@ -87,6 +110,8 @@ impl Ramp {
 pub(super) struct Canvas {
     field: Vec<f32>,
     rgba: Vec<u8>,
+    #[cfg(feature = "whole")]
+    ground: Ground,
 }
 
 impl Canvas {
@@ -97,10 +122,10 @@ impl Canvas {
         grid: &Grid,
         planner: &dyn Planner,
         layer: Option<Layer>,
-        theme: Theme,
+        style: Style,
     ) -> Result<(), JsValue> {
         let layer = layer.filter(|&kind| planner.layer(kind, &mut self.field));
-        self.put(context, grid, layer, theme)
+        self.put(context, grid, layer, style)
     }
 
     /// Paints the map alone.
@@ -108,9 +133,9 @@ impl Canvas {
         &mut self,
         context: &OffscreenCanvasRenderingContext2d,
         grid: &Grid,
-        theme: Theme,
+        style: Style,
     ) -> Result<(), JsValue> {
-        self.put(context, grid, None, theme)
+        self.put(context, grid, None, style)
     }
 
     fn put(
@@ -118,10 +143,16 @@ impl Canvas {
         context: &OffscreenCanvasRenderingContext2d,
         grid: &Grid,
         layer: Option<Layer>,
-        theme: Theme,
+        style: Style,
     ) -> Result<(), JsValue> {
         self.rgba.resize(grid.len() * 4, u8::MAX);
-        self.fill(grid, theme, layer);
+        #[cfg(feature = "whole")]
+        match grid.heights() {
+            Some(heights) => self.fill_terrain(grid, heights, style, layer),
+            None => self.fill(grid, style.theme, layer),
+        }
+        #[cfg(not(feature = "whole"))]
+        self.fill(grid, style.theme, layer);
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&self.rgba), grid.width(), grid.height())?;
         context.put_image_data(&image, 0.0, 0.0)
     }
@@ -139,6 +170,31 @@ impl Canvas {
                 theme.free()
             };
             pixel[..3].copy_from_slice(&color);
+        }
+    }
+
+    #[cfg(feature = "whole")]
+    fn fill_terrain(&mut self, grid: &Grid, heights: &[f32], style: Style, layer: Option<Layer>) {
+        let theme = style.theme;
+        let table = layer.map(|kind| (Ramp::of(kind), color_table(theme, kind)));
+        let (low, per_unit) = range(&self.field, grid);
+        self.ground.prepare(heights, grid.width(), style);
+        for (c, pixel) in self.rgba.chunks_exact_mut(4).enumerate() {
+            let ground = self.ground.color(c);
+            let color = if grid.is_blocked(c as u32) {
+                self.ground.lit(c, theme.blocked())
+            } else if let Some((ramp, table)) = &table {
+                let t = ramp.scaled((self.field[c] - low) * per_unit);
+                if t.is_finite() && t > 0.0 {
+                    self.ground.under(c, table[(t * 255.0) as usize & 255], ramp.cover(t))
+                } else {
+                    ground
+                }
+            } else {
+                ground
+            };
+            pixel[..3].copy_from_slice(&color);
+            pixel[3] = if heights[c].is_finite() { u8::MAX } else { 0 };
         }
     }
 }

@@ -8,7 +8,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvasRenderingContext2d;
 
-use super::paint::{Canvas, Theme};
+use super::paint::{Canvas, Style, Theme};
 use super::{Answer, argument, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::params::Values;
@@ -163,30 +163,39 @@ impl Run {
         self.layers.iter().map(object).collect()
     }
 
-    /// Paints map and layer into a canvas of width × height pixels, one pixel a cell.
+    /// Paints map and layer into a canvas of width × height pixels, one pixel a cell; a terrain with light and shade or, not `shaded`, in
+    /// the ground's colours alone. Cells without data stay clear.
     pub fn paint(
         &self,
         context: &OffscreenCanvasRenderingContext2d,
         #[wasm_bindgen(unchecked_param_type = "Layer | 'none'")] layer: JsValue,
         #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
+        shaded: bool,
     ) -> Answer<()> {
         let layer: Option<Layer> = serde_wasm_bindgen::from_value(layer).ok();
-        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, Theme::of(theme))
+        let style = Style { theme: Theme::of(theme), scale: cells_per_unit(&self.scenario.spec), shaded };
+        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, style)
     }
 }
 
-/// Paints a map without a run on it, for a panel whose planner refuses: one pixel a cell.
+/// Paints a map without a run on it, for a panel whose planner refuses: one pixel a cell, as [`Run::paint`] does.
 #[wasm_bindgen]
 pub fn paint_map(
     context: &OffscreenCanvasRenderingContext2d,
-    width: u32,
-    height: u32,
+    spec: Ts<ScenarioSpec>,
     cells: &[u8],
     heights: Option<Vec<f32>>,
     #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
+    shaded: bool,
 ) -> Answer<()> {
-    let grid = grid(width, height, cells, heights)?;
-    Canvas::default().paint_map(context, &grid, Theme::of(theme))
+    let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
+    let grid = grid(spec.width, spec.height, cells, heights)?;
+    Canvas::default().paint_map(context, &grid, Style { theme: Theme::of(theme), scale: cells_per_unit(&spec), shaded })
+}
+
+/// Cells per unit of the heights; 1 on a plane, which has none.
+fn cells_per_unit(spec: &ScenarioSpec) -> f64 {
+    spec.terrain.map_or(1.0, |terrain| terrain.vertical_unit / spec.resolution)
 }
 
 impl Run {

@@ -1,12 +1,14 @@
 //! Every file format: what is accepted, what is refused and in which words, and that nothing is lost on the way out and in.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod geotiff;
 mod matrix;
 mod movingai;
 mod properties;
 mod scen;
 mod scenario;
 mod schema;
+mod terrain;
 
 use formicarium::error::{Error, ErrorReport};
 use formicarium::formats::{Imported, import};

@@ -1,6 +1,6 @@
 //! Maps as matrices.
 
-use formicarium::formats::{Export, Kind, export, import};
+use formicarium::formats::{Export, Kind, export, import, sniff};
 use formicarium::map::Point;
 
 use super::{data, notices, read, refused, rows};
@@ -31,9 +31,21 @@ fn other_numbers_are_told() {
     assert!(map.notices[1].message.contains("2 cells hold 255"), "{}", map.notices[1].message);
     let several_starts = read("2,2,0\n0,0,0\n").unwrap();
     assert_eq!(rows(&several_starts.grid), ["@@.", "..."]);
-    let report = refused("0,10,20,30\n40,50,60,70\n");
-    assert!(report.message.contains("table of values, not a map"), "{}", report.message);
-    assert!(report.hint.contains("0 (free), 1 (blocked)"), "{}", report.hint);
+    assert_eq!(read("0,10,20,30\n10,1,0,30\n").unwrap().kind, Kind::Matrix);
+}
+
+#[test]
+fn many_different_numbers_are_heights() {
+    for (text, kind) in [
+        ("0,10,20,30\n40,0,0,0\n", Kind::HeightTable),
+        ("0,10,20,30\n0,0,0,0\n", Kind::Matrix),
+        ("2,1,0,3\n4,5,6,1\n", Kind::Matrix),
+        ("2,1,0,3\n4,5,6,2\n", Kind::HeightTable),
+        ("0,1,2,3\n3,2,1,0\n", Kind::Matrix),
+        ("0.5,1.5\n2.5,3.5\n", Kind::HeightTable),
+    ] {
+        assert_eq!((sniff(text.as_bytes(), ""), read(text).map(|map| map.kind)), (kind, Ok(kind)), "{text}");
+    }
 }
 
 #[test]
@@ -83,7 +95,4 @@ fn maps_of_papers_are_read() {
         let map = import(&bytes, name).unwrap();
         assert!([20, 256].contains(&map.grid.width()), "{name}: {:?}", map.notices);
     }
-    let Some(bytes) = data("papers/HeightData_21x21.csv") else { return };
-    let report = import(&bytes, "heights").unwrap_err().report();
-    assert!(report.message.contains("table of values"), "{}", report.message);
 }

@@ -1,7 +1,9 @@
 //! For all files: no bytes make a reader panic, and every map survives every format.
 
-use formicarium::formats::{Export, export, import, import_scen, read_path, sniff};
-use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
+use formicarium::formats::{
+    BinaryExport, Export, TerrainOptions, export, export_binary, import, import_piece, import_scen, read_places, sniff, survey,
+};
+use formicarium::map::{CornerRule, Grid, Movement, Moves, Point, Window};
 use formicarium::scenario::{Goal, ScenarioSpec, Vehicle};
 use proptest::prelude::*;
 
@@ -25,7 +27,10 @@ fn read_all(bytes: &[u8]) {
         }
     }
     let _ = import_scen(bytes);
-    let _ = read_path(bytes);
+    let _ = read_places(bytes);
+    let _ = survey(bytes, "a.hgt");
+    let window = Window { x: 1, y: 0, width: 2, height: 2 };
+    let _ = import_piece(bytes, "a.asc", TerrainOptions { crop: Some(window), size: Some((3, 1)) });
 }
 
 fn maps() -> impl Strategy<Value = Grid> {
@@ -34,6 +39,18 @@ fn maps() -> impl Strategy<Value = Grid> {
         proptest::collection::vec(0u8..2, (w * h) as usize).prop_map(move |mut cells| {
             cells[0] = 0;
             Grid::from_bytes(w, h, &cells).unwrap()
+        })
+    })
+}
+
+/// Any finite heights, and cells without; the first cell has one.
+fn terrains() -> impl Strategy<Value = Grid> {
+    let height =
+        prop_oneof![4 => -500.0f32..9000.0, 1 => Just(f32::NAN), 1 => Just(-9999.0f32), 1 => -1e6f32..1e6, 1 => -1e-20f32..1e-20];
+    (1u32..12, 1u32..12).prop_flat_map(move |(w, h)| {
+        proptest::collection::vec(height.clone(), (w * h) as usize).prop_map(move |mut heights| {
+            heights[0] = 1.0;
+            Grid::open(w, h).unwrap().with_heights(heights).unwrap()
         })
     })
 }
@@ -68,6 +85,15 @@ fn samples() -> Vec<Vec<u8>> {
     samples.push(b"G = [0 1 0; ... first\n 1 0 2; % second\n 3 0 0;];\nx = size(G);\n".to_vec());
     samples.push(b"[[0, 1],\n [1, 0]]".to_vec());
     samples.push(b"version 1.0\r\n3 a b.map 4 3 0 0 3 2 4.50\r\n".to_vec());
+    samples.push(
+        b"NCOLS 3\r\nnrows 2\nxllcorner -105.5\nyllcorner 40\ncellsize 0.01\nNODATA_value -9999\n1 2 -9999\n4.5 5 6e1\n".to_vec(),
+    );
+    samples.push(b"10,20,30\n40,-9999,60\n7,8,9\n".to_vec());
+    let heights = vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, f32::NAN, 11.0, 12.0];
+    let terrain = grid.with_heights(heights).unwrap();
+    let spec = ScenarioSpec::new(&terrain, Point::new(0, 0), Point::new(3, 2));
+    samples.push(export(&terrain, &spec, Export::Scenario).into_bytes());
+    samples.push(export_binary(&terrain, &spec, BinaryExport::Geotiff).unwrap());
     samples
 }
 
@@ -122,7 +148,7 @@ proptest! {
     }
 
     #[test]
-    fn spoiled_files_are_read_or_refused(which in 0usize..7, spoils in spoils()) {
+    fn spoiled_files_are_read_or_refused(which in 0usize..11, spoils in spoils()) {
         let mut bytes = samples().swap_remove(which);
         spoils.iter().for_each(|s| s.apply(&mut bytes));
         read_all(&bytes);
@@ -149,6 +175,17 @@ proptest! {
             prop_assert_eq!(&back.grid, &grid);
             prop_assert_eq!(export(&back.grid, &back.spec, format), text);
         }
+    }
+
+    #[test]
+    fn terrains_survive_every_format(grid in terrains()) {
+        let spec = ScenarioSpec { resolution: 12.5, ..ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(0, 0)) };
+        for format in [Export::EsriAscii, Export::Scenario] {
+            let back = import(export(&grid, &spec, format).as_bytes(), "").unwrap();
+            prop_assert_eq!((&back.grid, back.spec.resolution), (&grid, 12.5));
+        }
+        let back = import(&export_binary(&grid, &spec, BinaryExport::Geotiff).unwrap(), "").unwrap();
+        prop_assert_eq!((&back.grid, back.spec.resolution), (&grid, 12.5));
     }
 
     #[test]

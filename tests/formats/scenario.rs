@@ -24,6 +24,28 @@ const FULL: &str = r#"{
 }
 "#;
 
+/// A terrain; the other way of moving on it has `max_slope` in place of `slices`.
+const TERRAIN: &str = r#"{
+  "format": "formicarium/scenario@1",
+  "name": "",
+  "width": 3,
+  "height": 2,
+  "resolution": 30.0,
+  "movement": {"moves":16,"corner_rule":"both-free"},
+  "start": [0,0],
+  "goals": [{"at":[2,1],"name":"","area":1.0,"strength":1.0,"danger":1.0}],
+  "vehicle": {"speed":1.0,"seconds_per_turn":0.0},
+  "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
+  "map": {"rows": [
+    "...",
+    "@.."
+  ], "heights": [
+    [1.5,2.25,0.1],
+    [null,-4.0,33.0]
+  ]}
+}
+"#;
+
 fn edited(edit: impl Fn(&mut Value)) -> String {
     let mut value: Value = serde_json::from_str(FULL).unwrap();
     edit(&mut value);
@@ -37,6 +59,44 @@ fn a_file_comes_out_as_it_went_in() {
     assert_eq!(rows(&scenario.grid), ["..@", "..."]);
     assert_eq!(scenario.spec.movement.corner_rule, CornerRule::OneFree);
     assert_eq!(export(&scenario.grid, &scenario.spec, Export::Scenario), FULL);
+}
+
+#[test]
+fn a_terrain_comes_out_as_it_went_in() {
+    let surface = TERRAIN
+        .replace(&TERRAIN[TERRAIN.find("\"slices\"").unwrap()..TERRAIN.find("},\n  \"map\"").unwrap()], "\"max_slope\":30.0");
+    for text in [TERRAIN, &surface] {
+        let scenario = read(text).unwrap();
+        let heights = scenario.grid.heights().unwrap();
+        assert_eq!((heights[2], heights[3].is_nan(), heights[5]), (0.1, true, 33.0));
+        assert_eq!(export(&scenario.grid, &scenario.spec, Export::Scenario), text);
+    }
+}
+
+#[test]
+fn errors_of_terrains_name_the_field() {
+    type Edit = fn(&mut Value);
+    let cases: [(Edit, &str, &str); 12] = [
+        (|v| v["terrain"]["slope"] = json!(3), "syntax", "`terrain.slope`"),
+        (|v| v["terrain"]["slices"]["level"] = json!(0), "quantity", "level = 0"),
+        (|v| v["terrain"]["slices"]["levels"] = json!(256), "quantity", "levels = 256"),
+        (|v| v["terrain"]["slices"]["max_climb"] = json!(6), "quantity", "max_climb = 6"),
+        (|v| v["terrain"]["slices"]["goal_level"] = json!(1), "goal-below-ground", "level 1"),
+        (|v| v["terrain"]["slices"]["measure"] = json!("time"), "syntax", "time"),
+        (|v| v["terrain"] = json!({"vertical_unit": 1, "max_slope": 91}), "quantity", "max_slope = 91"),
+        (|v| v["terrain"]["vertical_unit"] = json!(-1), "quantity", "vertical_unit = -1"),
+        (|v| drop(v.as_object_mut().unwrap().remove("terrain")), "terrain-missing", "no terrain"),
+        (|v| drop(v["map"].as_object_mut().unwrap().remove("heights")), "heights-missing", "no heights"),
+        (|v| v["map"]["heights"][1] = json!([1, 2]), "syntax", "row 1 of the heights is no list of 3"),
+        (|v| v["map"]["heights"][0][1] = json!("high"), "syntax", "at (1, 0) is no height"),
+    ];
+    for (edit, kind, message) in cases {
+        let mut value: Value = serde_json::from_str(TERRAIN).unwrap();
+        edit(&mut value);
+        let report = refused(&value.to_string());
+        assert_eq!(report.kind, kind, "{}", report.message);
+        assert!(report.message.contains(message), "{} lacks {message}", report.message);
+    }
 }
 
 #[test]
@@ -107,7 +167,9 @@ fn sniffing_tells_scenario_from_experiment() {
 #[test]
 fn the_schema_accepts_what_is_written_and_refuses_what_is_refused() {
     let schema = load("scenario");
-    assert_eq!(violations(&schema, &serde_json::from_str(FULL).unwrap()), Vec::<String>::new());
+    for text in [FULL, TERRAIN] {
+        assert_eq!(violations(&schema, &serde_json::from_str(text).unwrap()), Vec::<String>::new());
+    }
     let wrong: [fn(&mut Value); 6] = [
         |v| v["colour"] = json!("red"),
         |v| v["format"] = json!("formicarium/scenario@2"),
@@ -126,7 +188,10 @@ fn the_schema_accepts_what_is_written_and_refuses_what_is_refused() {
 #[test]
 fn the_schema_names_every_field() {
     let schema = load("scenario");
-    let full: Value = serde_json::from_str(FULL).unwrap();
+    let full: Value = serde_json::from_str(TERRAIN).unwrap();
     let keys = |v: &Value| v.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
     assert_eq!(keys(&schema["properties"]), keys(&full));
+    assert_eq!(keys(&schema["properties"]["map"]["properties"]), keys(&full["map"]));
+    let rules = &schema["properties"]["terrain"]["properties"]["slices"]["properties"];
+    assert_eq!(keys(rules), keys(&full["terrain"]["slices"]));
 }

@@ -1,0 +1,128 @@
+//! The ground of a terrain as the page shows it: colours by height, light and shade, contour lines.
+
+use wasm_bindgen::prelude::*;
+
+use super::paint::{Rgb, Style, Theme};
+use crate::map::{self, LEVEL_LIGHT, Shading};
+
+impl Theme {
+    /// From the lowest ground to the highest; quiet, so that layers and paths read over it. Lightness runs one way.
+    fn tints(self) -> [Rgb; 3] {
+        match self {
+            Self::Light => [[196, 211, 199], [228, 222, 200], [250, 247, 241]],
+            Self::Dark => [[22, 34, 36], [48, 50, 46], [86, 80, 72]],
+        }
+    }
+
+    /// What the ground turns to in the shade and in the light.
+    fn shade(self) -> [Rgb; 2] {
+        match self {
+            Self::Light => [[58, 66, 88], [255, 255, 252]],
+            Self::Dark => [[4, 6, 12], [168, 174, 176]],
+        }
+    }
+}
+
+/// Colours and light of a map's cells, made once for a map and a theme.
+#[derive(Debug, Default)]
+pub(super) struct Ground {
+    shading: Option<Shading>,
+    /// Of which style the colours are.
+    style: Option<Style>,
+    colors: Vec<Rgb>,
+    /// For each strength of light the part that shade or light has in a colour, of 256; above 0 light, below 0 shade.
+    mixes: Vec<i32>,
+}
+
+impl Ground {
+    /// Makes colours of this style, if they are not there already. A canvas belongs to one map.
+    pub fn prepare(&mut self, heights: &[f32], width: u32, style: Style) {
+        if self.style == Some(style) {
+            return;
+        }
+        let shading = self.shading.take().unwrap_or_else(|| Shading::of(heights, width, style.scale));
+        self.mixes = (0..=255).map(|light| if style.shaded { mix_of(light) } else { 0 }).collect();
+        let tints: Vec<Rgb> = (0..=255).map(|height| tint(&style.theme.tints(), height)).collect();
+        self.style = Some(style);
+        self.colors = shading.heights.iter().map(|&height| tints[height as usize]).collect();
+        self.shading = Some(shading);
+        for c in 0..self.colors.len() {
+            self.colors[c] = self.lit(c, self.colors[c]);
+        }
+    }
+
+    /// The ground's colour.
+    pub fn color(&self, c: usize) -> Rgb {
+        self.colors[c]
+    }
+
+    /// A colour in the light that falls on a cell.
+    pub fn lit(&self, c: usize, color: Rgb) -> Rgb {
+        let (Some(shading), Some(style)) = (&self.shading, self.style) else { return color };
+        let [dark, bright] = style.theme.shade();
+        let mix = self.mixes[shading.light[c] as usize];
+        blend(color, if mix < 0 { dark } else { bright }, mix.abs())
+    }
+
+    /// The ground under a layer's colour that hides this part of it. The colour takes part in light and shade.
+    pub fn under(&self, c: usize, color: Rgb, cover: f32) -> Rgb {
+        blend(self.colors[c], self.lit(c, color), (cover * 256.0) as i32)
+    }
+}
+
+/// Shade takes up to six tenths, light up to four.
+fn mix_of(light: i32) -> i32 {
+    let level = i32::from(LEVEL_LIGHT);
+    if light < level { (light - level) * 154 / level } else { (light - level) * 102 / (255 - level) }
+}
+
+fn tint([low, middle, high]: &[Rgb; 3], height: i32) -> Rgb {
+    if height < 128 { blend(*low, *middle, height * 2) } else { blend(*middle, *high, (height - 128) * 2) }
+}
+
+/// `part` of 256 of the second colour.
+fn blend(a: Rgb, b: Rgb, part: i32) -> Rgb {
+    std::array::from_fn(|k| {
+        let (a, b) = (i32::from(a[k]), i32::from(b[k]));
+        (a + (b - a) * part / 256) as u8
+    })
+}
+
+/// The contour lines of a terrain, as one list of points.
+#[wasm_bindgen]
+pub struct ContourLines {
+    contours: map::Contours,
+}
+
+#[wasm_bindgen]
+impl ContourLines {
+    /// Of heights row by row, `unit` metres each; NaN where there is no data.
+    #[wasm_bindgen(constructor)]
+    pub fn new(width: u32, heights: &[f32], unit: f64) -> ContourLines {
+        ContourLines { contours: map::Contours::of(heights, width, unit) }
+    }
+
+    /// Metres between one line and the next; 0 on level ground.
+    pub fn interval(&self) -> f64 {
+        self.contours.interval
+    }
+
+    /// x0, y0, x1, y1, … of all lines in cells from the upper left corner of the map.
+    pub fn points(&self) -> Vec<f32> {
+        self.contours.lines.iter().flat_map(|line| line.points.as_flattened()).copied().collect()
+    }
+
+    /// For each line the number of points up to its end.
+    pub fn ends(&self) -> Vec<u32> {
+        let ends = self.contours.lines.iter().scan(0, |end, line| {
+            *end += line.points.len() as u32;
+            Some(*end)
+        });
+        ends.collect()
+    }
+
+    /// For each line its height in intervals; every fifth is a main line.
+    pub fn levels(&self) -> Vec<i32> {
+        self.contours.lines.iter().map(|line| line.level).collect()
+    }
+}
