@@ -147,7 +147,7 @@ impl Question {
         }
         for (instance, row) in &entry.published {
             self.check_instance(&at("published"), instance)?;
-            let numbers = [row.length, row.turns, row.turn_index, row.weight, row.iterations];
+            let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations];
             if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && *v >= 0.0)) {
                 return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, "numbers of at least 0"));
             }

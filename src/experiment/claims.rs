@@ -173,7 +173,8 @@ fn verdict(claim: &Claim, c: &Comparison) -> Verdict {
 
 /// Where no path can be shorter than the baseline's, finding none says nothing.
 fn without_difference(claim: &Claim, c: &Comparison) -> Verdict {
-    let no_room = claim.measure == Measure::Length && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM);
+    let no_room =
+        matches!(claim.measure, Measure::Length | Measure::Cost) && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM);
     if no_room { Verdict::CannotTell("nearly all of the baseline's runs are optimal already") } else { Verdict::Not }
 }
 

@@ -8,6 +8,7 @@
 
 pub mod check;
 pub mod claims;
+pub mod inference;
 pub mod question;
 pub mod report;
 pub mod run;

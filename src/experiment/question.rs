@@ -105,6 +105,8 @@ pub struct Contender {
 pub struct Published {
     /// Path length in cells.
     pub length: Option<f64>,
+    /// Cost of a path by slices, by the scenario's measure.
+    pub cost: Option<f64>,
     /// Turns of the path.
     pub turns: Option<f64>,
     /// The turn-weighted index V(d, r) in cells.
@@ -121,6 +123,8 @@ pub struct Published {
 pub enum Measure {
     /// Length of the path in cells.
     Length,
+    /// Cost of a path by slices, by the scenario's measure; elsewhere the value by the planner's own objective.
+    Cost,
     /// Its turns.
     Turns,
     /// Its turn-weighted index V(d, r) in cells.
@@ -144,6 +148,7 @@ impl Measure {
     pub fn name(self) -> &'static str {
         match self {
             Self::Length => "length",
+            Self::Cost => "cost",
             Self::Turns => "turns",
             Self::TurnIndex => "turn index V",
             Self::Weight => "weight R",
@@ -164,6 +169,7 @@ impl Measure {
     pub fn published(self, row: &Published) -> Option<f64> {
         match self {
             Self::Length => row.length,
+            Self::Cost => row.cost,
             Self::Turns => row.turns,
             Self::TurnIndex => row.turn_index,
             Self::Weight => row.weight,

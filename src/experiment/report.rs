@@ -1,6 +1,7 @@
 //! What an experiment says: a CSV with one row a run, and a page of tables. Every number in one fixed form.
 
 mod csv;
+mod tests;
 mod verdicts;
 
 use std::fmt::Write;
@@ -10,10 +11,12 @@ use super::question::{Contender, Instance, Measure, Published, Role};
 use super::run::{Experiment, Map, Row};
 use super::statistics::Summary;
 use crate::exact::Reference;
-use crate::map::{CornerRule, Movement};
+use crate::map::{CornerRule, Movement, Moves};
 use crate::planner::Objective;
+use crate::scenario::Scenario;
 
 pub use csv::{HEADER, csv, line};
+pub use tests::tests;
 pub use verdicts::verdicts;
 
 /// The page: what was asked, a table for each map, and what became of each claim. `command` repeats it.
@@ -69,17 +72,24 @@ fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usi
     let name = if spec.name.is_empty() { &instance.id } else { &spec.name };
     let _ = writeln!(out, "\n## {name}\n");
     let _ =
-        writeln!(out, "`{}`, {} × {}, {}. {}\n", instance.id, grid.width(), grid.height(), moves(spec.movement), instance.note);
-    out.push_str("| | published: length / turns / iterations | found a path | best | median | IQR | mean ± sd | iteration of best: median (IQR) ");
+        writeln!(out, "`{}`, {} × {}, {}. {}\n", instance.id, grid.width(), grid.height(), moves(&map.scenario), instance.note);
+    let main = main_measure(&map.scenario);
+    let _ = write!(out, "| | published: {} / turns / iterations ", main.name());
+    out.push_str("| found a path | best | median | IQR | mean ± sd | iteration of best: median (IQR) ");
     out.push_str(
         "| constructed paths to best: median | turns: median (IQR) | optimal |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for (entry, contender) in experiment.question.entries.iter().enumerate() {
         let of: Vec<&Row> = rows.iter().filter(|r| (r.task.instance, r.task.entry) == (index, entry)).collect();
-        let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), published);
-        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(&of));
+        let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), |row| published(main, row));
+        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(main, &of));
     }
     references(out, map, |objective| best_of_runs(map, rows, index, objective));
+}
+
+/// What paths on a map are compared by: by slices their cost, elsewhere their length.
+fn main_measure(scenario: &Scenario) -> Measure {
+    if scenario.by_slices().is_some() { Measure::Cost } else { Measure::Length }
 }
 
 /// The best value that any of the runs on a map has reached by an objective.
@@ -114,27 +124,32 @@ fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> O
     }
 }
 
-fn moves(movement: Movement) -> &'static str {
-    match (u8::from(movement.moves), movement.corner_rule) {
-        (4, _) => "4 moves",
-        (16, CornerRule::Always) => "16 moves, `always`",
-        (16, CornerRule::OneFree) => "16 moves, `one-free`",
-        (16, CornerRule::BothFree) => "16 moves, `both-free`",
-        (_, CornerRule::Always) => "8 moves, `always`",
-        (_, CornerRule::OneFree) => "8 moves, `one-free`",
-        (_, CornerRule::BothFree) => "8 moves, `both-free`",
+/// How one moves on a map.
+fn moves(scenario: &Scenario) -> String {
+    if let Some(slices) = scenario.by_slices() {
+        let r = slices.rules();
+        return format!("by slices, {} levels of {} m, |Δy| ≤ {}, |Δh| ≤ {}", r.levels, r.level, r.max_aside, r.max_climb);
     }
+    let Movement { moves, corner_rule } = scenario.spec.movement;
+    let rule = match (moves, corner_rule) {
+        (Moves::Four, _) => "",
+        (_, CornerRule::Always) => ", `always`",
+        (_, CornerRule::OneFree) => ", `one-free`",
+        (_, CornerRule::BothFree) => ", `both-free`",
+    };
+    let surface = if scenario.moves.relief().is_some() { ", on the surface" } else { "" };
+    format!("{} moves{rule}{surface}", u8::from(moves))
 }
 
-fn published(row: &Published) -> String {
+fn published(main: Measure, row: &Published) -> String {
     let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| v.to_string());
     let also = |name: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {name} = {v}"));
     let extra = also("V", row.turn_index) + &also("R", row.weight);
-    format!("{} / {} / {}{extra}", number(row.length), number(row.turns), number(row.iterations))
+    format!("{} / {} / {}{extra}", number(main.published(row)), number(row.turns), number(row.iterations))
 }
 
-/// The cells of a table from our runs; of paths, over the runs that found one.
-fn ours(rows: &[&Row]) -> String {
+/// The cells of a table from our runs, best to deviation by the main measure; of paths, over the runs that found one.
+fn ours(main: Measure, rows: &[&Row]) -> String {
     const NONE: &str = "– | – | – | – | – | – | – | –";
     if rows.is_empty() {
         return format!("not run | {NONE}");
@@ -142,7 +157,7 @@ fn ours(rows: &[&Row]) -> String {
     let found: Vec<&&Row> = rows.iter().filter(|r| r.found.is_some()).collect();
     let share = format!("{} of {}", found.len(), rows.len());
     let of = |measure| Summary::of(&found.iter().map(|r| r.value(measure)).collect::<Vec<_>>());
-    let all = (of(Measure::Length), of(Measure::IterationOfBest), of(Measure::PathsToBest), of(Measure::Turns));
+    let all = (of(main), of(Measure::IterationOfBest), of(Measure::PathsToBest), of(Measure::Turns));
     let (Some(l), Some(iteration), Some(paths), Some(turns)) = all else { return format!("{share} | {NONE}") };
     let spread = l.deviation.map_or_else(|| length(l.mean), |sd| format!("{} ± {}", length(l.mean), length(sd)));
     let optimal = rows.iter().filter(|r| r.value(Measure::Optimal) > 0.0).count();

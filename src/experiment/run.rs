@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::catalog;
+use crate::digest::Digest;
 use crate::exact::{self, Reference};
 use crate::metrics::Metrics;
 use crate::planner::{Granularity, Objective, Planner, Status};
@@ -39,7 +42,7 @@ pub struct Yardstick {
 }
 
 /// One run that is to be done; tasks are in the order of the rows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Task {
     /// Which instance of the question.
     pub instance: usize,
@@ -50,7 +53,7 @@ pub struct Task {
 }
 
 /// One run that is done. A run without a path is a row as well.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// What was run.
     pub task: Task,
@@ -65,7 +68,7 @@ pub struct Row {
 }
 
 /// The path of a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     /// Its length in cells.
     pub length: f64,
@@ -92,6 +95,7 @@ impl Row {
         let share = |yes: bool| f64::from(u8::from(yes));
         match measure {
             Measure::Length => of_path(|f| f.length),
+            Measure::Cost => of_path(|f| f.value),
             Measure::Turns => of_path(|f| f.turns.into()),
             Measure::TurnIndex => of_path(|f| f.turn_index),
             Measure::Weight => of_path(|f| f.weight.unwrap_or(f64::INFINITY)),
@@ -114,6 +118,19 @@ impl Experiment {
         let map = |scenario| Map::new(scenario, &question);
         let maps = scenarios.into_iter().map(map).collect::<Result<_, _>>()?;
         Ok(Self { question, maps })
+    }
+
+    /// Over the question and its maps: experiments with equal digests have equal runs, under one version of the engine.
+    pub fn digest(&self) -> Digest {
+        let json = |value: serde_json::Result<Vec<u8>>| value.unwrap_or_default();
+        let mut digest = Digest::default();
+        digest.bytes(&json(serde_json::to_vec(&self.question)));
+        for Map { scenario, .. } in &self.maps {
+            digest.bytes(&json(serde_json::to_vec(&scenario.spec)));
+            digest.bytes(&scenario.grid.to_bytes());
+            scenario.grid.heights().iter().flat_map(|h| h.iter()).for_each(|&h| digest.f64(f64::from(h)));
+        }
+        digest
     }
 
     /// Every run, in the order of the rows: by instance, entry, seed.

@@ -76,7 +76,7 @@ fn amount(measure: Measure, v: f64) -> String {
         return "no path".into();
     }
     match measure {
-        Measure::Length | Measure::TurnIndex | Measure::Weight => length(v),
+        Measure::Length | Measure::Cost | Measure::TurnIndex | Measure::Weight => length(v),
         Measure::Success | Measure::Optimal => format!("{:.0} %", 100.0 * v),
         Measure::Turns | Measure::IterationOfBest | Measure::PathsToBest | Measure::AntMoves => short(v),
     }
