@@ -62,21 +62,30 @@ export class Lab {
     return (await this.result(1)).summary?.effort.ant_moves ?? 0
   }
 
-  /** The session without its cells, which cross from the page as plain numbers. */
+  /** The session; cells and heights cross from the page as plain numbers. */
   async session(): Promise<Session> {
     const plain = await this.page.evaluate(() => {
       const session = window.formicarium.session()
       return (
         session && {
           ...session,
-          scenario: { ...session.scenario, cells: Array.from(session.scenario.cells) },
+          scenario: {
+            ...session.scenario,
+            cells: Array.from(session.scenario.cells),
+            heights: session.scenario.heights && Array.from(session.scenario.heights),
+          },
         }
       )
     })
     if (!plain) throw new Error('there is no session')
+    const { cells, heights, ...rest } = plain.scenario
     return {
       ...plain,
-      scenario: { ...plain.scenario, cells: Uint8Array.from(plain.scenario.cells) },
+      scenario: {
+        ...rest,
+        cells: Uint8Array.from(cells),
+        heights: heights && Float32Array.from(heights),
+      },
     }
   }
 

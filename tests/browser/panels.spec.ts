@@ -1,4 +1,4 @@
-import { expect, test } from '@playwright/test'
+import { expect, type Locator, type Page, test } from '@playwright/test'
 import { Lab } from './lab'
 
 test.describe('panels', () => {
@@ -161,5 +161,64 @@ test.describe('panels', () => {
       await lab.drag([[20, 12]])
       expect(await lab.walls()).toBe(0)
     }
+  })
+})
+
+test.describe('planners that come while the page is idle', () => {
+  const LATER = 'option[value="max-min-ant-system"]'
+
+  /** Holds back every engine but the first until what it answers with is called. */
+  async function holdWhole(page: Page): Promise<() => void> {
+    let pass = () => {}
+    const passed = new Promise<void>((resolve) => {
+      pass = resolve
+    })
+    let core = ''
+    await page.route(/\.wasm$/, async (route) => {
+      core ||= route.request().url()
+      if (route.request().url() !== core) await passed
+      await route.continue()
+    })
+    return pass
+  }
+
+  /** Opens the page and types into a field while the whole engine is on its way. */
+  async function typing(page: Page): Promise<{ field: Locator; pass: () => void }> {
+    const pass = await holdWhole(page)
+    const asked = page.waitForRequest(
+      (request) => /\.wasm$/.test(request.url()) && request.resourceType() === 'fetch',
+    )
+    await new Lab(page).openAtRest()
+    await asked
+    await page.getByTestId('parameters-1').click()
+    const field = page.getByTestId('param-ants')
+    await field.click()
+    await field.press('Control+a')
+    await field.pressSequentially('3')
+    return { field, pass }
+  }
+
+  test('leave alone what is being typed, and come when the field is left', async ({ page }) => {
+    const { field, pass } = await typing(page)
+    pass()
+    await page.waitForLoadState('networkidle')
+    await page.waitForTimeout(1500)
+    await expect(field).toHaveValue('3')
+    await field.pressSequentially('7')
+    await expect(field).toHaveValue('37')
+    await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(0)
+    await field.press('Tab')
+    await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(1)
+    expect((await new Lab(page).session()).panels[0]?.params.ants).toBe(37)
+  })
+
+  test('come at once when a map or a menu asks for them, whoever types', async ({ page }) => {
+    const { field, pass } = await typing(page)
+    pass()
+    await page.waitForTimeout(1500)
+    await expect(field).toBeFocused()
+    // Not by a click: it would take the focus from the field.
+    await page.getByTestId('gallery-terrain-hills').evaluate((item: HTMLElement) => item.click())
+    await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(1)
   })
 })

@@ -14,6 +14,8 @@ export interface RunSetup {
   spec: ScenarioSpec
   /** Row by row from the upper left; 1 = blocked, 0 = free. */
   cells: Uint8Array
+  /** One a cell on a terrain, NaN where there is no data; null on a plane. */
+  heights: Float32Array | null
   planner: string
   params: ParamValues
   seed: number
@@ -33,6 +35,10 @@ export interface View {
   layer: Layer | 'none'
   showAnts: boolean
   showPath: boolean
+  /** Lines of equal height on a terrain. */
+  showContours: boolean
+  /** The panel shows something else; nothing is drawn until it is back. */
+  hidden: boolean
   theme: 'light' | 'dark'
   /** Hex colour of this panel's planner, for its path. */
   colour: string
@@ -63,6 +69,8 @@ export type PanelRequest =
   | { kind: 'view'; view: View }
   /** Advance towards `target`, at most `sliceMs`, draw once, answer with a `frame`. */
   | { kind: 'tick'; runId: number; target: Target; sliceMs: number }
+  /** Answer with a `raster` of how things stand. */
+  | { kind: 'raster' }
 
 /** What a tick or a load did. */
 export interface Frame {
@@ -76,12 +84,24 @@ export interface Frame {
   reached: boolean
   /** Best path as x0, y0, x1, y1, … when it changed since the last frame. */
   bestPath: Uint32Array | null
+  /** Altitude in metres of each place of `bestPath`, empty on a plane; null when the path is. */
+  bestAltitudes: Float64Array | null
   /** Milliseconds this tick took in the worker. */
   workMs: number
 }
 
+/** What lies on a terrain, for who draws it in three dimensions. */
+export interface RasterReply {
+  kind: 'raster'
+  /** One pixel a cell, without light and shade; clear where there is no data. */
+  bitmap: ImageBitmap
+  /** x0, y0, x1, y1, …: cells of the ants that are under way. */
+  ants: Uint32Array
+}
+
 export type PanelReply =
   | { kind: 'ready' }
+  | RasterReply
   | Frame
   /** The request was refused; the panel shows the map alone. */
   | { kind: 'refused'; runId: number; error: EngineError }

@@ -29,6 +29,8 @@ export interface PanelResult {
   summary: RunSummary | null
   /** Best path as [x, y] cells; null when none was found. */
   path: [number, number][] | null
+  /** On a terrain the altitude of each of its cells in metres; null elsewhere. */
+  altitudes: number[] | null
   /** One row an iteration: iteration, best so far, iteration best, mean, worst, arrived. */
   history: number[][]
   verified: PanelLive['verified']
@@ -60,11 +62,13 @@ export function offerScripting(): void {
     },
     async load(source) {
       if (typeof source === 'string') {
-        const taken = await importText(source)
+        const taken = await importText(source, { unasked: true })
         pause()
         return taken
       }
-      loadSession(source)
+      // Scripts of before there were terrains do not speak of heights.
+      const heights = source.scenario.heights ?? null
+      loadSession({ ...source, scenario: { ...source.scenario, heights } })
       return true
     },
     async run(options = {}) {
@@ -83,7 +87,15 @@ function results(): PanelResult[] {
     const live = latest(panel.id)
     const { planner, params } = panel.setup
     const { summary, verified } = live
-    return { planner, params, summary, path: pairs(live.bestPath), history: rows(panel), verified }
+    return {
+      planner,
+      params,
+      summary,
+      path: pairs(live.bestPath),
+      altitudes: live.bestAltitudes?.length ? [...live.bestAltitudes] : null,
+      history: rows(panel),
+      verified,
+    }
   })
 }
 

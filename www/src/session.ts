@@ -7,8 +7,9 @@ export type Sync = 'moves' | 'iterations' | 'paths' | 'time'
 
 /** Where a map came from, when that is shorter than its cells: the same generator call gives the same bits everywhere. */
 export interface Origin {
-  generator: 'random' | 'maze' | 'rooms' | 'cave'
+  generator: 'random' | 'maze' | 'rooms' | 'cave' | 'fractal' | 'hills'
   seed: number
+  /** Share of obstacles; of a terrain its roughness. */
   density: number
 }
 
@@ -17,10 +18,14 @@ export function goalAt(at: [number, number], name: string): Goal {
   return { at, name, area: 1, strength: 1, danger: 1 }
 }
 
-/** One map and the question asked on it. `cells`: row by row from the upper left, 1 = blocked. */
+/**
+ * One map and the question asked on it. `cells`: row by row from the upper left, 1 = blocked. `heights`: of a terrain, one a cell in
+ * the file's unit, NaN where there is no data; null on a plane. They come with `spec.terrain`, and never without.
+ */
 export interface Scenario {
   spec: ScenarioSpec
   cells: Uint8Array
+  heights: Float32Array | null
   origin: Origin | null
 }
 

@@ -22,6 +22,7 @@ export {
   setSeed,
 } from './state/panels'
 export { fetchRest, fetchUnasked } from './state/rest'
+export { changeLevel, type Rules, setRules } from './state/rules'
 export {
   pause,
   play,
@@ -37,3 +38,4 @@ export { currentSession, loadSession, openFragment, startOver } from './state/se
 export { chooseSpeed } from './state/speed'
 export { startPage } from './state/start'
 export * from './state/store'
+export { type TerrainFile, terrainFile } from './state/terrain_files'

@@ -1,13 +1,7 @@
 import { expect, test } from '@playwright/test'
 import type { Session } from '../../../www/src/session'
-import {
-  bitsOf,
-  MAX_BYTES,
-  packBits,
-  packEdits,
-  unpack,
-  withChecksum,
-} from '../../../www/src/share/codec'
+import { bitsOf } from '../../../www/src/share/bytes'
+import { MAX_BYTES, packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'
 import { LinkError } from '../../../www/src/share/error'
 import { generate, randomCells, sessionOf } from './sessions'
@@ -150,7 +144,7 @@ test.describe('links that cannot be opened', () => {
   })
 
   test('a newer container and a newer document say so', async () => {
-    expect((await refusal(seal(withChecksum([[2, 0]])))).kind).toBe('link-newer')
+    expect((await refusal(seal(withChecksum([[3, 0]])))).kind).toBe('link-newer')
     const newer = await refusal(
       tampered((document) => (document.format = 'formicarium/experiment@9')),
     )

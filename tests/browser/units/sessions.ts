@@ -1,5 +1,6 @@
 /** Sessions to encode, without the engine. */
 import type { Origin, Session } from '../../../www/src/session'
+import type { Ground } from '../../../www/src/share/codec'
 
 export function sessionOf(width: number, height: number, cells?: Uint8Array): Session {
   return {
@@ -15,6 +16,7 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
         vehicle: { speed: 1.5, seconds_per_turn: 0.25 },
       },
       cells: cells ?? randomCells(width, height, 0.3),
+      heights: null,
       origin: null,
     },
     panels: [
@@ -48,6 +50,28 @@ export function randomCells(width: number, height: number, density: number): Uin
 }
 
 /** Stands in for the engine's generators: deterministic in its arguments, which is all the codec relies on. */
-export async function generate(origin: Origin, width: number, height: number): Promise<Uint8Array> {
-  return randomCells(width, height, origin.density)
+export async function generate(origin: Origin, width: number, height: number): Promise<Ground> {
+  const heights = origin.generator === 'hills' ? rolling(width, height, 400) : null
+  const density = heights ? 0 : origin.density
+  return { cells: randomCells(width, height, density), heights }
+}
+
+/** A terrain with heights of one's own; blocked where they are unknown. */
+export function terrainOf(width: number, height: number, heights: Float32Array): Session {
+  const session = sessionOf(
+    width,
+    height,
+    Uint8Array.from(heights, (h) => (Number.isNaN(h) ? 1 : 0)),
+  )
+  session.scenario.heights = heights
+  session.scenario.spec.terrain = { vertical_unit: 1, max_slope: 90 }
+  return session
+}
+
+/** Round hills of so many metres, as f32 are. */
+export function rolling(width: number, height: number, metres: number): Float32Array {
+  return Float32Array.from({ length: width * height }, (_, i) => {
+    const [x, y] = [i % width, Math.floor(i / width)]
+    return (metres * (2 + Math.sin(x / 7) + Math.cos(y / 9))) / 4
+  })
 }

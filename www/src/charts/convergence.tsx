@@ -3,6 +3,7 @@ import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
 import { referenceValue } from '../panels/gap'
+import { objectiveWord } from '../panels/objective_words'
 import { panelTitle } from '../panels/planner_text'
 import { liveTick, notifyError, objectives, panels, references, slotColour, theme } from '../state'
 import { curvesOf } from './curves'
@@ -15,15 +16,19 @@ const REDRAW_MS = 160
 
 export function Convergence() {
   return (
-    <section class="dock-card convergence" aria-label={t('chart.title')}>
-      <header class="dock-head">
-        <h2>{t('chart.title')}</h2>
-        <Toggle label={t('chart.iterationBest')} kind="iteration-best" of={showIterationBest} />
-        <Toggle label={t('chart.mean')} kind="mean" of={showMean} />
-      </header>
+    <>
       <Legend />
       <Plot />
-    </section>
+    </>
+  )
+}
+
+export function ConvergenceToggles() {
+  return (
+    <>
+      <Toggle label={t('chart.iterationBest')} kind="iteration-best" of={showIterationBest} />
+      <Toggle label={t('chart.mean')} kind="mean" of={showMean} />
+    </>
   )
 }
 
@@ -55,16 +60,18 @@ function Legend() {
       {levels().map(({ objective, length }) => (
         <li key={objective} data-testid="chart-optimum">
           <span class="line-sample optimum" aria-hidden="true" />
-          {t(`chart.levels.${objective}`, { length: numbers.value.length.format(length) })}
+          {t(`chart.levels.${objectiveWord(objective)}`, {
+            length: numbers.value.length.format(length),
+          })}
         </li>
       ))}
     </ul>
   )
 }
 
-const LENGTHS = ['length', 'polyline-length', 'tour-length'] as const
+const LENGTHS = ['length', 'polyline-length', 'tour-length', 'slice-cost'] as const
 
-/** What the curves can be compared with: they show lengths, whatever else the panels are measured by. */
+/** What the curves can be compared with: they show lengths, or costs by slices, whatever else the panels are measured by. */
 function levels() {
   return LENGTHS.filter((id) => objectives.value.includes(id)).flatMap((objective) => {
     const length = referenceValue(references.value[objective] ?? null)

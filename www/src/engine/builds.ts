@@ -13,7 +13,7 @@ export function noteCore({ planners }: Catalog): void {
   for (const { id } of planners) coreIds.add(id)
 }
 
-/** The smallest build that knows the planner, if any does. */
-export function buildFor(planner: string): Build {
-  return coreIds.has(planner) ? 'core' : 'whole'
+/** The smallest build that can run the planner, if any can. The core draws no terrains. */
+export function buildFor({ planner, onTerrain }: { planner: string; onTerrain: boolean }): Build {
+  return coreIds.has(planner) && !onTerrain ? 'core' : 'whole'
 }

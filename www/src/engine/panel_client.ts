@@ -2,7 +2,15 @@
  * The page's side of one panel's worker. It owns the canvas, because a canvas can be handed to a worker only once: whoever
  * shows the panel mounts this element, however often the page is rendered anew.
  */
-import type { Frame, PanelReply, PanelRequest, RunSetup, Target, View } from '../messages'
+import type {
+  Frame,
+  PanelReply,
+  PanelRequest,
+  RasterReply,
+  RunSetup,
+  Target,
+  View,
+} from '../messages'
 import { type Build, buildFor } from './builds'
 import { toEngineError } from './errors'
 import { modules } from './load'
@@ -24,11 +32,20 @@ const UNSEEN: View = {
   layer: 'none',
   showAnts: false,
   showPath: false,
+  showContours: false,
+  hidden: true,
   theme: 'light',
   colour: '#000000',
   goalNames: [],
   cursor: null,
   cursorFocus: false,
+}
+
+/** Who draws a panel's raster elsewhere. */
+export interface RasterWatcher {
+  /** What lies on the map may have changed. */
+  stale(): void
+  take(raster: RasterReply): void
 }
 
 /** loading: no run yet, or a newer one is on its way · idle: can be ticked · failed: refused or crashed, until the next load */
@@ -51,6 +68,7 @@ export class PanelClient {
   /** Posted and not answered yet; while it is, only the newest later load is kept. */
   private loadUnderWay: number | null = null
   private loadWaiting: Load | null = null
+  private watcher: RasterWatcher | null = null
 
   constructor(private readonly onReply: (reply: PanelReply) => void) {}
 
@@ -71,9 +89,21 @@ export class PanelClient {
     this.frame = null
     this.state = 'loading'
     this.loadWaiting = this.current
-    this.use(buildFor(setup.planner))
+    this.use(buildFor({ planner: setup.planner, onTerrain: setup.heights !== null }))
     if (this.started) this.postLoad()
     else if (this.worker === null) void this.start()
+  }
+
+  /** Tells `watcher`, and nobody else, of changes of the raster; null ends that. */
+  watch(watcher: RasterWatcher | null): void {
+    this.watcher = watcher
+    watcher?.stale()
+  }
+
+  /** Asks for a raster; the watcher gets it. False while there is nobody to ask. */
+  askRaster(): boolean {
+    if (this.started) this.post({ kind: 'raster' })
+    return this.started
   }
 
   tick(target: Target, sliceMs: number): void {
@@ -146,7 +176,13 @@ export class PanelClient {
   private receive(reply: PanelReply): void {
     if (reply.kind === 'crashed') this.crash(reply.message)
     else if (reply.kind === 'ready') this.onReply(reply)
+    else if (reply.kind === 'raster') this.handRaster(reply)
     else this.answer(reply)
+  }
+
+  private handRaster(reply: RasterReply): void {
+    if (this.watcher) this.watcher.take(reply)
+    else reply.bitmap.close()
   }
 
   /** Answers to a run that has been replaced meanwhile are dropped. */
@@ -159,6 +195,7 @@ export class PanelClient {
     this.state = reply.kind === 'frame' ? 'idle' : 'failed'
     if (reply.kind === 'frame') this.frame = reply
     this.faded?.remove()
+    this.watcher?.stale()
     this.onReply(reply)
   }
 

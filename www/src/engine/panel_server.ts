@@ -4,12 +4,15 @@
  */
 import type * as core from '@pkg/core/formicarium'
 import type { Frame, PanelReply, PanelRequest, RunSetup, Target } from '../messages'
+import type { ContourLayer } from '../stage/contours'
 import { Painter } from '../stage/painter'
 import { isEngineError } from './errors'
 import { Stepper } from './stepper'
 
 /** What a panel needs of a build. */
 export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
+/** What a terrain has besides its raster; null on a plane. */
+export type GroundOf = (setup: RunSetup) => ContourLayer | null
 
 interface Running {
   id: number
@@ -23,10 +26,12 @@ interface Running {
 let engine: PanelEngine
 let painter: Painter | null = null
 let current: Running | null = null
+let groundOf: GroundOf
 
 /** Answers the page with this engine from now on. */
-export function servePanel(build: PanelEngine): void {
+export function servePanel(build: PanelEngine, ground: GroundOf): void {
   engine = build
+  groundOf = ground
   self.onmessage = (event: MessageEvent<PanelRequest>) => answer(event.data)
 }
 
@@ -38,19 +43,21 @@ function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
 
 /** The old run goes only when the new one stands. */
 function load(runId: number, setup: RunSetup): void {
-  const run = new engine.Run(setup.spec, setup.cells, setup.planner, setup.params, setup.seed)
+  const { spec, cells, heights, planner, params, seed } = setup
+  const run = new engine.Run(spec, cells, heights, planner, params, seed)
   const old = current
   const stepper = new Stepper(run, () => performance.now())
   current = { id: runId, run, stepper, rowsSent: 0, pathSent: '' }
-  painter?.show(run, setup.spec)
+  painter?.show(run, spec, groundOf(setup))
   old?.run.free()
   reply(frame(current, true, 0))
 }
 
 /** A refused setup leaves the map, to be drawn on until it can run. */
-function refuse({ spec, cells }: RunSetup): void {
-  painter?.showMap(spec, (context, theme) =>
-    engine.paint_map(context, spec.width, spec.height, cells, theme),
+function refuse(setup: RunSetup): void {
+  const { spec, cells, heights } = setup
+  painter?.showMap(spec, groundOf(setup), (context, theme, shaded) =>
+    engine.paint_map(context, spec, cells, heights, theme, shaded),
   )
   current?.run.free()
   current = null
@@ -87,8 +94,17 @@ function frame(running: Running, reached: boolean, workMs: number): Frame {
     history,
     reached,
     bestPath: changed ? path : null,
+    bestAltitudes: changed ? run.best_altitudes() : null,
     workMs,
   }
+}
+
+function raster(): void {
+  const bitmap = painter?.flatBitmap()
+  if (!bitmap) return
+  const ants = current?.run.ants() ?? new Uint32Array()
+  const message: PanelReply = { kind: 'raster', bitmap, ants }
+  self.postMessage(message, { transfer: [bitmap] })
 }
 
 function reply(message: PanelReply): void {
@@ -108,6 +124,9 @@ function handle(request: PanelRequest): void {
       break
     case 'tick':
       tick(request.runId, request.target, request.sliceMs)
+      break
+    case 'raster':
+      raster()
       break
   }
 }

@@ -4,12 +4,13 @@
  */
 import type { PanelRequest } from '../messages'
 import { answerCalls } from './answer'
-import { type PanelEngine, servePanel } from './panel_server'
+import { type GroundOf, type PanelEngine, servePanel } from './panel_server'
 import type { ToolRequest } from './tools'
 
-export function serve(engine: PanelEngine, calls: object): void {
+/** `ground`: of the build that knows terrains. */
+export function serve(engine: PanelEngine, calls: object, ground: GroundOf = () => null): void {
   self.onmessage = (event: MessageEvent<PanelRequest | ToolRequest>) => {
-    if ('canvas' in event.data) servePanel(engine)
+    if ('canvas' in event.data) servePanel(engine, ground)
     else answerCalls(calls, (module) => engine.initSync({ module }))
     // The first message is now for whoever listens from here on.
     self.onmessage?.(event)

@@ -12,16 +12,18 @@ export function toolCalls(engine: Engine): ToolCalls {
   return {
     catalog: () => engine.catalog(),
     version: () => engine.version(),
-    check: (spec, cells) => engine.check_scenario(spec, cells),
+    check: (spec, cells, heights) => engine.check_scenario(spec, cells, heights),
     proposeSeed: () => engine.propose_seed(),
-    reference: (spec, cells, objective) => engine.reference(spec, cells, objective),
+    reference: (spec, cells, heights, objective) =>
+      engine.reference(spec, cells, heights, objective),
     repeat: (setup, iterations) => runToEnd(engine, setup, iterations),
   }
 }
 
 /** Runs until `iterations` are complete or the planner has ended by itself. */
 function runToEnd({ Run }: Engine, setup: RunSetup, iterations: number): core.RunSummary {
-  const run = new Run(setup.spec, setup.cells, setup.planner, setup.params, setup.seed)
+  const { spec, cells, heights, planner, params, seed } = setup
+  const run = new Run(spec, cells, heights, planner, params, seed)
   try {
     while (run.status() === 'running' && run.iteration() < iterations) run.advance('iteration', 1)
     return run.summary()

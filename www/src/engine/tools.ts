@@ -2,14 +2,19 @@
 import type {
   Catalog,
   EngineError,
+  ExportFormat,
   Generated,
   Imported,
+  Kind,
   Notice,
   Objective,
   Reference,
   RunSummary,
   ScenarioSpec,
   ScenFile,
+  Size,
+  Survey,
+  Window,
 } from '@pkg/formicarium'
 import type { RunSetup } from '../messages'
 import type { Origin, RecordedResult, Scenario } from '../session'
@@ -18,21 +23,26 @@ import { crash, toEngineError } from './errors'
 import { modules } from './load'
 import { newWorker } from './workers'
 
-export type MapFormat = 'movingai-map' | 'movingai-scen' | 'matrix' | 'scenario'
-export type FileKind =
-  | 'movingai-map'
-  | 'movingai-scen'
-  | 'matrix'
-  | 'scenario'
-  | 'experiment'
-  | 'unknown'
+/** What of a raster of heights is to be opened, and in how many cells; all of it as it is where nothing is said. */
+export interface TerrainPart {
+  crop?: Window
+  size?: Size
+}
 
 /** What only the whole engine's worker can do, as plain functions on its side. */
 export interface MapCalls {
   importMap(bytes: Uint8Array, name: string): Imported
   importScen(bytes: Uint8Array): ScenFile
-  sniff(bytes: Uint8Array, name: string): FileKind
-  exportMap(spec: ScenarioSpec, cells: Uint8Array, format: MapFormat): string
+  sniff(bytes: Uint8Array, name: string): Kind
+  surveyTerrain(bytes: Uint8Array, name: string): Survey
+  importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
+  exportMap(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    format: ExportFormat,
+  ): string
+  exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
   generate(
     kind: Origin['generator'],
     width: number,
@@ -46,9 +56,14 @@ export interface MapCalls {
 export interface ToolCalls {
   catalog(): Catalog
   version(): string
-  check(spec: ScenarioSpec, cells: Uint8Array): Notice[]
+  check(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Notice[]
   proposeSeed(): number
-  reference(spec: ScenarioSpec, cells: Uint8Array, objective: Objective): Reference
+  reference(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    objective: Objective,
+  ): Reference
   repeat(setup: RunSetup, iterations: number): RunSummary
 }
 
@@ -158,8 +173,14 @@ export const tools = {
   importMap: (bytes: Uint8Array, name: string) => wholeBox().call('importMap', bytes, name),
   importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
   sniff: (bytes: Uint8Array, name: string) => wholeBox().call('sniff', bytes, name),
-  exportMap: (spec: ScenarioSpec, cells: Uint8Array, format: MapFormat) =>
-    wholeBox().call('exportMap', spec, cells, format),
+  /** Tells what a raster of heights holds, before it is opened. */
+  surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
+  importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
+    wholeBox().call('importTerrain', bytes, name, part),
+  exportMap: ({ spec, cells, heights }: Scenario, format: ExportFormat) =>
+    wholeBox().call('exportMap', spec, cells, heights, format),
+  exportGeotiff: ({ spec, cells, heights }: Scenario) =>
+    wholeBox().call('exportGeotiff', spec, cells, heights),
   generate: (
     kind: Origin['generator'],
     width: number,
@@ -167,16 +188,18 @@ export const tools = {
     seed: number,
     density: number,
   ) => wholeBox().call('generate', kind, width, height, seed, density),
-  check: (spec: ScenarioSpec, cells: Uint8Array) => toolBox().call('check', spec, cells),
+  /** The core knows no terrains. */
+  check: ({ spec, cells, heights }: Scenario) =>
+    (heights ? wholeBox() : toolBox()).call('check', spec, cells, heights),
   proposeSeed: () => toolBox().call('proposeSeed'),
   /** What results by this objective are compared with on the scenario. Only the whole engine knows more than lengths of step paths. */
-  reference: ({ spec, cells }: Scenario, objective: Objective): Promise<Reference> =>
-    objective === 'length'
-      ? searchBox().call('reference', spec, cells, objective)
-      : wholeSearchBox().call('reference', spec, cells, objective),
+  reference: ({ spec, cells, heights }: Scenario, objective: Objective): Promise<Reference> =>
+    objective === 'length' && heights === null
+      ? searchBox().call('reference', spec, cells, heights, objective)
+      : wholeSearchBox().call('reference', spec, cells, heights, objective),
   /** Repeats a recorded run as far as it went, in a worker of its own: a long one holds nobody up. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
-    const own = newBox(buildFor(setup.planner))
+    const own = newBox(buildFor({ planner: setup.planner, onTerrain: setup.heights !== null }))
     try {
       return await own.call('repeat', setup, recorded.iterations)
     } finally {

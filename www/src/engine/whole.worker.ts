@@ -1,6 +1,7 @@
 /** Panels and tools on the whole engine; only it has file formats and generators. */
 import * as engine from '@pkg/formicarium'
 import { serve } from './serve'
+import { contoursOf } from './terrain_ground'
 import { toolCalls } from './tool_calls'
 import type { MapCalls, ToolCalls } from './tools'
 
@@ -9,9 +10,12 @@ const calls: ToolCalls & MapCalls = {
   importMap: (bytes, name) => engine.import_map(bytes, name),
   importScen: (bytes) => engine.import_scen(bytes),
   sniff: (bytes, name) => engine.sniff(bytes, name),
-  exportMap: (spec, cells, format) => engine.export_map(spec, cells, format),
+  surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
+  importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
+  exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
+  exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),
 }
 
-serve(engine, calls)
+serve(engine, calls, contoursOf)

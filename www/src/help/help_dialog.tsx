@@ -1,10 +1,30 @@
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { engineVersion } from '../state'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 
-type KeyName = 'play' | 'move' | 'iteration' | 'reset' | 'end' | 'undo' | 'redo' | 'tools' | 'fit'
-type StageKeyName = 'cursor' | 'apply' | 'remove' | 'pointer' | 'zoom' | 'pan' | 'help' | 'leave'
+type KeyName =
+  | 'play'
+  | 'move'
+  | 'iteration'
+  | 'reset'
+  | 'end'
+  | 'undo'
+  | 'redo'
+  | 'tools'
+  | 'fit'
+  | 'relief'
+type StageKeyName =
+  | 'cursor'
+  | 'apply'
+  | 'remove'
+  | 'level'
+  | 'turn'
+  | 'pointer'
+  | 'zoom'
+  | 'pan'
+  | 'help'
+  | 'leave'
 
 const RUN_KEYS: [KeyName, string[]][] = [
   ['play', ['Space']],
@@ -16,12 +36,15 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
   ['tools', ['W', 'E', 'S', 'G', 'A', 'H']],
   ['fit', ['0']],
+  ['relief', ['3']],
 ]
 
 const MAP_KEYS: [StageKeyName, string[]][] = [
   ['cursor', ['←', '↑', '↓', '→']],
   ['apply', ['Enter', 'X']],
   ['remove', ['Delete']],
+  ['level', ['PgUp', 'PgDn']],
+  ['turn', ['←', 'Shift ←']],
   ['pointer', []],
   ['zoom', []],
   ['pan', []],

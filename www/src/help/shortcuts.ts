@@ -1,6 +1,6 @@
 /** The page's keys. A focused map or form control keeps the keys it uses itself. */
 
-import { fitView } from '../stage/view'
+import { fitWholeMap, toggleRelief } from '../relief/mode'
 import { redo, reset, runToEnd, stepIteration, stepMove, toggle, tool, undo } from '../state'
 import { openDialog, show } from '../ui/dialogs'
 
@@ -22,7 +22,8 @@ const KEYS: Record<string, () => void> = {
   g: choose('goal'),
   a: choose('add-goal'),
   h: choose('pan'),
-  '0': fitView,
+  '0': fitWholeMap,
+  '3': toggleRelief,
   '?': () => show('help'),
   'Ctrl+z': undo,
   'Ctrl+Shift+z': redo,

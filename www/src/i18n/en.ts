@@ -1,4 +1,5 @@
-import { enDialogs } from './en_dialogs'
+import { enMaps } from './en_maps'
+import { enRelief } from './en_relief'
 
 /** The page's text. Engine text (planners, parameters, errors) comes from the engine, which speaks English. */
 export const en = {
@@ -42,6 +43,8 @@ export const en = {
     best: {
       length: 'Shortest path',
       'polyline-length': 'Shortest polyline',
+      'slice-cost': 'Least cost by slices',
+      'slice-length': 'Shortest path by slices',
       'turn-index': 'Smallest turn index',
       'tour-length': 'Shortest tour',
       'tour-weight': 'Lightest tour',
@@ -135,6 +138,12 @@ export const en = {
     remove: 'Remove {{planner}}',
     add: 'Add planner',
     useInstead: 'Use {{planner}}',
+    otherGround: {
+      plane: 'Does not plan on a plane',
+      surface: 'Does not plan on the surface of a terrain',
+      sixteen: 'Does not plan with 16 moves',
+      slices: 'Does not plan by slices',
+    },
     tooManyGoals_one: 'Reaches one goal; this map has {{goals}}',
     tooManyGoals_other: 'Reaches {{count}} goals; this map has {{goals}}',
     none: 'No planner on this map',
@@ -177,6 +186,8 @@ export const en = {
   objective: {
     length: 'shortest path',
     'polyline-length': 'shortest polyline',
+    'slice-cost': 'least cost by slices',
+    'slice-length': 'shortest path by slices',
     'turn-index': 'smallest turn index',
     'tour-length': 'shortest tour',
     'tour-weight': 'lightest tour',
@@ -205,6 +216,8 @@ export const en = {
       length: 'Optimum {{length}}',
       'polyline-length': 'Shortest polyline {{length}}',
       'tour-length': 'Shortest tour {{length}}',
+      'slice-cost': 'Least cost {{length}}',
+      'slice-length': 'Shortest path {{length}}',
     },
     empty: 'Path length by iteration appears here as soon as a path is found.',
   },
@@ -225,6 +238,12 @@ export const en = {
     minClearance: 'Least clearance',
     meanClearance: 'Mean clearance',
     travelTime: 'Travel time (s)',
+    lengthMetres: 'Length (m)',
+    climb: 'Climb (m)',
+    descent: 'Descent (m)',
+    steepest: 'Steepest (°)',
+    levelCost: 'Cost by slices',
+    costShort: 'Cost',
     iterations: 'Iterations',
     iteration: 'Iteration',
     arrived: 'Arrived',
@@ -249,6 +268,11 @@ export const en = {
       minClearance: 'Distance to the nearest wall at the tightest place, in cells',
       meanClearance: 'Distance to the nearest wall on average, in cells',
       travelTime: 'By the scenario’s vehicle: speed, and seconds for every turn',
+      lengthMetres: 'Length of the best path over the ground in metres',
+      climb: 'Metres up along the best path',
+      descent: 'Metres down along the best path',
+      steepest: 'Steepest stretch of the best path, up or down',
+      levelCost: 'Σ √(1 + Δy² + Δh²) + |h| over the steps, in cells and levels',
       iterations: 'Iterations finished',
       iterationOfBest: 'Iteration in which the best path was found',
       constructedPaths:
@@ -314,5 +338,6 @@ export const en = {
     listing: 'Commands',
     inEnglish: 'The cards are written in English.',
   },
-  ...enDialogs,
+  ...enMaps,
+  ...enRelief,
 }

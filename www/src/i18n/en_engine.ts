@@ -5,7 +5,17 @@ export const enEngine = {
       message: 'The map has {{value}} goals; this planner reaches at most {{max}}',
       hint: 'Remove goals, or choose a planner that visits several',
     },
+    ground: {
+      message: 'This planner does not plan {{ground}}',
+      hint: 'Choose another planner, or change how one moves in the map menu',
+    },
     place: { message: '“{{value}}” is no place', hint: 'Write column and row, as in 11, 4' },
+  },
+  grounds: {
+    plane: 'on a plane',
+    surface: 'on the surface of a terrain',
+    sixteen: 'with 16 moves',
+    slices: 'by slices',
   },
   notices: {
     'matrix-one-is-blocked':

@@ -18,7 +18,7 @@ const UNFETCHED = /dynamically imported module|importing a module script|unable 
 
 export function describeError(error: unknown): Described {
   if (isCoded(error)) {
-    const args = { ...error.args, field: error.field ?? '' }
+    const args = { ...error.args, ...groundOf(error), field: error.field ?? '' }
     return {
       message: sentence(engineText(`errors.${error.kind}.message`, error.message, args)),
       hint: sentence(engineText(`errors.${error.kind}.hint`, error.hint, args)),
@@ -28,6 +28,11 @@ export function describeError(error: unknown): Described {
   if (UNFETCHED.test(message))
     return { message: t('errors.unfetched'), hint: t('errors.unfetchedHint') }
   return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
+}
+
+/** A way of moving comes as the engine's id of it. */
+function groundOf({ args }: Coded): { ground?: string } {
+  return args?.ground ? { ground: engineText(`grounds.${args.ground}`, args.ground) } : {}
 }
 
 export function describeNotice({ kind, message, args }: Notice): string {

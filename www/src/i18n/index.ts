@@ -13,8 +13,10 @@ type Leaves<T> = {
 type WithoutPlural<K extends string> = K extends `${infer Base}_one` | `${infer Base}_other`
   ? Base
   : K
-/** Every key of the English dictionary; the other languages are checked against it by their type. */
-export type TextKey = WithoutPlural<Leaves<typeof en>>
+/** The keys of an English dictionary; the other languages are checked against it by their type. */
+export type KeyOf<Dictionary> = WithoutPlural<Leaves<Dictionary>>
+/** What can be said from the beginning. */
+export type TextKey = KeyOf<typeof en>
 
 const LANGUAGE_KEY = 'formicarium.language'
 
@@ -28,14 +30,21 @@ i18next.init({
 
 export const language = signal<Language>('en')
 
+/** English that comes with the parts of the page that need it. */
+export function addEnglish(words: object): void {
+  i18next.addResourceBundle('en', 'translation', words, true)
+}
+
 /** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
 async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
-    const [{ zhCN }, { zhCNEngine }] = await Promise.all([
+    const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }] = await Promise.all([
       import('./zh_cn'),
+      import('./zh_cn_dialogs'),
       import('./zh_cn_engine'),
     ])
     i18next.addResourceBundle(choice, 'translation', zhCN)
+    i18next.addResourceBundle(choice, 'translation', zhCNDialogs, true)
     // The engine speaks English; what a dictionary has for its names and errors replaces that.
     i18next.addResourceBundle(choice, 'engine', zhCNEngine)
   }
@@ -74,6 +83,9 @@ export const numbers = computed(() => ({
     minimumFractionDigits: 3,
     maximumFractionDigits: 3,
   }),
+  /** Heights and sizes in metres, as precise as is worth reading. */
+  metres: new Intl.NumberFormat(language.value, { maximumFractionDigits: 2 }),
+  share: new Intl.NumberFormat(language.value, { style: 'percent', maximumSignificantDigits: 2 }),
   percent: new Intl.NumberFormat(language.value, {
     style: 'percent',
     minimumFractionDigits: 1,

@@ -1,6 +1,7 @@
 import type { en } from './en'
 import type { Shape } from './shape'
-import { zhCNDialogs } from './zh_cn_dialogs'
+import { zhCNMaps } from './zh_cn_maps'
+import { zhCNRelief } from './zh_cn_relief'
 
 export const zhCN: Shape<typeof en> = {
   app: {
@@ -42,6 +43,8 @@ export const zhCN: Shape<typeof en> = {
     best: {
       length: '最短路径',
       'polyline-length': '最短折线',
+      'slice-cost': '最小切片代价',
+      'slice-length': '切片最短路径',
       'turn-index': '最小转弯指数',
       'tour-length': '最短巡回',
       'tour-weight': '最小加权巡回',
@@ -133,6 +136,12 @@ export const zhCN: Shape<typeof en> = {
     remove: '移除 {{planner}}',
     add: '添加规划器',
     useInstead: '改用{{planner}}',
+    otherGround: {
+      plane: '不能在平面上规划',
+      surface: '不能在地形表面上规划',
+      sixteen: '不能用 16 方向规划',
+      slices: '不能按切片规划',
+    },
     tooManyGoals_other: '只能到达 {{count}} 个目标；此地图有 {{goals}} 个',
     none: '这张地图上没有规划器',
     noneHint: '添加一个即可运行；再添加一个就能比赛。',
@@ -172,6 +181,8 @@ export const zhCN: Shape<typeof en> = {
   objective: {
     length: '最短路径',
     'polyline-length': '最短折线',
+    'slice-cost': '最小切片代价',
+    'slice-length': '切片最短路径',
     'turn-index': '最小转弯指数',
     'tour-length': '最短巡回',
     'tour-weight': '最小加权巡回',
@@ -200,6 +211,8 @@ export const zhCN: Shape<typeof en> = {
       length: '最优 {{length}}',
       'polyline-length': '最短折线 {{length}}',
       'tour-length': '最短巡回 {{length}}',
+      'slice-cost': '最小代价 {{length}}',
+      'slice-length': '最短路径 {{length}}',
     },
     empty: '找到路径后，这里会显示路径长度随迭代的变化。',
   },
@@ -220,6 +233,12 @@ export const zhCN: Shape<typeof en> = {
     minClearance: '最小间距',
     meanClearance: '平均间距',
     travelTime: '行驶时间（秒）',
+    lengthMetres: '长度（米）',
+    climb: '爬升（米）',
+    descent: '下降（米）',
+    steepest: '最陡（°）',
+    levelCost: '切片代价',
+    costShort: '代价',
     iterations: '迭代次数',
     iteration: '迭代',
     arrived: '到达',
@@ -243,6 +262,11 @@ export const zhCN: Shape<typeof en> = {
       minClearance: '最窄处到最近墙的距离，以格为单位',
       meanClearance: '到最近墙的平均距离，以格为单位',
       travelTime: '按场景中的车辆：速度与每次转弯的秒数',
+      lengthMetres: '最优路径沿地面的长度，单位为米',
+      climb: '沿最优路径上升的米数',
+      descent: '沿最优路径下降的米数',
+      steepest: '最优路径上最陡的一段，上坡或下坡',
+      levelCost: '各步的 Σ √(1 + Δy² + Δh²) + |h|，以格与层计',
       iterations: '已完成的迭代',
       iterationOfBest: '找到最优路径的那次迭代',
       constructedPaths: '蚂蚁构造的、或由粒子与烟花解码出的完整路径数',
@@ -306,5 +330,6 @@ export const zhCN: Shape<typeof en> = {
     listing: '命令',
     inEnglish: '论文卡片以英文写成。',
   },
-  ...zhCNDialogs,
+  ...zhCNMaps,
+  ...zhCNRelief,
 }

@@ -18,6 +18,16 @@ export const zhCNEngine = {
       summary:
         '蚂蚁同时看目标、方向和周围障碍；最优路径增加信息素，最差路径减少信息素；最优路径按视线拉直（范学兴等 2026）。',
     },
+    'terrain-aco': {
+      name: '地形蚁群',
+      summary:
+        '地形论文的基本蚁群，用于地形表面与切片：信息素留在位置上，蚂蚁多半走最好的一步，走过之处的信息素随即减弱。',
+    },
+    'terrain-epf': {
+      name: '精英势场蚁群',
+      summary:
+        '两队蚂蚁从起点和终点相向而行，相遇即连成路径；势场给出初始信息素并影响启发信息，最好的蚂蚁留下的信息素逐渐增多。',
+    },
     'elitist-ant-system': {
       name: '精英蚂蚁系统 (EAS)',
       summary: '在蚂蚁系统上，每次迭代都给至今最优路径额外的信息素，如同精英蚂蚁又走了一遍。',
@@ -52,6 +62,11 @@ export const zhCNEngine = {
       name: '先烟花后蚁群',
       summary: '先由改进烟花算法搜索，其最优路径先得到信息素，再由蚁群继续。',
     },
+    pso: {
+      name: '粒子群 (PSO)',
+      summary:
+        '粒子飞向自身与全群的最好位置；位置在分层移动时是每一列的行与高度层，否则是各格的优先值。',
+    },
     'pso-aco': {
       name: '先粒子群后蚁群',
       summary: '先由粒子群在各格优先值上搜索，其最优路径先得到信息素，再由蚁群继续。',
@@ -76,6 +91,10 @@ export const zhCNEngine = {
       name: '精确巡回',
       summary: '不超过 16 个目标时，按权重或长度证明的最优次序，每段都是最短路径。',
     },
+    'slices-exact': {
+      name: '切片精确规划',
+      summary: '从起点逐列推进，保留到达每处的最小代价；总是按切片移动的最优路径，不计其他。',
+    },
     dijkstra: {
       name: 'Dijkstra',
       summary: '按代价一圈一圈向外探索，直到抵达终点；路径总是最短。',
@@ -95,6 +114,7 @@ export const zhCNEngine = {
     terrain: '地形论文',
     threshold: '自适应阈值论文',
     fireworks: '烟花论文',
+    constriction: '收缩因子',
     aco: '论文的蚁群',
     cells: '逐格路径，不拉直',
     evaporating: '0.9 为挥发部分',
@@ -108,6 +128,15 @@ export const zhCNEngine = {
   },
   params: {
     objective: '有多个目标时使什么最小',
+    initial: '第一次迭代之前的信息素',
+    force: '蚂蚁是否感受势场的力',
+    force_base: '势场力作为指数的幂的底数',
+    elite: '每队中再留一次信息素的蚂蚁比例，路径最短者优先；至少一只，0 表示没有',
+    two_colonies: '一半蚂蚁自成一队，从终点出发；两只蚂蚁相遇时把各自走过的路连成路径',
+    attraction: '起点处目标的引力',
+    repulsion: '高于起点之处的斥力',
+    repulsion_range: '离地面多近时高处产生斥力',
+    local_rho: '局部挥发率：蚂蚁走到一个位置时带走的那部分信息素',
     order: '各目标的次序使什么最小',
     order_rule: '蚂蚁如何选择下一个目标',
     leg_length: '按两个目标之间的哪种长度确定次序',
@@ -196,6 +225,9 @@ export const zhCNEngine = {
     detour: '绕行量',
     goal: '到终点的距离',
     step: '步长',
+    both: '步长与到终点的距离之和',
+    field: '势场（式 14）',
+    uniform: '处处相同',
     backtrack: '回退',
     threshold: '自适应阈值',
     proportional: '轮盘赌',
@@ -208,6 +240,12 @@ export const zhCNEngine = {
     none: '不拉直',
     die: '死亡',
   },
+  grounds: {
+    plane: '在平面上',
+    surface: '在地形表面上',
+    sixteen: '用 16 方向',
+    slices: '按切片',
+  },
   notices: {
     unreachable: '在此移动规则下，起点与终点之间没有通路。',
     'start-is-goal': '起点与终点是同一格：路径长度为 0。',
@@ -215,6 +253,15 @@ export const zhCNEngine = {
     'matrix-one-is-blocked':
       '0 读作空闲，1 读作障碍。若含义相反，请在地图菜单中选择“交换墙与空地”。',
     'map-type': '地图类型为“{{value}}”，按 octile 读取。',
+    'heights-in-table': '数字读作高程（米）：地图只含 0 和 1。',
+    'terrain-cell-size': '文件没有给出格子的大小：按 1 米计，请设置分辨率。',
+    'terrain-no-data': '{{count}} 格没有数据，作为障碍。',
+    'terrain-geographic': '格子以度计：在纬度 {{latitude}}° 处宽 {{x}} 米、高 {{y}} 米。',
+    'terrain-no-latitude': '文件名没有给出纬度（如 N40W106.hgt）：格子按赤道处的大小计。',
+    'terrain-cells-not-square':
+      '格子宽 {{x}} 米、高 {{y}} 米，按边长 {{mean}} 米的正方形计；取 {{columns}} × {{rows}} 格时为正方形。',
+    'terrain-shrunk':
+      '{{width}} × {{height}} 格超出地图的大小：每 {{by}} 格合为一格，共 {{columns}} × {{rows}} 格；裁剪可保留全部。',
   },
   errors: {
     'out-of-range': {
@@ -235,6 +282,20 @@ export const zhCNEngine = {
     'too-many-goals': {
       message: '该规划器最多到达 {{max}} 个目标，地图上有 {{value}} 个',
       hint: '删除一些目标，或选择能访问多个目标的规划器',
+    },
+    ground: {
+      message: '该规划器不能{{ground}}规划',
+      hint: '请选择其他规划器，或在地图菜单中更改移动方式',
+    },
+    'heights-missing': { message: '地形没有高程', hint: '请重新打开地形' },
+    'terrain-missing': { message: '有高程，但没有说明如何移动', hint: '请重新打开地形' },
+    'start-below-ground': {
+      message: '起点位于第 {{level}} 层，在地面之下',
+      hint: '该处最低为第 {{lowest}} 层',
+    },
+    'goal-below-ground': {
+      message: '终点位于第 {{level}} 层，在地面之下',
+      hint: '该处最低为第 {{lowest}} 层',
     },
     'goal-count': { message: '不能使用 {{value}} 个目标', hint: '请设置 1 到 {{max}} 个目标' },
     'goal-twice': {
@@ -258,7 +319,17 @@ export const zhCNEngine = {
     },
     'unknown-format': {
       message: '无法识别该文件的格式',
-      hint: '可打开 MovingAI .map 与 .scen、0/1 矩阵，以及 JSON 场景',
+      hint: '可打开 MovingAI .map 与 .scen、0/1 矩阵、高程（ESRI ASCII、CSV、GeoTIFF、SRTM），以及 JSON 场景',
+    },
+    'not-a-terrain': { message: '该文件不含高程', hint: '请作为地图打开' },
+    'no-heights': {
+      message: '地形中没有任何高程',
+      hint: '所有格都是无数据值，或所选窗口内没有数据',
+    },
+    'bad-field': { message: '文件的 {{field}} 不能使用：{{what}}', hint: '应为：{{expected}}' },
+    window: {
+      message: '({{x}}, {{y}}) 处 {{columns}} × {{rows}} 格的窗口超出 {{width}} × {{height}} 格',
+      hint: '请选择范围之内的窗口',
     },
     'not-text': { message: '该文件不是 UTF-8 文本', hint: '请选择文本格式的地图文件' },
     'no-free-cell': {

@@ -2,6 +2,7 @@
 import type { Scenario } from '../session'
 import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells } from './goals'
 import { keepInside } from './settle'
+import { hasNoData, liftEnds } from './terrain'
 
 export type Cell = [number, number]
 
@@ -23,16 +24,33 @@ export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
     case 'start':
       return moveStart(scenario, edit.at)
     case 'goal':
-      return freed(placeGoal(scenario, edit.index, edit.at), scenario, edit.at)
+      return moveGoal(scenario, edit.index, edit.at)
     case 'change-goal':
       return changeGoal(scenario, edit.index, edit.change)
     case 'remove-goal':
-      return removeGoal(scenario, edit.index)
+      // By slices, the next goal takes over the level of the first.
+      return liftEnds(removeGoal(scenario, edit.index)) ?? scenario
     case 'clear':
       return clear(scenario)
     case 'resize':
       return resize(scenario, edit.width, edit.height)
   }
+}
+
+/** Why the ground of a terrain does not take an edit, where that needs words. */
+export type Refusal = 'erase' | 'end' | 'level'
+
+/** Asked when an edit has changed nothing. */
+export function refusalOf(scenario: Scenario, edit: Edit): Refusal | null {
+  if (edit.kind === 'paint')
+    return !edit.blocked && hasNoData(scenario, edit.to) && isInside(scenario, edit.to)
+      ? 'erase'
+      : null
+  if (edit.kind === 'resize') return 'end'
+  if (edit.kind !== 'start' && edit.kind !== 'goal') return null
+  if (!isInside(scenario, edit.at) || takenCells(scenario.spec).some((c) => sameCell(c, edit.at)))
+    return null
+  return hasNoData(scenario, edit.at) ? 'end' : 'level'
 }
 
 export function isInside(scenario: Scenario, [x, y]: Cell): boolean {
@@ -76,6 +94,7 @@ function paint(scenario: Scenario, from: Cell, to: Cell, blocked: boolean): Scen
     (cell) =>
       isInside(scenario, cell) &&
       isBlocked(scenario, cell) !== blocked &&
+      !hasNoData(scenario, cell) &&
       !sameCell(cell, scenario.spec.start) &&
       !isGoal(scenario, cell),
   )
@@ -88,37 +107,66 @@ function paint(scenario: Scenario, from: Cell, to: Cell, blocked: boolean): Scen
 /** The start stays inside and apart from every goal; on a wall it makes its cell free. */
 function moveStart(scenario: Scenario, at: Cell): Scenario {
   const { spec } = scenario
-  if (!isInside(scenario, at) || takenCells(spec).some((cell) => sameCell(cell, at)))
-    return scenario
-  return freed({ ...scenario, spec: { ...spec, start: at } }, scenario, at)
+  const taken = takenCells(spec).some((cell) => sameCell(cell, at))
+  if (!isInside(scenario, at) || taken || hasNoData(scenario, at)) return scenario
+  return settled({ ...scenario, spec: { ...spec, start: at } }, scenario, at)
 }
 
-/** `after` with free ground at `at`; an edit that changed nothing frees nothing. */
-function freed(after: Scenario, before: Scenario, at: Cell): Scenario {
-  if (after === before || !isBlocked(after, at)) return after
-  const cells = after.cells.slice()
-  cells[at[1] * after.spec.width + at[0]] = 0
-  return { ...after, cells }
+function moveGoal(scenario: Scenario, index: number, at: Cell): Scenario {
+  if (hasNoData(scenario, at)) return scenario
+  return settled(placeGoal(scenario, index, at), scenario, at)
 }
 
+/** `after` with free ground at `at`, and by slices above it; an edit that changed nothing frees nothing. */
+function settled(after: Scenario, before: Scenario, at: Cell): Scenario {
+  if (after === before) return after
+  const lifted = liftEnds(after)
+  if (lifted === null) return before
+  if (!isBlocked(lifted, at)) return lifted
+  const cells = lifted.cells.slice()
+  cells[at[1] * lifted.spec.width + at[0]] = 0
+  return { ...lifted, cells }
+}
+
+/** Where there is no data, nothing can be free. */
 function clear(scenario: Scenario): Scenario {
-  if (!scenario.cells.includes(1)) return scenario
-  return { ...scenario, cells: new Uint8Array(scenario.cells.length), origin: null }
+  const { heights } = scenario
+  const cells = scenario.cells.map((cell, i) =>
+    heights && !Number.isFinite(heights[i]) ? cell : 0,
+  )
+  if (cells.every((cell, i) => cell === scenario.cells[i])) return scenario
+  return { ...scenario, cells, origin: heights ? scenario.origin : null }
 }
 
-/** Keeps the upper left part; new cells are free, ends that fell off move to the nearest cell inside. */
+/**
+ * Keeps the upper left part; new cells are free, and on a terrain without data. Ends that fell off move to the nearest cell inside;
+ * where no cell is left for them, nothing changes.
+ */
 function resize(scenario: Scenario, width: number, height: number): Scenario {
-  const { spec } = scenario
+  const { spec, heights } = scenario
   if (width === spec.width && height === spec.height) return scenario
-  const cells = new Uint8Array(width * height)
-  for (let y = 0; y < Math.min(height, spec.height); y++) {
-    const row = scenario.cells.subarray(
-      y * spec.width,
-      y * spec.width + Math.min(width, spec.width),
-    )
-    cells.set(row, y * width)
-  }
-  const moved = keepInside({ ...spec, width, height })
+  const size = { width, height }
+  const ground =
+    heights && copied(heights, new Float32Array(width * height).fill(Number.NaN), spec, size)
+  const outside = new Uint8Array(width * height).fill(ground ? 1 : 0)
+  const cells = copied(scenario.cells, outside, spec, size)
+  const moved = keepInside({ ...spec, width, height }, (cell) =>
+    ground ? Number.isFinite(ground[cell]) : true,
+  )
+  if (moved === null) return scenario
   for (const [x, y] of takenCells(moved)) cells[y * width + x] = 0
-  return { spec: moved, cells, origin: null }
+  return liftEnds({ spec: moved, cells, heights: ground, origin: null }) ?? scenario
+}
+
+interface Size {
+  width: number
+  height: number
+}
+
+/** The upper left part of a map, laid over another. */
+function copied<T extends Uint8Array | Float32Array>(from: T, onto: T, was: Size, is: Size): T {
+  const width = Math.min(was.width, is.width)
+  for (let y = 0; y < Math.min(was.height, is.height); y++)
+    onto.set(from.subarray(y * was.width, y * was.width + width), y * is.width)
+  return onto
 }

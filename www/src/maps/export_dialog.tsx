@@ -1,37 +1,61 @@
+import type { ExportFormat } from '@pkg/formicarium'
 import { Copy, Download } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
-import type { MapFormat } from '../engine/tools'
-import { t } from '../i18n'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
 import {
   announce,
   download,
   exportExperiment,
+  exportGeotiff,
   exportMap,
   fileStem,
   notify,
   notifyError,
+  scenario,
 } from '../state'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { Segmented } from '../ui/fields'
 
-type Format = MapFormat | 'experiment'
+type Format = ExportFormat | 'geotiff' | 'experiment'
 
 const EXTENSIONS: Record<Format, string> = {
   'movingai-map': '.map',
   'movingai-scen': '.scen',
   matrix: '.txt',
+  'esri-ascii': '.asc',
+  'height-table': '.csv',
+  geotiff: '.tif',
   scenario: '.scenario.json',
   experiment: '.experiment.json',
 }
-const FORMATS = Object.keys(EXTENSIONS) as Format[]
+/** Of maps without heights, in the order of a reader's likely wish. */
+const PLANAR: Format[] = ['movingai-map', 'movingai-scen', 'matrix', 'scenario', 'experiment']
+/** Of terrains: those that keep the heights stand first. */
+const OF_TERRAINS: Format[] = [
+  'esri-ascii',
+  'height-table',
+  'geotiff',
+  'scenario',
+  'experiment',
+  'movingai-map',
+  'movingai-scen',
+  'matrix',
+]
+/** They have cells only. */
+const FLATTENING: Format[] = ['movingai-map', 'movingai-scen', 'matrix']
+const TYPES: Partial<Record<Format, string>> = { geotiff: 'image/tiff', 'height-table': 'text/csv' }
 /** A preview is for recognising the format, not for reading a large map. */
 const PREVIEW_CHARACTERS = 4000
 
 export function ExportDialog() {
-  const [format, setFormat] = useState<Format>('movingai-map')
-  const text = useExport(format)
+  const onTerrain = scenario.value?.heights != null
+  const formats = onTerrain ? OF_TERRAINS : PLANAR
+  const [format, setFormat] = useState<Format>(formats[0] ?? 'scenario')
+  const content = useExport(format)
+  const text = typeof content === 'string' ? content : null
   const name = fileStem() + EXTENSIONS[format]
   return (
     <Dialog
@@ -53,8 +77,8 @@ export function ExportDialog() {
             label={t('maps.download', { name })}
             tone="primary"
             testId="export-download"
-            disabled={!text}
-            onClick={() => download(name, text ?? '')}
+            disabled={!content?.length}
+            onClick={() => download(name, content ?? '', TYPES[format])}
           />
         </>
       }
@@ -62,7 +86,7 @@ export function ExportDialog() {
       <Segmented
         label={t('maps.format')}
         value={format}
-        options={FORMATS.map((id) => ({
+        options={formats.map((id) => ({
           value: id,
           label: t(`maps.exports.${id}.name`),
           testId: `export-${id}`,
@@ -70,16 +94,27 @@ export function ExportDialog() {
         onChange={setFormat}
       />
       <p class="hint">{t(`maps.exports.${format}.note`)}</p>
-      <textarea
-        class="input preview"
-        readOnly
-        rows={14}
-        wrap="off"
-        spellcheck={false}
-        aria-label={t('maps.preview')}
-        data-testid="export-preview"
-        value={text === null ? t('common.working') : text.slice(0, PREVIEW_CHARACTERS)}
-      />
+      {onTerrain && FLATTENING.includes(format) && (
+        <p class="banner" data-testid="export-flattens">
+          {t('maps.exportFlattens')}
+        </p>
+      )}
+      {content instanceof Uint8Array ? (
+        <p class="hint" data-testid="export-bytes">
+          {t('maps.exportBinary', { bytes: numbers.value.whole.format(content.length) })}
+        </p>
+      ) : (
+        <textarea
+          class="input preview"
+          readOnly
+          rows={14}
+          wrap="off"
+          spellcheck={false}
+          aria-label={t('maps.preview')}
+          data-testid="export-preview"
+          value={text === null ? t('common.working') : text.slice(0, PREVIEW_CHARACTERS)}
+        />
+      )}
     </Dialog>
   )
 }
@@ -94,20 +129,24 @@ export async function copyText(text: string): Promise<void> {
   }
 }
 
-/** The text of the chosen format; null while it is being made. */
-function useExport(format: Format): string | null {
-  const [text, setText] = useState<string | null>(null)
+/** The file in the chosen format; null while it is being made. */
+function useExport(format: Format): string | Uint8Array | null {
+  const [content, setContent] = useState<string | Uint8Array | null>(null)
   useEffect(() => {
     let current = true
-    setText(null)
-    const making = format === 'experiment' ? exportExperiment() : exportMap(format)
-    making.then(
-      (made) => current && setText(made),
+    setContent(null)
+    make(format).then(
+      (made) => current && setContent(made),
       (error) => current && notifyError(error),
     )
     return () => {
       current = false
     }
   }, [format])
-  return text
+  return content
+}
+
+function make(format: Format): Promise<string | Uint8Array> {
+  if (format === 'experiment') return exportExperiment()
+  return format === 'geotiff' ? exportGeotiff() : exportMap(format)
 }

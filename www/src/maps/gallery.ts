@@ -3,12 +3,16 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { goalAt, type Origin, type Scenario } from '../session'
 import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
+import { heightsOf } from './heights'
 import { paperMaps, type Racer } from './paper_maps'
 import { paperScenario } from './paper_scenario'
+import { fittingRules, plainTerrain } from './terrain'
 
 export interface GalleryEntry {
   id: string
   scenario(): Promise<Scenario>
+  /** Where it stands in the menu. */
+  group: 'ready' | 'terrains' | 'papers'
   /** Who is to race there; absent where the map goes with any planner. */
   racers?: Racer[]
 }
@@ -19,7 +23,7 @@ export function firstScenario(): Scenario {
 }
 
 /** From the one that shows most at a glance to the one that shows what no path looks like. */
-export const gallery: GalleryEntry[] = [
+const ready: Omit<GalleryEntry, 'group'>[] = [
   { id: 'two-corridors', scenario: async () => firstScenario() },
   { id: 'aco-20x20', scenario: async () => drawn('Scattered blocks, 20 × 20', SCATTERED) },
   { id: 'engine-room', scenario: async () => drawn('Engine room', ENGINE_ROOM) },
@@ -38,12 +42,44 @@ export const gallery: GalleryEntry[] = [
   },
   { id: 'open-field', scenario: async () => openField() },
   { id: 'unreachable', scenario: async () => drawn('Unreachable', SEALED) },
+]
+
+/** One for each way of moving on a terrain. */
+const terrains: Omit<GalleryEntry, 'group'>[] = [
+  {
+    id: 'terrain-hills',
+    scenario: async () => {
+      const origin: Origin = { generator: 'hills', seed: 5, density: 0.5 }
+      const made = await generated('Hills', 65, 65, origin)
+      return { ...made, spec: { ...made.spec, movement: { ...made.spec.movement, moves: 16 } } }
+    },
+    racers: [['terrain-epf'], ['terrain-aco'], ['astar']],
+  },
+  {
+    id: 'terrain-slices',
+    scenario: async () => {
+      const origin: Origin = { generator: 'fractal', seed: 2, density: 0.5 }
+      return bySlices(await generated('Rough ground', 21, 21, origin))
+    },
+    racers: [['terrain-aco'], ['terrain-epf'], ['pso'], ['slices-exact']],
+  },
+]
+
+export const gallery: GalleryEntry[] = [
+  ...ready.map((entry) => ({ ...entry, group: 'ready' as const })),
+  ...terrains.map((entry) => ({ ...entry, group: 'terrains' as const })),
   ...paperMaps.map(({ id, file, racers }) => ({
     id,
     scenario: () => paperScenario(file),
+    group: 'papers' as const,
     racers,
   })),
 ]
+
+function bySlices(scenario: Scenario): Scenario {
+  const terrain = { vertical_unit: 1, slices: fittingRules(scenario, 1) }
+  return { ...scenario, spec: { ...scenario.spec, terrain } }
+}
 
 /** Without obstacles every detour is the ants' own. */
 function openField(): Scenario {
@@ -51,6 +87,7 @@ function openField(): Scenario {
   return {
     spec: specOf('Open field', width, height, [4, 19], [35, 5]),
     cells: new Uint8Array(width * height),
+    heights: null,
     origin: null,
   }
 }
@@ -65,6 +102,7 @@ function drawn(name: string, rows: readonly string[]): Scenario {
   return {
     spec: specOf(name, width, rows.length, at('S'), at('G')),
     cells: Uint8Array.from(text, (char) => (char === '#' ? 1 : 0)),
+    heights: null,
     origin: null,
   }
 }
@@ -75,14 +113,13 @@ async function generated(
   height: number,
   origin: Origin,
 ): Promise<Scenario> {
-  const { cells, start, goal } = await tools.generate(
-    origin.generator,
-    width,
-    height,
-    origin.seed,
-    origin.density,
-  )
-  return { spec: specOf(name, width, height, start, goal), cells, origin }
+  const { generator, seed, density } = origin
+  const made = await tools.generate(generator, width, height, seed, density)
+  const heights = heightsOf(made.heights)
+  const spec = specOf(name, width, height, made.start, made.goal)
+  const { resolution, cells } = made
+  const terrain = heights && { terrain: plainTerrain() }
+  return { spec: { ...spec, resolution, ...terrain }, cells, heights, origin }
 }
 
 function specOf(

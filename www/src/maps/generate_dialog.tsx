@@ -2,7 +2,7 @@ import { signal } from '@preact/signals'
 import { Dices } from 'lucide'
 import { useState } from 'preact/hooks'
 import { tools } from '../engine/tools'
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import type { Origin } from '../session'
 import { generateMap, notifyError } from '../state'
 import { Button, IconButton } from '../ui/buttons'
@@ -12,7 +12,10 @@ import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
 import { MOST_CELLS_A_SIDE } from './limits'
 
-const KINDS: Origin['generator'][] = ['random', 'maze', 'rooms', 'cave']
+const KINDS: Origin['generator'][] = ['random', 'maze', 'rooms', 'cave', 'hills', 'fractal']
+const TERRAINS: Origin['generator'][] = ['hills', 'fractal']
+/** Sides of terrains that papers and programs like. */
+const SIDES = ['21', '65', '129', '257', '513']
 
 /** Kept while the page lives, so that a second map starts from the first one's settings. */
 const settings = signal({
@@ -21,17 +24,19 @@ const settings = signal({
   height: 30,
   seed: 1,
   density: 30,
+  roughness: 50,
 })
 
 export function GenerateDialog() {
   const [error, setError] = useState<unknown>(null)
-  const { kind, width, height, seed, density } = settings.value
+  const { kind, width, height, seed, density, roughness } = settings.value
+  const isTerrain = TERRAINS.includes(kind)
   const set = (change: Partial<typeof settings.value>) => {
     settings.value = { ...settings.value, ...change }
   }
   const make = async () => {
     try {
-      await generateMap(kind, width, height, seed, density / 100)
+      await generateMap(kind, width, height, seed, (isTerrain ? roughness : density) / 100)
       closeDialog()
     } catch (thrown) {
       setError(thrown)
@@ -75,6 +80,16 @@ export function GenerateDialog() {
             onChange={(value) => set({ density: value })}
           />
         )}
+        {isTerrain && (
+          <NumberField
+            label={t('maps.roughness')}
+            value={roughness}
+            min={0}
+            max={90}
+            testId="generate-roughness"
+            onChange={(value) => set({ roughness: value })}
+          />
+        )}
         <span class="seed-field">
           <NumberField
             label={t('run.seed')}
@@ -92,7 +107,19 @@ export function GenerateDialog() {
           />
         </span>
       </div>
-      <p class="hint">{t('maps.generateHint')}</p>
+      {isTerrain && (
+        <Segmented
+          label={t('maps.sides')}
+          value={width === height ? String(width) : ''}
+          options={SIDES.map((side) => ({
+            value: side,
+            label: `${side} × ${side}`,
+            testId: `generate-side-${side}`,
+          }))}
+          onChange={(side) => set({ width: Number(side), height: Number(side) })}
+        />
+      )}
+      <p class="hint">{t(isTerrain ? 'maps.generateTerrainHint' : 'maps.generateHint')}</p>
       {error !== null && <FormError error={error} />}
     </Dialog>
   )

@@ -1,12 +1,14 @@
 import { useId, useRef, useState } from 'preact/hooks'
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { openFiles, openText } from '../state'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { FormError } from '../ui/form_error'
 
-const FORMATS = ['map', 'scen', 'matrix', 'json', 'link'] as const
+const FORMATS = ['map', 'scen', 'matrix', 'raster', 'json', 'link'] as const
+/** What the file picker offers first. */
+const ENDINGS = '.map,.scen,.txt,.csv,.json,.asc,.tif,.tiff,.hgt'
 
 export function ImportDialog() {
   const picker = useRef<HTMLInputElement>(null)
@@ -36,7 +38,7 @@ export function ImportDialog() {
         class="visually-hidden"
         tabIndex={-1}
         aria-label={t('maps.chooseFiles')}
-        accept=".map,.scen,.txt,.csv,.json"
+        accept={ENDINGS}
         data-testid="import-file"
         onChange={(event) => settle(openFiles(event.currentTarget.files ?? []))}
       />

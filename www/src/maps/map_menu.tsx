@@ -24,7 +24,7 @@ import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
 import { Menu, MenuColumn, MenuHeading, MenuItem } from '../ui/menu'
 import { type GalleryEntry, gallery } from './gallery'
-import { movementName } from './movement'
+import { waysOfMoving } from './movement'
 
 /** Name of the map on show: a built-in one in the reader's language, any other as it came. */
 export function mapName(): string {
@@ -49,7 +49,7 @@ export function MapMenu() {
     >
       <MenuColumn>
         <MenuHeading text={t('maps.gallery')} />
-        {gallery.filter(({ racers }) => !racers).map(galleryItem)}
+        {galleryItems('ready')}
         <MenuItem
           icon={RotateCcw}
           label={t('maps.startOver')}
@@ -59,8 +59,10 @@ export function MapMenu() {
         />
       </MenuColumn>
       <MenuColumn>
+        <MenuHeading text={t('maps.terrains')} />
+        {galleryItems('terrains')}
         <MenuHeading text={t('maps.papers')} />
-        {gallery.filter(({ racers }) => racers).map(galleryItem)}
+        {galleryItems('papers')}
       </MenuColumn>
       <MenuColumn>
         <MenuHeading text={t('maps.make')} />
@@ -72,8 +74,8 @@ export function MapMenu() {
         />
         <MenuItem
           icon={Scaling}
-          label={t('maps.shape')}
-          note={spec ? `${size} · ${movementName(spec.movement)}` : undefined}
+          label={t(spec?.terrain ? 'maps.shapeTerrain' : 'maps.shape')}
+          note={spec ? `${size} · ${waysOfMoving(spec)}` : undefined}
           testId="open-resize"
           onClick={() => show('resize')}
         />
@@ -85,7 +87,13 @@ export function MapMenu() {
           onClick={showGoals}
         />
         <MenuItem icon={Eraser} label={t('maps.clear')} testId="clear" onClick={clearWalls} />
-        <MenuItem icon={Contrast} label={t('maps.invert')} testId="invert" onClick={invertWalls} />
+        <MenuItem
+          icon={Contrast}
+          label={t('maps.invert')}
+          unavailable={spec?.terrain ? t('maps.invertTerrain') : null}
+          testId="invert"
+          onClick={invertWalls}
+        />
         <MenuHeading text={t('maps.files')} />
         <MenuItem
           icon={Upload}
@@ -103,6 +111,9 @@ export function MapMenu() {
     </Menu>
   )
 }
+
+const galleryItems = (group: GalleryEntry['group']) =>
+  gallery.filter((entry) => entry.group === group).map(galleryItem)
 
 function galleryItem({ id }: GalleryEntry) {
   return (

@@ -1,6 +1,7 @@
 /** Fetches the papers' scenarios: the very files that the recorded experiments run on. */
 import { tools } from '../engine/tools'
 import type { Scenario } from '../session'
+import { heightsOf } from './heights'
 
 const texts = import.meta.glob<string>('../../../experiments/maps/*.json', {
   query: '?raw',
@@ -11,6 +12,6 @@ export async function paperScenario(file: string): Promise<Scenario> {
   const fetched = texts[`../../../experiments/maps/${file}.json`]
   if (!fetched) throw new Error(`there is no map ${file}`)
   const bytes = new TextEncoder().encode(await fetched())
-  const { spec, cells } = await tools.importMap(bytes, `${file}.json`)
-  return { spec, cells, origin: null }
+  const { spec, cells, heights } = await tools.importMap(bytes, `${file}.json`)
+  return { spec, cells, heights: heightsOf(heights), origin: null }
 }

@@ -1,29 +1,41 @@
 import { useState } from 'preact/hooks'
-import { t } from '../i18n'
-import { resizeMap, scenario, setMovement } from '../state'
+import { t } from '../i18n/dialogs'
+import { type Rules, scenario, setRules } from '../state'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { NumberField, Select } from '../ui/fields'
 import { MOST_CELLS_A_SIDE } from './limits'
-import { MOVEMENTS, type MovementId, movementId, toMovement } from './movement'
+import { MOVEMENTS, movementId, toMovement } from './movement'
+import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
 
-/** Size of the map and the moves allowed on it. */
+/** Size of the map and the moves allowed on it; on a terrain all that says how one moves there. */
 export function ResizeDialog() {
-  const spec = scenario.value?.spec
-  const [width, setWidth] = useState(spec?.width ?? 2)
-  const [height, setHeight] = useState(spec?.height ?? 2)
-  const [movement, choose] = useState<MovementId>(spec ? movementId(spec.movement) : '8-both-free')
-  if (!spec) return null
-  const fits = [width, height].every((n) => Number.isInteger(n) && n >= 2 && n <= MOST_CELLS_A_SIDE)
+  const now = scenario.value
+  const [rules, setAll] = useState<Rules | null>(() => now && rulesOf(now.spec))
+  const [placeless, setPlaceless] = useState(false)
+  if (!now || !rules) return null
+  const { width, height, movement, terrain } = rules
+  const set = (change: Partial<Rules>) => {
+    setPlaceless(false)
+    setAll({ ...rules, ...change })
+  }
+  const sizeFits = [width, height].every(
+    (n) => Number.isInteger(n) && n >= 2 && n <= MOST_CELLS_A_SIDE,
+  )
+  const fits =
+    sizeFits &&
+    rules.resolution > 0 &&
+    rules.resolution <= 1e6 &&
+    (!terrain || terrainFits(terrain))
   const apply = () => {
-    if (width !== spec.width || height !== spec.height) resizeMap(width, height)
-    if (movement !== movementId(spec.movement)) setMovement(toMovement(movement))
-    closeDialog()
+    if (!fits) return
+    if (setRules(rules)) closeDialog()
+    else setPlaceless(true)
   }
   return (
     <Dialog
-      title={t('maps.titles.shape')}
+      title={t(terrain ? 'maps.titles.shapeTerrain' : 'maps.titles.shape')}
       onClose={closeDialog}
       testId="resize-dialog"
       actions={
@@ -37,36 +49,88 @@ export function ResizeDialog() {
       }
     >
       <div class="field-row">
-        <NumberField
-          label={t('maps.width')}
-          value={width}
-          min={2}
-          max={MOST_CELLS_A_SIDE}
-          step={1}
-          invalid={!fits}
-          testId="resize-width"
-          onChange={setWidth}
-        />
-        <NumberField
-          label={t('maps.height')}
-          value={height}
-          min={2}
-          max={MOST_CELLS_A_SIDE}
-          step={1}
-          invalid={!fits}
-          testId="resize-height"
-          onChange={setHeight}
-        />
+        {(['width', 'height'] as const).map((side) => (
+          <NumberField
+            key={side}
+            label={t(`maps.${side}`)}
+            value={rules[side]}
+            min={2}
+            max={MOST_CELLS_A_SIDE}
+            step={1}
+            invalid={!sizeFits}
+            testId={`resize-${side}`}
+            onChange={(value) => set({ [side]: value })}
+          />
+        ))}
+        <Scale rules={rules} onChange={set} />
       </div>
-      <p class="hint">{t('maps.resizeHint', { most: MOST_CELLS_A_SIDE })}</p>
-      <Select
-        label={t('movement.label')}
-        value={movement}
-        testId="movement"
-        options={MOVEMENTS.map((id) => ({ value: id, label: t(`movement.${id}`) }))}
-        onChange={choose}
-      />
-      <p class="hint">{t(`movement.notes.${movement}`)}</p>
+      <p class="hint">
+        {t(terrain ? 'maps.resizeTerrainHint' : 'maps.resizeHint', { most: MOST_CELLS_A_SIDE })}
+      </p>
+      {terrain && (
+        <ModelField
+          terrain={terrain}
+          scenario={now}
+          onChange={(changed) => set({ terrain: changed })}
+        />
+      )}
+      {terrain?.slices ? (
+        <SliceFields
+          rules={terrain.slices}
+          onChange={(slices) => set({ terrain: { ...terrain, slices } })}
+        />
+      ) : (
+        <>
+          <Select
+            label={t('movement.label')}
+            value={movementId(movement)}
+            testId="movement"
+            options={MOVEMENTS.map((id) => ({ value: id, label: t(`movement.${id}`) }))}
+            onChange={(id) => set({ movement: toMovement(id) })}
+          />
+          <p class="hint">{t(`movement.notes.${movementId(movement)}`)}</p>
+          {terrain && (
+            <SurfaceFields terrain={terrain} onChange={(changed) => set({ terrain: changed })} />
+          )}
+        </>
+      )}
+      {placeless && (
+        <p class="field-error" role="alert" data-testid="no-place">
+          {t('terrain.noPlace')}
+        </p>
+      )}
     </Dialog>
+  )
+}
+
+function rulesOf({ width, height, movement, resolution, terrain }: Rules): Rules {
+  return { width, height, movement, resolution, ...(terrain && { terrain }) }
+}
+
+/** How long a cell and a unit of height are: on a plane nothing but the tables would show it. */
+function Scale({ rules, onChange }: { rules: Rules; onChange: (change: Partial<Rules>) => void }) {
+  const { resolution, terrain } = rules
+  if (!terrain) return null
+  return (
+    <>
+      <NumberField
+        label={t('terrain.resolution')}
+        value={Number(resolution.toPrecision(6))}
+        min={0}
+        max={1e6}
+        invalid={!(resolution > 0)}
+        testId="resolution"
+        onChange={(value) => onChange({ resolution: value })}
+      />
+      <NumberField
+        label={t('terrain.verticalUnit')}
+        value={terrain.vertical_unit}
+        min={0}
+        max={1e6}
+        invalid={!(terrain.vertical_unit > 0)}
+        testId="vertical-unit"
+        onChange={(vertical_unit) => onChange({ terrain: { ...terrain, vertical_unit } })}
+      />
+    </>
   )
 }

@@ -1,4 +1,4 @@
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { chooseScen, type ScenChoice, scenChoice } from '../state'
 import { Dialog } from '../ui/dialog'
 

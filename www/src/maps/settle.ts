@@ -2,26 +2,34 @@
 import type { Goal, ScenarioSpec } from '@pkg/formicarium'
 import type { Cell } from './edit'
 
-/** After a change of size: what fell off moves to the nearest cell inside that nothing else has. */
-export function keepInside(spec: ScenarioSpec): ScenarioSpec {
+/**
+ * After a change of size: what fell off, or stands where nothing fits, moves to the nearest cell inside that nothing else has. Null when
+ * there is no place for the start, or for any goal.
+ */
+export function keepInside(
+  spec: ScenarioSpec,
+  fits: (cell: number) => boolean = () => true,
+): ScenarioSpec | null {
   const { width, height } = spec
-  const start = inside(spec.start, width, height)
+  const start = nearest(inside(spec.start, width, height), width, height, fits)
+  if (start === null) return null
   const taken = new Set([key(start, width)])
   // Those that need not move have the first claim to their cells.
-  const fixed = spec.goals.filter(({ at: [x, y] }) => x < width && y < height)
+  const fixed = spec.goals.filter(
+    ({ at: [x, y] }) => x < width && y < height && fits(y * width + x),
+  )
   for (const { at } of fixed) taken.add(key(at, width))
   const settled: Goal[] = []
   for (const goal of spec.goals) {
     const keeps = fixed.includes(goal) && key(goal.at, width) !== key(start, width)
-    const at = keeps
-      ? goal.at
-      : nearest(inside(goal.at, width, height), width, height, (cell) => !taken.has(cell))
+    const free = (cell: number) => fits(cell) && !taken.has(cell)
+    const at = keeps ? goal.at : nearest(inside(goal.at, width, height), width, height, free)
     // More goals than cells: the rest has to go.
     if (at === null) continue
     taken.add(key(at, width))
     settled.push({ ...goal, at })
   }
-  return { ...spec, start, goals: settled }
+  return settled.length === 0 && spec.goals.length > 0 ? null : { ...spec, start, goals: settled }
 }
 
 /**

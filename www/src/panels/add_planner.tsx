@@ -7,7 +7,7 @@ import { addPanel, catalog, fetchRest, fetchUnasked, panels, rest } from '../sta
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
-import { FAMILIES, plannerName, plannerSummary, tooManyGoals } from './planner_text'
+import { FAMILIES, plannerName, plannerSummary, whyNot } from './planner_text'
 
 /** More would be a wall of buttons. */
 const MOST_BUTTONS = 8
@@ -48,7 +48,7 @@ function FamilyItems({ family }: { family: (typeof FAMILIES)[number] }) {
   )
 }
 
-/** What a planner that cannot reach all goals is good for can still be read. */
+/** What a planner that cannot be used on this map is good for can still be read. */
 function PlannerItem({ entry }: { entry: CatalogEntry }) {
   const card = cardOf(entry.id)
   const name = plannerName(entry)
@@ -57,7 +57,7 @@ function PlannerItem({ entry }: { entry: CatalogEntry }) {
       <MenuItem
         label={name}
         note={plannerSummary(entry)}
-        unavailable={tooManyGoals(entry)}
+        unavailable={whyNot(entry)}
         testId={`add-${entry.id}`}
         onClick={() => addPanel(entry.id)}
       />
@@ -90,7 +90,7 @@ function RestItem() {
 
 /** The planners of a first visit, one press away; the menu has the others. */
 export function AddPlannerButtons() {
-  const usable = (catalog.value?.planners ?? []).filter((entry) => tooManyGoals(entry) === null)
+  const usable = (catalog.value?.planners ?? []).filter((entry) => whyNot(entry) === null)
   return (
     <div class="button-row">
       {usable.slice(0, MOST_BUTTONS).map((entry) => (

@@ -1,4 +1,4 @@
-import { Convergence } from '../charts/convergence'
+import { Charts } from '../charts/charts'
 import { t } from '../i18n'
 import { Goals, goalsOnShow } from './goals'
 import { MetricsTable } from './metrics_table'
@@ -8,7 +8,7 @@ import { Parameters } from './parameters'
 export function Dock() {
   return (
     <div class="dock" data-goals={goalsOnShow()}>
-      <Convergence />
+      <Charts />
       <div class="dock-card comparison">
         <header class="dock-head">
           <h2>{t('metrics.title')}</h2>

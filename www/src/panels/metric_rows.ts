@@ -14,6 +14,11 @@ export type MetricId =
   | 'minClearance'
   | 'meanClearance'
   | 'travelTime'
+  | 'lengthMetres'
+  | 'climb'
+  | 'descent'
+  | 'steepest'
+  | 'levelCost'
   | 'iterations'
   | 'iterationOfBest'
   | 'constructedPaths'
@@ -47,7 +52,15 @@ export const METRIC_ROWS: MetricRow[] = [
   ofTour('plannedLength', (tour) => tour.planned_length),
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
+  ofTerrain('levelCost', (terrain) => terrain.level_cost),
   { id: 'length', better: 'lower', value: ofPath('length'), format: decimal },
+  {
+    ...ofTerrain('lengthMetres', () => null),
+    value: ({ metrics }) => (metrics?.terrain ? metrics.length_metres : null),
+  },
+  ofTerrain('climb', (terrain) => terrain.climb),
+  ofTerrain('descent', (terrain) => terrain.descent),
+  ofTerrain('steepest', (terrain) => terrain.steepest),
   {
     id: 'unrefinedLength',
     better: 'lower',
@@ -94,7 +107,21 @@ function ofTour(id: MetricId, value: (tour: Tour) => number | null | undefined):
   return { id, better: 'lower', optional: true, value: read, format: decimal }
 }
 
-function ofPath(key: keyof NonNullable<RunSummary['metrics']>): MetricRow['value'] {
+type Terrain = NonNullable<NonNullable<RunSummary['metrics']>['terrain']>
+
+/** On a terrain alone. */
+function ofTerrain(
+  id: MetricId,
+  value: (terrain: Terrain) => number | undefined | null,
+): MetricRow {
+  const read = ({ metrics }: RunSummary) =>
+    (metrics?.terrain ? value(metrics.terrain) : null) ?? null
+  return { id, better: 'lower', optional: true, value: read, format: decimal }
+}
+
+type PathMetric = Exclude<keyof NonNullable<RunSummary['metrics']>, 'terrain'>
+
+function ofPath(key: PathMetric): MetricRow['value'] {
   return (summary) => summary.metrics?.[key] ?? null
 }
 

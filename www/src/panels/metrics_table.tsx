@@ -3,6 +3,7 @@ import { goalName } from '../maps/goals'
 import { type Panel, panels, plannerEntry, referenceOf, scenario, slotColour } from '../state'
 import { panelGap } from './gap'
 import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from './metric_rows'
+import { objectiveWord } from './objective_words'
 import { panelTitle } from './planner_text'
 
 /** Every panel's numbers side by side; the better one of a row stands out. */
@@ -91,7 +92,7 @@ function comparedWith(panel: Panel): Words | null {
     default: {
       const value = numbers.value.length.format(reference.value)
       const note = reference.kind === 'unproven' ? { note: t('gap.notProven') } : {}
-      return { text: `${t(`objective.${objective}`)} ${value}`, ...note }
+      return { text: `${t(`objective.${objectiveWord(objective)}`)} ${value}`, ...note }
     }
   }
 }

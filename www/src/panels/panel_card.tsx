@@ -22,7 +22,7 @@ import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
 import { cardId, showParameters } from './parameters'
-import { FAMILIES, namesakeMark, panelTitle, plannerName, tooManyGoals } from './planner_text'
+import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from './planner_text'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 
@@ -93,7 +93,8 @@ function plannerOptions(own: string) {
         value: entry.id,
         label: plannerName(entry),
         group: t(`family.${family}`),
-        disabled: entry.id !== own && tooManyGoals(entry) !== null,
+        disabled: entry.id !== own && whyNot(entry) !== null,
+        note: whyNot(entry) ?? undefined,
       })),
   )
   return plannerEntry(own) ? options : [{ value: own, label: own }, ...options]
@@ -148,17 +149,19 @@ function PanelTrouble({ panel }: { panel: Panel }) {
     <div class="panel-trouble" role="alert">
       <p>{message}</p>
       <p class="hint">{hint}</p>
-      {error.kind === 'too-many-goals' && <UseAnother panel={panel} />}
+      {UNSUITED.includes(error.kind) && <UseAnother panel={panel} />}
     </div>
   )
 }
 
-/** The first planner of the same family that reaches all goals, one press away. */
+/** Refusals that another planner would not have. */
+const UNSUITED = ['too-many-goals', 'ground']
+
+/** The first planner that suits the map, of the same family if there is one, a press away. */
 function UseAnother({ panel }: { panel: Panel }) {
   const family = plannerEntry(panel.setup.planner)?.family
-  const other = catalog.value?.planners.find(
-    (entry) => entry.family === family && tooManyGoals(entry) === null,
-  )
+  const suited = catalog.value?.planners.filter((entry) => whyNot(entry) === null) ?? []
+  const other = suited.find((entry) => entry.family === family) ?? suited[0]
   if (!other) return null
   return (
     <Button

@@ -1,6 +1,7 @@
 /** The catalog's own words, in the reader's language where it has them. */
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { engineText, t } from '../i18n'
+import { groundOf } from '../maps/terrain'
 import type { PanelSetup } from '../session'
 import { panelById, panels, plannerEntry, scenario } from '../state'
 
@@ -13,9 +14,13 @@ export function isSearch(planner: string): boolean {
   return family === 'search' || family === 'exact'
 }
 
-/** Why a planner cannot be used on this map, if it is for the number of goals. */
-export function tooManyGoals({ max_goals }: CatalogEntry): string | null {
-  const goals = scenario.value?.spec.goals.length ?? 1
+/** Why a planner cannot be used on this map: it does not know the way of moving, or not so many goals. */
+export function whyNot({ max_goals, grounds }: CatalogEntry): string | null {
+  const spec = scenario.value?.spec
+  if (!spec) return null
+  const ground = groundOf(spec)
+  if (!grounds.includes(ground)) return t(`panels.otherGround.${ground}`)
+  const goals = spec.goals.length
   return goals > max_goals ? t('panels.tooManyGoals', { count: max_goals, goals }) : null
 }
 

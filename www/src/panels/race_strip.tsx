@@ -2,7 +2,7 @@ import type { Layer, Objective } from '@pkg/formicarium'
 import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import { fitView, zoomBy } from '../stage/view'
+import { fitWholeMap, onTerrain, zoomView } from '../relief/mode'
 import {
   layer,
   objectives,
@@ -15,10 +15,15 @@ import {
   showPath,
 } from '../state'
 import { IconButton } from '../ui/buttons'
+import { show } from '../ui/dialogs'
 import { Select } from '../ui/fields'
+import { lazily } from '../ui/lazily'
 import { AddPlannerMenu } from './add_planner'
 import { referenceValue } from './gap'
 import { showGoals } from './goals'
+import { objectiveWord } from './objective_words'
+
+const ReliefControls = lazily(async () => (await import('../relief/controls')).ReliefControls)
 
 /** What is being raced for, in one line, and how to look at it. */
 export function RaceStrip() {
@@ -28,6 +33,7 @@ export function RaceStrip() {
         {panels.value.length > 0 && <span>{t('race.what', { count: panels.value.length })}</span>}
         <Target />
         <GoalCount />
+        <TerrainModel />
       </p>
       <ScenarioRemarks />
       <span class="spacer" />
@@ -44,6 +50,27 @@ function GoalCount() {
   return (
     <button type="button" class="link" data-testid="goal-count" onClick={showGoals}>
       {t('goals.count', { count })}
+    </button>
+  )
+}
+
+/** How one moves on the terrain, and the way to where that is set. */
+function TerrainModel() {
+  const spec = scenario.value?.spec
+  if (!spec?.terrain) return null
+  const { slices } = spec.terrain
+  const args = { levels: slices?.levels, level: numbers.value.metres.format(slices?.level ?? 0) }
+  return (
+    <button
+      type="button"
+      class="link"
+      data-testid="terrain-model"
+      title={t('terrain.change')}
+      onClick={() => show('resize')}
+    >
+      {slices
+        ? t('terrain.slicesNow', args)
+        : t('terrain.surfaceNow', { moves: spec.movement.moves })}
     </button>
   )
 }
@@ -76,7 +103,7 @@ function Target() {
 function Best({ objective, testId }: { objective: Objective; testId: string }) {
   const reference = references.value[objective] ?? null
   const value = referenceValue(reference)
-  const what = t(`race.best.${objective}`)
+  const what = t(`race.best.${objectiveWord(objective)}`)
   return (
     <span class="target" data-testid={testId} data-objective={objective} data-value={value ?? ''}>
       {value !== null
@@ -153,10 +180,17 @@ function ViewControls() {
           showPath.value = !showPath.value
         }}
       />
+      {onTerrain.value && <ReliefControls />}
       <span class="divider" />
-      <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomBy(1 / 1.4)} />
-      <IconButton icon={Maximize} label={t('view.fit')} keys="0" testId="fit" onClick={fitView} />
-      <IconButton icon={ZoomIn} label={t('view.in')} onClick={() => zoomBy(1.4)} />
+      <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomView(1 / 1.4)} />
+      <IconButton
+        icon={Maximize}
+        label={t('view.fit')}
+        keys="0"
+        testId="fit"
+        onClick={fitWholeMap}
+      />
+      <IconButton icon={ZoomIn} label={t('view.in')} onClick={() => zoomView(1.4)} />
     </div>
   )
 }

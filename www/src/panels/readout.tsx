@@ -1,7 +1,8 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
-import { numbers, t } from '../i18n'
+import { numbers, type TextKey, t } from '../i18n'
 import { type Panel, referenceOf } from '../state'
 import { panelGap } from './gap'
+import { type ObjectiveWord, objectiveWord } from './objective_words'
 import { isSearch, panelTitle } from './planner_text'
 
 /** The panel's result at a glance: how far from the best there is, how long, how far it has come. */
@@ -30,16 +31,21 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
   )
 }
 
+/** What objectives that are no length are called where there is little room. */
+export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
+  'turn-index': 'metrics.turnIndex',
+  'tour-weight': 'metrics.weightShort',
+  'slice-cost': 'metrics.costShort',
+}
+
 /** The value that the gap is about, where it is not the length. */
 function ObjectiveFact({ summary, place }: { summary: RunSummary | null; place: number }) {
-  if (summary?.objective !== 'turn-index' && summary?.objective !== 'tour-weight') return null
+  if (!summary) return null
   const { value, objective } = summary
+  const label = OTHER_VALUES[objectiveWord(objective)]
+  if (!label) return null
   return (
-    <Fact
-      label={t(objective === 'turn-index' ? 'metrics.turnIndex' : 'metrics.weightShort')}
-      testId={`readout-value-${place}`}
-      leading
-    >
+    <Fact label={t(label)} testId={`readout-value-${place}`} leading>
       {value === null ? '–' : numbers.value.length.format(value)}
     </Fact>
   )
@@ -110,7 +116,7 @@ function gapWords(panel: Panel, gap: number | null): string {
   if (!summary?.metrics || !objective) return t('gap.noPathYet')
   if (reference === null) return t('gap.proving')
   if (gap === null) return t('gap.unknown')
-  const what = t(`objective.${objective}`)
+  const what = t(`objective.${objectiveWord(objective)}`)
   return t(`gap.${comparison(gap, reference)}`, { what })
 }
 

@@ -3,7 +3,9 @@ import { BadgeCheck, TriangleAlert } from 'lucide'
 import { t } from '../i18n'
 import { type Panel, type Phase, phase, type Verification } from '../state'
 import { Icon } from '../ui/icon'
+import { objectiveWord } from './objective_words'
 import { isSearch } from './planner_text'
+import { OTHER_VALUES } from './readout'
 
 type StatusWord =
   | 'refused'
@@ -41,7 +43,7 @@ function statusWord(summary: RunSummary | null, now: Phase, search: boolean): St
 
 /** What is proven least is not always a length. */
 function isNoLength(summary: RunSummary | null): boolean {
-  return summary?.objective === 'turn-index' || summary?.objective === 'tour-weight'
+  return summary !== null && objectiveWord(summary.objective) in OTHER_VALUES
 }
 
 interface VerifiedChipProps {

@@ -1,30 +1,45 @@
 /**
  * A session as bytes, and back:
  *
- *     u32 checksum · u8 container version (1) · varint n · n bytes of JSON (experiment.ts) · the map
+ *     u32 checksum · u8 container version · varint n · n bytes of JSON (experiment.ts) · the map · on a terrain its heights
  *
  * The checksum (FNV-1a, lowest byte first) covers all that follows and stands first in every version: a damaged link must never
  * pass for a newer one, or for another map.
  *
  * The map is 1 bit per cell, row by row from the upper left, most significant bit first; or, when the JSON's `map` says
- * `edits`, the cells to toggle after the generator call in `scenario.origin`: varint count, then varint gaps.
+ * `edits`, the cells to toggle after the generator call in `scenario.origin`: varint count, then varint gaps. Such a terrain has its
+ * heights from the generator, any other brings its own (heights.ts).
+ *
+ * Planes are written as version 1. A terrain is version 2, so that a page that knows no heights says so instead of showing a plane.
  */
-import type { Origin, Session } from '../session'
-import { fieldsOf, oneOf } from './check'
-import { LinkError } from './error'
-import { type Described, documentOf, readDocument } from './experiment'
+import type { Origin, Scenario, Session } from '../session'
+import { bitsOf, joined, Reader, readBits, varint } from './bytes'
+import { fieldsOf, invalid, oneOf } from './check'
+import { damaged, LinkError } from './error'
+import { type Described, documentOf, MAX_SIDE, readDocument } from './experiment'
+import { packHeights, unpackHeights } from './heights'
+
+/** What a map consists of, whoever made it. */
+export type Ground = Pick<Scenario, 'cells' | 'heights'>
 
 /** The engine's generators, as far as the codec needs them. */
-export type Generate = (origin: Origin, width: number, height: number) => Promise<Uint8Array>
+export type Generate = (origin: Origin, width: number, height: number) => Promise<Ground>
 
-const VERSION = 1
+const PLANE = 1
+const TERRAIN = 2
 const CHECKSUM_BYTES = 4
-/** No honest container is larger: a full map of bits, or as many bytes of edits, and a generous document. */
-export const MAX_BYTES = (4096 * 4096) / 8 + (1 << 18)
+const MAX_CELLS = MAX_SIDE * MAX_SIDE
+/** A link carries as many heights as this, about 1000 × 1000; a file carries all. */
+const MAX_HEIGHTS = 1 << 20
+/** No honest container is larger: a full map of bits, four bytes a height, and a generous document. */
+export const MAX_BYTES = MAX_CELLS / 8 + 4 * MAX_HEIGHTS + (1 << 18)
 
 /** The session with its map as bits. */
 export function packBits(session: Session, engine: string): Uint8Array<ArrayBuffer> {
-  return container(documentOf(session, engine), 'bits', bitsOf(session.scenario.cells))
+  const { cells, heights } = session.scenario
+  if (heights) checkHeights(heights.length)
+  const tail = [bitsOf(cells), ...(heights ? [packHeights(heights)] : [])]
+  return container(session, engine, 'bits', tail)
 }
 
 /** The session with its map as a generator call and edits; null when no generator made the map. */
@@ -33,52 +48,52 @@ export async function packEdits(
   engine: string,
   generate: Generate,
 ): Promise<Uint8Array<ArrayBuffer> | null> {
-  const { origin, spec, cells } = session.scenario
+  const { origin, spec, cells, heights } = session.scenario
   if (origin === null) return null
   const generated = await generate(origin, spec.width, spec.height)
+  if (!sameHeights(generated.heights, heights)) return null
   const edits: number[] = []
-  for (let i = 0; i < cells.length; i++) if (cells[i] !== generated[i]) edits.push(i)
+  for (let i = 0; i < cells.length; i++) if (cells[i] !== generated.cells[i]) edits.push(i)
   // From here on bits are shorter, whatever the gaps.
   if (edits.length > cells.length / 8) return null
-  return container(documentOf(session, engine), 'edits', editBytes(edits))
+  return container(session, engine, 'edits', [editBytes(edits)])
 }
 
 export async function unpack(bytes: Uint8Array, generate: Generate): Promise<Session> {
   const reader = new Reader(intact(bytes))
   const version = reader.byte()
-  if (version > VERSION)
+  if (version > TERRAIN)
     throw new LinkError(
       'link-newer',
-      `The link's container has version ${version}; this page reads ${VERSION}.`,
+      `The link's container has version ${version}; this page reads ${TERRAIN}.`,
     )
-  if (version < VERSION) throw damaged('its first byte is no container version')
+  if (version < PLANE) throw damaged('its first byte is no container version')
   const json = parse(reader.take(reader.varint()))
   const described = readDocument(json)
-  const map = oneOf(fieldsOf(json, 'document').map, 'map', ['bits', 'edits'] as const)
-  const cells =
-    map === 'bits' ? readBits(reader, described) : await readEdits(reader, described, generate)
   const { spec, origin, ...rest } = described
-  return { ...rest, scenario: { spec, cells, origin } }
+  if ((spec.terrain !== undefined) !== (version === TERRAIN))
+    throw invalid('scenario.terrain', 'and heights must come together')
+  const map = oneOf(fieldsOf(json, 'document').map, 'map', ['bits', 'edits'] as const)
+  const ground =
+    map === 'bits' ? readOwn(reader, described) : readEdits(reader, described, generate)
+  return { ...rest, scenario: { spec, ...(await ground), origin } }
 }
 
 function container(
-  document: object,
+  session: Session,
+  engine: string,
   map: 'bits' | 'edits',
-  tail: Uint8Array,
+  tail: Uint8Array[],
 ): Uint8Array<ArrayBuffer> {
+  const document = documentOf(session, engine)
   const json = new TextEncoder().encode(JSON.stringify({ ...document, map }))
-  return withChecksum([[VERSION, ...varint(json.length)], json, tail])
+  const version = session.scenario.heights ? TERRAIN : PLANE
+  return withChecksum([[version, ...varint(json.length)], json, ...tail])
 }
 
 /** The parts one after the other, their checksum before them. */
 export function withChecksum(parts: ArrayLike<number>[]): Uint8Array<ArrayBuffer> {
-  const length = parts.reduce((sum, part) => sum + part.length, CHECKSUM_BYTES)
-  const bytes = new Uint8Array(length)
-  let at = CHECKSUM_BYTES
-  for (const part of parts) {
-    bytes.set(part, at)
-    at += part.length
-  }
+  const bytes = joined([new Uint8Array(CHECKSUM_BYTES), ...parts])
   new DataView(bytes.buffer).setUint32(0, checksum(bytes.subarray(CHECKSUM_BYTES)), true)
   return bytes
 }
@@ -99,18 +114,24 @@ function checksum(bytes: Uint8Array): number {
   return hash >>> 0
 }
 
-export function bitsOf(cells: Uint8Array): Uint8Array {
-  const bits = new Uint8Array(Math.ceil(cells.length / 8))
-  for (let i = 0; i < cells.length; i++) {
-    if (cells[i] === 1) bits[i >> 3] = (bits[i >> 3] ?? 0) | (128 >> (i & 7))
-  }
-  return bits
+async function readOwn(reader: Reader, { spec }: Described): Promise<Ground> {
+  const count = spec.width * spec.height
+  const cells = readBits(reader, count)
+  if (!spec.terrain) return { cells, heights: null }
+  checkHeights(count)
+  const heights = unpackHeights(reader, count)
+  return { cells: blockedWithoutData(cells, heights), heights }
 }
 
-function readBits(reader: Reader, { spec }: Described): Uint8Array {
-  const count = spec.width * spec.height
-  const bits = reader.take(Math.ceil(count / 8))
-  return Uint8Array.from({ length: count }, (_, i) => ((bits[i >> 3] ?? 0) >> (7 - (i & 7))) & 1)
+function checkHeights(count: number): void {
+  if (count <= MAX_HEIGHTS) return
+  const message = `A link carries up to ${MAX_HEIGHTS} heights; this terrain has ${count}.`
+  throw new LinkError('link-too-large', message, 'heights')
+}
+
+/** Nothing can be where the height is not known. */
+export function blockedWithoutData(cells: Uint8Array, heights: Float32Array): Uint8Array {
+  return cells.map((cell, i) => (Number.isFinite(heights[i]) ? cell : 1))
 }
 
 function editBytes(edits: number[]): Uint8Array {
@@ -122,49 +143,24 @@ async function readEdits(
   reader: Reader,
   { spec, origin }: Described,
   generate: Generate,
-): Promise<Uint8Array> {
+): Promise<Ground> {
   if (origin === null) throw damaged('it has edits of a map but not the map they belong to')
-  const cells = (await generate(origin, spec.width, spec.height)).slice()
+  const generated = await generate(origin, spec.width, spec.height)
+  if ((generated.heights === null) !== (spec.terrain === undefined))
+    throw invalid('scenario.origin.generator', 'makes another kind of map')
+  const cells = generated.cells.slice()
   let at = 0
   for (let left = reader.varint(); left > 0; left--) {
     at += reader.varint()
     if (at >= cells.length) throw damaged('an edit lies outside the map')
     cells[at] = cells[at] === 1 ? 0 : 1
   }
-  return cells
+  return { cells, heights: generated.heights }
 }
 
-/** Seven bits a byte, lowest first; the high bit says that more follow. */
-function varint(value: number): number[] {
-  return value < 128 ? [value] : [(value & 127) | 128, ...varint(value >>> 7)]
-}
-
-class Reader {
-  private at = 0
-
-  constructor(private readonly bytes: Uint8Array) {}
-
-  byte(): number {
-    const byte = this.bytes[this.at++]
-    if (byte === undefined) throw damaged('it ends too early')
-    return byte
-  }
-
-  varint(): number {
-    let value = 0
-    for (let shift = 0; shift < 28; shift += 7) {
-      const byte = this.byte()
-      value |= (byte & 127) << shift
-      if (byte < 128) return value
-    }
-    throw damaged('a number in it is too long')
-  }
-
-  take(count: number): Uint8Array {
-    if (this.at + count > this.bytes.length) throw damaged('it ends too early')
-    this.at += count
-    return this.bytes.subarray(this.at - count, this.at)
-  }
+function sameHeights(a: Float32Array | null, b: Float32Array | null): boolean {
+  if (a === null || b === null) return a === b
+  return a.length === b.length && a.every((height, i) => Object.is(height, b[i]))
 }
 
 function parse(json: Uint8Array): unknown {
@@ -173,8 +169,4 @@ function parse(json: Uint8Array): unknown {
   } catch {
     throw damaged('its description cannot be read')
   }
-}
-
-export function damaged(why: string): LinkError {
-  return new LinkError('link-damaged', `The link is damaged: ${why}.`)
 }

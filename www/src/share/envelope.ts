@@ -1,7 +1,7 @@
 /** Container bytes ⇄ fragment text: base64url of one byte (0 stored, 1 deflated) and the bytes, whichever is shorter. */
-import { damaged, MAX_BYTES } from './codec'
+import { MAX_BYTES } from './codec'
 import { deflate, inflate } from './deflate'
-import { LinkError } from './error'
+import { damaged, LinkError } from './error'
 
 const STORED = 0
 const DEFLATED = 1

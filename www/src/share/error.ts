@@ -32,3 +32,7 @@ export class LinkError extends Error implements EngineError {
     this.args = { field, reason: message }
   }
 }
+
+export function damaged(why: string): LinkError {
+  return new LinkError('link-damaged', `The link is damaged: ${why}.`)
+}

@@ -2,7 +2,8 @@
  * The experiment document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
  * file carries it with the cells as rows of text (link.ts).
  */
-import type { Movement, ScenarioSpec } from '@pkg/formicarium'
+import type { Movement, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
+import { MAX_LEVELS, MAX_REACH } from '../maps/terrain'
 import type { ParamValues } from '../messages'
 import {
   MAX_GOALS,
@@ -33,7 +34,8 @@ const LAYERS = [
   'none',
 ] as const
 const STATUSES = ['running', 'optimal', 'complete', 'stagnated', 'budget-spent', 'no-path'] as const
-const GENERATORS = ['random', 'maze', 'rooms', 'cave'] as const
+const GENERATORS = ['random', 'maze', 'rooms', 'cave', 'fractal', 'hills'] as const
+const MEASURES = ['cost', 'length'] as const
 const CORNER_RULES = ['always', 'one-free', 'both-free'] as const
 
 /** A session whose cells travel beside it. */
@@ -126,6 +128,35 @@ function readSpec(fields: Fields): ScenarioSpec {
       speed: real(vehicle.speed, 'scenario.vehicle.speed', Number.MIN_VALUE, 1e6),
       seconds_per_turn: real(vehicle.seconds_per_turn, 'scenario.vehicle.seconds_per_turn', 0, 1e6),
     },
+    ...(fields.terrain != null && {
+      terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain')),
+    }),
+  }
+}
+
+function readTerrain({ vertical_unit, max_slope, slices }: Fields): TerrainFields {
+  const field = 'scenario.terrain'
+  return {
+    vertical_unit: real(vertical_unit, `${field}.vertical_unit`, Number.MIN_VALUE, 1e6),
+    ...(max_slope != null && {
+      max_slope: real(max_slope, `${field}.max_slope`, Number.MIN_VALUE, 90),
+    }),
+    ...(slices != null && { slices: readSlices(fieldsOf(slices, `${field}.slices`)) }),
+  }
+}
+
+function readSlices(fields: Fields): SliceRules {
+  const whole = (key: string, least: number, most: number) =>
+    integer(fields[key], `scenario.terrain.slices.${key}`, least, most)
+  const levels = whole('levels', 1, MAX_LEVELS)
+  return {
+    level: real(fields.level, 'scenario.terrain.slices.level', Number.MIN_VALUE, 1e6),
+    levels,
+    max_aside: whole('max_aside', 0, MAX_REACH),
+    max_climb: whole('max_climb', 0, MAX_REACH),
+    start_level: whole('start_level', 1, levels),
+    goal_level: whole('goal_level', 1, levels),
+    measure: oneOf(fields.measure, 'scenario.terrain.slices.measure', MEASURES),
   }
 }
 
@@ -143,7 +174,7 @@ function side(value: unknown, field: string): number {
 
 function readMovement(fields: Fields): Movement {
   return {
-    moves: oneOf(fields.moves, 'scenario.movement.moves', [4, 8] as const),
+    moves: oneOf(fields.moves, 'scenario.movement.moves', [4, 8, 16] as const),
     corner_rule: oneOf(fields.corner_rule, 'scenario.movement.corner_rule', CORNER_RULES),
   }
 }

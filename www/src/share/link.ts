@@ -1,8 +1,17 @@
 /** Sessions as links and as experiment files. */
+import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
+import { heightsOf } from '../maps/heights'
 import type { Session } from '../session'
-import { fieldsOf, invalid, list, text } from './check'
-import { type Generate, packBits, packEdits, unpack } from './codec'
+import { type Fields, fieldsOf, invalid, list, real, text } from './check'
+import {
+  blockedWithoutData,
+  type Generate,
+  type Ground,
+  packBits,
+  packEdits,
+  unpack,
+} from './codec'
 import { open, seal } from './envelope'
 import { LinkError } from './error'
 import { documentOf, readDocument } from './experiment'
@@ -16,8 +25,10 @@ const PREFIX = '#x='
 const BLOCKED = '@'
 const FREE = '.'
 
-const generate: Generate = async ({ generator, seed, density }, width, height) =>
-  (await tools.generate(generator, width, height, seed, density)).cells
+const generate: Generate = async ({ generator, seed, density }, width, height) => {
+  const made = await tools.generate(generator, width, height, seed, density)
+  return { cells: made.cells, heights: heightsOf(made.heights) }
+}
 
 /** The text after `#x=`: the map as bits or as a generator call with edits, whichever is shorter. */
 export async function encodeSession(session: Session): Promise<string> {
@@ -35,27 +46,77 @@ export async function decodeFragment(hash: string): Promise<Session> {
   return unpack(await open(hash.slice(at + PREFIX.length)), generate)
 }
 
-/** The experiment file: readable JSON, the map drawn with `.` and `@`. */
+/** The experiment file: readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */
 export function sessionToFile(session: Session, engine: string): string {
-  const { cells, spec } = session.scenario
-  const rows = Array.from({ length: spec.height }, (_, y) =>
-    Array.from(cells.subarray(y * spec.width, (y + 1) * spec.width), (cell) =>
-      cell === 1 ? BLOCKED : FREE,
-    ).join(''),
+  const { cells, heights, spec } = session.scenario
+  const map = rowsOf(cells, spec.width, (row) =>
+    Array.from(row, (cell) => (cell === 1 ? BLOCKED : FREE)).join(''),
   )
-  return `${JSON.stringify({ ...documentOf(session, engine), map: rows }, null, 2)}\n`
+  const json = JSON.stringify({ ...documentOf(session, engine), map }, null, 2)
+  if (heights === null) return `${json}\n`
+  // A row a line: indented as the rest, every number would stand on a line of its own.
+  const rows = rowsOf(
+    heights,
+    spec.width,
+    (row) => `    ${JSON.stringify(Array.from(row, shortest))}`,
+  )
+  return `${json.slice(0, -2)},\n  "heights": [\n${rows.join(',\n')}\n  ]\n}\n`
+}
+
+function rowsOf<T extends Uint8Array | Float32Array>(
+  values: T,
+  width: number,
+  write: (row: T) => string,
+): string[] {
+  return Array.from({ length: values.length / width }, (_, y) =>
+    write(values.subarray(y * width, (y + 1) * width) as T),
+  )
+}
+
+/** The shortest number that is this height again when it is read. */
+function shortest(height: number): number | null {
+  if (Number.isNaN(height)) return null
+  for (let digits = 6; digits < 9; digits++) {
+    const rounded = Number(height.toPrecision(digits))
+    if (Object.is(Math.fround(rounded), height)) return rounded
+  }
+  return height
 }
 
 /** Throws a LinkError. */
 export async function sessionFromFile(content: string): Promise<Session> {
   const fields = fieldsOf(parse(content), 'document')
   const { spec, origin, ...rest } = readDocument(fields)
-  const rows = list(fields.map, 'map', spec.height)
-  if (rows.length !== spec.height)
-    throw invalid('map', `has ${rows.length} rows, but height is ${spec.height}`)
-  const cells = new Uint8Array(spec.width * spec.height)
-  for (const [y, row] of rows.entries()) cells.set(readRow(row, y, spec.width), y * spec.width)
-  return { ...rest, scenario: { spec, cells, origin } }
+  return { ...rest, scenario: { spec, ...readGround(fields, spec), origin } }
+}
+
+function readGround(fields: Fields, { width, height, terrain }: ScenarioSpec): Ground {
+  const cells = new Uint8Array(width * height)
+  for (const [y, row] of readRows(fields.map, 'map', height).entries())
+    cells.set(readRow(row, y, width), y * width)
+  if (fields.heights === undefined && !terrain) return { cells, heights: null }
+  if (fields.heights === undefined) throw invalid('heights', 'are missing')
+  if (!terrain) throw invalid('scenario.terrain', 'is missing, though there are heights')
+  const heights = new Float32Array(width * height)
+  for (const [y, row] of readRows(fields.heights, 'heights', height).entries())
+    heights.set(readHeights(row, y, width), y * width)
+  return { cells: blockedWithoutData(cells, heights), heights }
+}
+
+function readRows(value: unknown, field: string, height: number): unknown[] {
+  const rows = list(value, field, height)
+  if (rows.length !== height)
+    throw invalid(field, `has ${rows.length} rows, but height is ${height}`)
+  return rows
+}
+
+function readHeights(value: unknown, y: number, width: number): number[] {
+  const row = list(value, `heights[${y}]`, width)
+  if (row.length !== width)
+    throw invalid(`heights[${y}]`, `has ${row.length} heights, but width is ${width}`)
+  return row.map((height, x) =>
+    height === null ? Number.NaN : real(height, `heights[${y}][${x}]`, -3e38, 3e38),
+  )
 }
 
 function readRow(value: unknown, y: number, width: number): Uint8Array {

@@ -1,6 +1,7 @@
 import { Copy, FileDown } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
-import { numbers, t } from '../i18n'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { copyText } from '../maps/export_dialog'
 import { isSearch, plannerName } from '../panels/planner_text'
 import type { PanelSetup, Session } from '../session'
@@ -17,14 +18,17 @@ import {
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
-import { encodeSession, LINK_LIMIT } from './link'
+import { encodeSession, LINK_LIMIT, LinkError } from './link'
+
+/** In the place of a link that cannot be. */
+const TOO_LARGE = 'too large'
 
 export function ShareDialog() {
   // Runs may go on behind the dialog: what it says and what the link carries are of one moment.
   const [session] = useState(currentSession)
   const [expanded] = useState(expandedCells)
   const link = useLink(session)
-  const tooLong = link !== null && link.length > LINK_LIMIT
+  const tooLong = link === TOO_LARGE || (link !== null && link.length > LINK_LIMIT)
   return (
     <Dialog
       title={t('share.title')}
@@ -56,10 +60,12 @@ export function ShareDialog() {
       {session && <Contents session={session} expanded={expanded} />}
       {tooLong ? (
         <p class="banner" data-testid="share-too-long">
-          {t('share.tooLong', {
-            length: numbers.value.whole.format(link.length),
-            limit: numbers.value.whole.format(LINK_LIMIT),
-          })}
+          {link === TOO_LARGE
+            ? t('share.tooLarge')
+            : t('share.tooLong', {
+                length: numbers.value.whole.format(link?.length ?? 0),
+                limit: numbers.value.whole.format(LINK_LIMIT),
+              })}
         </p>
       ) : (
         <>
@@ -83,7 +89,13 @@ function Contents({ session, expanded }: { session: Session; expanded: (number |
   const { spec } = session.scenario
   return (
     <ul class="share-contents">
-      <li>{t('share.map', { name: spec.name, width: spec.width, height: spec.height })}</li>
+      <li>
+        {t(spec.terrain ? 'share.terrain' : 'share.map', {
+          name: spec.name,
+          width: spec.width,
+          height: spec.height,
+        })}
+      </li>
       {session.panels.map((panel, index) => (
         <li key={index}>
           {panelName(panel.planner)} · {resultWords(panel, expanded[index] ?? null)}
@@ -115,13 +127,19 @@ function panelName(id: string): string {
   return entry ? plannerName(entry) : id
 }
 
-/** The whole address; null while it is being made. */
+/** The whole address, or that it is too large; null while it is being made. */
 function useLink(session: Session | null): string | null {
   const [link, setLink] = useState<string | null>(null)
   useEffect(() => {
     if (!session) return
     const page = location.href.replace(/#.*$/, '')
-    encodeSession(session).then((text) => setLink(`${page}#x=${text}`), notifyError)
+    encodeSession(session).then(
+      (text) => setLink(`${page}#x=${text}`),
+      (error) => {
+        if (error instanceof LinkError) setLink(TOO_LARGE)
+        else notifyError(error)
+      },
+    )
   }, [session])
   return link
 }

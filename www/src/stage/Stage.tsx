@@ -1,14 +1,23 @@
 /** One panel's map: mounts the worker's canvas, tells it what to show, and turns pointer and keys into edits. */
-import { effect, useComputed, useSignal } from '@preact/signals'
+import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/clients'
 import { t } from '../i18n'
+import { inRelief, relief } from '../relief/mode'
 import { scenario, tool } from '../state'
+import { CellReadout } from './cell_readout'
 import { keyboardHandler } from './keyboard'
 import { type CanvasSize, type Cursor, lookAt } from './look'
+import { markedCell } from './marked'
+import { coalesced, measure } from './measure'
 import { PointerInput } from './pointer'
 
 export function Stage({ panelId }: { panelId: number }) {
+  const Relief = inRelief.value ? relief.value?.ReliefStage : null
+  return Relief ? <Relief panelId={panelId} /> : <FlatStage panelId={panelId} />
+}
+
+function FlatStage({ panelId }: { panelId: number }) {
   const host = useRef<HTMLDivElement>(null)
   const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
   const cursor = useSignal<Cursor | null>(null)
@@ -25,7 +34,7 @@ export function Stage({ panelId }: { panelId: number }) {
       size.value = measured
     })
     const stopLooking = coalesced(
-      () => lookAt(panelId, size.value, cursor.value),
+      () => lookAt(panelId, size.value, cursor.value ?? markedCell(panelId)),
       (view) => client.setView(view),
     )
     const pointer = new PointerInput(element, size, cursor)
@@ -40,66 +49,19 @@ export function Stage({ panelId }: { panelId: number }) {
   }, [panelId])
 
   return (
-    <div
-      ref={host}
-      class="stage"
-      data-testid={`stage-${panelId}`}
-      data-tool={tool.value}
-      role="application"
-      aria-label={label}
-      aria-describedby="stage-help"
-      // biome-ignore lint/a11y/noNoninteractiveTabindex: an application region is operated with the keyboard
-      tabIndex={0}
-    />
+    <>
+      <div
+        ref={host}
+        class="stage"
+        data-testid={`stage-${panelId}`}
+        data-tool={tool.value}
+        role="application"
+        aria-label={label}
+        aria-describedby="stage-help"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: an application region is operated with the keyboard
+        tabIndex={0}
+      />
+      <CellReadout cursor={cursor} />
+    </>
   )
-}
-
-/** Reports the element's size in device pixels, now and whenever it or the pixel ratio changes. */
-function measure(element: HTMLElement, report: (size: CanvasSize) => void): () => void {
-  const read = () => {
-    const dpr = devicePixelRatio
-    const width = Math.max(1, Math.round(element.clientWidth * dpr))
-    const height = Math.max(1, Math.round(element.clientHeight * dpr))
-    report({ width, height, dpr })
-  }
-  const observer = new ResizeObserver(read)
-  observer.observe(element)
-  const stopWatching = watchPixelRatio(read)
-  read()
-  return () => {
-    observer.disconnect()
-    stopWatching()
-  }
-}
-
-/** A media query answers for one ratio only, so it is asked anew after each change. */
-function watchPixelRatio(report: () => void): () => void {
-  let query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
-  const changed = () => {
-    query.removeEventListener('change', changed)
-    query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`)
-    query.addEventListener('change', changed)
-    report()
-  }
-  query.addEventListener('change', changed)
-  return () => query.removeEventListener('change', changed)
-}
-
-/** Sends what `read` gives at once, then once a frame at most while the signals it reads change. */
-function coalesced<T>(read: () => T, send: (value: T) => void): () => void {
-  let requested = 0
-  let newest = read()
-  send(newest)
-  const stop = effect(() => {
-    newest = read()
-    if (requested !== 0) return
-    requested = requestAnimationFrame(() => {
-      requested = 0
-      send(newest)
-    })
-  })
-  return () => {
-    stop()
-    cancelAnimationFrame(requested)
-  }
 }

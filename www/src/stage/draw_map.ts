@@ -10,12 +10,14 @@ const GRID_FROM = 12
 const COLOURS = {
   light: {
     grid: 'rgba(60, 48, 30, 0.09)',
+    hatch: ['#e4e7e6', '#b9c1be'],
     halo: 'rgba(255, 255, 255, 0.92)',
     ring: '#ffffff',
     cursor: '#1c1712',
   },
   dark: {
     grid: 'rgba(255, 244, 225, 0.07)',
+    hatch: ['#161d1c', '#33403d'],
     halo: 'rgba(12, 14, 20, 0.85)',
     ring: '#14161c',
     cursor: '#fff3dc',
@@ -29,6 +31,39 @@ export function drawRaster(context: Context, view: View, raster: OffscreenCanvas
   const width = raster.width * view.scale
   const height = raster.height * view.scale
   context.drawImage(raster, view.originX, view.originY, width, height)
+}
+
+/** Under the raster of a terrain: shows where it has no data. The strokes go with the map and are as wide at any zoom. */
+export function drawHatch(context: Context, view: View, { width, height }: ScenarioSpec): void {
+  const { scale, originX, originY, dpr } = view
+  const pattern = context.createPattern(hatchTile(view.theme, Math.round(8 * dpr)), 'repeat')
+  if (pattern === null) return
+  pattern.setTransform(new DOMMatrix([1, 0, 0, 1, originX, originY]))
+  context.fillStyle = pattern
+  context.fillRect(originX, originY, width * scale, height * scale)
+}
+
+const tiles = new Map<string, OffscreenCanvas>()
+
+function hatchTile(theme: View['theme'], size: number): OffscreenCanvas {
+  const known = tiles.get(`${theme} ${size}`)
+  if (known) return known
+  const tile = new OffscreenCanvas(size, size)
+  const context = tile.getContext('2d')
+  const [ground, stroke] = COLOURS[theme].hatch
+  if (context && ground && stroke) {
+    context.fillStyle = ground
+    context.fillRect(0, 0, size, size)
+    context.strokeStyle = stroke
+    context.lineWidth = size / 6
+    for (const shift of [-size, 0, size]) {
+      context.moveTo(shift - 1, size + 1)
+      context.lineTo(shift + size + 1, -1)
+    }
+    context.stroke()
+  }
+  tiles.set(`${theme} ${size}`, tile)
+  return tile
 }
 
 export function drawGrid(context: Context, view: View, { width, height }: ScenarioSpec): void {

@@ -3,8 +3,35 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import type { View } from '../messages'
 import { centre } from './draw_map'
 
-type Context = OffscreenCanvasRenderingContext2D
+/** What a canvas of the worker and one of the page have alike. */
+type Context = Pick<
+  OffscreenCanvasRenderingContext2D,
+  | 'arc'
+  | 'beginPath'
+  | 'closePath'
+  | 'fill'
+  | 'fillStyle'
+  | 'fillText'
+  | 'font'
+  | 'lineJoin'
+  | 'lineTo'
+  | 'lineWidth'
+  | 'measureText'
+  | 'moveTo'
+  | 'roundRect'
+  | 'stroke'
+  | 'strokeStyle'
+  | 'textAlign'
+  | 'textBaseline'
+>
 type Point = [number, number]
+type Look = Pick<View, 'theme' | 'dpr' | 'width' | 'goalNames'>
+
+/** Where the marks are on the canvas; null for one that is not to be drawn. */
+export interface MarkPlaces {
+  start: Point | null
+  goals: (Point | null)[]
+}
 
 const TURN = 2 * Math.PI
 const FONT = 'system-ui, sans-serif'
@@ -40,19 +67,34 @@ export function drawMarks(
   spec: ScenarioSpec,
   places: number[],
 ): void {
-  const several = spec.goals.length > 1
-  const radius = markRadius(view, several)
+  const radius = markRadius(view, spec.goals.length > 1)
+  const at = {
+    start: centre(view, ...spec.start),
+    goals: spec.goals.map((goal) => centre(view, ...goal.at)),
+  }
+  drawMarksAt(context, view, at, radius, places)
+}
+
+export function drawMarksAt(
+  context: Context,
+  look: Look,
+  { start, goals }: MarkPlaces,
+  radius: number,
+  places: number[],
+): void {
+  const several = goals.length > 1
   // Labels beneath all diamonds: where goals are close, the marks stay whole.
   if (several) {
-    for (const [i, { at }] of spec.goals.entries())
-      drawName(context, view, centre(view, ...at), view.goalNames[i] ?? '', radius)
+    for (const [i, at] of goals.entries())
+      if (at) drawName(context, look, at, look.goalNames[i] ?? '', radius)
   }
-  for (const [i, { at }] of spec.goals.entries()) {
-    drawDiamond(context, view, centre(view, ...at), radius)
+  for (const [i, at] of goals.entries()) {
+    if (!at) continue
+    drawDiamond(context, look, at, radius)
     const place = places[i]
-    if (several && place) drawPlace(context, view, centre(view, ...at), place, radius)
+    if (several && place) drawPlace(context, look, at, place, radius)
   }
-  drawDisc(context, view, centre(view, ...spec.start), radius)
+  if (start) drawDisc(context, look, start, radius)
 }
 
 /** Never smaller than can be seen and grasped, even when a cell is a pixel; one of several has room for its number. */
@@ -60,7 +102,7 @@ export function markRadius({ scale, dpr }: Pick<View, 'scale' | 'dpr'>, several:
   return Math.min(16 * dpr, Math.max((several ? 8 : 6) * dpr, 0.4 * scale))
 }
 
-function drawDisc(context: Context, view: View, [x, y]: Point, radius: number): void {
+function drawDisc(context: Context, view: Look, [x, y]: Point, radius: number): void {
   const colours = COLOURS[view.theme]
   for (const [colour, size] of [
     [colours.ring, radius + 1.5 * view.dpr],
@@ -74,7 +116,7 @@ function drawDisc(context: Context, view: View, [x, y]: Point, radius: number): 
   }
 }
 
-function drawDiamond(context: Context, view: View, [x, y]: Point, radius: number): void {
+function drawDiamond(context: Context, view: Look, [x, y]: Point, radius: number): void {
   const reach = 1.18 * radius
   context.beginPath()
   context.moveTo(x, y - reach)
@@ -92,7 +134,7 @@ function drawDiamond(context: Context, view: View, [x, y]: Point, radius: number
 
 function drawPlace(
   context: Context,
-  view: View,
+  view: Look,
   [x, y]: Point,
   place: number,
   radius: number,
@@ -106,7 +148,7 @@ function drawPlace(
 }
 
 /** Beside the marker, on whichever side the canvas has room. */
-function drawName(context: Context, view: View, [x, y]: Point, name: string, radius: number): void {
+function drawName(context: Context, view: Look, [x, y]: Point, name: string, radius: number): void {
   const { dpr } = view
   const size = Math.min(15 * dpr, Math.max(11 * dpr, radius))
   const text = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS - 1)}…` : name

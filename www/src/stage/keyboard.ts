@@ -1,22 +1,34 @@
-/** Keys on a focused stage: arrows move the cell cursor, Enter or x uses the tool there, Delete removes a goal. Every other key is the page's. */
+/**
+ * Keys on a focused stage: arrows move the cell cursor, Enter or x uses the tool there, Delete removes a goal, Page Up and Page Down
+ * change the level of an end of paths by slices. Every other key is the page's.
+ */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
 import { type Cell, isBlocked, sameCell } from '../maps/edit'
 import { goalIndexAt, goalName } from '../maps/goals'
 import type { Scenario } from '../session'
-import { activeGoal, announce, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
+import {
+  activeGoal,
+  announce,
+  applyEdit,
+  changeLevel,
+  refuseMoreGoals,
+  scenario,
+  tool,
+} from '../state'
 import { brushFor, newGesture, stroke } from './brush'
+import { heightWords } from './heights'
 import type { Cursor } from './look'
 import { fitView, panBy, reveal, type Size, viewpoint, zoomBy } from './view'
 
-const ARROWS: Record<string, Cell> = {
+export const ARROWS: Record<string, Cell> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
   ArrowUp: [0, -1],
   ArrowDown: [0, 1],
 }
 /** Ctrl with an arrow crosses the map in strides. */
-const STRIDE = 10
+export const STRIDE = 10
 
 export function keyboardHandler(
   size: ReadonlySignal<Size>,
@@ -47,14 +59,8 @@ function handle(
     return true
   }
   if (event.ctrlKey) return false
+  if (handleAtCursor(event, now, cursor)) return true
   switch (event.key) {
-    case 'Enter':
-    case 'x':
-      use(cursor.peek()?.cell ?? now.spec.start, now)
-      return true
-    case 'Delete':
-    case 'Backspace':
-      return remove(cursor.peek()?.cell ?? null, now)
     case '+':
     case '=':
       zoomBy(1.25)
@@ -70,19 +76,42 @@ function handle(
   }
 }
 
-/** The first press brings the cursor to where the pointer was, or to the start. */
-function moveCursor(
-  [dx, dy]: Cell,
+/** What keys do at the cell cursor, whichever way the map is looked at. True when the key was one of them. */
+export function handleAtCursor(
+  { key }: KeyboardEvent,
   now: Scenario,
-  size: Size,
   cursor: Signal<Cursor | null>,
-): void {
+): boolean {
+  const cell = cursor.peek()?.cell ?? null
+  switch (key) {
+    case 'Enter':
+    case 'x':
+      use(cell ?? now.spec.start, now)
+      return true
+    case 'Delete':
+    case 'Backspace':
+      return remove(cell, now)
+    case 'PageUp':
+    case 'PageDown':
+      return lift(cell, now, key === 'PageUp' ? 1 : -1)
+    default:
+      return false
+  }
+}
+
+function moveCursor(by: Cell, now: Scenario, size: Size, cursor: Signal<Cursor | null>): void {
+  const cell = shiftCursor(by, now, cursor)
+  viewpoint.value = reveal(viewpoint.peek(), cell, size, now.spec)
+}
+
+/** The first press brings the cursor to where the pointer was, or to the start. */
+export function shiftCursor([dx, dy]: Cell, now: Scenario, cursor: Signal<Cursor | null>): Cell {
   const { width, height, start } = now.spec
   const from = cursor.peek()?.cell
   const cell: Cell = from ? [clamp(from[0] + dx, width), clamp(from[1] + dy, height)] : start
   cursor.value = { cell, byKeys: true }
-  viewpoint.value = reveal(viewpoint.peek(), cell, size, now.spec)
   announce(describe(cell, now))
+  return cell
 }
 
 function pan([dx, dy]: Cell, now: Scenario, size: Size): void {
@@ -118,8 +147,21 @@ function remove(cell: Cell | null, now: Scenario): boolean {
   return true
 }
 
+/** By slices: the end under the cursor, else the one that its tool moves. */
+function lift(cell: Cell | null, now: Scenario, delta: number): boolean {
+  if (!now.spec.terrain?.slices) return false
+  const at = cell ?? now.spec.start
+  const onGoal = goalIndexAt(now, at) >= 0
+  const onStart = sameCell(at, now.spec.start)
+  const end = onGoal || (!onStart && tool.peek() === 'goal') ? 'goal' : 'start'
+  changeLevel(end, delta)
+  return true
+}
+
 function describe(cell: Cell, now: Scenario): string {
-  return t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
+  const words = t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
+  const height = heightWords(now, cell)
+  return height === null ? words : t('relief.withHeight', { words, height })
 }
 
 function contentOf(cell: Cell, now: Scenario): string {

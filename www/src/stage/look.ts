@@ -2,6 +2,7 @@
 import type { Cell } from '../maps/edit'
 import { goalName } from '../maps/goals'
 import type { View } from '../messages'
+import { inRelief, showContours } from '../relief/mode'
 import { layer, panelColour, scenario, showAnts, showPath, theme } from '../state'
 import { type Placement, placement, type Size, viewpoint } from './view'
 
@@ -21,6 +22,8 @@ export function lookAt(panelId: number, size: CanvasSize, cursor: Cursor | null)
     layer: layer.value,
     showAnts: showAnts.value,
     showPath: showPath.value,
+    showContours: showContours.value,
+    hidden: inRelief.value,
     theme: theme.value,
     colour: panelColour(panelId),
     goalNames: names(),

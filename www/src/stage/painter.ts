@@ -1,13 +1,14 @@
 /** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
 import type { Layer, Run, ScenarioSpec } from '@pkg/formicarium'
 import type { View } from '../messages'
+import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
-import { drawCursor, drawGrid, drawPath, drawRaster } from './draw_map'
+import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from './draw_map'
 import { drawMarks } from './draw_marks'
 
 type Context = OffscreenCanvasRenderingContext2D
-type PaintMap = (context: Context, theme: View['theme']) => void
+type PaintMap = (context: Context, theme: View['theme'], shaded: boolean) => void
 
 /** Slow steps are shown as a walk rather than a jump, but never longer than this. */
 const LONGEST_GLIDE_MS = 140
@@ -21,6 +22,8 @@ export class Painter {
   /** Paints the map where there is no run. */
   private bare: PaintMap | null = null
   private spec: ScenarioSpec | null = null
+  /** On a terrain. */
+  private ground: ContourLayer | null = null
   private path: Uint32Array = new Uint32Array()
   /** For each goal its place in the order of visits, from 1. */
   private places: number[] = []
@@ -39,20 +42,21 @@ export class Painter {
   }
 
   /** Shows another run from now on. */
-  show(run: Run, spec: ScenarioSpec): void {
+  show(run: Run, spec: ScenarioSpec, ground: ContourLayer | null): void {
     this.run = run
-    this.begin(spec)
+    this.begin(spec, ground)
   }
 
   /** Shows a map with its marks, and no run, from now on. */
-  showMap(spec: ScenarioSpec, paint: PaintMap): void {
+  showMap(spec: ScenarioSpec, ground: ContourLayer | null, paint: PaintMap): void {
     this.run = null
     this.bare = paint
-    this.begin(spec)
+    this.begin(spec, ground)
   }
 
-  private begin(spec: ScenarioSpec): void {
+  private begin(spec: ScenarioSpec, ground: ContourLayer | null): void {
     this.spec = spec
+    this.ground = ground
     this.path = new Uint32Array()
     this.places = []
     this.crowd.clear()
@@ -92,7 +96,8 @@ export class Painter {
     const before = this.view
     this.view = view
     this.fitCanvas()
-    if (before.layer !== view.layer || before.theme !== view.theme) this.repaint()
+    const other = before.layer !== view.layer || before.theme !== view.theme
+    if (other || before.hidden !== view.hidden) this.repaint()
     this.draw()
   }
 
@@ -102,17 +107,32 @@ export class Painter {
     if (this.canvas.height !== height) this.canvas.height = height
   }
 
+  /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
+  flatBitmap(): ImageBitmap | null {
+    if (this.spec === null) return null
+    const canvas = new OffscreenCanvas(this.spec.width, this.spec.height)
+    this.paint(contextOf(canvas), false)
+    return canvas.transferToImageBitmap()
+  }
+
   private repaint(): void {
-    if (this.raster === null) return
-    if (this.run === null) this.bare?.(this.raster, this.view.theme)
-    else this.run.paint(this.raster, layerOf(this.run, this.view.layer), this.view.theme)
+    if (this.raster !== null && !this.view.hidden) this.paint(this.raster, true)
+  }
+
+  private paint(onto: Context, shaded: boolean): void {
+    const { run, view } = this
+    if (run === null) this.bare?.(onto, view.theme, shaded)
+    else run.paint(onto, layerOf(run, view.layer), view.theme, shaded)
   }
 
   private draw(): void {
-    const { context, view, spec, raster } = this
+    const { context, view, spec, raster, ground } = this
+    if (view.hidden) return
     context.clearRect(0, 0, view.width, view.height)
     if (spec === null || raster === null) return
+    if (ground?.hasHoles) drawHatch(context, view, spec)
     drawRaster(context, view, raster.canvas)
+    if (view.showContours) ground?.draw(context, view, () => this.draw())
     drawGrid(context, view, spec)
     if (view.showPath) drawPath(context, view, this.path)
     if (view.showAnts) this.drawAnts(spec)

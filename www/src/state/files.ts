@@ -1,16 +1,19 @@
 /** Files in and out: recognises what was dropped, pasted or chosen, and puts it where it belongs. */
 
-import type { EngineError, Imported, ScenLine } from '@pkg/formicarium'
+import type { EngineError, ExportFormat, Imported, Kind, ScenLine } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
-import { type MapFormat, tools } from '../engine/tools'
+import { type TerrainPart, tools } from '../engine/tools'
 import { t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
+import { heightsOf } from '../maps/heights'
+import { liftEnds } from '../maps/terrain'
 import { goalAt, type Scenario, type Session } from '../session'
 import { notify, notifyError } from './notices'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
 import { suitSpeed } from './speed'
 import { engineVersion, scenario } from './store'
+import { importPart, offerTerrain, type TerrainFile } from './terrain_files'
 
 export interface ScenChoice {
   fileName: string
@@ -24,19 +27,30 @@ const sessionFormat = () => import('../share/link')
 /** Larger files are refused before they are read. */
 const MAX_BYTES = 64 * 1024 * 1024
 
+/** Formats that hold heights and nothing else. */
+const RASTERS: Kind[] = ['esri-ascii', 'height-table', 'geotiff', 'srtm']
+
+interface Opening {
+  /** A .scen is about to say where start and goal lie. */
+  scenFollows?: boolean
+  /** Opens rasters of heights as they are, instead of asking which part of them. */
+  unasked?: boolean
+}
+
 /** Opens what a file holds; refusals are thrown, and leave the page as it was. */
-async function openFile(bytes: Uint8Array, name: string, scenFollows = false): Promise<void> {
+async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}): Promise<void> {
   const kind = await tools.sniff(bytes, name)
   if (kind === 'experiment') await openExperiment(bytes)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
-  else await openMap(bytes, name, scenFollows)
+  else if (RASTERS.includes(kind) && !opening.unasked) await offerTerrain(bytes, name)
+  else await openMap(bytes, name, opening)
 }
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
-export async function openText(text: string): Promise<void> {
+export async function openText(text: string, opening: Opening = {}): Promise<void> {
   const fragment = /#x=[\w-]+/.exec(text)?.[0]
   if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
-  else await openFile(new TextEncoder().encode(text), t('maps.pastedName'))
+  else await openFile(new TextEncoder().encode(text), t('maps.pastedName'), opening)
 }
 
 /** Maps before scenarios, so that a .map and its .scen may be opened together. */
@@ -45,13 +59,15 @@ export async function openFiles(files: Iterable<File>): Promise<void> {
   const scenFollows = inOrder.some(isScen)
   for (const file of inOrder) {
     if (file.size > MAX_BYTES) throw tooLarge(file.name)
-    await openFile(new Uint8Array(await file.arrayBuffer()), file.name, scenFollows)
+    await openFile(new Uint8Array(await file.arrayBuffer()), file.name, {
+      scenFollows,
+    })
   }
 }
 
 /** As the open-functions, with refusals shown as messages. True when all was taken. */
 export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(bytes, name))
-export const importText = (text: string) => shown(openText(text))
+export const importText = (text: string, opening?: Opening) => shown(openText(text, opening))
 export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
 
 async function openExperiment(bytes: Uint8Array): Promise<void> {
@@ -90,15 +106,22 @@ export function chooseScen(line: ScenLine): void {
   scenChoice.value = null
   if (!now) return
   const goals = [goalAt(line.goal, now.spec.goals[0]?.name ?? 'goal')]
-  setScenario({ ...now, spec: { ...now.spec, start: line.start, goals } }, { undoable: true })
+  const chosen = { ...now, spec: { ...now.spec, start: line.start, goals } }
+  setScenario(liftEnds(chosen) ?? chosen, { undoable: true })
 }
 
-export function exportMap(format: MapFormat): Promise<string> {
+export function exportMap(format: ExportFormat): Promise<string> {
   const now = scenario.peek()
   if (!now) return Promise.resolve('')
   // A .scen names the file of its map: the one that is downloaded.
-  const spec = format === 'movingai-scen' ? { ...now.spec, name: fileStem() } : now.spec
-  return tools.exportMap(spec, now.cells, format)
+  const named =
+    format === 'movingai-scen' ? { ...now, spec: { ...now.spec, name: fileStem() } } : now
+  return tools.exportMap(named, format)
+}
+
+export async function exportGeotiff(): Promise<Uint8Array> {
+  const now = scenario.peek()
+  return now ? tools.exportGeotiff(now) : new Uint8Array()
 }
 
 export async function exportExperiment(): Promise<string> {
@@ -107,8 +130,8 @@ export async function exportExperiment(): Promise<string> {
   return session ? sessionToFile(session, engineVersion.peek()) : ''
 }
 
-export function download(name: string, text: string, type = 'text/plain'): void {
-  const url = URL.createObjectURL(new Blob([text], { type }))
+export function download(name: string, content: string | Uint8Array, type = 'text/plain'): void {
+  const url = URL.createObjectURL(new Blob([content as BlobPart], { type }))
   const anchor = document.createElement('a')
   anchor.href = url
   anchor.download = name
@@ -128,21 +151,35 @@ export function fileStem(): string {
   )
 }
 
-async function openMap(bytes: Uint8Array, name: string, scenFollows: boolean): Promise<void> {
+async function openMap(bytes: Uint8Array, name: string, { scenFollows }: Opening): Promise<void> {
   const imported = await tools.importMap(bytes, name)
+  // Which cells stand in for start and goal is of no interest when the reader is about to choose them.
+  const told = imported.warnings.filter(({ kind }) => !(scenFollows && kind === 'ends-chosen'))
+  showMap({ ...imported, warnings: told }, name)
+}
+
+/** The chosen part of a raster of heights. */
+export async function openTerrain(file: TerrainFile, part: TerrainPart): Promise<void> {
+  showMap(await importPart(file, part), file.name)
+}
+
+function showMap(imported: Imported, name: string): void {
   const opened = toScenario(imported, name)
   suitSpeed(opened)
   setScenario(opened, { undoable: true })
-  // Which cells stand in for start and goal is of no interest when the reader is about to choose them.
-  const told = imported.warnings.filter(({ kind }) => !(scenFollows && kind === 'ends-chosen'))
   const { width, height } = imported.spec
   notify('success', t('notices.imported', { name, width, height }), {
-    hint: told.map(describeNotice).join(' '),
+    hint: imported.warnings.map(describeNotice).join(' '),
   })
 }
 
-function toScenario({ spec, cells }: Imported, name: string): Scenario {
-  return { spec: { ...spec, name: spec.name || name }, cells, origin: null }
+function toScenario({ spec, cells, heights }: Imported, name: string): Scenario {
+  return {
+    spec: { ...spec, name: spec.name || name },
+    cells,
+    heights: heightsOf(heights),
+    origin: null,
+  }
 }
 
 async function openScen(bytes: Uint8Array, name: string): Promise<void> {

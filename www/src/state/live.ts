@@ -29,7 +29,7 @@ export function latest(panelId: number): PanelLive {
 /** The one way in for everything a panel's worker says. */
 export function onReply(panelId: number, reply: PanelReply): void {
   const panel = panelById(panelId)
-  if (!panel || reply.kind === 'ready') return
+  if (!panel || reply.kind === 'ready' || reply.kind === 'raster') return
   const before = latest(panelId)
   if (reply.kind === 'frame') {
     historyOf(panelId).append(reply.history)
@@ -39,6 +39,7 @@ export function onReply(panelId: number, reply: PanelReply): void {
       summary,
       objective: summary.objective,
       bestPath: reply.bestPath ?? before.bestPath,
+      bestAltitudes: reply.bestAltitudes ?? before.bestAltitudes,
       error: null,
       crashed: null,
     })

@@ -24,7 +24,9 @@ const wanted = computed(() => {
 /** The objectives on show; without a panel that can run, the plainest there is. */
 export const objectives = computed((): Objective[] => {
   if (wanted.value !== '') return wanted.value.split(',') as Objective[]
-  return [(scenario.value?.spec.goals.length ?? 1) > 1 ? 'tour-length' : 'length']
+  const spec = scenario.value?.spec
+  if (spec?.terrain?.slices) return ['slice-cost']
+  return [(spec?.goals.length ?? 1) > 1 ? 'tour-length' : 'length']
 })
 
 /** What a panel's result is compared with; null while that is being found out, or nobody knows what the panel is measured by. */
@@ -68,7 +70,7 @@ async function remark(asked: Scenario): Promise<void> {
 
 async function remarks(asked: Scenario): Promise<Notice[]> {
   try {
-    return await tools.check(asked.spec, asked.cells)
+    return await tools.check(asked)
   } catch (thrown) {
     const { kind, message, args } = toEngineError(thrown)
     return [{ kind, message, args }]

@@ -86,7 +86,8 @@ export function restart(): void {
 
 export function runSetup(panel: Panel, on: Scenario): RunSetup {
   const { planner, params } = panel.setup
-  return { spec: on.spec, cells: on.cells, planner, params, seed: seed.peek() }
+  const { spec, cells, heights } = on
+  return { spec, cells, heights, planner, params, seed: seed.peek() }
 }
 
 /** Ends the worker of a panel that is leaving the page. */

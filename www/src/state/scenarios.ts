@@ -1,14 +1,15 @@
 /** Everything that changes the map or the question asked on it. */
 
-import type { Movement } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { applyEditTo, type Edit } from '../maps/edit'
-import { gallery } from '../maps/gallery'
+import { applyEditTo, type Edit, refusalOf } from '../maps/edit'
+import { type GalleryEntry, gallery } from '../maps/gallery'
 import { askSame, takenCells } from '../maps/goals'
+import { heightsOf } from '../maps/heights'
 import type { Racer } from '../maps/paper_maps'
 import { settleGoals } from '../maps/settle'
+import { plainTerrain } from '../maps/terrain'
 import { MAX_GOALS, type Origin, type Scenario } from '../session'
 import { createHistory } from '../stage/history'
 import { fitView } from '../stage/view'
@@ -25,8 +26,13 @@ export const { canUndo, canRedo } = history
 /** Scenarios are immutable and undo brings back the very same object, so the object tells where it came from. */
 const galleryIds = new WeakMap<Scenario, string>()
 
-/** The walls before start or goal was taken up: those it passes over stay, only the cell it is left on becomes free. */
-let dragged: { gesture: number; cells: Uint8Array } | null = null
+/**
+ * Walls and levels before start or goal was taken up: walls it passes over stay, ground it passes over lifts nothing. Only the cell it is
+ * left on becomes free.
+ */
+let dragged: { gesture: number; before: Scenario } | null = null
+/** The gesture whose refusal has been told: once is enough. */
+let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
 export function applyEdit(edit: Edit, gesture?: number): void {
@@ -34,7 +40,14 @@ export function applyEdit(edit: Edit, gesture?: number): void {
   if (!before) return
   const base = beforeDrag(before, edit, gesture)
   const after = applyEditTo(base, edit)
-  if (after === base) return
+  if (after === base) explain(before, edit, gesture)
+  else commit(after, gesture)
+}
+
+/** Puts a changed scenario in the place of the one on show; undo brings that one back. */
+export function commit(after: Scenario, gesture?: number): void {
+  const before = scenario.peek()
+  if (!before || after === before) return
   history.record(before, after, gesture)
   if (asksSame(before, after)) rename(after)
   else {
@@ -43,13 +56,22 @@ export function applyEdit(edit: Edit, gesture?: number): void {
   }
 }
 
+/** Why the ground does not take an edit: nothing is to be seen there that tells. */
+function explain(now: Scenario, edit: Edit, gesture?: number): void {
+  const refusal = refusalOf(now, edit)
+  if (refusal === null || (gesture !== undefined && gesture === toldOf)) return
+  toldOf = gesture
+  notify('warning', t(`terrain.refused.${refusal}`), { hint: t(`terrain.refusedHint.${refusal}`) })
+}
+
 /** Only names differ: no run is obsolete. */
 function rename(next: Scenario): void {
   scenario.value = next
   galleryId.value = galleryIds.get(next) ?? null
 }
 
-const asksSame = (a: Scenario, b: Scenario) => a.cells === b.cells && askSame(a.spec, b.spec)
+const asksSame = (a: Scenario, b: Scenario) =>
+  a.cells === b.cells && a.heights === b.heights && askSame(a.spec, b.spec)
 
 /** Says why the tool that adds goals does nothing; every other tool needs no words. */
 export function refuseMoreGoals(): void {
@@ -58,35 +80,24 @@ export function refuseMoreGoals(): void {
 
 function beforeDrag(now: Scenario, { kind }: Edit, gesture?: number): Scenario {
   if (gesture === undefined || (kind !== 'start' && kind !== 'goal')) return now
-  if (dragged?.gesture !== gesture) dragged = { gesture, cells: now.cells }
-  return now.cells === dragged.cells ? now : { ...now, cells: dragged.cells }
+  if (dragged?.gesture !== gesture) dragged = { gesture, before: now }
+  const { cells, spec } = dragged.before
+  if (now.cells === cells && now.spec.terrain === spec.terrain) return now
+  return { ...now, cells, spec: { ...now.spec, ...(spec.terrain && { terrain: spec.terrain }) } }
 }
 
 export function clearWalls(): void {
   applyEdit({ kind: 'clear' })
 }
 
-/** For files that mean 1 as free. Start and goals keep free ground under them. */
+/** For files that mean 1 as free; no terrain comes that way. Start and goals keep free ground under them. */
 export function invertWalls(): void {
   const before = scenario.peek()
-  if (!before) return
+  if (!before || before.heights) return
   const { spec } = before
   const cells = before.cells.map((cell) => 1 - cell)
   for (const [x, y] of takenCells(spec)) cells[y * spec.width + x] = 0
   setScenario({ ...before, cells, origin: null }, { undoable: true })
-}
-
-export function resizeMap(width: number, height: number): void {
-  applyEdit({ kind: 'resize', width, height })
-  fitView()
-}
-
-export function setMovement(movement: Movement): void {
-  const before = scenario.peek()
-  if (!before) return
-  const after = { ...before, spec: { ...before.spec, movement } }
-  history.record(before, after)
-  replace(after)
 }
 
 /** A different scenario altogether; undo brings the one before it back. Runs that played begin again at once. */
@@ -113,18 +124,18 @@ export async function openGallery(id: string): Promise<void> {
   if (mine !== asked) return
   suitSpeed(opened)
   batch(() => {
-    if (entry.racers) letRace(entry.racers)
+    if (entry.racers) letRace(entry.racers, entry.group)
     setScenario(opened, { undoable: true })
   })
 }
 
 /** The planners that belong to a map, with a way back to those that were there. */
-function letRace(racers: Racer[]): void {
+function letRace(racers: Racer[], group: GalleryEntry['group']): void {
   const before = panels.peek().map(({ setup }) => ({ ...setup, result: null }))
   const setups = racers.map(([planner, preset]) => presetSetup(planner, preset ?? null))
   replacePanels(setups.filter(({ planner }) => plannerEntry(planner)))
   if (before.length === 0) return
-  notify('info', t('notices.paperPlanners'), {
+  notify('info', t(group === 'terrains' ? 'notices.terrainPlanners' : 'notices.paperPlanners'), {
     action: {
       label: t('notices.formerPlanners'),
       run: () => {
@@ -153,16 +164,22 @@ export async function generateMap(
   if (!now) return
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
+  const heights = heightsOf(made.heights)
+  const { terrain: _, resolution, ...kept } = now.spec
   const generated: Scenario = {
     spec: {
-      ...now.spec,
+      ...kept,
       name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
       width,
       height,
       start,
       goals,
+      // The size of a cell belongs to the ground; from plane to plane it is the reader's.
+      resolution: heights || now.heights ? made.resolution : resolution,
+      ...(heights && { terrain: plainTerrain() }),
     },
     cells,
+    heights,
     origin: { generator: kind, seed, density },
   }
   suitSpeed(generated)

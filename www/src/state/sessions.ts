@@ -63,7 +63,9 @@ export function loadSession(session: Session): void {
 
 /** Now that the catalog is complete: what waited for it is verified, or leaves when even this version does not know it. */
 export function admitWaiting(): void {
-  const waiting = panels.peek().filter(({ setup }) => buildFor(setup.planner) === 'whole')
+  const waiting = panels
+    .peek()
+    .filter(({ setup }) => buildFor({ planner: setup.planner, onTerrain: false }) === 'whole')
   dropUnknown(waiting)
   for (const { id } of waiting) {
     const panel = panelById(id)

@@ -28,6 +28,8 @@ export interface PanelLive {
   objective: Objective | null
   /** Best path, x0, y0, x1, y1, …; null when none yet. */
   bestPath: Uint32Array | null
+  /** Altitude in metres of each of its places; empty on a plane. */
+  bestAltitudes: Float64Array | null
   error: EngineError | null
   /** What the worker said when it failed. */
   crashed: string | null
@@ -87,6 +89,7 @@ export const blankLive = (): PanelLive => ({
   summary: null,
   objective: null,
   bestPath: null,
+  bestAltitudes: null,
   error: null,
   crashed: null,
   verified: 'none',

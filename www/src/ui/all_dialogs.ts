@@ -6,6 +6,7 @@ import { GenerateDialog } from '../maps/generate_dialog'
 import { ImportDialog } from '../maps/import_dialog'
 import { ResizeDialog } from '../maps/resize_dialog'
 import { ScenDialog } from '../maps/scen_dialog'
+import { TerrainDialog } from '../maps/terrain_dialog'
 import { CardDialog } from '../papers/card_dialog'
 import { ShareDialog } from '../share/share_dialog'
 import type { DialogName } from './dialogs'
@@ -20,4 +21,4 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   paper: CardDialog,
 }
 
-export { ScenDialog }
+export { ScenDialog, TerrainDialog }

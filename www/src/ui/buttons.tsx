@@ -40,6 +40,8 @@ interface ButtonProps {
   testId?: string
   disabled?: boolean
   busy?: boolean
+  /** Of a button that stays in or out. */
+  pressed?: boolean
 }
 
 export function Button({ label, icon, tone = 'plain', ...props }: ButtonProps) {
@@ -50,6 +52,7 @@ export function Button({ label, icon, tone = 'plain', ...props }: ButtonProps) {
       data-testid={props.testId}
       disabled={props.disabled || props.busy}
       aria-busy={props.busy}
+      aria-pressed={props.pressed}
       onClick={props.onClick}
     >
       {icon && <Icon icon={icon} size={16} />}

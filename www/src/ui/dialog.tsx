@@ -11,10 +11,12 @@ interface DialogProps {
   actions?: ComponentChildren
   wide?: boolean
   testId?: string
+  /** What Enter does while no control has the focus. */
+  onEnter?: () => void
 }
 
 /** A modal dialog: the browser keeps the focus inside, closes on Esc and gives the focus back. */
-export function Dialog({ title, onClose, children, actions, wide, testId }: DialogProps) {
+export function Dialog({ title, onClose, children, actions, wide, testId, onEnter }: DialogProps) {
   const dialog = useRef<HTMLDialogElement>(null)
   const titleId = useId()
   useEffect(() => {
@@ -23,7 +25,6 @@ export function Dialog({ title, onClose, children, actions, wide, testId }: Dial
     dialog.current?.focus()
   }, [])
   return (
-    // biome-ignore lint/a11y/useKeyWithClickEvents: Esc closes a modal dialog by itself
     <dialog
       ref={dialog}
       class={wide ? 'dialog wide' : 'dialog'}
@@ -33,6 +34,9 @@ export function Dialog({ title, onClose, children, actions, wide, testId }: Dial
       onClose={onClose}
       onClick={(event) => {
         if (event.target === dialog.current) onClose()
+      }}
+      onKeyDown={(event) => {
+        if (event.key === 'Enter' && event.target === dialog.current) onEnter?.()
       }}
     >
       <div class="dialog-body">

@@ -128,6 +128,18 @@ function nearestWhole(value: number, min: number, max: number): number {
   return Math.min(max, Math.max(min, Math.round(value)))
 }
 
+/** Choices under a visible label; the choices carry it themselves for those who cannot see it. */
+export function Labelled({ label, children }: { label: string; children: ComponentChildren }) {
+  return (
+    <div class="labelled">
+      <span class="field-label" aria-hidden="true">
+        {label}
+      </span>
+      {children}
+    </div>
+  )
+}
+
 interface SegmentedProps<T extends string> {
   label: string
   value: T

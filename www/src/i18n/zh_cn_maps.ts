@@ -1,0 +1,170 @@
+import type { enMaps } from './en_maps'
+import type { Shape } from './shape'
+
+/** Chinese of en_maps.ts. */
+export const zhCNMaps: Shape<typeof enMaps> = {
+  movement: {
+    '4': '4 方向',
+    '8-both-free': '8 方向，不切角',
+    '8-one-free': '8 方向，一侧空闲即可',
+    '8-always': '8 方向，允许切角',
+    '16-both-free': '16 方向，不切角',
+    '16-one-free': '16 方向，一侧空闲即可',
+    '16-always': '16 方向，允许切角',
+  },
+  terrain: {
+    bySlices: '按切片',
+    surfaceNow: '沿地表，{{moves}} 方向',
+    slicesNow: '按切片，{{levels}} 层，每层 {{level}} 米',
+    change: '更改移动方式',
+    levelIs: '{{end}}位于第 {{level}} 层（共 {{levels}} 层），{{metres}} 米',
+    levelStays: '{{end}}仍在第 {{level}} 层（共 {{levels}} 层）：已到地面或最高层',
+    refused: {
+      erase: '该格高程未知。',
+      end: '该处高程未知。',
+      level: '该处地面高于最高层。',
+    },
+    refusedHint: {
+      erase: '文件没有该格的数据，因此不能成为空地。',
+      end: '起点与终点须位于高程已知的地面。',
+      level: '请选择其他格，或在“尺寸、移动与地形…”中增加层数或层高。',
+    },
+  },
+  maps: {
+    menu: '地图',
+    gallery: '现成地图',
+    papers: '来自论文',
+    terrains: '地形',
+    startOver: '从头开始',
+    startOverNote: '最初的地图、规划器与设置',
+    make: '制作与修改',
+    generate: '生成地图…',
+    shape: '尺寸与移动规则…',
+    shapeTerrain: '尺寸、移动与地形…',
+    clear: '清除所有墙',
+    invert: '交换墙与空地',
+    invertTerrain: '不适用于地形',
+    files: '文件',
+    import: '导入…',
+    export: '导出…',
+    generatedName: '{{kind}}，种子 {{seed}}',
+    kind: {
+      random: '随机',
+      maze: '迷宫',
+      rooms: '房间',
+      cave: '洞穴',
+      hills: '丘陵',
+      fractal: '分形地形',
+    },
+    pastedName: '粘贴的地图',
+    dropHere: '松开即可打开',
+  },
+  stage: {
+    label: '地图 {{name}}，{{width}} × {{height}} 格',
+    help: '方向键移动格子光标，回车键在该格使用所选工具，Delete 键删除目标。',
+    cell: '第 {{x}} 列，第 {{y}} 行：{{what}}',
+    free: '空闲',
+    wall: '墙',
+    start: '起点',
+    goal: '终点',
+    goalNamed: '目标 {{name}}',
+    taken: '已拿起目标 {{name}}：用目标工具放下',
+  },
+  notices: {
+    region: '消息',
+    dismiss: '关闭消息',
+    calm: '您的系统要求减少动画，所以尚未开始。',
+    calmHint: '按任意键或点击即可开始。',
+    finished: '所有运行已结束：{{results}}。',
+    undone: '已撤销',
+    redone: '已重做',
+    pausedForEdit: '地图已改变，所有运行将重新开始。',
+    pausedForEditHint: '画完后按播放或空格键。',
+    imported: '已打开 {{name}}：{{width}} × {{height}} 格。',
+    fileTooLarge: '{{name}} 太大。',
+    fileTooLargeHint: '可打开不超过 64 MB 的文件和不超过 4096 × 4096 格的地图。',
+    scenNeedsMap: '{{name}} 属于地图 {{map}}（{{width}} × {{height}}）。',
+    scenNeedsMapHint: '请把 .map 与 .scen 一起拖入，或先打开地图。',
+    paperPlanners: '该论文的规划器正在此地图上比赛。',
+    terrainPlanners: '适用于此类地形的规划器正在此比赛。',
+    formerPlanners: '恢复原来的规划器',
+    unknownPlanner: '此版本不认识规划器“{{planner}}”。',
+    unknownPlannerHint: '已略去该面板；其余与分享内容一致。',
+  },
+  errors: {
+    unexpected: '出错了：{{message}}',
+    unexpectedHint: '页面内容没有改变。请重试。',
+    unfetched: '无法获取页面的这一部分。',
+    unfetchedHint: '请检查网络连接后重试；页面上的内容没有丢失。',
+  },
+  gallery: {
+    'two-corridors': {
+      name: '两条走廊',
+      note: '一条近路，一条远路',
+    },
+    'aco-20x20': {
+      name: '经典 20 × 20',
+      note: '多数论文采用的尺寸',
+    },
+    'engine-room': {
+      name: '机舱',
+      note: '机器之间的窄道',
+    },
+    rooms: {
+      name: '房间',
+      note: '门决定一切',
+    },
+    maze: {
+      name: '迷宫',
+      note: '死路多，选择少',
+    },
+    'random-100': {
+      name: '随机 100 × 100',
+      note: '30 % 的墙',
+    },
+    'open-field': {
+      name: '空旷场地',
+      note: '没有障碍，许多等长路径',
+    },
+    unreachable: {
+      name: '围墙之内',
+      note: '不存在通路',
+    },
+    'terrain-hills': {
+      name: '丘陵',
+      note: '沿地表，16 方向 · 65 × 65',
+    },
+    'terrain-slices': {
+      name: '崎岖地',
+      note: '按切片，20 层 · 21 × 21',
+    },
+    'paper-fire': {
+      name: '多处火源',
+      note: '四个目标，同时求次序与路径 · Zhang 2020',
+    },
+    'paper-ship-20': {
+      name: '船舱 20 × 20',
+      note: '按视线拉直路径 · 范学兴 2026',
+    },
+    'paper-ship-30': {
+      name: '船舱 30 × 30',
+      note: '更大的同类地图 · 范学兴 2026',
+    },
+    'paper-engine-room': {
+      name: '船舶机舱',
+      note: '有主机与隔舱的平面图 · 范学兴 2026',
+    },
+    'paper-threshold-1': {
+      name: '环境一',
+      note: '避免蚂蚁过早一致 · 赖智铭 2014',
+    },
+    'paper-threshold-2': {
+      name: '环境二',
+      note: '该文的第二张地图 · 赖智铭 2014',
+    },
+    'paper-criss-cross': {
+      name: '纵横障碍',
+      note: '由烟花留下初始信息素 · 周 2019',
+    },
+  },
+}

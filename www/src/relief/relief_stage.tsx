@@ -1,0 +1,68 @@
+/** One panel's terrain in three dimensions, in place of its flat map. */
+import { useComputed, useSignal } from '@preact/signals'
+import { useEffect, useRef } from 'preact/hooks'
+import { t } from '../i18n'
+import { CellReadout } from '../stage/cell_readout'
+import type { CanvasSize, Cursor } from '../stage/look'
+import { measure } from '../stage/measure'
+import { scenario, tool } from '../state'
+import { leaveRelief } from './mode'
+import { reliefKeyHandler } from './relief_keys'
+import { ReliefPointer } from './relief_pointer'
+import { ReliefView } from './relief_view'
+
+export { resetEye, zoomEye } from './eye'
+
+export function ReliefStage({ panelId }: { panelId: number }) {
+  const host = useRef<HTMLDivElement>(null)
+  const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
+  const cursor = useSignal<Cursor | null>(null)
+  const label = useComputed(() => {
+    const spec = scenario.value?.spec
+    return spec
+      ? t('relief.label', { name: spec.name, width: spec.width, height: spec.height })
+      : ''
+  })
+
+  useEffect(() => {
+    const element = host.current
+    if (element === null) return
+    const stopMeasuring = measure(element, (measured) => {
+      size.value = measured
+    })
+    let view: ReliefView
+    try {
+      view = new ReliefView(panelId, element, size, cursor)
+    } catch {
+      stopMeasuring()
+      leaveRelief('missing')
+      return
+    }
+    const pointer = new ReliefPointer(element, view, size, cursor)
+    const onKey = reliefKeyHandler(cursor)
+    element.addEventListener('keydown', onKey)
+    return () => {
+      element.removeEventListener('keydown', onKey)
+      pointer.release()
+      view.dispose()
+      stopMeasuring()
+    }
+  }, [panelId])
+
+  return (
+    <>
+      <div
+        ref={host}
+        class="stage relief"
+        data-testid={`stage-${panelId}`}
+        data-tool={tool.value}
+        role="application"
+        aria-label={label}
+        aria-describedby="relief-help"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: an application region is operated with the keyboard
+        tabIndex={0}
+      />
+      <CellReadout cursor={cursor} />
+    </>
+  )
+}

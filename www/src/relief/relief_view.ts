@@ -1,0 +1,239 @@
+/** One panel in three dimensions: fetches its picture from its worker, and draws when something it shows has changed. */
+import { computed, effect, type ReadonlySignal } from '@preact/signals'
+import { ensure } from '../engine/clients'
+import type { PanelClient, RasterWatcher } from '../engine/panel_client'
+import type { Cell } from '../maps/edit'
+import type { RasterReply } from '../messages'
+import { type CanvasSize, type Cursor, lookAt } from '../stage/look'
+import { markedCell } from '../stage/marked'
+import { coalesced } from '../stage/measure'
+import { panelById, panelColour, scenario, showAnts, showPath, theme } from '../state'
+import { Content } from './content'
+import { eye } from './eye'
+import { cancelDraw, drawSoon } from './frames'
+import { Lens } from './lens'
+import { leaveRelief, showContours } from './mode'
+import { drawOverlay, type Scene } from './overlay'
+import { enterRoom, leaveRoom, type Room } from './room'
+import { ground, stretch } from './terrain_now'
+
+/** While runs play, the picture on the ground follows at most so often. */
+const RASTER_EVERY_MS = 350
+/** And so many times as long as it takes to draw it: the page has other things to do. */
+const PATIENCE = 8
+/** A machine that takes longer draws coarsely while the map is turned, and finely when it rests. */
+const SLOW_MS = 45
+const REST_MS = 220
+const MOST_DPR = 2
+
+export class ReliefView implements RasterWatcher {
+  readonly lens = new Lens()
+  private readonly canvas = newCanvas()
+  private readonly overlay = newCanvas()
+  private readonly content = new Content()
+  private readonly room: Room
+  private readonly client: PanelClient
+  private readonly stops: (() => void)[] = []
+  // Much of what a run reports changes several times a second; its best path seldom does.
+  private readonly bestPath = computed(() => panelById(this.panelId)?.live.value.bestPath)
+  private readonly bestAltitudes = computed(() => panelById(this.panelId)?.live.value.bestAltitudes)
+  private readonly order = computed(() =>
+    (panelById(this.panelId)?.live.value.summary?.tour?.order ?? []).join(),
+  )
+  private ants: Uint32Array = new Uint32Array()
+  private asked = false
+  private askedAt = 0
+  private askTimer = 0
+  private restTimer = 0
+  private drawMs = 0
+  /** Of canvas pixels per device pixel; less than 1 while it is turned on a slow machine. */
+  private fineness = 1
+  private readonly draw = () => this.drawGround()
+  private readonly drawMarks = () => this.drawOverlay()
+
+  /** Throws where the browser offers no WebGL. */
+  constructor(
+    private readonly panelId: number,
+    host: HTMLElement,
+    private readonly size: ReadonlySignal<CanvasSize>,
+    private readonly cursor: ReadonlySignal<Cursor | null>,
+  ) {
+    this.room = enterRoom(() => leaveRelief('lost'))
+    this.client = ensure(panelId)
+    host.append(this.canvas, this.overlay)
+    this.follow()
+    this.client.watch(this)
+  }
+
+  dispose(): void {
+    this.client.watch(null)
+    for (const stop of this.stops) stop()
+    clearTimeout(this.askTimer)
+    clearTimeout(this.restTimer)
+    cancelDraw(this.draw)
+    cancelDraw(this.drawMarks)
+    this.content.dispose()
+    this.canvas.remove()
+    this.overlay.remove()
+    leaveRoom()
+  }
+
+  stale(): void {
+    if (this.asked || this.askTimer !== 0) return
+    const every = Math.max(RASTER_EVERY_MS, PATIENCE * this.drawMs)
+    const wait = Math.max(0, this.askedAt + every - performance.now())
+    this.askTimer = window.setTimeout(() => {
+      this.askTimer = 0
+      this.askedAt = performance.now()
+      this.asked = this.client.askRaster()
+      if (!this.asked) this.stale()
+    }, wait)
+  }
+
+  take({ bitmap, ants }: RasterReply): void {
+    this.asked = false
+    this.ants = ants
+    this.content.setPicture(bitmap)
+    this.placeAnts()
+    drawSoon(this.draw)
+  }
+
+  /** What is on the overlay, and where; null before there is a terrain. */
+  scene(): Scene | null {
+    const [now, surface] = [scenario.value, ground.value]
+    if (!now?.heights || !surface) return null
+    const places: number[] = []
+    const order = this.order.value === '' ? [] : this.order.value.split(',').map(Number)
+    for (const [place, goal] of order.entries()) places[goal] = place + 1
+    return { scenario: now, ground: surface, lens: this.lens, stretch: stretch.value, places }
+  }
+
+  get zoom(): number {
+    return eye.peek().zoom
+  }
+
+  /** The cell that is seen at a point of the stage, in device pixels. */
+  cellAt(at: [number, number]): Cell | null {
+    const scene = this.scene()
+    if (!scene) return null
+    const { width, height } = this.size.peek()
+    this.lens.aim(eye.peek(), scene.ground, scene.stretch, width, height)
+    const hit = scene.ground.hit(this.lens.position, this.lens.ray(at), scene.stretch)
+    if (!hit) return null
+    const { width: columns, height: rows } = scene.ground
+    return [Math.min(columns - 1, Math.floor(hit[0])), Math.min(rows - 1, Math.floor(hit[2]))]
+  }
+
+  private follow(): void {
+    let picture = ''
+    this.stops.push(
+      coalesced(
+        () => lookAt(this.panelId, this.size.value, null),
+        (view) => {
+          this.client.setView(view)
+          const key = `${view.layer} ${view.theme}`
+          if (key !== picture) this.stale()
+          picture = key
+        },
+      ),
+      effect(() => this.setGround()),
+      effect(() => this.setPath()),
+      effect(() => this.placeAnts()),
+      effect(() => this.turn()),
+      effect(() => {
+        this.scene()
+        this.cursor.value
+        markedCell(this.panelId)
+        drawSoon(this.drawMarks)
+      }),
+    )
+  }
+
+  private setGround(): void {
+    const surface = ground.value
+    if (!surface) return
+    this.room.setGround(surface, theme.value, showContours.value)
+    panelColour(this.panelId)
+    drawSoon(this.draw)
+  }
+
+  private setPath(): void {
+    const { lattice } = this.room
+    const surface = ground.value
+    const [bestPath, bestAltitudes] = [this.bestPath.value, this.bestAltitudes.value]
+    const bySlices = scenario.value?.spec.terrain?.slices !== undefined
+    if (!surface || !lattice) return
+    const drawn = showPath.value && bestPath && bestAltitudes && bestPath.length > 2
+    const path = drawn ? { cells: bestPath, altitudes: bestAltitudes, bySlices } : null
+    this.content.setPath(path, surface, lattice, this.lift())
+    drawSoon(this.draw)
+  }
+
+  private placeAnts(): void {
+    const { lattice } = this.room
+    const surface = ground.value
+    if (!surface || !lattice) return
+    const ants = showAnts.value ? this.ants : new Uint32Array()
+    this.content.setAnts(ants, surface, lattice, this.lift())
+    drawSoon(this.draw)
+  }
+
+  /** Keeps lines clear of the ground, by the same bit however it is stretched. */
+  private lift(): number {
+    const surface = ground.value
+    return surface ? (0.003 * Math.max(surface.width, surface.height)) / stretch.value : 0
+  }
+
+  /** The eye has moved, or the ground has another height or size on the screen. */
+  private turn(): void {
+    eye.value
+    stretch.value
+    this.size.value
+    this.fineness = this.drawMs > SLOW_MS ? 0.5 : 1
+    clearTimeout(this.restTimer)
+    if (this.fineness < 1) {
+      this.restTimer = window.setTimeout(() => {
+        this.fineness = 1
+        drawSoon(this.draw)
+      }, REST_MS)
+    }
+    drawSoon(this.draw)
+    drawSoon(this.drawMarks)
+  }
+
+  private drawGround(): void {
+    const surface = ground.peek()
+    if (!surface) return
+    const { width, height, dpr } = this.size.peek()
+    const detail = (Math.min(MOST_DPR, dpr) / dpr) * this.fineness
+    resize(this.canvas, Math.round(width * detail), Math.round(height * detail))
+    this.lens.aim(eye.peek(), surface, stretch.peek(), width, height)
+    this.content.setLook(panelColour(this.panelId), theme.peek(), dpr * detail)
+    const began = performance.now()
+    this.room.draw(this.content, this.lens, stretch.peek(), this.canvas, this.fineness < 1)
+    const took = performance.now() - began
+    // Coarse pictures say nothing about how long fine ones take.
+    if (this.fineness === 1) this.drawMs = took
+  }
+
+  private drawOverlay(): void {
+    const scene = this.scene()
+    if (!scene) return
+    const { width, height, dpr } = this.size.peek()
+    resize(this.overlay, width, height)
+    this.lens.aim(eye.peek(), scene.ground, scene.stretch, width, height)
+    drawOverlay(this.overlay, scene, this.cursor.peek() ?? markedCell(this.panelId), dpr)
+  }
+}
+
+function newCanvas(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas')
+  canvas.setAttribute('aria-hidden', 'true')
+  return canvas
+}
+
+/** Setting a size, even the same, clears a canvas. */
+function resize(canvas: HTMLCanvasElement, width: number, height: number): void {
+  if (canvas.width !== width) canvas.width = width
+  if (canvas.height !== height) canvas.height = height
+}

@@ -1,0 +1,13 @@
+/** A place on a panel's map that something beside the map points at, as the elevation profile does. */
+import { signal } from '@preact/signals'
+import type { Cell } from '../maps/edit'
+import type { Cursor } from './look'
+
+/** By panel id. */
+export const marked = signal<ReadonlyMap<number, Cell>>(new Map())
+
+/** Drawn like the keyboard's cursor while there is no other. */
+export function markedCell(panelId: number): Cursor | null {
+  const cell = marked.value.get(panelId)
+  return cell ? { cell, byKeys: true } : null
+}

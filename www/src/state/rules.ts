@@ -1,0 +1,62 @@
+/** How one moves: the map's size, its moves, and what a terrain asks besides. */
+import type { Movement, TerrainFields } from '@pkg/formicarium'
+import { t } from '../i18n'
+import { applyEditTo } from '../maps/edit'
+import { type End, liftEnds, shiftLevel } from '../maps/terrain'
+import type { Scenario } from '../session'
+import { fitView } from '../stage/view'
+import { announce } from './notices'
+import { commit } from './scenarios'
+import { scenario } from './store'
+
+export interface Rules {
+  width: number
+  height: number
+  movement: Movement
+  /** Metres per cell. */
+  resolution: number
+  /** On a terrain alone. */
+  terrain?: TerrainFields
+}
+
+/** What the rules would make of a scenario; null when there is no place for start or goal: without data, or above all levels. */
+export function underRules(now: Scenario, rules: Rules): Scenario | null {
+  const { width, height, movement, resolution, terrain } = rules
+  const resizing = width !== now.spec.width || height !== now.spec.height
+  // Levels are looked at once the rules are there that count them.
+  const { terrain: former, ...plain } = now.spec
+  const surface = former ? { terrain: { vertical_unit: former.vertical_unit } } : {}
+  const flat = { ...now, spec: { ...plain, ...surface } }
+  const sized = applyEditTo(flat, { kind: 'resize', width, height })
+  if (resizing && sized === flat) return null
+  const spec = { ...sized.spec, movement, resolution, ...(now.heights && terrain && { terrain }) }
+  return liftEnds({ ...sized, spec })
+}
+
+/** One step to undo, however much changes. False when there is no place for start or goal. */
+export function setRules(rules: Rules): boolean {
+  const now = scenario.peek()
+  const after = now && underRules(now, rules)
+  if (!now || !after) return false
+  if (JSON.stringify(after.spec) === JSON.stringify(now.spec)) return true
+  commit(after)
+  if (after.cells.length !== now.cells.length || after.spec.width !== now.spec.width) fitView()
+  return true
+}
+
+/** Levels that are changed one after the other are undone together. */
+const GESTURES: Record<End, number> = { start: -1, goal: -2 }
+
+/** Raises or lowers an end of the paths by slices, as far as there are levels above the ground. */
+export function changeLevel(end: End, delta: number): void {
+  const now = scenario.peek()
+  const before = now?.spec.terrain?.slices
+  if (!now || !before) return
+  const after = shiftLevel(now, end, delta)
+  commit(after, GESTURES[end])
+  const rules = after.spec.terrain?.slices ?? before
+  const level = end === 'start' ? rules.start_level : rules.goal_level
+  const key = after === now ? 'terrain.levelStays' : 'terrain.levelIs'
+  const metres = Math.round(level * rules.level)
+  announce(t(key, { end: t(`stage.${end}`), level, levels: rules.levels, metres }))
+}
