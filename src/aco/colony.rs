@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::map::Cell;
 use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status};
+use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status, advance};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -85,21 +85,34 @@ impl<V: Variant + 'static> Colony<V> {
         self
     }
 
-    fn prepare(&mut self) {
-        self.variant.prepare(&self.scenario);
-        let trails = self.initial_trails();
-        self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
-    }
-
     /// The trails before the first iteration.
     fn initial_trails(&self) -> Trails {
         let mut trails = Trails::new(self.scenario.grid.len(), self.variant.initial_trail(&self.scenario));
         self.variant.shape_trails(&self.scenario, &mut trails);
         trails
     }
+}
+
+impl<V: Variant + 'static> Iterations for Colony<V> {
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
+    }
+
+    fn is_prepared(&self) -> bool {
+        self.tables.is_some()
+    }
+
+    fn prepare(&mut self) {
+        self.progress.settle(&self.scenario);
+        if !self.progress.status.is_finished() {
+            self.variant.prepare(&self.scenario);
+            let trails = self.initial_trails();
+            self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
+        }
+    }
 
     fn begin_iteration(&mut self) {
-        let Some(tables) = &mut self.tables else { return };
+        let Some(tables) = self.tables.as_mut().filter(|_| !self.constructing) else { return };
         let Tables { trails, choice, on_demand, .. } = &mut *tables;
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
@@ -140,8 +153,8 @@ impl<V: Variant + 'static> Colony<V> {
         done
     }
 
-    /// Lets every ant walk to its end. Same walks as by [`Colony::move_all`], in whatever order is fastest.
-    fn construct_solutions(&mut self) {
+    /// Lets every ant walk to its end. Same walks as by [`Iterations::move_all`], in whatever order is fastest.
+    fn move_to_the_end(&mut self) {
         if V::LOCK_STEP {
             while !self.move_all() {}
             return;
@@ -177,19 +190,7 @@ impl<V: Variant + 'static> Colony<V> {
         let iteration = Iteration { best_so_far: self.progress.best.as_ref(), ..iteration };
         self.variant.update_trails(trails, iteration);
         self.variant.daemon_actions(trails, iteration);
-        self.progress.status = self.stop();
-    }
-
-    fn stop(&self) -> Status {
-        let (done, settings) = (self.progress.effort.iterations, &self.settings);
-        let since = done - self.progress.best.as_ref().map_or(0, |b| b.iteration);
-        if settings.stagnation > 0 && self.progress.best.is_some() && since >= settings.stagnation {
-            Status::Stagnated
-        } else if done >= settings.iterations {
-            Status::BudgetSpent
-        } else {
-            Status::Running
-        }
+        self.progress.status = self.progress.after_iteration(budget, self.settings.stagnation);
     }
 }
 
@@ -256,30 +257,7 @@ fn record(iteration: &Iteration) -> Record {
 
 impl<V: Variant + 'static> Planner for Colony<V> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.progress.status.is_finished() {
-            return self.progress.status;
-        }
-        if self.tables.is_none() {
-            self.progress.settle(&self.scenario);
-            if self.progress.status.is_finished() {
-                return self.progress.status;
-            }
-            self.prepare();
-        }
-        if !self.constructing {
-            self.begin_iteration();
-        }
-        let done = match by {
-            Granularity::Move => self.move_all(),
-            Granularity::Iteration => {
-                self.construct_solutions();
-                true
-            }
-        };
-        if done {
-            self.end_iteration();
-        }
-        self.progress.status
+        advance(self, by)
     }
 
     fn progress(&self) -> &Progress {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -112,15 +112,28 @@ impl<M: Method, D: Decode> Swarm<M, D> {
             progress: Progress::default(),
         }
     }
+}
 
-    fn prepare(&mut self) {
-        let decoder = D::new(&self.scenario, &self.settings);
-        let population = Population::new(decoder.dimensions());
-        self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
+impl<M: Method, D: Decode> Iterations for Swarm<M, D> {
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
     }
 
-    /// Decodes one position; true when that completes the iteration.
-    fn decode_one(&mut self) -> bool {
+    fn is_prepared(&self) -> bool {
+        self.tables.is_some()
+    }
+
+    fn prepare(&mut self) {
+        self.progress.settle(&self.scenario);
+        if !self.progress.status.is_finished() {
+            let decoder = D::new(&self.scenario, &self.settings);
+            let population = Population::new(decoder.dimensions());
+            self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
+        }
+    }
+
+    /// Decodes one position.
+    fn move_all(&mut self) -> bool {
         let Some(Tables { decoder, population, visits }) = &mut self.tables else { return true };
         let number = self.progress.effort.iterations + 1;
         if !self.decoding {
@@ -164,45 +177,16 @@ impl<M: Method, D: Decode> Swarm<M, D> {
             iteration_worst: tally.worst,
             arrived: tally.arrived,
         });
-        self.progress.status = self.stop();
+        self.progress.status = self.progress.after_iteration(self.settings.iterations, self.settings.stagnation);
         if let (true, Some(tables)) = (self.progress.status.is_finished(), &mut self.tables) {
             tables.population = Population::default();
-        }
-    }
-
-    fn stop(&self) -> Status {
-        let (done, settings) = (self.progress.effort.iterations, &self.settings);
-        match &self.progress.best {
-            Some(b) if settings.stagnation > 0 && done - b.iteration >= settings.stagnation => Status::Stagnated,
-            _ if done >= settings.iterations => Status::BudgetSpent,
-            _ => Status::Running,
         }
     }
 }
 
 impl<M: Method, D: Decode> Planner for Swarm<M, D> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.progress.status.is_finished() {
-            return self.progress.status;
-        }
-        if self.tables.is_none() {
-            self.progress.settle(&self.scenario);
-            if self.progress.status.is_finished() {
-                return self.progress.status;
-            }
-            self.prepare();
-        }
-        let done = match by {
-            Granularity::Move => self.decode_one(),
-            Granularity::Iteration => {
-                while !self.decode_one() {}
-                true
-            }
-        };
-        if done {
-            self.end_iteration();
-        }
-        self.progress.status
+        advance(self, by)
     }
 
     fn progress(&self) -> &Progress {

@@ -165,6 +165,22 @@ export class Lab {
     await this.page.getByTestId(item).click()
   }
 
+  /** Downloads the map in a format of the export dialog. */
+  async exported(format: string): Promise<{ name: string; bytes: Buffer }> {
+    const { page } = this
+    await this.menu('map-menu', 'open-export')
+    await page.getByTestId(`export-${format}`).click()
+    await expect(page.getByTestId('export-download')).toBeEnabled()
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByTestId('export-download').click(),
+    ])
+    const chunks: Buffer[] = []
+    for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
+    await page.keyboard.press('Escape')
+    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) }
+  }
+
   async importByButton(name: string, content: string | Buffer): Promise<void> {
     await this.menu('map-menu', 'open-import')
     const file = { name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) }

@@ -108,18 +108,7 @@ test.describe('import', () => {
 })
 
 async function exported(lab: Lab, format: string): Promise<string> {
-  const { page } = lab
-  await lab.menu('map-menu', 'open-export')
-  await page.getByTestId(`export-${format}`).click()
-  await expect(page.getByTestId('export-download')).toBeEnabled()
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByTestId('export-download').click(),
-  ])
-  const chunks: Buffer[] = []
-  for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
-  await page.keyboard.press('Escape')
-  return Buffer.concat(chunks).toString('utf8')
+  return (await lab.exported(format)).bytes.toString('utf8')
 }
 
 test.describe('export', () => {

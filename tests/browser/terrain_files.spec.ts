@@ -30,21 +30,6 @@ async function openAsc(page: Page, text = ASC): Promise<Lab> {
   return lab
 }
 
-async function exported(lab: Lab, format: string): Promise<{ name: string; bytes: Buffer }> {
-  const { page } = lab
-  await lab.menu('map-menu', 'open-export')
-  await page.getByTestId(`export-${format}`).click()
-  await expect(page.getByTestId('export-download')).toBeEnabled()
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByTestId('export-download').click(),
-  ])
-  const chunks: Buffer[] = []
-  for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
-  await page.keyboard.press('Escape')
-  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) }
-}
-
 test.describe('rasters of heights', () => {
   test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
 
@@ -406,7 +391,7 @@ test.describe('terrains in links and files', () => {
     await page.getByTestId('model-slices').click()
     await page.getByTestId('resize').click()
     const before = await scenarioOf(lab)
-    const { bytes } = await exported(lab, 'experiment')
+    const { bytes } = await lab.exported('experiment')
     const document = JSON.parse(bytes.toString('utf8'))
     expect(document.heights[3]).toEqual([null, 15, 28, 33, 31, 27])
     await lab.menu('map-menu', 'gallery-open-field')
@@ -438,13 +423,13 @@ test.describe('terrains in links and files', () => {
 
   test('every format that holds heights brings them back', async ({ page }) => {
     const lab = await openAsc(page)
-    const asc = await exported(lab, 'esri-ascii')
+    const asc = await lab.exported('esri-ascii')
     expect(asc.name).toMatch(/\.asc$/)
-    const csv = await exported(lab, 'height-table')
+    const csv = await lab.exported('height-table')
     expect(csv.bytes.toString('utf8').split(/\r?\n/)[1]).toBe('11,14,18,24,26,28')
-    const tif = await exported(lab, 'geotiff')
+    const tif = await lab.exported('geotiff')
     expect(tif.bytes.subarray(0, 2).toString('latin1')).toMatch(/II|MM/)
-    const json = await exported(lab, 'scenario')
+    const json = await lab.exported('scenario')
     for (const { name, bytes } of [asc, tif, json]) {
       await lab.menu('map-menu', 'gallery-open-field')
       await expect.poll(async () => (await scenarioOf(lab)).heights).toBeNull()

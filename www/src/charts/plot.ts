@@ -2,6 +2,7 @@
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
 import type { Curves } from './curves'
+import { chartLook } from './look'
 
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
 
@@ -29,23 +30,10 @@ export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
 }
 
 function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
-  const colour = (name: string) => getComputedStyle(host).getPropertyValue(name).trim()
-  const font = `11px ${getComputedStyle(host).fontFamily}`
-  const axis = {
-    stroke: colour('--text-muted'),
-    font,
-    grid: { stroke: colour('--line'), width: 1 },
-    ticks: { show: false },
-    gap: 6,
-    labelFont: font,
-    labelSize: 16,
-    labelGap: 0,
-  }
+  const { colour, axis, frame } = chartLook(host)
   return {
-    width: Math.max(1, host.clientWidth),
-    height: Math.max(1, host.clientHeight),
+    ...frame,
     padding: [10, 12, 0, 0],
-    legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { show: false } },
     scales: { x: { time: false, range: xRange }, y: { range: yRange } },
     axes: [

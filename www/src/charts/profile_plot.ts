@@ -1,6 +1,7 @@
 /** uPlot, set up for elevation profiles in the page's colours. */
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
+import { chartLook } from './look'
 import type { Profile } from './profile_data'
 
 export interface Line {
@@ -29,23 +30,10 @@ function data(lines: Line[]): uPlot.AlignedData {
 }
 
 function options(host: HTMLElement, lines: Line[], style: ProfileStyle): uPlot.Options {
-  const colour = (name: string) => getComputedStyle(host).getPropertyValue(name).trim()
-  const font = `11px ${getComputedStyle(host).fontFamily}`
-  const axis = {
-    stroke: colour('--text-muted'),
-    font,
-    grid: { stroke: colour('--line'), width: 1 },
-    ticks: { show: false },
-    gap: 6,
-    labelFont: font,
-    labelSize: 16,
-    labelGap: 0,
-  }
+  const { colour, axis, frame } = chartLook(host)
   return {
-    width: Math.max(1, host.clientWidth),
-    height: Math.max(1, host.clientHeight),
+    ...frame,
     padding: [10, 16, 0, 0],
-    legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
     scales: { x: { time: false }, y: { range: yRange } },
     axes: [

@@ -12,7 +12,7 @@ use super::walk::Walker;
 use crate::aco::ant::Fate;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -53,17 +53,6 @@ impl<S: Space> FieldColony<S> {
         })
     }
 
-    /// Answers what needs no ants.
-    fn settle(&mut self) {
-        let [start, goal] = self.space.ends();
-        if start == goal {
-            self.progress.best = Some(Solution { path: vec![start], length: 0.0, iteration: 0, refined: None });
-            self.progress.status = Status::Optimal;
-        } else {
-            self.progress.settle(&self.scenario);
-        }
-    }
-
     /// The iteration at work, or the next one; the last one once the budget is spent.
     pub(super) fn iteration(&self) -> u32 {
         (self.progress.effort.iterations + 1).min(self.params.common.choice.iterations)
@@ -73,8 +62,28 @@ impl<S: Space> FieldColony<S> {
     pub(super) fn weight(&self, iteration: u32) -> f64 {
         force_weight(self.params.reading, iteration, self.params.common.choice.iterations)
     }
+}
+
+impl<S: Space> Iterations for FieldColony<S> {
+    fn progress_mut(&mut self) -> &mut Progress {
+        &mut self.progress
+    }
+
+    fn is_prepared(&self) -> bool {
+        self.tables.is_some()
+    }
+
+    fn prepare(&mut self) {
+        self.progress.settle(&self.scenario);
+        if !self.progress.status.is_finished() {
+            self.tables = Some(Tables::new(&self.space, &self.params, self.streams));
+        }
+    }
 
     fn begin_iteration(&mut self) {
+        if self.constructing {
+            return;
+        }
         let number = self.progress.effort.iterations + 1;
         let weight = self.weight(number);
         let Some(Tables { teams, ants, .. }) = &mut self.tables else { return };
@@ -132,45 +141,14 @@ impl<S: Space> FieldColony<S> {
             arrived: count,
         });
         teams.iter_mut().for_each(|team| team.update_trails(&self.params, ants, number));
-        self.progress.status = self.stop();
-    }
-
-    fn stop(&self) -> Status {
-        let (done, common) = (self.progress.effort.iterations, &self.params.common);
-        match &self.progress.best {
-            Some(b) if common.walk.stagnation > 0 && done - b.iteration >= common.walk.stagnation => Status::Stagnated,
-            _ if done >= common.choice.iterations => Status::BudgetSpent,
-            _ => Status::Running,
-        }
+        let common = &self.params.common;
+        self.progress.status = self.progress.after_iteration(common.choice.iterations, common.walk.stagnation);
     }
 }
 
 impl<S: Space> Planner for FieldColony<S> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.progress.status.is_finished() {
-            return self.progress.status;
-        }
-        if self.tables.is_none() {
-            self.settle();
-            if self.progress.status.is_finished() {
-                return self.progress.status;
-            }
-            self.tables = Some(Tables::new(&self.space, &self.params, self.streams));
-        }
-        if !self.constructing {
-            self.begin_iteration();
-        }
-        let done = match by {
-            Granularity::Move => self.move_all(),
-            Granularity::Iteration => {
-                while !self.move_all() {}
-                true
-            }
-        };
-        if done {
-            self.end_iteration();
-        }
-        self.progress.status
+        advance(self, by)
     }
 
     fn progress(&self) -> &Progress {
