@@ -234,6 +234,39 @@ fn eq_10_and_11_the_elite_deposits_more_and_more() {
 }
 
 #[test]
+fn eq_11_the_elite_are_the_shortest() {
+    // By four moves a path of length L has L + 1 places. Two ants, the last iteration, nothing evaporates: of 1/L1 and 1/L2 on every place
+    // of their paths the shorter one's is left twice.
+    let s = on(Grid::open(5, 4).expect("a usable size"), None, Moves::Four, (0, 0), (4, 3));
+    let set = [
+        ("initial", "uniform"),
+        ("two_colonies", "false"),
+        ("force", "false"),
+        ("ants", "2"),
+        ("iterations", "1"),
+        ("elite", "0.5"),
+        ("rho", "0"),
+        ("local_rho", "0"),
+        ("beta", "0"),
+        ("q0", "0"),
+    ];
+    let mut unequal = 0;
+    for seed in 1..=10 {
+        let mut planner = planner("terrain-epf", &s, &set, seed);
+        planner.run();
+        let record = planner.history()[0];
+        let (Some(one), Some(two)) = (record.iteration_best, record.iteration_worst) else { panic!("{record:?}") };
+        let mut trails = Vec::new();
+        assert!(record.arrived == 2 && planner.layer(Layer::Trail, &mut trails));
+        let left: f64 = trails.into_iter().map(|t| f64::from(t) - 1.0).sum();
+        let expected = 2.0 * (one + 1.0) / one + (two + 1.0) / two;
+        assert!((left - expected).abs() < 1e-4, "seed {seed}: {one} and {two}: {left}, {expected}");
+        unequal += u32::from(one < two);
+    }
+    assert!(unequal >= 5, "{unequal}");
+}
+
+#[test]
 fn second_eq_12_the_force_weighs_the_exponent_less_and_less() {
     assert_eq!([1, 50, 100].map(|it| force_weight(Reading::Repaired, it, 100)), [0.99f64 * 0.99 * 0.99, 0.125, 0.0]);
     assert_eq!([1, 50, 100].map(|it| force_weight(Reading::Printed, it, 100)), [1.0; 3], "the factor cancels in eq. 1");
@@ -241,6 +274,21 @@ fn second_eq_12_the_force_weighs_the_exponent_less_and_less() {
     assert!(close(force_factor(2.0, 0.125, 4.0), std::f64::consts::SQRT_2) && force_factor(2.0, 0.0, 4.0) == 1.0);
     assert!(close(along([3.0, 0.0, -1.5], [1.0, 1.0, 1.0], [2.0, 3.0, 3.0]), 0.0));
     assert!(close(along([3.0, 0.0, -1.5], [1.0, 1.0, 1.0], [2.0, 3.0, -1.0]), 2.0));
+}
+
+#[test]
+fn second_eq_12_eta_of_two_steps_by_hand() {
+    let s = by_slices();
+    let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
+    let field = Field::new(&space, Way::Forward, gains(Reading::Repaired));
+    let eyes = Eyes { way: Way::Forward, heuristic: Heuristic::Goal, beta: 3.0, force: Some((field, 2.5)) };
+    let etas: Vec<(Place, f64)> = eyes.eta(&space, slices.place(3, 2, 5), 0.125).collect();
+    let eta = |level| etas.iter().find(|(to, _)| *to == slices.place(4, 2, level)).expect("a step").1;
+    // At (3, 2, 5) the pull is 3·√51 / (√51 + √20) = 1.844764 along (4, 0, −2)/√20, and the push 0.1639942 down. Down along (1, 0, −1)/√2
+    // both help: (6/√20·1.844764 + 0.1639942)/√2 = 1.866058; 2.5^(0.125·1.866058) = 1.238290, and √10 are left to the goal.
+    assert!((eta(4) - 0.391582).abs() < 1e-5, "{}", eta(4));
+    // Up along (1, 0, 1)/√2: (2/√20·1.844764 − 0.1639942)/√2 = 0.467404; 2.5^(0.125·0.467404) = 1.054994, and √18 are left.
+    assert!((eta(6) - 0.248664).abs() < 1e-5, "{}", eta(6));
 }
 
 #[test]
