@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, FormatError, Notice};
 use crate::map::{Grid, Point, Window};
-use crate::scenario::{Goal, ScenarioSpec};
+use crate::scenario::{Goal, ScenarioSpec, TerrainMoves};
 
 pub use path_list::{path_kind, read_path, read_places};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
@@ -106,6 +106,7 @@ impl Imported {
         }
         let resolution = self.spec.resolution * libm::sqrt(of / to);
         self.spec = ScenarioSpec { width, height, resolution, start: ends.start, goals, ..self.spec };
+        lift_ends(&self.grid, &mut self.spec);
         self.notices.retain(|n| n.kind != ends::CHOSEN);
         self.notices.extend(ends.notice);
         Ok(self)
@@ -133,6 +134,16 @@ impl Imported {
         }
         Ok(self)
     }
+}
+
+/// By slices: raises the levels of start and goal to the ground on which they have come to lie.
+fn lift_ends(grid: &Grid, spec: &mut ScenarioSpec) {
+    let (Some(heights), Some(terrain)) = (grid.heights(), &mut spec.terrain) else { return };
+    let TerrainMoves::Slices(rules) = &mut terrain.moves else { return };
+    let (level, unit) = (rules.level, terrain.vertical_unit);
+    let lowest = |at: Point| libm::ceil(f64::from(heights[grid.cell(at) as usize]) * unit / level) as u32;
+    rules.start_level = rules.start_level.max(lowest(spec.start));
+    rules.goal_level = spec.goals.first().map_or(rules.goal_level, |goal| rules.goal_level.max(lowest(goal.at)));
 }
 
 /// A format that can be written.

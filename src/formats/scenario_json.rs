@@ -157,7 +157,11 @@ fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, Format
         for (x, value) in row.iter().enumerate() {
             values.push(match value {
                 Value::Null => f32::NAN,
-                Value::Number(n) => n.as_f64().map_or(f32::NAN, |v| v as f32),
+                Value::Number(n) => {
+                    let height = n.as_f64().map_or(f32::NAN, |v| v as f32);
+                    let wrong = || field_error(format!("{n} at ({x}, {y}) is no height"), EXPECTED);
+                    Some(height).filter(|h| h.is_finite()).ok_or_else(wrong)?
+                }
                 other => return Err(field_error(format!("{} at ({x}, {y}) is no height", quote(&other.to_string())), EXPECTED)),
             });
         }

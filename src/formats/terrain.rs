@@ -5,6 +5,7 @@ pub(super) mod geotiff;
 pub(super) mod ground;
 pub(super) mod height_table;
 pub(super) mod srtm;
+mod whole_tiles;
 
 use serde::Serialize;
 

@@ -174,6 +174,35 @@ fn tiles_are_put_together_in_both_byte_orders() {
     }
 }
 
+/// 17 × 16 bytes in tiles of 16 × 16, as GDAL 3.10 packs x mod 7 + y² mod 5; the second tile has one column of the image.
+fn packed_by_gdal(big: bool) -> Vec<u8> {
+    let tiles = [
+        "800000202018100a06814120d0800c0e0b0703c3a17110144c10090545a31068d46621178f44a212203452130f8642a0f029 \
+         245251148ecc40b3292c820d2d9c00a4f0b9dcae1b2a92ce668079b4ce3f1ba3c86812e89c0e7b299440a020",
+        "800080103824160c03834260a0685436190d84c2221068144e0b128b40e1f190046e33188cc5639208b47a4b1c81c9227228 \
+         cc04",
+    ];
+    let bytes = |tile: &str| {
+        let digits: Vec<char> = tile.chars().filter(|c| !c.is_whitespace()).collect();
+        digits.chunks(2).map(|d| u8::from_str_radix(&d.iter().collect::<String>(), 16).unwrap()).collect::<Vec<_>>()
+    };
+    let fields = [(256, 17), (257, 16), (258, 8), (259, 5), (262, 1), (277, 1), (322, 16), (323, 16), (339, 1)];
+    let fields = fields.into_iter().map(|(tag, value)| (tag, short(value))).collect();
+    by_hand(big, fields, &tiles.map(bytes), true)
+}
+
+#[test]
+fn lzw_ends_well_in_tiles_that_reach_beyond_the_image() {
+    for big in [false, true] {
+        let map = read(&packed_by_gdal(big));
+        assert_eq!((map.grid.width(), map.grid.height()), (17, 16));
+        for (i, found) in heights(&map).into_iter().enumerate() {
+            let (x, y) = (i % 17, i / 17);
+            assert_eq!(found, (x % 7 + y * y % 5) as f32, "({x}, {y})");
+        }
+    }
+}
+
 #[test]
 fn of_several_bands_the_first_is_read() {
     let bands = |planar: u16| {
@@ -311,7 +340,9 @@ fn damaged_files_are_read_or_refused() {
     let tiled = by_hand(true, more(), &[i16s(0..256, true), i16s(0..256, true)], true);
     let packed = |packing| encoded::<GrayI16>(packing, Predictor::Horizontal, |v| v as i16);
     let floats = encoded::<Gray32Float>(Compression::Deflate(DeflateLevel::Fast), Predictor::None, |v| v as f32);
-    for file in [tiled, packed(Compression::Lzw), packed(Compression::Packbits), floats] {
+    for file in
+        [tiled, packed_by_gdal(true), packed_by_gdal(false), packed(Compression::Lzw), packed(Compression::Packbits), floats]
+    {
         for length in 0..file.len() {
             let _ = import(&file[..length], "a.tif");
         }

@@ -2,9 +2,10 @@
 
 use formicarium::error::ErrorReport;
 use formicarium::formats::{
-    BinaryExport, Export, Imported, Kind, TerrainOptions, export, export_binary, import, import_terrain, sniff, survey,
+    BinaryExport, Export, Imported, Kind, TerrainOptions, export, export_binary, import, import_piece, import_terrain, sniff,
+    survey,
 };
-use formicarium::map::{Grid, Point, Window};
+use formicarium::map::{Grid, Point, SliceRules, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 
 use super::{data, notices, read, refused};
@@ -78,7 +79,7 @@ fn cells_in_degrees_are_told_and_turned_into_metres() {
 
 #[test]
 fn broken_esri_grids_are_refused_with_line_or_field() {
-    let cases: [(&str, &str, &str, &str); 14] = [
+    let cases: [(&str, &str, &str, &str); 18] = [
         ("60 ", "", "line 8", "ends after 5 heights, in row 2"),
         ("6e1", "6e1 7", "line 8", "`7` follows the last height"),
         ("2.5", "two", "line 7", "`two` is no number"),
@@ -93,6 +94,10 @@ fn broken_esri_grids_are_refused_with_line_or_field() {
         ("ncols 3", "ncols 0", "ncols", "0"),
         ("nrows 2", "ncols 2", "line 2", "`ncols` stands twice"),
         ("nrows 2", "rows 2", "line 2", "`rows` is no key"),
+        ("1 2.5 -9999\n-4 5 6e1 \n", "", "line 6", "ends after 0 heights, in row 1"),
+        ("-9999\n1 2.5 -9999\n-4 5 6e1 \n", "", "line 6", "nothing follows `nodata_value`"),
+        ("cellsize 10", "cellsize 1e300", "cellsize", "000"),
+        ("cellsize 10", "cellsize 1e-300", "cellsize", "0."),
     ];
     for (from, to, field, message) in cases {
         let text = ASC.replace("6e1\n", "6e1 \n").replace(if from == "60 " { "6e1 " } else { from }, to);
@@ -153,6 +158,29 @@ fn a_window_and_a_size_can_be_asked_for() {
         let report = import_terrain(bytes.as_bytes(), "", TerrainOptions::default()).unwrap_err().report();
         assert!(report.kind == "not-a-terrain" && report.message.contains(found), "{}", report.message);
     }
+}
+
+#[test]
+fn a_piece_by_slices_is_a_scenario_again() {
+    // A ramp of 10 m a column, levels of 10 m: the start leaves the ground's lowest column and comes to lie higher up.
+    let grid = Grid::open(8, 2).unwrap().with_heights((0..16).map(|c| (c % 8) as f32 * 10.0).collect()).unwrap();
+    let rules = SliceRules { level: 10.0, levels: 9, start_level: 1, goal_level: 8, ..SliceRules::fitting(70.0, 0.0, 70.0) };
+    let terrain = TerrainSpec { vertical_unit: 1.0, moves: TerrainMoves::Slices(rules) };
+    let ends = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(7, 1));
+    let file = export(&grid, &ScenarioSpec { terrain: Some(terrain), ..ends }, Export::Scenario);
+    let crop = Some(Window { x: 4, y: 0, width: 4, height: 2 });
+    let piece = import_piece(file.as_bytes(), "", TerrainOptions { crop, size: None }).unwrap();
+    let Some(TerrainSpec { moves: TerrainMoves::Slices(found), .. }) = piece.spec.terrain else { panic!("{piece:?}") };
+    assert_eq!((piece.spec.start, found.start_level, found.goal_level), (Point::new(0, 0), 4, 8));
+    assert_eq!(read(&export(&piece.grid, &piece.spec, Export::Scenario)).unwrap().spec, piece.spec);
+}
+
+#[test]
+fn heights_of_a_scenario_beyond_every_float_are_refused() {
+    let (grid, spec) = small();
+    let file = export(&grid, &spec, Export::Scenario);
+    let report = refused(&file.replace("1234.5", "1e39"));
+    assert!(report.message.contains("at (2, 1) is no height"), "{}", report.message);
 }
 
 #[test]

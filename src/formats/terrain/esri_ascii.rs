@@ -46,14 +46,14 @@ fn key(word: &str) -> Option<usize> {
 pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     let mut words = words(text).peekable();
     let mut header = Header::default();
+    let mut last = 0;
     while let Some(&(line, word)) = words.peek().filter(|(_, word)| number(word).is_none()) {
         words.next();
-        header.set(line, word, words.next())?;
+        last = header.set(line, word, words.next())?;
     }
     let (width, height) = header.size()?;
     // A claim costs nothing: no more is set aside than the text can hold.
     let mut heights = Vec::with_capacity((width as usize * height as usize).min(text.len() / 2 + 1));
-    let mut last = 0;
     for (line, word) in words {
         if heights.len() == width as usize * height as usize {
             return Err(FormatError::syntax(line, format!("`{}` follows the last height", quote(word)), count(width, height)));
@@ -85,15 +85,16 @@ fn number(word: &str) -> Option<f64> {
 }
 
 impl Header {
-    /// Takes a key and the word behind it.
-    fn set(&mut self, line: usize, word: &str, value: Option<(usize, &str)>) -> Result<(), FormatError> {
+    /// Takes a key and the word behind it, and tells the line of the latter.
+    fn set(&mut self, line: usize, word: &str, value: Option<(usize, &str)>) -> Result<usize, FormatError> {
         let unknown = || FormatError::syntax(line, format!("`{}` is no key of the header", quote(word)), KEYS.join(", "));
         let at = key(word).ok_or_else(unknown)?;
-        let (line, value) = value.ok_or_else(|| no_number(line, ""))?;
+        let missing = || FormatError::syntax(line, format!("nothing follows `{}`", KEYS[at]), "a number");
+        let (line, value) = value.ok_or_else(missing)?;
         let value = number(value).ok_or_else(|| no_number(line, value))?;
         match self.0[at].replace(value) {
             Some(_) => Err(FormatError::syntax(line, format!("`{}` stands twice", KEYS[at]), "each key once")),
-            None => Ok(()),
+            None => Ok(line),
         }
     }
 

@@ -4,13 +4,13 @@
 use std::io::Cursor;
 
 use tiff::decoder::ifd::Value;
-use tiff::decoder::{Decoder, DecodingResult, Limits};
+use tiff::decoder::{ChunkType, Decoder, DecodingResult, Limits};
 use tiff::encoder::{Compression, DeflateLevel, TiffEncoder, colortype::Gray32Float};
 use tiff::tags::Tag;
 use tiff::{ColorType, TiffError, TiffResult};
 
 use super::super::Kind;
-use super::{Raster, check_claim, esri_ascii, ground};
+use super::{Raster, check_claim, esri_ascii, ground, whole_tiles};
 use crate::error::{FormatError, Notice};
 use crate::map::Grid;
 
@@ -18,7 +18,7 @@ use crate::map::Grid;
 const MOST_CELLS_PER_BYTE: u64 = 1100;
 
 /// Most bytes of a strip or tile, and of what is read for one.
-const MAX_CHUNK: usize = 512 << 20;
+const MAX_CHUNK: usize = 128 << 20;
 
 /// Cells below this are degrees, if nothing says what they are and the corner can be one.
 const LARGEST_DEGREE: f64 = 0.1;
@@ -29,6 +29,9 @@ const GEOGRAPHIC: u16 = 2;
 
 /// ProjLinearUnitsGeoKey: the unit of projected coordinates.
 const LINEAR_UNITS: u16 = 3076;
+
+/// How tag Compression says LZW.
+const LZW: u16 = 5;
 
 type Tiff<'a> = Decoder<Cursor<&'a [u8]>>;
 
@@ -42,10 +45,7 @@ pub(in crate::formats) fn looks_like(bytes: &[u8]) -> bool {
 /// # Errors
 /// [`FormatError`]: the file is broken, claims more than it can hold, or is a picture.
 pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
-    let mut limits = Limits::default();
-    limits.decoding_buffer_size = MAX_CHUNK;
-    limits.intermediate_buffer_size = MAX_CHUNK;
-    let mut tiff = Decoder::new(Cursor::new(bytes)).map_err(broken)?.with_limits(limits);
+    let mut tiff = open(bytes)?;
     let (width, height) = tiff.dimensions().map_err(broken)?;
     let (width, height) = check_claim(u64::from(width), u64::from(height))?;
     if u64::from(width) * u64::from(height) > bytes.len() as u64 * MOST_CELLS_PER_BYTE {
@@ -55,15 +55,42 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
     let bands = bands(&mut tiff)?;
     let (cell, notices) = cells(&mut tiff, (width, height))?;
     let no_data = no_data(&mut tiff)?;
+    let whole = whole(&mut tiff, bytes, (width, height))?;
+    if let Some(file) = &whole {
+        tiff = open(file)?;
+    }
     let heights = heights(&mut tiff, (width, height), bands, no_data)?;
     Ok(Raster { kind: Kind::Geotiff, width, height, heights, cell, notices })
 }
 
+fn open(bytes: &[u8]) -> Result<Tiff<'_>, FormatError> {
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = MAX_CHUNK;
+    limits.intermediate_buffer_size = MAX_CHUNK;
+    Ok(Decoder::new(Cursor::new(bytes)).map_err(broken)?.with_limits(limits))
+}
+
+/// The file with an image that ends together with its tiles, where they are packed by LZW and it does not.
+fn whole(tiff: &mut Tiff, bytes: &[u8], (width, height): (u32, u32)) -> Result<Option<Vec<u8>>, FormatError> {
+    let is_tiled = tiff.get_chunk_type() == ChunkType::Tile;
+    if !is_tiled || tiff.find_tag_unsigned::<u16>(Tag::Compression).map_err(broken)? != Some(LZW) {
+        return Ok(None);
+    }
+    let (tile_width, tile_height) = tiff.chunk_dimensions();
+    let up = |side: u32, tile: u32| side.checked_next_multiple_of(tile);
+    let (Some(wide), Some(high)) = (up(width, tile_width), up(height, tile_height)) else { return Ok(None) };
+    if (wide, high) == (width, height) {
+        return Ok(None);
+    }
+    Ok(tiff.ifd_pointer().and_then(|directory| whole_tiles::with_sides(bytes, directory.0, [wide, high])))
+}
+
 fn broken(error: TiffError) -> FormatError {
     match error {
-        TiffError::LimitsExceeded | TiffError::IntSizeError => {
-            FormatError::TooLarge { what: "a strip or tile".into(), max: format!("{} MiB", MAX_CHUNK >> 20) }
-        }
+        TiffError::LimitsExceeded | TiffError::IntSizeError => FormatError::TooLarge {
+            what: "a strip, a tile or a list in the file".into(),
+            max: format!("{} MiB", MAX_CHUNK >> 20),
+        },
         TiffError::UnsupportedError(what) => {
             FormatError::field("TIFF", what.to_string(), "numbers of 8 to 64 bits, plain or by LZW or deflate")
         }
@@ -138,13 +165,15 @@ fn placed(tiff: &mut Tiff, (width, height): (u32, u32)) -> Result<Option<Placed>
         let &[x, y, ..] = scale.as_slice() else {
             return Err(FormatError::field("ModelPixelScale", format!("{} numbers", scale.len()), "3 numbers"));
         };
+        // As GDAL has it, whatever the sign: rows run southwards.
+        let (x, y) = (x.abs(), y.abs());
         let tie = numbers(tiff, Tag::ModelTiepointTag)?.unwrap_or_default();
         let middle = match tie.as_slice() {
             &[i, j, _, at_x, at_y, ..] => [at_x + (column - i) * x, at_y - (row - j) * y],
             // Not on Earth, so that nothing is taken for degrees.
             _ => [f64::INFINITY; 2],
         };
-        return Ok(Some(Placed { cell: [x.abs(), y.abs()], middle }));
+        return Ok(Some(Placed { cell: [x, y], middle }));
     }
     let Some(m) = numbers(tiff, Tag::ModelTransformationTag)? else { return Ok(None) };
     if m.len() != 16 {
@@ -177,15 +206,15 @@ fn heights(tiff: &mut Tiff, (width, height): (u32, u32), bands: usize, no_data: 
         if lengths.get(index as usize) == Some(&0) {
             continue;
         }
-        let columns = tiff.chunk_data_dimensions(index).0 as usize;
-        let chunk = first_band(tiff.read_chunk(index).map_err(broken)?, bands, no_data)?;
-        let corner = (index / across * chunk_height) as usize * width as usize + (index % across * chunk_width) as usize;
-        for (y, row) in chunk.chunks_exact(columns).enumerate() {
-            let from = corner + y * width as usize;
-            if let Some(place) = heights.get_mut(from..from + row.len()) {
-                place.copy_from_slice(row);
-            }
-        }
+        let (column, row) = (index % across * chunk_width, index / across * chunk_height);
+        let place = Place {
+            corner: row as usize * width as usize + column as usize,
+            width: width as usize,
+            columns: tiff.chunk_data_dimensions(index).0 as usize,
+            taken: chunk_width.min(width - column) as usize,
+            bands,
+        };
+        place.fill(&mut heights, tiff.read_chunk(index).map_err(broken)?, no_data)?;
     }
     Ok(heights)
 }
@@ -197,29 +226,55 @@ fn lengths(tiff: &mut Tiff) -> TiffResult<Vec<u64>> {
     Ok(strips.or(tiles).unwrap_or_default())
 }
 
-/// The first of `bands` numbers of each cell.
-fn first_band(chunk: DecodingResult, bands: usize, no_data: Option<f64>) -> Result<Vec<f32>, FormatError> {
-    fn each<T: Copy>(values: &[T], bands: usize, height: impl Fn(T) -> Option<f32>) -> Option<Vec<f32>> {
-        values.iter().step_by(bands.max(1)).map(|&v| height(v)).collect()
+/// Where a strip or tile lies among the heights.
+struct Place {
+    /// Index of its upper left cell.
+    corner: usize,
+    /// Columns of the image.
+    width: usize,
+    /// Cells of its rows, and how many of them belong to the image.
+    columns: usize,
+    taken: usize,
+    /// Numbers of a cell.
+    bands: usize,
+}
+
+impl Place {
+    /// Puts the first number of each cell where it belongs; nothing is made on the way, since a strip may be the whole image.
+    fn fill(&self, heights: &mut [f32], chunk: DecodingResult, no_data: Option<f64>) -> Result<(), FormatError> {
+        let height = |value: f64| {
+            let missing = value.is_nan() || no_data.is_some_and(|no| value == no || value as f32 == no as f32);
+            if missing { Some(f32::NAN) } else { Some(value as f32).filter(|h| h.is_finite()) }
+        };
+        let filled = match chunk {
+            DecodingResult::U8(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::U16(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::U32(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::U64(v) => self.each(heights, &v, |v| height(v as f64)),
+            DecodingResult::I8(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::I16(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::I32(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::I64(v) => self.each(heights, &v, |v| height(v as f64)),
+            DecodingResult::F16(v) => self.each(heights, &v, |v| height(v.to_f64())),
+            DecodingResult::F32(v) => self.each(heights, &v, |v| height(v.into())),
+            DecodingResult::F64(v) => self.each(heights, &v, height),
+        };
+        filled.ok_or_else(|| FormatError::field("heights", "a height is infinite", "finite numbers, or the value for no data"))
     }
-    let height = |value: f64| {
-        let missing = value.is_nan() || no_data.is_some_and(|no| value == no || value as f32 == no as f32);
-        if missing { Some(f32::NAN) } else { Some(value as f32).filter(|h| h.is_finite()) }
-    };
-    let heights = match chunk {
-        DecodingResult::U8(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::U16(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::U32(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::U64(v) => each(&v, bands, |v| height(v as f64)),
-        DecodingResult::I8(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::I16(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::I32(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::I64(v) => each(&v, bands, |v| height(v as f64)),
-        DecodingResult::F16(v) => each(&v, bands, |v| height(v.to_f64())),
-        DecodingResult::F32(v) => each(&v, bands, |v| height(v.into())),
-        DecodingResult::F64(v) => each(&v, bands, height),
-    };
-    heights.ok_or_else(|| FormatError::field("heights", "a height is infinite", "finite numbers, or the value for no data"))
+
+    /// None where a number is no height.
+    fn each<T: Copy>(&self, heights: &mut [f32], numbers: &[T], height: impl Fn(T) -> Option<f32>) -> Option<()> {
+        let bands = self.bands.max(1);
+        for (y, row) in numbers.chunks_exact(self.columns.max(1) * bands).enumerate() {
+            let from = self.corner + y * self.width;
+            // The rest of a tile lies below the image.
+            let Some(cells) = heights.get_mut(from..from + self.taken) else { break };
+            for (cell, &number) in cells.iter_mut().zip(row.iter().step_by(bands)) {
+                *cell = height(number)?;
+            }
+        }
+        Some(())
+    }
 }
 
 /// A terrain as a GeoTIFF of f32 in metres, deflated; projected, with its upper left corner at (0, 0).

@@ -21,12 +21,14 @@ pub(super) fn cell(degrees: [f64; 2], latitude: f64) -> Result<([f64; 2], Notice
     Ok((cell, notice.with("x", format!("{:.2}", cell[0])).with("y", format!("{:.2}", cell[1]))))
 }
 
+/// Sizes of cells, in metres or degrees: beyond them the products and quotients of lengths are none.
+const SIZES: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
 /// # Errors
-/// [`FormatError::Field`] for a size of a cell that is no positive number.
+/// [`FormatError::Field`] for a size of a cell that is no positive number, or beyond all lengths.
 pub(super) fn check_cell(field: &'static str, cell: [f64; 2]) -> Result<[f64; 2], FormatError> {
-    let usable = |metres: f64| metres.is_finite() && metres > 0.0;
-    if usable(cell[0]) && usable(cell[1]) {
+    if cell.iter().all(|side| SIZES.contains(side)) {
         return Ok(cell);
     }
-    Err(FormatError::field(field, format!("cells of {} × {}", cell[0], cell[1]), "positive numbers"))
+    Err(FormatError::field(field, format!("cells of {} × {}", cell[0], cell[1]), "positive numbers, from 1e-9 to 1e9"))
 }
