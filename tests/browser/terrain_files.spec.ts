@@ -276,6 +276,41 @@ test.describe('on a terrain', () => {
     await expect(page.getByTestId('no-place')).toBeVisible()
   })
 
+  test('levels below the ground are lifted, and that is said', async ({ page }) => {
+    const lab = await openAsc(page)
+    await page.getByTestId('terrain-model').click()
+    await page.getByTestId('model-slices').click()
+    for (const [field, value] of [
+      ['slices-level', 5],
+      ['slices-levels', 9],
+      ['slices-start_level', 1],
+      ['slices-goal_level', 9],
+    ] as const) {
+      await page.getByTestId(field).fill(String(value))
+      await page.getByTestId(field).press('Tab')
+    }
+    await page.getByTestId('resize').click()
+    // The start lies on 10 m: levels of 5 m begin at the second there.
+    await expect(page.getByTestId('toast-warning')).toContainText(
+      'start at level 2, goal at level 9',
+    )
+    await expect(page.getByTestId('terrain-model')).toHaveText('By slices, 9 levels of 5 m, 2 → 9')
+    expect((await scenarioOf(lab)).spec.terrain?.slices?.start_level).toBe(2)
+    await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
+    await expect(page.locator('.plot-hint')).toContainText('Cost by iteration')
+  })
+
+  test('a limit of slope is seen beside the moves', async ({ page }) => {
+    await openAsc(page)
+    await page.getByTestId('terrain-model').click()
+    await page.getByTestId('max-slope').fill('12.5')
+    await page.getByTestId('max-slope').press('Tab')
+    await page.getByTestId('resize').click()
+    await expect(page.getByTestId('terrain-model')).toHaveText(
+      'On the surface, 8 moves, up to 12.5°',
+    )
+  })
+
   test('planners that do not know the ground are told apart, and a panel says what to do', async ({
     page,
   }) => {

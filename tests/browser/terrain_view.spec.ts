@@ -289,6 +289,44 @@ test.describe('in three dimensions', () => {
     await expect(page.getByTestId('announcement')).not.toHaveText(said ?? '')
   })
 
+  test('marks follow the theme, and a click with the tool for walls leads to the flat map', async ({
+    page,
+  }) => {
+    await page.emulateMedia({ colorScheme: 'light' })
+    await openTerrain(page, 'terrain-hills')
+    await openRelief(page)
+    const marks = () =>
+      page.evaluate(() => {
+        const overlay = document.querySelectorAll<HTMLCanvasElement>('.stage.relief canvas')[1]
+        const data = overlay?.getContext('2d')?.getImageData(0, 0, overlay.width, overlay.height)
+        return data?.data.reduce(
+          (sum, value, i) => (sum * 31 + value * (1 + (i % 4))) % 1_000_003,
+          7,
+        )
+      })
+    const light = await marks()
+    await page.emulateMedia({ colorScheme: 'dark' })
+    await expect.poll(marks).not.toBe(light)
+    await page.getByTestId('tool-wall').click()
+    const { x, y } = await middleOf(page)
+    await page.mouse.click(x, y)
+    const told = page.getByTestId('toast-info').filter({ hasText: 'Walls are drawn' })
+    await told.getByRole('button', { name: 'See the map from above' }).click()
+    await expect(reliefs(page)).toHaveCount(0)
+  })
+
+  test('ground that is flattened says by how much', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    // Cells of 1 m, heights of kilometres.
+    await lab.paste('ncols 3\nnrows 2\ncellsize 1\n0 1000 2000\n500 1500 3000\n')
+    await page.getByTestId('terrain-open').click()
+    await expect(page.getByTestId('view-solid')).toBeVisible()
+    await openRelief(page)
+    // 0.17 · 3 cells / 3000 cells of relief.
+    await expect(page.locator('.stretch-field output')).toHaveText('0.00017×')
+  })
+
   test('by slices Page Up and Page Down change the level of an end', async ({ page }) => {
     const lab = await openTerrain(page, 'terrain-slices')
     const level = async () => (await lab.session()).scenario.spec.terrain?.slices?.start_level

@@ -15,7 +15,7 @@ async function wholeCatalog(): Promise<Catalog> {
 
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
-  const { planners: named, params, options, presets } = zhCNEngine
+  const { planners: named, params, options, presets, meanings } = zhCNEngine
   const missing: string[] = []
   const look = (where: object, what: string, keys: string[]) => {
     for (const key of keys) if (!(key in where)) missing.push(`${what}.${key}`)
@@ -29,12 +29,12 @@ test('everything in the catalog has a Chinese name', async () => {
     )
     for (const { key, kind } of planner.params) {
       look(params, 'params', [key])
-      if (kind.type === 'choice')
-        look(
-          options,
-          'options',
-          kind.options.map(({ id }) => id),
-        )
+      if (kind.type !== 'choice') continue
+      const ids = kind.options.map(({ id }) => id)
+      look(options, 'options', ids)
+      // Options that are planners are told by their names.
+      const told = ids.filter((id) => !(id in named))
+      look((meanings as Record<string, object>)[key] ?? {}, `meanings.${key}`, told)
     }
   }
   expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn_engine.ts').toEqual([])

@@ -79,6 +79,10 @@ function levels() {
   })
 }
 
+/** By slices, what the curves show need not be a length. */
+const showsCost = () =>
+  objectives.value.includes('slice-cost') && objectiveWord('slice-cost') === 'slice-cost'
+
 function Plot() {
   const host = useRef<HTMLDivElement>(null)
   const empty = useComputed(isEmpty)
@@ -87,7 +91,7 @@ function Plot() {
   return (
     <div class="plot" data-empty={empty}>
       <div ref={host} class="plot-host" role="img" aria-label={words} data-testid="chart" />
-      <p class="plot-hint">{t('chart.empty')}</p>
+      <p class="plot-hint">{t(showsCost() ? 'chart.emptyCost' : 'chart.empty')}</p>
     </div>
   )
 }
@@ -99,8 +103,9 @@ function isEmpty(): boolean {
 /** The curve in words, for those who cannot see it; the table beside it has the numbers. */
 function describe(): string {
   const parts = panels.value.map(({ id, live }) => {
-    const length = live.value.summary?.metrics?.length
-    return `${panelTitle(id)}: ${length === undefined ? '–' : numbers.value.length.format(length)}`
+    const { metrics, value } = live.value.summary ?? {}
+    const length = showsCost() ? value : metrics?.length
+    return `${panelTitle(id)}: ${length == null ? '–' : numbers.value.length.format(length)}`
   })
   return `${t('chart.title')}. ${parts.join('; ')}`
 }
@@ -160,6 +165,6 @@ function plotStyle(): PlotStyle {
     showIterationBest: showIterationBest.value,
     showMean: showMean.value,
     levels: levels().map(({ length }) => length),
-    axisLabels: { x: t('chart.iteration'), y: t('chart.length') },
+    axisLabels: { x: t('chart.iteration'), y: t(showsCost() ? 'chart.cost' : 'chart.length') },
   }
 }

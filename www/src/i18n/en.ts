@@ -212,6 +212,7 @@ export const en = {
     mean: 'Mean',
     iteration: 'Iteration',
     length: 'Length of path',
+    cost: 'Cost of path',
     levels: {
       length: 'Optimum {{length}}',
       'polyline-length': 'Shortest polyline {{length}}',
@@ -220,6 +221,7 @@ export const en = {
       'slice-length': 'Shortest path {{length}}',
     },
     empty: 'Path length by iteration appears here as soon as a path is found.',
+    emptyCost: 'Cost by iteration appears here as soon as a path is found.',
   },
   metrics: {
     title: 'Comparison',
@@ -293,6 +295,7 @@ export const en = {
     slider: '{{name}}, slider',
     twin: 'Same parameters and seed as {{planner}}: both will walk alike. Change one.',
     toMap: 'Back to the map',
+    option: '. {{name}}: {{meaning}}',
   },
   goals: {
     title: 'Goals',

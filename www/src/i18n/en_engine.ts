@@ -20,5 +20,7 @@ export const enEngine = {
   notices: {
     'matrix-one-is-blocked':
       '0 was read as free and 1 as blocked. If the file means the opposite, choose “Swap walls and free cells” in the map menu.',
+    'terrain-cell-size':
+      'The file does not say how large its cells are: 1 m is assumed; change it in “Size, moves and terrain…”.',
   },
 }

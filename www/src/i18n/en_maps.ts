@@ -12,7 +12,11 @@ export const enMaps = {
   terrain: {
     bySlices: 'by slices',
     surfaceNow: 'On the surface, {{moves}} moves',
-    slicesNow: 'By slices, {{levels}} levels of {{level}} m',
+    slopeNow: 'On the surface, {{moves}} moves, up to {{slope}}°',
+    slicesNow: 'By slices, {{levels}} levels of {{level}} m, {{start}} → {{goal}}',
+    ends: 'Start at level {{start}}, goal at level {{goal}}. Change how one moves',
+    lifted: 'The ground there is higher: start at level {{start}}, goal at level {{goal}}',
+    liftedHint: 'Move them to lower ground first, then set their levels.',
     change: 'Change how one moves',
     levelIs: '{{end}} at level {{level}} of {{levels}}, {{metres}} metres',
     levelStays: '{{end}} stays at level {{level}} of {{levels}}: ground or highest level',

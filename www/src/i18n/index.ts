@@ -85,6 +85,8 @@ export const numbers = computed(() => ({
   }),
   /** Heights and sizes in metres, as precise as is worth reading. */
   metres: new Intl.NumberFormat(language.value, { maximumFractionDigits: 2 }),
+  /** How many times something is exaggerated, or, below 1, flattened. */
+  times: new Intl.NumberFormat(language.value, { maximumSignificantDigits: 2 }),
   share: new Intl.NumberFormat(language.value, { style: 'percent', maximumSignificantDigits: 2 }),
   percent: new Intl.NumberFormat(language.value, {
     style: 'percent',

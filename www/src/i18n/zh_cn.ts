@@ -207,6 +207,7 @@ export const zhCN: Shape<typeof en> = {
     mean: '平均',
     iteration: '迭代',
     length: '路径长度',
+    cost: '路径代价',
     levels: {
       length: '最优 {{length}}',
       'polyline-length': '最短折线 {{length}}',
@@ -215,6 +216,7 @@ export const zhCN: Shape<typeof en> = {
       'slice-length': '最短路径 {{length}}',
     },
     empty: '找到路径后，这里会显示路径长度随迭代的变化。',
+    emptyCost: '找到路径后，这里会显示代价随迭代的变化。',
   },
   metrics: {
     title: '对比',
@@ -286,6 +288,7 @@ export const zhCN: Shape<typeof en> = {
     slider: '{{name}}，滑块',
     twin: '参数与种子和 {{planner}} 相同：两者走法将完全一样。请改变其中一个。',
     toMap: '回到地图',
+    option: '。{{name}}：{{meaning}}',
   },
   goals: {
     title: '目标',

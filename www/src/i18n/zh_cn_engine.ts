@@ -240,6 +240,59 @@ export const zhCNEngine = {
     none: '不拉直',
     die: '死亡',
   },
+  meanings: {
+    heuristic: {
+      detour: 'η = 1 / (1 + c_ij + d(j, 终点) − d(i, 终点))：绕行多小；d 为空地图上的长度',
+      goal: 'η = 1 / d(j, 终点)，欧氏距离',
+      step: 'η = 1 / d_ij，即这一步的长度：按印刷的公式，只偏爱直步',
+      both: 'η = 1 / (d_ij + d(j, 终点))：两者之和，与教材程序相同',
+    },
+    dead_end: {
+      backtrack: '蚂蚁逐格回退，直到还有可走的邻格；退出的格子留在禁忌表中',
+      die: '蚂蚁死亡，不留信息素',
+    },
+    objective: {
+      weight: 'Σ R，各路段长度乘以所到目标的权重 b = 1/(s·w·a)',
+      length: '整个巡回的长度',
+    },
+    order: {
+      weight: 'Σ R，各路段长度乘以所到目标的权重 b = 1/(s·w·a)：式 8',
+      distance: '巡回的长度：基本算法',
+    },
+    order_rule: {
+      improved: '式 9：以概率 r0 取最好的，否则同基本算法',
+      basic: '式 3：与 τ^α·η^β 成正比',
+    },
+    legs: {
+      improved: '式 9：以概率 r0 取最好的，否则同基本算法',
+      basic: '式 3：与 τ^α·η^β 成正比',
+    },
+    leg_length: {
+      grid: '地图上的最短路径',
+      euclidean: '直线距离，不管其间有什么：按论文',
+    },
+    reading: {
+      repaired: '公式按论文正文自己的说法理解',
+      printed: '公式照字面理解',
+    },
+    update: {
+      weighted: '式 9–11 与 14：全局最优与本代最优路径加权留下信息素，本代最差路径减去',
+      'all-ants': '式 12，论文第 4 步所指：到达的蚂蚁都留下信息素，同蚂蚁系统',
+    },
+    refinement: {
+      farthest: '视线内最远的后续点',
+      next: '第一个看不见的点之前的那一点',
+      none: '保留每一点：路径仍是逐格的',
+    },
+    initial: {
+      field: 'τ0·F′_tot，至少为 τ0 的 1 %：式 14',
+      uniform: '处处为 τ0',
+    },
+    rule: {
+      threshold: '在概率不超过阈值的步中轮盘赌；没有这样的步时取任一步',
+      proportional: '在所有步中轮盘赌，同蚂蚁系统',
+    },
+  },
   grounds: {
     plane: '在平面上',
     surface: '在地形表面上',
@@ -254,7 +307,7 @@ export const zhCNEngine = {
       '0 读作空闲，1 读作障碍。若含义相反，请在地图菜单中选择“交换墙与空地”。',
     'map-type': '地图类型为“{{value}}”，按 octile 读取。',
     'heights-in-table': '数字读作高程（米）：地图只含 0 和 1。',
-    'terrain-cell-size': '文件没有给出格子的大小：按 1 米计，请设置分辨率。',
+    'terrain-cell-size': '文件没有给出格子的大小：按 1 米计，可在“尺寸、移动与地形…”中更改。',
     'terrain-no-data': '{{count}} 格没有数据，作为障碍。',
     'terrain-geographic': '格子以度计：在纬度 {{latitude}}° 处宽 {{x}} 米、高 {{y}} 米。',
     'terrain-no-latitude': '文件名没有给出纬度（如 N40W106.hgt）：格子按赤道处的大小计。',

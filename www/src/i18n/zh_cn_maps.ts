@@ -15,7 +15,11 @@ export const zhCNMaps: Shape<typeof enMaps> = {
   terrain: {
     bySlices: '按切片',
     surfaceNow: '沿地表，{{moves}} 方向',
-    slicesNow: '按切片，{{levels}} 层，每层 {{level}} 米',
+    slopeNow: '沿地表，{{moves}} 方向，坡度不超过 {{slope}}°',
+    slicesNow: '按切片，{{levels}} 层 × {{level}} 米，{{start}} → {{goal}}',
+    ends: '起点在第 {{start}} 层，终点在第 {{goal}} 层。更改移动方式',
+    lifted: '该处地面更高：起点改在第 {{start}} 层，终点改在第 {{goal}} 层',
+    liftedHint: '请先把它们移到较低的地面，再设置所在层。',
     change: '更改移动方式',
     levelIs: '{{end}}位于第 {{level}} 层（共 {{levels}} 层），{{metres}} 米',
     levelStays: '{{end}}仍在第 {{level}} 层（共 {{levels}} 层）：已到地面或最高层',

@@ -1,7 +1,7 @@
 /** The control of one parameter: its kind and range come from the catalog. */
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import { t } from '../i18n'
+import { engineText, t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../messages'
 import { plannerEntry } from '../state'
@@ -45,12 +45,13 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
 }
 
 /** What the option on show does; the others say so when they are chosen. */
-function chosenMeaning({ kind }: ParamSpec, value: Value): string {
+function chosenMeaning({ key, kind }: ParamSpec, value: Value): string {
   if (kind.type !== 'choice') return ''
   const option = kind.options.find(({ id }) => id === value)
   // The name of a planner says it already.
   if (!option || plannerEntry(option.id)) return ''
-  return `. ${optionName(option.id)}: ${option.meaning}`
+  const meaning = engineText(`meanings.${key}.${option.id}`, option.meaning)
+  return t('parameters.option', { name: optionName(option.id), meaning })
 }
 
 function Control({ spec, value, error, onChange, id }: ParameterControlProps & { id: string }) {

@@ -1,4 +1,4 @@
-import type { Layer, Objective } from '@pkg/formicarium'
+import type { Layer, Objective, ScenarioSpec, SliceRules } from '@pkg/formicarium'
 import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
@@ -59,20 +59,35 @@ function TerrainModel() {
   const spec = scenario.value?.spec
   if (!spec?.terrain) return null
   const { slices } = spec.terrain
-  const args = { levels: slices?.levels, level: numbers.value.metres.format(slices?.level ?? 0) }
   return (
     <button
       type="button"
       class="link"
       data-testid="terrain-model"
-      title={t('terrain.change')}
+      title={slices ? t('terrain.ends', endLevels(slices)) : t('terrain.change')}
       onClick={() => show('resize')}
     >
-      {slices
-        ? t('terrain.slicesNow', args)
-        : t('terrain.surfaceNow', { moves: spec.movement.moves })}
+      {slices ? slicesWords(slices) : surfaceWords(spec)}
     </button>
   )
+}
+
+/** The levels of the ends are seen nowhere else on the flat map. */
+function slicesWords(slices: SliceRules): string {
+  const level = numbers.value.metres.format(slices.level)
+  return t('terrain.slicesNow', { levels: slices.levels, level, ...endLevels(slices) })
+}
+
+const endLevels = ({ start_level, goal_level }: SliceRules) => ({
+  start: start_level,
+  goal: goal_level,
+})
+
+/** A limit of slope may be all that stands in the way. */
+function surfaceWords({ movement: { moves }, terrain }: ScenarioSpec): string {
+  const slope = terrain?.max_slope ?? 90
+  if (slope >= 90) return t('terrain.surfaceNow', { moves })
+  return t('terrain.slopeNow', { moves, slope: numbers.value.metres.format(slope) })
 }
 
 /** What can be reached at best, by everything the panels are measured by. */

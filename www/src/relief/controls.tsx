@@ -49,7 +49,7 @@ function Choice({ on, words }: { on: boolean; words: 'flat' | 'solid' }) {
 function Stretch() {
   const id = useId()
   const { least, most, step } = stretches.value
-  const times = numbers.value.metres.format(Number(stretch.value.toPrecision(2)))
+  const times = numbers.value.times.format(stretch.value)
   return (
     <span class="field stretch-field" data-tip={t('relief.stretch')}>
       <label for={id} class="visually-hidden">

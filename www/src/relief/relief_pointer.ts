@@ -3,11 +3,13 @@
  * shifts it, wheel and pinching zoom. Start and goals can be taken up with any tool; a click with their tools puts them down.
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
+import { t } from '../i18n'
 import type { Cell } from '../maps/edit'
 import { type Brush, brushFor, newGesture, stroke } from '../stage/brush'
 import type { CanvasSize, Cursor } from '../stage/look'
-import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
+import { activeGoal, applyEdit, notify, refuseMoreGoals, scenario, tool } from '../state'
 import { orbit, resetEye, shiftEye, zoomEye } from './eye'
+import { showRelief } from './mode'
 import { endsOf, markSize } from './overlay'
 import type { ReliefView } from './relief_view'
 
@@ -121,7 +123,13 @@ export class ReliefPointer {
   private click(at: Point): void {
     const now = scenario.peek()
     const cell = this.view.cellAt(at)
-    if (!now || !cell || !placesEnds()) return
+    if (!now || !cell || tool.peek() === 'pan') return
+    if (!placesEnds()) {
+      notify('info', t('relief.wallsFlat'), {
+        action: { label: t('relief.flatHint'), run: () => void showRelief(false) },
+      })
+      return
+    }
     const brush = brushFor(tool.peek(), now, cell, activeGoal.peek())
     if (brush === null) refuseMoreGoals()
     else if (brush.kind !== 'wall') {

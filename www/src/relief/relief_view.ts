@@ -143,6 +143,7 @@ export class ReliefView implements RasterWatcher {
       effect(() => {
         this.scene()
         this.cursor.value
+        theme.value
         markedCell(this.panelId)
         drawSoon(this.drawMarks)
       }),

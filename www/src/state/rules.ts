@@ -1,11 +1,11 @@
 /** How one moves: the map's size, its moves, and what a terrain asks besides. */
-import type { Movement, TerrainFields } from '@pkg/formicarium'
+import type { Movement, SliceRules, TerrainFields } from '@pkg/formicarium'
 import { t } from '../i18n'
 import { applyEditTo } from '../maps/edit'
 import { type End, liftEnds, shiftLevel } from '../maps/terrain'
 import type { Scenario } from '../session'
 import { fitView } from '../stage/view'
-import { announce } from './notices'
+import { announce, notify } from './notices'
 import { commit } from './scenarios'
 import { scenario } from './store'
 
@@ -40,8 +40,17 @@ export function setRules(rules: Rules): boolean {
   if (!now || !after) return false
   if (JSON.stringify(after.spec) === JSON.stringify(now.spec)) return true
   commit(after)
+  tellLifted(rules.terrain?.slices, after.spec.terrain?.slices)
   if (after.cells.length !== now.cells.length || after.spec.width !== now.spec.width) fitView()
   return true
+}
+
+/** Levels below the ground are not taken as they were given. */
+function tellLifted(asked: SliceRules | undefined, taken: SliceRules | undefined): void {
+  if (!asked || !taken) return
+  const { start_level: start, goal_level: goal } = taken
+  if (start === asked.start_level && goal === asked.goal_level) return
+  notify('warning', t('terrain.lifted', { start, goal }), { hint: t('terrain.liftedHint') })
 }
 
 /** Levels that are changed one after the other are undone together. */
