@@ -394,6 +394,11 @@ fn plan_walks_on_terrains() {
     // Two flat steps, and two of 10 m over 10 m: 2 + 2·√2.
     plan(&[]).ends(0).says(&["4.8284 cells along the ground = 48.2843 m", "10.0 m up, 10.0 m down, at most 45.0°"]);
     plan(&["--moves", "16"]).ends(0);
+    // Cells of 20 m: two flat steps, and two of 10 m over 20 m, 2 + 2·√1.25.
+    plan(&["--resolution", "20"]).ends(0).says(&["4.2361 cells along the ground = 84.7214 m"]);
+    folder.run(&["convert", "ridge.asc", "wide.asc", "--resolution", "30"]).ends(0);
+    assert!(folder.read("wide.asc").contains("cellsize 30"));
+    plan(&["--resolution", "0"]).ends(2).says(&["a positive number of metres"]);
     plan(&["--max-slope", "34"]).ends(1).says(&["no path leads from start to goal"]);
     plan(&["--vertical-unit", "0.5"]).ends(0).says(&["5.0 m up", "at most 26.6°"]);
     let result = plan(&["--format", "json"]).ends(0).json();

@@ -40,6 +40,9 @@ pub struct Args {
     /// The same ground in this number of cells: heights are interpolated, walls taken from the nearest cell
     #[arg(long, value_name = "WxH", value_parser = input::size)]
     size: Option<(u32, u32)>,
+    /// Metres per cell, where the file says nothing or something else
+    #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
+    resolution: Option<f64>,
 }
 
 /// A format that can be written.
@@ -119,6 +122,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     if args.invert {
         map = map.invert()?;
     }
+    map.spec.resolution = args.resolution.unwrap_or(map.spec.resolution);
     text::notes(&map.notices);
     tell_of_losses(format, &map);
     input::write(Some(&args.output), &format.write(&map)?)?;

@@ -47,6 +47,9 @@ pub struct MovementArgs {
     /// Moves a cell offers [default: the map's, else 8]
     #[arg(long, value_name = "4|8|16", hide_possible_values = true, value_parser = moves())]
     pub moves: Option<Moves>,
+    /// Metres per cell [default: the map's, else 1]
+    #[arg(long, value_name = "M", value_parser = metres, allow_negative_numbers = true)]
+    pub resolution: Option<f64>,
 }
 
 fn moves() -> impl TypedValueParser<Value = Moves> {
@@ -63,6 +66,7 @@ impl MovementArgs {
         let movement = &mut map.spec.movement;
         movement.corner_rule = self.corner_rule.unwrap_or(movement.corner_rule);
         movement.moves = self.moves.unwrap_or(movement.moves);
+        map.spec.resolution = self.resolution.unwrap_or(map.spec.resolution);
     }
 }
 
@@ -88,6 +92,12 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
     let wrong = || format!("`{text}` is no size: write WIDTHxHEIGHT such as 40x30");
     let (w, h) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
     Ok((w.trim().parse().map_err(|_| wrong())?, h.trim().parse().map_err(|_| wrong())?))
+}
+
+/// Reads a length above 0.
+pub fn metres(text: &str) -> Result<f64, String> {
+    let metres = text.trim().parse().ok().filter(|&m: &f64| m.is_finite() && m > 0.0);
+    metres.ok_or_else(|| format!("`{text}` is no length: write a positive number of metres such as 30"))
 }
 
 /// Reads `x,y,width,height`.
