@@ -28,8 +28,8 @@ export const en = {
   },
   welcome: {
     region: 'Welcome',
-    title: 'Which one finds the shortest way?',
-    text: 'From green start to red goal; the percentage says how much longer than the proven shortest path.',
+    title: 'Which one finds the best way?',
+    text: 'From green start to red goal; the percentage says how far above the proven best.',
     draw: 'Draw a wall',
     tune: 'Change a parameter',
     share: 'Share this race',

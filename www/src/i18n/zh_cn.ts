@@ -29,8 +29,8 @@ export const zhCN: Shape<typeof en> = {
   },
   welcome: {
     region: '欢迎',
-    title: '谁能找到最短的路？',
-    text: '从绿色起点到红色终点；百分比表示比已证明的最短路径长多少。',
+    title: '谁能找到最好的路？',
+    text: '从绿色起点到红色终点；百分比表示比已证明的最优高出多少。',
     draw: '画一堵墙',
     tune: '改一个参数',
     share: '分享这场比赛',
