@@ -94,8 +94,8 @@ impl<V: Variant + 'static> Colony<V> {
 }
 
 impl<V: Variant + 'static> Iterations for Colony<V> {
-    fn progress_mut(&mut self) -> &mut Progress {
-        &mut self.progress
+    fn parts(&mut self) -> (&mut Progress, &Scenario) {
+        (&mut self.progress, &self.scenario)
     }
 
     fn is_prepared(&self) -> bool {
@@ -103,12 +103,9 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
     }
 
     fn prepare(&mut self) {
-        self.progress.settle(&self.scenario);
-        if !self.progress.status.is_finished() {
-            self.variant.prepare(&self.scenario);
-            let trails = self.initial_trails();
-            self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
-        }
+        self.variant.prepare(&self.scenario);
+        let trails = self.initial_trails();
+        self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
     }
 
     fn begin_iteration(&mut self) {

@@ -174,11 +174,11 @@ impl Progress {
 
 /// A planner that works in iterations, each of many moves: what [`advance`] needs of it.
 pub(crate) trait Iterations {
-    /// Where it stands.
-    fn progress_mut(&mut self) -> &mut Progress;
+    /// Where it stands, and on what.
+    fn parts(&mut self) -> (&mut Progress, &Scenario);
     /// Whether its tables stand.
     fn is_prepared(&self) -> bool;
-    /// Settles what needs no search ([`Progress::settle`]), or makes its tables.
+    /// Makes its tables; there is something to search for.
     fn prepare(&mut self);
     /// Begins an iteration, unless one is at work.
     fn begin_iteration(&mut self) {}
@@ -196,11 +196,16 @@ pub(crate) trait Iterations {
 /// costs nothing, and not at all where no search is needed.
 #[inline(always)]
 pub(crate) fn advance<P: Iterations>(planner: &mut P, by: Granularity) -> Status {
-    if !planner.is_prepared() && !planner.progress_mut().status.is_finished() {
-        planner.prepare();
+    let is_prepared = planner.is_prepared();
+    let (progress, scenario) = planner.parts();
+    if !is_prepared && !progress.status.is_finished() {
+        progress.settle(scenario);
     }
-    if planner.progress_mut().status.is_finished() {
-        return planner.progress_mut().status;
+    if progress.status.is_finished() {
+        return progress.status;
+    }
+    if !is_prepared {
+        planner.prepare();
     }
     planner.begin_iteration();
     let done = match by {
@@ -213,5 +218,5 @@ pub(crate) fn advance<P: Iterations>(planner: &mut P, by: Granularity) -> Status
     if done {
         planner.end_iteration();
     }
-    planner.progress_mut().status
+    planner.parts().0.status
 }

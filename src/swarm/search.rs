@@ -115,8 +115,8 @@ impl<M: Method, D: Decode> Swarm<M, D> {
 }
 
 impl<M: Method, D: Decode> Iterations for Swarm<M, D> {
-    fn progress_mut(&mut self) -> &mut Progress {
-        &mut self.progress
+    fn parts(&mut self) -> (&mut Progress, &Scenario) {
+        (&mut self.progress, &self.scenario)
     }
 
     fn is_prepared(&self) -> bool {
@@ -124,12 +124,9 @@ impl<M: Method, D: Decode> Iterations for Swarm<M, D> {
     }
 
     fn prepare(&mut self) {
-        self.progress.settle(&self.scenario);
-        if !self.progress.status.is_finished() {
-            let decoder = D::new(&self.scenario, &self.settings);
-            let population = Population::new(decoder.dimensions());
-            self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
-        }
+        let decoder = D::new(&self.scenario, &self.settings);
+        let population = Population::new(decoder.dimensions());
+        self.tables = Some(Tables { decoder, population, visits: vec![0; self.scenario.grid.len()] });
     }
 
     /// Decodes one position.

@@ -65,8 +65,8 @@ impl<S: Space> FieldColony<S> {
 }
 
 impl<S: Space> Iterations for FieldColony<S> {
-    fn progress_mut(&mut self) -> &mut Progress {
-        &mut self.progress
+    fn parts(&mut self) -> (&mut Progress, &Scenario) {
+        (&mut self.progress, &self.scenario)
     }
 
     fn is_prepared(&self) -> bool {
@@ -74,10 +74,7 @@ impl<S: Space> Iterations for FieldColony<S> {
     }
 
     fn prepare(&mut self) {
-        self.progress.settle(&self.scenario);
-        if !self.progress.status.is_finished() {
-            self.tables = Some(Tables::new(&self.space, &self.params, self.streams));
-        }
+        self.tables = Some(Tables::new(&self.space, &self.params, self.streams));
     }
 
     fn begin_iteration(&mut self) {

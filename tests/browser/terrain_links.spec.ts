@@ -1,0 +1,286 @@
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import AxeBuilder from '@axe-core/playwright'
+import { expect, test } from '@playwright/test'
+import { freshLab, Lab } from './lab'
+import { ASC, KNOWN, OBLONG_ASC } from './rasters'
+import { dialog, expectHeights, openAsc, scenarioOf } from './terrain_lab'
+
+const DATA = process.env.FORMICARIUM_DATA
+
+test.describe('terrains in links and files', () => {
+  test('a link brings the heights back bit by bit, and the runs are verified', async ({
+    page,
+    browser,
+  }) => {
+    const lab = await openAsc(page, OBLONG_ASC.replace('12 16 30', '12.25 16.0625 30.1'))
+    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    const link = await lab.shareLink()
+    const session = await lab.session()
+    const other = await freshLab(browser, link)
+    const opened = await other.session()
+    expect(opened.scenario).toEqual(session.scenario)
+    await expectHeights(other, session.scenario.heights ?? [])
+    for (const place of [1, 2])
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
+    await other.page.context().close()
+  })
+
+  test('a generated terrain is in a short link, with the walls drawn on it', async ({
+    page,
+    browser,
+  }) => {
+    test.slow()
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'open-generate')
+    await page.getByTestId('generate-fractal').click()
+    await page.getByTestId('generate-roughness').fill('70')
+    await page.getByTestId('generate-side-129').click()
+    await page.getByTestId('generate').click()
+    await expect(page.getByTestId('generate-dialog')).toBeHidden()
+    await lab.ready()
+    const { spec, origin } = await scenarioOf(lab)
+    expect([spec.width, spec.height, spec.resolution]).toEqual([129, 129, 30])
+    expect(origin).toMatchObject({ generator: 'fractal', density: 0.7 })
+    await lab.drag([
+      [60, 60],
+      [70, 60],
+    ])
+    expect(await lab.walls()).toBe(11)
+    const link = await lab.shareLink()
+    console.log(`link to a generated 129 × 129 terrain: ${link.length} characters`)
+    expect(link.length).toBeLessThan(2000)
+    const session = await lab.session()
+    const other = await freshLab(browser, link)
+    expect((await other.session()).scenario).toEqual(session.scenario)
+    await other.page.context().close()
+  })
+
+  test('an experiment file brings heights and rules back', async ({ page }) => {
+    const lab = await openAsc(page)
+    await lab.menu('map-menu', 'open-resize')
+    await page.getByTestId('model-slices').click()
+    await page.getByTestId('resize').click()
+    const before = await scenarioOf(lab)
+    const { bytes } = await lab.exported('experiment')
+    const document = JSON.parse(bytes.toString('utf8'))
+    expect(document.heights[3]).toEqual([null, 15, 28, 33, 31, 27])
+    await lab.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => lab.walls()).toBe(0)
+    await lab.importByButton('again.json', bytes)
+    await expect.poll(async () => (await scenarioOf(lab)).heights?.length).toBe(30)
+    expect(await scenarioOf(lab)).toEqual(before)
+    for (const [spoil, word] of [
+      [{ ...document, heights: document.heights.slice(1) }, /heights has 4 rows/i],
+      [{ ...document, heights: undefined }, /heights are missing/i],
+      [
+        { ...document, scenario: { ...document.scenario, terrain: undefined } },
+        /terrain is missing/i,
+      ],
+    ] as const) {
+      await lab.paste(JSON.stringify(spoil))
+      await expect(page.getByTestId('toast-error').last()).toContainText(word)
+    }
+    expect(await scenarioOf(lab)).toEqual(before)
+  })
+
+  test('a reload keeps the terrain', async ({ page }) => {
+    const lab = await openAsc(page)
+    await page.waitForFunction(() => sessionStorage.getItem('formicarium.session') !== null)
+    await page.reload()
+    await lab.ready()
+    await expectHeights(lab, KNOWN)
+  })
+
+  test('every format that holds heights brings them back', async ({ page }) => {
+    const lab = await openAsc(page)
+    const asc = await lab.exported('esri-ascii')
+    expect(asc.name).toMatch(/\.asc$/)
+    const csv = await lab.exported('height-table')
+    expect(csv.bytes.toString('utf8').split(/\r?\n/)[1]).toBe('11,14,18,24,26,28')
+    const tif = await lab.exported('geotiff')
+    expect(tif.bytes.subarray(0, 2).toString('latin1')).toMatch(/II|MM/)
+    const json = await lab.exported('scenario')
+    for (const { name, bytes } of [asc, tif, json]) {
+      await lab.menu('map-menu', 'gallery-open-field')
+      await expect.poll(async () => (await scenarioOf(lab)).heights).toBeNull()
+      await lab.importByButton(name, bytes)
+      if (name.endsWith('json'))
+        await expect.poll(async () => (await scenarioOf(lab)).heights?.length).toBe(30)
+      else {
+        await page.getByTestId('terrain-open').click()
+        await expect(dialog(page)).toBeHidden()
+      }
+      await expectHeights(lab, KNOWN)
+      expect((await scenarioOf(lab)).spec.resolution).toBe(10)
+    }
+  })
+
+  test('formats without heights say that they lose them', async ({ page }) => {
+    const lab = await openAsc(page)
+    await lab.menu('map-menu', 'open-export')
+    await expect(page.getByTestId('export-flattens')).toBeHidden()
+    await page.getByTestId('export-movingai-map').click()
+    await expect(page.getByTestId('export-flattens')).toBeVisible()
+    await expect(page.getByTestId('export-preview')).toHaveValue(/@@\.\.\.\.\s*$/)
+  })
+})
+
+test.describe('terrains made here', () => {
+  test('hills: three planners with 16 moves, one of them proven', async ({ page }) => {
+    test.slow()
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'gallery-terrain-hills')
+    await expect
+      .poll(async () => (await lab.session()).panels.map((panel) => panel.planner))
+      .toEqual(['terrain-epf', 'terrain-aco', 'astar'])
+    await lab.ready()
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
+    expect(optimum).toBeGreaterThan(60)
+    for (const { summary } of await lab.results())
+      if (summary?.value != null) expect(summary.value).toBeGreaterThanOrEqual(optimum - 1e-9)
+  })
+
+  test('slices: the textbook’s race, compared by cost', async ({ page }) => {
+    test.slow()
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'gallery-terrain-slices')
+    await expect.poll(async () => (await lab.session()).panels.length).toBe(4)
+    await lab.ready()
+    await page.evaluate(() => window.formicarium.run())
+    await expect(page.getByTestId('optimum')).toHaveAttribute('data-objective', 'slice-cost')
+    await expect(page.getByTestId('optimum')).toContainText(/cost by slices/i)
+    await expect(page.getByTestId('gap-4')).toHaveAttribute('data-gap', '0')
+    await expect(page.getByTestId('metric-levelCost-4')).toBeVisible()
+    await expect(page.getByTestId('readout-value-4')).toBeVisible()
+    await page.locator('body').press('r')
+    await page.getByTestId('terrain-model').click()
+    await page.getByTestId('measure-length').click()
+    await page.getByTestId('resize').click()
+    await expect(page.getByTestId('optimum')).toContainText(/path by slices/i)
+  })
+
+  test('the level of an end is changed by keys', async ({ page }) => {
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    await lab.menu('map-menu', 'gallery-terrain-slices')
+    await lab.ready()
+    const level = async () => (await scenarioOf(lab)).spec.terrain?.slices?.start_level ?? 0
+    const before = await level()
+    await lab.stage().focus()
+    await page.keyboard.press('ArrowRight')
+    await page.keyboard.press('PageUp')
+    await page.keyboard.press('PageUp')
+    expect(await level()).toBe(before + 2)
+    await page.keyboard.press('PageDown')
+    expect(await level()).toBe(before + 1)
+    await page.keyboard.press('Control+z')
+    expect(await level()).toBe(before)
+  })
+})
+
+test('the same in Chinese, without a word of English', async ({ page }) => {
+  const lab = await openAsc(page)
+  await lab.menu('language', 'language-zh-CN')
+  await expect(page.getByTestId('share')).toHaveText('分享')
+  await lab.paste(OBLONG_ASC)
+  await expect(page.getByTestId('terrain-open')).toContainText('打开 6 × 5 格')
+  await page.getByTestId('crop-x').fill('9')
+  await page.getByTestId('crop-x').press('Tab')
+  const words = async () =>
+    (await page.locator('dialog').innerText())
+      .replace(/ESRI ASCII|GeoTIFF|SRTM|CSV|MovingAI|MATLAB|NumPy|Formicarium|JSON|CSV/g, '')
+      .replace(/\.(asc|tif|hgt|csv|map|scen|json)\b/g, '')
+  expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
+  await page.keyboard.press('Escape')
+  await lab.menu('map-menu', 'open-resize')
+  await page.getByTestId('model-slices').click()
+  expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
+  await page.getByTestId('resize').click()
+  await expect(page.getByTestId('panel-1').getByRole('alert')).toContainText(
+    '该规划器不能按切片规划',
+  )
+  await lab.menu('map-menu', 'open-generate')
+  await page.getByTestId('generate-hills').click()
+  expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
+})
+
+test('the five surveys open, whole and shrunk', async ({ page }) => {
+  test.skip(!DATA, 'FORMICARIUM_DATA is not set')
+  test.slow()
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  for (const [name, size] of [
+    ['dem/DEM_10m.asc', [67, 53]],
+    ['dem/hugo_site.asc', [76, 55]],
+    ['dem/srtmgl3_144x144.asc', [144, 144]],
+    ['dem/west_bijou_gully.asc', [43, 89]],
+    ['dem/pysheds_dem.tif', [367, 359]],
+    ['papers/HeightData_21x21.csv', [21, 21]],
+  ] as const) {
+    await lab.importByButton(name.replace(/.*\//, ''), readFileSync(join(DATA ?? '', name)))
+    await expect(page.getByTestId('raster-size'), name).toHaveText(`${size[0]} × ${size[1]}`)
+    await page.getByTestId('terrain-open').click()
+    await expect(dialog(page)).toBeHidden()
+    const { spec, heights } = await scenarioOf(lab)
+    expect([spec.width, spec.height, heights?.length], name).toEqual([...size, size[0] * size[1]])
+    await lab.ready()
+  }
+})
+
+for (const scheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing serious in the dialogs of terrains (${scheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: scheme })
+    const lab = new Lab(page)
+    await lab.openAtRest()
+    const expectClean = async (where: string) => {
+      const { violations } = await new AxeBuilder({ page }).analyze()
+      const serious = violations.filter(
+        ({ impact }) => impact === 'serious' || impact === 'critical',
+      )
+      expect(
+        serious.map(({ id, nodes }) => [id, nodes[0]?.html]),
+        where,
+      ).toEqual([])
+    }
+    await lab.paste(OBLONG_ASC)
+    await page.getByTestId('crop-x').fill('9')
+    await page.getByTestId('crop-x').press('Tab')
+    await expectClean('import')
+    await page.getByTestId('crop-whole').click()
+    await page.getByTestId('terrain-open').click()
+    await expect(dialog(page)).toBeHidden()
+    await lab.menu('map-menu', 'open-resize')
+    await expectClean('surface')
+    await page.getByTestId('model-slices').click()
+    await expectClean('slices')
+    await page.getByTestId('resize').click()
+    await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
+    await expectClean('refused')
+    await lab.menu('map-menu', 'open-generate')
+    await page.getByTestId('generate-hills').click()
+    await expectClean('generate')
+  })
+}
+
+test('on a phone the dialog of a raster fits and can be used by touch @phone', async ({ page }) => {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.paste(ASC)
+  const box = await dialog(page).boundingBox()
+  expect((box?.x ?? -1) >= 0 && (box?.x ?? 0) + (box?.width ?? 999) <= 390).toBe(true)
+  const wide = await dialog(page).evaluate((element) => element.scrollWidth - element.clientWidth)
+  expect(wide).toBe(0)
+  await page.getByTestId('crop-height').fill('3')
+  await page.getByTestId('crop-height').blur()
+  await page.getByTestId('terrain-open').tap()
+  await expect(dialog(page)).toBeHidden()
+  expect((await scenarioOf(lab)).heights?.length).toBe(18)
+})
