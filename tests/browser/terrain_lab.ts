@@ -25,3 +25,20 @@ export async function openAsc(page: Page, text = ASC): Promise<Lab> {
   await lab.ready()
   return lab
 }
+
+/** Opens a terrain of the gallery, at rest. */
+export async function openTerrain(
+  page: Page,
+  id: 'terrain-hills' | 'terrain-slices',
+): Promise<Lab> {
+  const lab = new Lab(page)
+  await lab.openAtRest()
+  await lab.menu('map-menu', `gallery-${id}`)
+  await expect
+    .poll(() => page.evaluate(() => window.formicarium.session()?.scenario.heights?.length ?? 0))
+    .toBeGreaterThan(0)
+  await page.evaluate(() => window.formicarium.pause())
+  await lab.ready()
+  await expect(page.getByTestId('view-solid')).toBeVisible()
+  return lab
+}

@@ -1,8 +1,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test, type Worker } from '@playwright/test'
-import { profileOf } from '../../www/src/charts/profile_data'
-import { Ground } from '../../www/src/relief/ground'
 import { Lab } from './lab'
+import { openTerrain } from './terrain_lab'
 
 declare global {
   interface Window {
@@ -58,19 +57,6 @@ async function light(page: Page, png: Buffer) {
     )
     return { mean, spread, kinds: new Set(values).size }
   }, png.toString('base64'))
-}
-
-async function openTerrain(page: Page, id: 'terrain-hills' | 'terrain-slices'): Promise<Lab> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.menu('map-menu', `gallery-${id}`)
-  await expect
-    .poll(() => page.evaluate(() => window.formicarium.session()?.scenario.heights?.length ?? 0))
-    .toBeGreaterThan(0)
-  await page.evaluate(() => window.formicarium.pause())
-  await lab.ready()
-  await expect(page.getByTestId('view-solid')).toBeVisible()
-  return lab
 }
 
 const reliefs = (page: Page) => page.locator('.stage.relief')
@@ -434,55 +420,6 @@ test('without WebGL the flat map stays, and that is said', async ({ page }) => {
   await expect(page.getByTestId('toast-warning')).toHaveCount(1)
   await expect(reliefs(page)).toHaveCount(0)
   await lab.seesMotion(1, () => lab.stage().press('ArrowDown'))
-})
-
-test.describe('the elevation profile', () => {
-  for (const id of ['terrain-hills', 'terrain-slices'] as const) {
-    test(`has the numbers of the comparison (${id})`, async ({ page }) => {
-      const lab = await openTerrain(page, id)
-      await page.getByTestId('chart-profile').click()
-      await expect(page.getByTestId('profile')).toBeHidden()
-      await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
-      await expect(page.getByTestId('profile').locator('canvas')).toBeVisible()
-      const { spec, heights } = await page.evaluate(() => {
-        const now = window.formicarium.session()?.scenario
-        if (!now?.heights) throw new Error('there is no terrain')
-        return { spec: now.spec, heights: Array.from(now.heights) }
-      })
-      const ground = new Ground({
-        spec,
-        heights: Float32Array.from(heights),
-        cells: new Uint8Array(),
-        origin: null,
-      })
-      const { path, summary } = await lab.result(1)
-      const terrain = summary?.metrics?.terrain
-      const label = (await page.getByTestId('profile').getAttribute('aria-label')) ?? ''
-      const told = /: ([\d.,]+) m long, ([\d.,]+) m up, ([\d.,]+) m down/.exec(label)
-      const known = [summary?.metrics?.length_metres, terrain?.climb, terrain?.descent]
-      for (const [i, metres = Number.NaN] of known.entries())
-        expect(Number(told?.[i + 1]?.replaceAll(',', ''))).toBeCloseTo(metres, 1)
-      if (id === 'terrain-slices') return
-      const flat = Uint32Array.from((path ?? []).flat())
-      const { altitudes } = profileOf(flat, new Float64Array(flat.length / 2), ground, false)
-      const climb = altitudes.reduce(
-        (sum, h, i) => sum + Math.max(0, h - (altitudes[i - 1] ?? h)),
-        0,
-      )
-      expect(climb).toBeCloseTo(terrain?.climb ?? Number.NaN, 3)
-    })
-  }
-
-  test('marks on the map where the pointer is, and its tabs work by keys', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
-    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
-    await page.getByTestId('chart-convergence').focus()
-    await page.keyboard.press('ArrowRight')
-    await expect(page.getByTestId('chart-profile')).toBeFocused()
-    await expect(page.getByTestId('chart-profile')).toHaveAttribute('aria-selected', 'true')
-    const plot = page.getByTestId('profile').locator('.u-over')
-    await lab.seesMotion(1, () => plot.hover())
-  })
 })
 
 test('a 513 × 513 terrain: milliseconds a frame, to read', async ({ page }) => {
