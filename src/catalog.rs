@@ -105,6 +105,21 @@ pub fn build(
     Ok(planner)
 }
 
+/// Every parameter's value: the entry's defaults, then the preset's values, then `values`.
+///
+/// # Errors
+/// [`ParamError`] for an unknown planner, preset or key, and for a value that does not fit its row.
+pub fn values(id: &str, preset: Option<&str>, values: &Values) -> Result<Values, ParamError> {
+    let entry = find(id)?;
+    let specs = (entry.specs)();
+    let mut all: Values = specs.iter().map(|spec| (spec.key.to_owned(), spec.default.clone())).collect();
+    all.extend(preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?);
+    all.extend(values.clone());
+    crate::params::check_keys(id, &specs, &all)?;
+    specs.iter().try_for_each(|spec| all.get(spec.key).map_or(Ok(()), |value| spec.check(value)))?;
+    Ok(all)
+}
+
 /// Refuses what would run out of memory at the first step. Bytes per cell: trails, weights, flags, and what the page draws; with several
 /// goals once for each leg's colony.
 fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {

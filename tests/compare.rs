@@ -124,13 +124,13 @@ fn the_number_of_jobs_changes_nothing() {
     for (jobs, out) in [("1", "one"), ("7", "seven")] {
         assert_eq!(folder.compare(&["q.toml", "--out", out, "--jobs", jobs]).0, 0);
     }
-    for file in ["q.csv", "q.md", "q.tests.md"] {
+    for file in ["q.csv", "q.md", "q.tests.md", "q.json"] {
         assert_eq!(folder.read(&format!("one/{file}")), folder.read(&format!("seven/{file}")), "{file}");
     }
     // What stood there is replaced as a whole, and nothing else is left behind.
     assert_eq!(folder.compare(&["q.toml", "--out", "one", "--seeds", "1"]).0, 0);
     assert_eq!(folder.read("one/q.csv").lines().count(), 1 + 4);
-    assert_eq!(std::fs::read_dir(folder.0.join("one")).unwrap().count(), 3);
+    assert_eq!(std::fs::read_dir(folder.0.join("one")).unwrap().count(), 4);
 }
 
 #[test]

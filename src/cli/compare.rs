@@ -4,34 +4,34 @@ use std::collections::BTreeSet;
 use std::io::{IsTerminal, Write};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Instant;
 
-use formicarium::error::{Error, FormatError};
-use formicarium::experiment::{Experiment, Question, QuestionError, Row, Task, judge, report};
-use formicarium::scenario::Scenario;
+use formicarium::experiment::{Deviation, Experiment, Row, Task, Verification, document, judge, report};
 
 use super::error::CliError;
 use super::journal::Journal;
-use super::{Outcome, input, text};
+use super::question::{in_question, load};
+use super::{Outcome, text};
 
 /// Runs a question: every entry on every map with every seed, and judges its claims
 #[derive(clap::Args)]
 #[command(after_help = "\
-Writes NAME.csv, one row a run, NAME.md, tables and verdicts, and NAME.tests.md, rank tests of all pairs. They
-depend on the question alone, not on the number of jobs. Every finished run is kept in NAME.partial at once: a comparison that was broken off goes
-on where it was when it is started again. The question's format and the rule of the verdicts: docs/methodology.md.
+Writes NAME.csv, one row a run, NAME.md, tables and verdicts, NAME.tests.md, rank tests of all pairs, and NAME.json, question, maps
+and runs in one file, which the page opens and which can be compared again. They depend on the question alone, not on the number of jobs.
+Every finished run is kept in NAME.partial at once: a comparison that was broken off goes on where it was when it is started again. The
+question's format and the rule of the verdicts: docs/methodology.md.
 
 Examples:
   formicarium compare experiments/ship.toml --out experiments/records
+  formicarium compare ship.json --out /tmp/again
   formicarium compare experiments/ship.toml --out /tmp/look --seeds 10
   formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv")]
 pub struct Args {
-    /// The question, as TOML (formicarium/question@1)
-    question: PathBuf,
+    /// The question as TOML (formicarium/question@1), or with its maps and results as JSON (formicarium/result@1)
+    pub question: PathBuf,
     /// Folder for the files; made if it is missing
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -40,82 +40,49 @@ pub struct Args {
     jobs: Option<u16>,
     /// Only the question's first seeds
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    seeds: Option<u32>,
+    pub seeds: Option<u32>,
     /// Only this instance; may be repeated
     #[arg(long, value_name = "ID")]
-    only: Vec<String>,
+    pub only: Vec<String>,
     /// Another map in place of an instance's; may be repeated
-    #[arg(long, value_name = "ID=FILE", value_parser = stand_in)]
-    map: Vec<(String, PathBuf)>,
-}
-
-fn stand_in(text: &str) -> Result<(String, PathBuf), String> {
-    let split = text.split_once('=').filter(|(id, file)| !id.is_empty() && !file.is_empty());
-    let (id, file) = split.ok_or_else(|| format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv"))?;
-    Ok((id.into(), file.into()))
+    #[arg(long, value_name = "ID=FILE", value_parser = super::question::stand_in)]
+    pub map: Vec<(String, PathBuf)>,
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let experiment = load(args)?;
+    let (experiment, recorded) = load(args)?;
     let name = args.question.file_stem().unwrap_or_default();
     let (mut journal, kept) = Journal::open(args.out.join(name).with_extension("partial"), &experiment)?;
-    let rows = run_all(args, &experiment, &mut journal, kept)?;
+    let done = run_all(args, &experiment, &mut journal, kept)?;
+    let rows = experiment.all_rows(&done);
     let comparisons = judge(&experiment, &rows);
     let page = report::markdown(&experiment, &rows, &comparisons, &command(args));
     let mut said = format!("{}: {}\n", experiment.question.title, text::count(rows.len() as u64, "run", "runs"));
     said += &report::verdicts(&experiment, &comparisons);
     let tests = report::tests(&experiment, &rows);
-    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page), ("tests.md", tests)] {
+    let whole = document::write(&experiment, &done, true);
+    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page), ("tests.md", tests), ("json", whole)] {
         let path = args.out.join(name).with_extension(ending);
         replace(&path, &contents)?;
         said += &format!("wrote {}\n", path.display());
     }
     journal.close()?;
+    said += &recorded.map_or_else(String::new, |then| verified(&document::verify(&experiment, &then, &done)));
     Ok(Outcome::fine(said))
 }
 
-/// The question with its maps.
-fn load(args: &Args) -> Result<Experiment, CliError> {
-    let mut question = input::in_file(&args.question, |bytes, _| read(bytes))?;
-    question.check().map_err(|e| in_question(args, e))?;
-    let folder = args.question.parent().unwrap_or(Path::new(""));
-    // A map that is named here is looked for here, a question's own beside it.
-    question.instances.iter_mut().for_each(|i| i.map = folder.join(&i.map).display().to_string());
-    narrow(args, &mut question).map_err(|e| in_question(args, e))?;
-    let scenarios = question.instances.iter().map(|i| scenario(Path::new(&i.map))).collect::<Result<Vec<_>, _>>()?;
-    Experiment::new(question, scenarios).map_err(|e| in_question(args, e))
-}
-
-fn read(bytes: &[u8]) -> Result<Question, Error> {
-    let text = std::str::from_utf8(bytes).map_err(|_| FormatError::NotText { found: "binary data".into() })?;
-    toml::from_str(text).map_err(|e| {
-        let line = e.span().map_or(0, |s| 1 + text.bytes().take(s.start).filter(|&b| b == b'\n').count());
-        FormatError::syntax(line, e.message(), "a question as docs/methodology.md describes it").into()
-    })
-}
-
-/// What the arguments leave of a question.
-fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
-    question.seeds.count = question.seeds.count.min(args.seeds.unwrap_or(u32::MAX));
-    for (id, file) in &args.map {
-        let instance = question.instance_mut(id)?;
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        (instance.map, instance.note) = (file.display().to_string(), format!("{stem} in place of the question's map."));
+/// What became of the results that the file had.
+fn verified(verification: &Verification) -> String {
+    let Verification { same, open, deviations } = verification;
+    let mut said = format!("recorded results: {same} of {} the same, bit for bit\n", same + open + bits(deviations));
+    for deviation in deviations {
+        said += &format!("  {deviation}\n");
     }
-    if args.only.is_empty() { Ok(()) } else { question.keep_instances(&args.only) }
+    said
 }
 
-fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
-    let map = input::import(path)?;
-    text::notes(&map.notices);
-    let scenario = Scenario::new(map.grid, map.spec)
-        .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;
-    text::notes(&scenario.notices());
-    Ok(Arc::new(scenario))
-}
-
-fn in_question(args: &Args, error: QuestionError) -> CliError {
-    CliError::Contents { path: args.question.display().to_string(), error: error.into() }
+fn bits(deviations: &[Deviation]) -> u32 {
+    deviations.iter().filter(|d| matches!(d, Deviation::Bits { .. })).count() as u32
 }
 
 fn jobs(args: &Args) -> usize {
@@ -143,13 +110,13 @@ fn run_all(args: &Args, experiment: &Experiment, journal: &mut Journal, kept: Ve
             scope.spawn(move || {
                 let take = || tasks.get(next.fetch_add(1, Ordering::Relaxed));
                 // A closed channel: an error has ended the whole.
-                while take().is_some_and(|&task| sender.send(experiment.run(task)).is_ok()) {}
+                while take().is_some_and(|&task| sender.send(experiment.run(task, &mut || 0.0)).is_ok()) {}
             });
         }
         drop(sender);
         let mut progress = Progress::new(done.len(), all.len());
         for row in receiver {
-            let row = row.map_err(|e| in_question(args, e))?;
+            let row = row.map_err(|e| in_question(args, e))?.row;
             journal.note(&row)?;
             progress.step();
             place(row);

@@ -10,6 +10,7 @@ mod generate;
 mod input;
 mod journal;
 mod plan;
+mod question;
 mod terrain;
 mod text;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use thiserror::Error;
 
-use super::question::{Claim, Contender, FORMAT, Instance, Question};
+use super::question::{Axis, Claim, Contender, FORMAT, Instance, Question};
 use crate::catalog;
 use crate::error::{ErrorReport, ParamError};
 
@@ -51,7 +51,7 @@ impl QuestionError {
     }
 
     /// A run that the question does not ask for.
-    pub(super) fn outside(field: &str) -> Self {
+    pub(crate) fn outside(field: &str) -> Self {
         Self::field(format!("task.{field}"), "outside", "one of the question's runs")
     }
 
@@ -88,6 +88,7 @@ impl Question {
         if self.seeds.from.checked_add(self.seeds.count - 1).is_none() {
             return Err(QuestionError::field("seeds.from", self.seeds.from, format!("at most {} − count + 1", u32::MAX)));
         }
+        self.check_budget()?;
         check_ids("instances", self.instances.iter().map(|i| &i.id), true)?;
         check_ids("entries", self.entries.iter().map(|e| &e.id), true)?;
         check_ids("claims", self.claims.iter().map(|c| &c.id), false)?;
@@ -132,15 +133,24 @@ impl Question {
         (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
     }
 
+    fn check_budget(&self) -> Result<(), QuestionError> {
+        match self.budget {
+            Some(budget) if budget.axis == Axis::Time => {
+                let allowed = "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
+                Err(QuestionError::field("budget.axis", "time", allowed))
+            }
+            Some(budget) if budget.amount == 0 => Err(QuestionError::field("budget.amount", 0, "at least 1")),
+            _ => Ok(()),
+        }
+    }
+
     fn check_entry(&self, entry: &Contender) -> Result<(), QuestionError> {
         let at = |field: &str| format!("entries.{}.{field}", entry.id);
-        if entry.planner.is_some() == entry.missing.is_some() {
+        let given = [&entry.planner, &entry.missing, &entry.results].into_iter().flatten().count();
+        if given != 1 {
             let value = entry.planner.as_deref().unwrap_or("absent");
-            return Err(QuestionError::field(
-                at("planner"),
-                value,
-                "an id of the catalog, or else `missing` says why there is none",
-            ));
+            let allowed = "an id of the catalog, or else `missing` says why there is none, or `results` names a file of runs";
+            return Err(QuestionError::field(at("planner"), value, allowed));
         }
         if let Some(id) = &entry.planner {
             catalog::find(id).map_err(|error| QuestionError::planner(entry, error))?;
@@ -204,7 +214,7 @@ fn check_ids<'a>(field: &str, ids: impl Iterator<Item = &'a String>, needed: boo
 
 #[cfg(test)]
 mod tests {
-    use super::super::question::{Direction, Seeds};
+    use super::super::question::{Budget, Direction, Seeds};
     use super::*;
     use serde_json::json;
 
@@ -246,6 +256,9 @@ mod tests {
         wrong(|q| q.format = "formicarium/question@2".into(), "format");
         wrong(|q| q.seeds.count = 0, "seeds.count");
         wrong(|q| q.seeds.from = u32::MAX, "seeds.from");
+        wrong(|q| q.budget = Some(Budget { axis: Axis::Time, amount: 3 }), "budget.axis");
+        wrong(|q| q.budget = Some(Budget { axis: Axis::Moves, amount: 0 }), "budget.amount");
+        wrong(|q| q.entries[0].results = Some("mine.csv".into()), "entries.old.planner");
         wrong(|q| q.instances.clear(), "instances");
         wrong(|q| q.instances[0].id = "A map".into(), "instances.id");
         wrong(|q| q.entries[1].id = "old".into(), "entries.id");

@@ -1,7 +1,8 @@
 //! Claims against runs: the difference that was measured, how sure it is, and the verdict. The rule is stated in docs/methodology.md.
 
 use super::question::{Claim, Direction, Measure, Statistic};
-use super::run::{Experiment, Row};
+use super::row::Row;
+use super::setting::Experiment;
 use super::statistics::{Difference, a12, mean, mean_difference, median_difference, quantile, sorted};
 
 /// Fewest pairs of runs from which a verdict is drawn.
@@ -122,7 +123,8 @@ fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize)
 /// A measure of an entry's runs on an instance, by seed.
 fn values(experiment: &Experiment, rows: &[Row], instance: usize, entry: &str, measure: Measure) -> Vec<f64> {
     let of_entry = |r: &&Row| experiment.question.entries.get(r.task.entry).is_some_and(|e| e.id == entry);
-    rows.iter().filter(|r| r.task.instance == instance).filter(of_entry).map(|r| r.value(measure)).collect()
+    let of = rows.iter().filter(|r| r.task.instance == instance).filter(of_entry);
+    of.filter_map(|r| experiment.value(r, measure)).collect()
 }
 
 /// A run without a path is never the better one, also where more is better.

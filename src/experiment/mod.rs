@@ -2,19 +2,25 @@
 //!
 //! A [`Question`] asks what a publication claims: which entries (planner, preset, values), on which instances (maps), over which seeds.
 //! An [`Experiment`] is a question with its maps; each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was
-//! found. [`claims`] compares rows by [`statistics`] and gives a verdict by the rule of docs/methodology.md; [`report`] prints.
+//! found, and tells each improvement on the way. [`document`] is all of it in one file. [`claims`] compares rows by [`statistics`] and gives a verdict by the rule of docs/methodology.md; [`report`] prints.
 //!
 //! No clock, no threads, no files: who calls decides where the tasks run, so that the browser can do it too.
 
 pub mod check;
 pub mod claims;
+pub mod document;
 pub mod inference;
 pub mod question;
 pub mod report;
-pub mod run;
+mod row;
+mod run;
+mod setting;
 pub mod statistics;
 
 pub use check::QuestionError;
 pub use claims::{Comparison, Verdict, judge};
-pub use question::{Claim, Contender, Direction, Instance, Measure, Published, Question, Role, Seeds, Statistic};
-pub use run::{Experiment, Found, Map, Row, Task, Yardstick};
+pub use document::{Deviation, Opened, Recorded, Runs, Verification};
+pub use question::{Axis, Budget, Claim, Contender, Direction, Instance, Measure, Published, Question, Role, Seeds, Statistic};
+pub use row::{Found, Improvement, Row, Spent, Task};
+pub use run::{Clock, Timed};
+pub use setting::{Experiment, Map, Yardstick};

@@ -24,6 +24,9 @@ pub struct Question {
     pub asks: String,
     /// The seeds of every entry on every instance.
     pub seeds: Seeds,
+    /// What a run may spend; absent: what its planner's own parameters say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub budget: Option<Budget>,
     /// The maps.
     pub instances: Vec<Instance>,
     /// What runs on them.
@@ -47,6 +50,49 @@ impl Seeds {
     /// All of them.
     pub fn iter(self) -> impl Iterator<Item = u32> {
         (0..self.count).map(move |i| self.from.saturating_add(i))
+    }
+}
+
+/// What a run may spend. It ends runs, it does not lengthen them: a planner whose own parameters end it earlier ends earlier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Budget {
+    /// What is counted; not [`Axis::Time`], by which no two machines agree.
+    pub axis: Axis,
+    /// How much of it, at least 1. Only iterations that end within the budget count.
+    pub amount: u64,
+}
+
+/// What effort is counted in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Axis {
+    /// Finished iterations.
+    Iterations,
+    /// Walks begun and ended.
+    ConstructedPaths,
+    /// Moves of ants, and steps by which a swarm's positions are decoded.
+    AntMoves,
+    /// Cells taken from the open list of a search.
+    CellExpansions,
+    /// Ant moves and cell expansions together: what one planner of any kind has looked at.
+    Moves,
+    /// Seconds on the machine that ran it. Not part of any result file.
+    Time,
+}
+
+impl Axis {
+    /// Its name in tables.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Iterations => "iterations",
+            Self::ConstructedPaths => "constructed paths",
+            Self::AntMoves => "ant moves",
+            Self::CellExpansions => "cell expansions",
+            Self::Moves => "ant moves and cell expansions",
+            Self::Time => "seconds",
+        }
     }
 }
 
@@ -87,8 +133,11 @@ pub struct Contender {
     pub role: Role,
     /// Its id in the catalog; absent where nothing can be run.
     pub planner: Option<String>,
-    /// Why nothing can be run; given where `planner` is not.
+    /// Why nothing can be run; given where neither `planner` nor `results` is.
     pub missing: Option<String>,
+    /// The file whose runs it stands for: results from elsewhere, which are compared and never run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub results: Option<String>,
     /// A named parameter set of the planner.
     pub preset: Option<String>,
     /// Values over preset and default.

@@ -8,7 +8,8 @@ use std::fmt::Write;
 
 use super::claims::Comparison;
 use super::question::{Contender, Instance, Measure, Published, Role};
-use super::run::{Experiment, Map, Row};
+use super::row::Row;
+use super::setting::{Experiment, Map};
 use super::statistics::Summary;
 use crate::exact::Reference;
 use crate::map::{CornerRule, Movement, Moves};
@@ -58,6 +59,9 @@ fn entries(out: &mut String, experiment: &Experiment) {
 
 /// An entry as arguments of `formicarium plan`.
 fn recipe(entry: &Contender) -> String {
+    if let Some(file) = &entry.results {
+        return format!("results from {file}");
+    }
     let Some(planner) = &entry.planner else {
         return format!("not run: {}", entry.missing.as_deref().unwrap_or("no planner"));
     };
@@ -73,7 +77,7 @@ fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usi
     let _ = writeln!(out, "\n## {name}\n");
     let _ =
         writeln!(out, "`{}`, {} × {}, {}. {}\n", instance.id, grid.width(), grid.height(), moves(&map.scenario), instance.note);
-    let main = main_measure(&map.scenario);
+    let main = map.measure();
     let _ = write!(out, "| | published: {} / turns / iterations ", main.name());
     out.push_str("| found a path | best | median | IQR | mean ± sd | iteration of best: median (IQR) ");
     out.push_str(
@@ -82,31 +86,21 @@ fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usi
     for (entry, contender) in experiment.question.entries.iter().enumerate() {
         let of: Vec<&Row> = rows.iter().filter(|r| (r.task.instance, r.task.entry) == (index, entry)).collect();
         let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), |row| published(main, row));
-        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(main, &of));
+        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(experiment, main, &of));
     }
     references(out, map, |objective| best_of_runs(map, rows, index, objective));
 }
 
-/// What paths on a map are compared by: by slices their cost, elsewhere their length.
-fn main_measure(scenario: &Scenario) -> Measure {
-    if scenario.by_slices().is_some() { Measure::Cost } else { Measure::Length }
-}
-
 /// The best value that any of the runs on a map has reached by an objective.
 fn best_of_runs(map: &Map, rows: &[Row], instance: usize, objective: Objective) -> Option<f64> {
-    let by = |r: &&Row| map.yardsticks.get(r.task.entry).and_then(|y| y.as_ref()).is_some_and(|y| y.objective == objective);
+    let by = |r: &&Row| map.objective(r.task.entry) == Some(objective);
     let found = rows.iter().filter(|r| r.task.instance == instance).filter(by).filter_map(|r| Some(r.found.as_ref()?.value));
     found.reduce(f64::min)
 }
 
 /// The best there is, by each objective that some entry has; where nothing is proven, the best of these runs stands in.
 fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> Option<f64>) {
-    let mut said: Vec<Objective> = Vec::new();
-    for yardstick in map.yardsticks.iter().flatten() {
-        if said.contains(&yardstick.objective) {
-            continue;
-        }
-        said.push(yardstick.objective);
+    for yardstick in map.yardsticks() {
         let name = yardstick.objective.words();
         let (name, value) = match yardstick.reference {
             Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
@@ -149,18 +143,18 @@ fn published(main: Measure, row: &Published) -> String {
 }
 
 /// The cells of a table from our runs, best to deviation by the main measure; of paths, over the runs that found one.
-fn ours(main: Measure, rows: &[&Row]) -> String {
+fn ours(experiment: &Experiment, main: Measure, rows: &[&Row]) -> String {
     const NONE: &str = "– | – | – | – | – | – | – | –";
     if rows.is_empty() {
         return format!("not run | {NONE}");
     }
     let found: Vec<&&Row> = rows.iter().filter(|r| r.found.is_some()).collect();
     let share = format!("{} of {}", found.len(), rows.len());
-    let of = |measure| Summary::of(&found.iter().map(|r| r.value(measure)).collect::<Vec<_>>());
+    let of = |measure| Summary::of(&found.iter().filter_map(|r| r.value(measure)).collect::<Vec<_>>());
     let all = (of(main), of(Measure::IterationOfBest), of(Measure::PathsToBest), of(Measure::Turns));
     let (Some(l), Some(iteration), Some(paths), Some(turns)) = all else { return format!("{share} | {NONE}") };
     let spread = l.deviation.map_or_else(|| length(l.mean), |sd| format!("{} ± {}", length(l.mean), length(sd)));
-    let optimal = rows.iter().filter(|r| r.value(Measure::Optimal) > 0.0).count();
+    let optimal = rows.iter().filter(|r| experiment.value(r, Measure::Optimal) == Some(1.0)).count();
     format!(
         "{share} | {} | {} | {}–{} | {spread} | {} | {} | {} | {optimal}",
         length(l.least),

@@ -25,7 +25,7 @@ pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 
 /// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `esri-ascii`, `height-table`, `geotiff`, `srtm`, `scenario`,
-/// `experiment`, `unknown`.
+/// `experiment`, `result`, `unknown`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -48,6 +48,8 @@ pub enum Kind {
     Scenario,
     /// An experiment, as JSON.
     Experiment,
+    /// Many runs with their question and maps, as JSON.
+    Result,
     /// None of these.
     Unknown,
 }
@@ -222,12 +224,13 @@ fn sniff_json(text: &str) -> Kind {
     // Broken JSON still tells what it was meant to be, so that the error is about the line and not about the format.
     let format = scenario_json::format_of(text).unwrap_or_else(|| text.into());
     let place = |word| format.find(word).unwrap_or(usize::MAX);
-    let (scenario, experiment) = (place("formicarium/scenario@"), place("formicarium/experiment@"));
-    match scenario.cmp(&experiment) {
-        std::cmp::Ordering::Less => Kind::Scenario,
-        std::cmp::Ordering::Greater => Kind::Experiment,
-        std::cmp::Ordering::Equal => Kind::Unknown,
-    }
+    let named = [
+        (place("formicarium/scenario@"), Kind::Scenario),
+        (place("formicarium/experiment@"), Kind::Experiment),
+        (place("formicarium/result@"), Kind::Result),
+    ];
+    let first = named.into_iter().filter(|(place, _)| *place < usize::MAX).min_by_key(|(place, _)| *place);
+    first.map_or(Kind::Unknown, |(_, kind)| kind)
 }
 
 /// Reads a map in any format that holds one. Where the file names no start or goal, the cells nearest the upper-left and the
@@ -250,6 +253,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
         Kind::Scenario => scenario(&text)?,
         Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
         Kind::Experiment => return Err(FormatError::NotAMap { found: "an experiment" }.into()),
+        Kind::Result => return Err(FormatError::NotAMap { found: "the results of an experiment" }.into()),
         // An object without a format: the error names what is missing.
         _ if text.trim_start().starts_with('{') => scenario(&text)?,
         _ => return Err(FormatError::Unknown { begins: text::quote(&text) }.into()),
@@ -277,6 +281,19 @@ fn table(text: &str, name: &str) -> Result<Imported, FormatError> {
     }
     let file = matrix::read(&table)?;
     complete(Kind::Matrix, name, file.grid, file.start, file.goal, file.notices)
+}
+
+/// Reads a scenario with its map from JSON, as docs/schema/scenario@1.json says.
+///
+/// # Errors
+/// [`FormatError`] with the line of broken JSON, or the name of the field at fault.
+pub fn read_scenario(text: &str) -> Result<(Grid, ScenarioSpec), FormatError> {
+    scenario_json::read(text)
+}
+
+/// What the field `format` of a JSON object says.
+pub fn format_of(text: &str) -> Option<String> {
+    scenario_json::format_of(text)
 }
 
 fn scenario(text: &str) -> Result<Imported, FormatError> {

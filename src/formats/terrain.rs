@@ -125,6 +125,7 @@ fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
         Kind::MovingaiScen => "a list of MovingAI scenarios",
         Kind::Scenario => "a scenario",
         Kind::Experiment => "an experiment",
+        Kind::Result => "the results of an experiment",
         Kind::Unknown => "of no known format",
     };
     Err(FormatError::NotATerrain { found })

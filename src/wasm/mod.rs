@@ -4,6 +4,8 @@
 //! what a page may send.
 
 #[cfg(feature = "whole")]
+mod experiment;
+#[cfg(feature = "whole")]
 mod ground;
 #[cfg(feature = "whole")]
 mod maps;
@@ -22,6 +24,8 @@ use crate::map::Grid;
 use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
+#[cfg(feature = "whole")]
+pub use experiment::Experiment;
 #[cfg(feature = "whole")]
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]

@@ -4,7 +4,9 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::exact::Reference;
-use crate::experiment::run::{Experiment, Found, Row};
+use crate::experiment::question::Axis;
+use crate::experiment::row::{Found, Row};
+use crate::experiment::setting::Experiment;
 
 /// The columns of [`csv`].
 pub const HEADER: &str = "instance,entry,seed,status,length,turns,turn_index,weight,iteration_of_best,paths_to_best,ant_moves,\
@@ -21,20 +23,26 @@ pub fn line(experiment: &Experiment, row: &Row) -> String {
     let (question, task) = (&experiment.question, row.task);
     let instance = question.instances.get(task.instance).map_or("", |i| &i.id);
     let entry = question.entries.get(task.entry).map_or("", |e| &e.id);
-    let path = row.found.map_or_else(|| ",,,,,".into(), path_fields);
-    let yardstick = experiment.maps.get(task.instance).and_then(|m| m.yardsticks.get(task.entry).copied().flatten());
-    let objective = yardstick.map_or_else(String::new, |y| id(y.objective));
-    let reference = yardstick.map_or(Reference::Unknown, |y| y.reference);
-    let proven = id(matches!(reference, Reference::Proven { .. }));
-    let [value, gap] = [row.found.map(|f| f.value), row.found.and_then(|f| f.gap)].map(maybe);
-    let (seed, status, moves, digest) = (task.seed, id(row.status), row.ant_moves, &row.digest);
+    let path = row.found.map_or_else(|| ",,,".into(), path_fields);
+    let best = row.found.and(row.trace.last()).map(|improvement| improvement.spent).unwrap_or_default();
+    let effort = [best.on(Axis::Iterations), best.on(Axis::ConstructedPaths), row.effort.on(Axis::AntMoves)].map(count).join(",");
+    let map = experiment.maps.get(task.instance);
+    let objective = map.and_then(|m| m.objective(task.entry)).map_or_else(String::new, id);
+    let reference = map.map_or(Reference::Unknown, |m| m.reference(task.entry));
+    let proven = matches!(reference, Reference::Proven { .. });
+    let [value, gap] = [row.found.map(|f| f.value), experiment.gap(row)].map(maybe);
+    let (seed, status, digest) = (task.seed, id(row.status), &row.digest);
     let best = maybe(reference.value());
-    format!("{instance},{entry},{seed},{status},{path},{moves},{objective},{value},{best},{proven},{gap},{digest}")
+    format!("{instance},{entry},{seed},{status},{path},{effort},{objective},{value},{best},{proven},{gap},{digest}")
 }
 
 fn path_fields(f: Found) -> String {
-    let weight = maybe(f.weight);
-    format!("{},{},{},{weight},{},{}", six(f.length), f.turns, six(f.turn_index), f.iteration_of_best, f.paths_to_best)
+    let turns = count(f.turns.map(f64::from));
+    format!("{},{turns},{},{}", six(f.length), maybe(f.turn_index), maybe(f.weight))
+}
+
+fn count(v: Option<f64>) -> String {
+    v.map_or_else(String::new, |v| format!("{v}"))
 }
 
 fn maybe(v: Option<f64>) -> String {

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::main_measure;
 use crate::experiment::inference::{Friedman, MIN_RUNS, friedman, holm, mann_whitney, wilcoxon};
 use crate::experiment::question::Measure;
-use crate::experiment::run::{Experiment, Row};
+use crate::experiment::row::Row;
+use crate::experiment::setting::Experiment;
 use crate::experiment::statistics::{a12, quantile, sorted};
 
 /// The page of tests: a table of pairs for each map, then ranks over the maps. Which measure is compared follows from the map.
@@ -19,7 +19,7 @@ pub fn tests(experiment: &Experiment, rows: &[Row]) -> String {
     );
     let runnable: Vec<usize> = (0..q.entries.len()).filter(|&e| q.entries[e].planner.is_some()).collect();
     for (index, instance) in q.instances.iter().enumerate() {
-        let measure = experiment.maps.get(index).map_or(Measure::Length, |map| main_measure(&map.scenario));
+        let measure = experiment.maps.get(index).map_or(Measure::Length, |map| map.measure());
         let _ = writeln!(out, "\n## {}, {}\n", instance.id, measure.name());
         let samples: Vec<Vec<f64>> = runnable.iter().map(|&e| sample(rows, index, e, measure)).collect();
         pairs_table(&mut out, experiment, &runnable, &samples);
@@ -30,7 +30,7 @@ pub fn tests(experiment: &Experiment, rows: &[Row]) -> String {
 
 /// A measure of an entry's runs on a map, by seed.
 fn sample(rows: &[Row], instance: usize, entry: usize, measure: Measure) -> Vec<f64> {
-    rows.iter().filter(|r| (r.task.instance, r.task.entry) == (instance, entry)).map(|r| r.value(measure)).collect()
+    rows.iter().filter(|r| (r.task.instance, r.task.entry) == (instance, entry)).filter_map(|r| r.value(measure)).collect()
 }
 
 /// All pairs of indices below `n`.
@@ -78,7 +78,7 @@ fn median(sample: &[f64]) -> String {
 /// Friedman's test over the medians of all maps, and its post-hoc comparisons.
 fn over_maps(out: &mut String, experiment: &Experiment, rows: &[Row], entries: &[usize]) {
     let of_map = |index: usize| {
-        let measure = main_measure(&experiment.maps[index].scenario);
+        let measure = experiment.maps[index].measure();
         entries.iter().map(|&e| quantile(&sorted(sample(rows, index, e, measure)), 0.5).unwrap_or(f64::INFINITY)).collect()
     };
     let medians: Vec<Vec<f64>> = (0..experiment.maps.len()).map(of_map).collect();

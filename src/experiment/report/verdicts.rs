@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{length, short};
 use crate::experiment::claims::{Comparison, Verdict};
 use crate::experiment::question::{Claim, Direction, Measure, Statistic};
-use crate::experiment::run::Experiment;
+use crate::experiment::setting::Experiment;
 use crate::experiment::statistics::{CONFIDENCE, Difference};
 
 /// The table, its totals, and what a reader must know beside it.
