@@ -1,15 +1,14 @@
 //! `compare`: a question over many seeds, on all cores.
 
 use std::collections::BTreeSet;
-use std::io::{IsTerminal, Write};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
-use std::time::Instant;
 
 use formicarium::experiment::{Deviation, Experiment, Row, Task, Verification, document, judge, report};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use super::error::CliError;
 use super::journal::Journal;
@@ -114,51 +113,36 @@ fn run_all(args: &Args, experiment: &Experiment, journal: &mut Journal, kept: Ve
             });
         }
         drop(sender);
-        let mut progress = Progress::new(done.len(), all.len());
+        let (bar, mut without_path) = (bar(done.len(), all.len()), 0);
         for row in receiver {
             let row = row.map_err(|e| in_question(args, e))?.row;
             journal.note(&row)?;
-            progress.step();
+            without_path += usize::from(row.found.is_none());
+            bar.set_message(beside(done.len(), without_path));
+            bar.inc(1);
             place(row);
         }
+        bar.finish_and_clear();
         Ok::<_, CliError>(())
     })?;
     Ok(rows.into_iter().flatten().collect())
 }
 
-/// A counter on the error stream, where somebody looks at it.
-struct Progress {
-    /// Runs that were done before.
-    kept: usize,
-    done: usize,
-    of: usize,
-    began: Instant,
-    shown: bool,
+/// A bar on the error stream, where somebody looks at it; it starts with the runs that are kept from before.
+fn bar(kept: usize, of: usize) -> ProgressBar {
+    const LOOK: &str = "{bar:32} {pos} of {len} runs{msg}, {eta} left";
+    let bar = ProgressBar::new(of as u64)
+        .with_style(ProgressStyle::with_template(LOOK).unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.set_position(kept as u64);
+    // The time left follows from the runs of this start alone.
+    bar.reset_eta();
+    bar
 }
 
-impl Progress {
-    fn new(kept: usize, of: usize) -> Self {
-        Self { kept, done: kept, of, began: Instant::now(), shown: std::io::stderr().is_terminal() }
-    }
-
-    fn step(&mut self) {
-        self.done += 1;
-        if self.shown {
-            let each = self.began.elapsed().as_secs_f64() / (self.done - self.kept) as f64;
-            let left = each * (self.of - self.done) as f64;
-            let kept = if self.kept > 0 { format!(" ({} from before)", self.kept) } else { String::new() };
-            eprint!("\r{} of {} runs{kept}, about {left:.0} s left   ", self.done, self.of);
-            let _ = std::io::stderr().flush();
-        }
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        if self.shown && self.done > self.kept {
-            eprintln!();
-        }
-    }
+/// What is worth saying beside the counter.
+fn beside(kept: usize, without_path: usize) -> String {
+    let kept = if kept > 0 { format!(", {kept} from before") } else { String::new() };
+    if without_path > 0 { format!("{kept}, {without_path} without a path") } else { kept }
 }
 
 /// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
