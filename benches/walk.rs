@@ -12,6 +12,7 @@ use formicarium::aco::heuristic::Heuristic;
 use formicarium::catalog::CATALOG;
 use formicarium::map::{Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::Values;
+use formicarium::planner::playback::Playback;
 use formicarium::planner::{Family, Granularity, Planner};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
@@ -83,6 +84,31 @@ fn sizes(c: &mut Criterion) {
                 })
             });
         });
+    }
+    group.finish();
+}
+
+/// What it costs that one can look back: the walk with snapshots beside it, within the page's budget, and without.
+fn snapshots(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ant move with and without snapshots, 50 ants");
+    group.throughput(Throughput::Elements(1));
+    for side in [24, 100, 300] {
+        let scenario = random_map(side);
+        for kept in [false, true] {
+            group.bench_function(format!("{side}x{side}{}", if kept { ", snapshots" } else { "" }), |b| {
+                b.iter_custom(|n| {
+                    let mut planner = colony("ant-system", &scenario);
+                    let mut playback = Playback::new(&*planner, if kept { 64 << 20 } else { 0 });
+                    timed(n, || {
+                        planner.advance(Granularity::Iteration);
+                        if kept {
+                            playback.note(&*planner, Granularity::Iteration);
+                        }
+                        planner.effort().ant_moves
+                    })
+                });
+            });
+        }
     }
     group.finish();
 }
@@ -163,5 +189,5 @@ fn surface(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, moves, sizes, colonies, arena2, surface);
+criterion_group!(benches, moves, sizes, snapshots, colonies, arena2, surface);
 criterion_main!(benches);

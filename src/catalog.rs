@@ -11,7 +11,7 @@ use crate::aco::{
 use crate::error::ParamError;
 use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 use crate::swarm;
 
@@ -180,6 +180,8 @@ pub struct CatalogEntry {
     pub source: String,
     /// Named parameter sets.
     pub presets: Vec<PresetEntry>,
+    /// What its publication adds.
+    pub components: Vec<ComponentEntry>,
     /// Its parameters.
     pub params: Vec<ParamSpec>,
     /// The layers it can draw.
@@ -205,6 +207,21 @@ pub struct PresetEntry {
     pub values: Values,
 }
 
+/// One component as data.
+#[derive(Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ComponentEntry {
+    /// Its id.
+    pub id: String,
+    /// Name for tables.
+    pub name: String,
+    /// What the publication adds.
+    pub adds: String,
+    /// The values that turn it off, by key.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, number | string | boolean>"))]
+    pub without: Values,
+}
+
 /// The whole catalog as data.
 pub fn catalog() -> Catalog {
     let preset = |p: &crate::planner::Preset| PresetEntry {
@@ -213,6 +230,8 @@ pub fn catalog() -> Catalog {
         meaning: p.meaning.into(),
         values: p.values(),
     };
+    let component =
+        |c: &Component| ComponentEntry { id: c.id.into(), name: c.name.into(), adds: c.adds.into(), without: c.values() };
     let entry = |e: &&Entry| CatalogEntry {
         id: e.id.into(),
         name: e.name.into(),
@@ -220,6 +239,8 @@ pub fn catalog() -> Catalog {
         summary: e.summary.into(),
         source: e.source.into(),
         presets: e.presets.iter().map(preset).collect(),
+        // No planner of the opening build has any; it is spared the reading of numbers.
+        components: if MORE { e.components.iter().map(component).collect() } else { Vec::new() },
         params: (e.specs)(),
         layers: e.layers.to_vec(),
         max_goals: e.max_goals,

@@ -2,6 +2,7 @@
 
 use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, is_diagonal, opposite};
 use crate::metrics;
+use crate::planner::held;
 use crate::rng::Stream;
 
 use super::dead_end::DeadEnd;
@@ -175,6 +176,11 @@ impl Ant {
     /// Length of its way in cells, once it has arrived.
     pub fn length(&self) -> Option<f64> {
         (self.fate == Fate::Arrived).then(|| self.walked())
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.steps) + held(&self.abandoned) + held(&self.tabu.bits)
     }
 
     /// Which of the eight neighbours it has visited, as bits by direction.

@@ -4,7 +4,10 @@
 //! plain powers would leave the range of f32 (β = 25), and trails far from all paths evaporate for hundreds of iterations. So the best
 //! step of a cell weighs about 1 whatever the scale of its trails; a feasible step keeps at least [`FLOOR`], an infeasible one has 0.
 
+use std::sync::Arc;
+
 use crate::map::{Cell, DIRECTIONS, Direction};
+use crate::planner::held;
 use crate::rng::{Stream, unit_f32};
 use crate::scenario::Scenario;
 use rand::Rng;
@@ -36,8 +39,8 @@ pub type Eta<'a> = dyn Fn(Cell, Direction, Cell) -> f64 + 'a;
 pub struct Choice {
     alpha: f64,
     beta: f64,
-    /// (η/η_max)^β by cell and direction; 0 for infeasible steps.
-    visibility: Vec<Row>,
+    /// (η/η_max)^β by cell and direction; 0 for infeasible steps. Snapshots share it: it hardly ever changes.
+    visibility: Arc<Vec<Row>>,
     /// τ^α·(η/η_max)^β.
     weights: Vec<Row>,
 }
@@ -45,24 +48,16 @@ pub struct Choice {
 impl Choice {
     /// Empty tables for a map of this many cells.
     pub fn new(cells: usize, alpha: f64, beta: f64) -> Self {
-        Self { alpha, beta, visibility: vec![[0.0; DIRECTIONS]; cells], weights: vec![[0.0; DIRECTIONS]; cells] }
+        let rows = || vec![[0.0; DIRECTIONS]; cells];
+        Self { alpha, beta, visibility: Arc::new(rows()), weights: rows() }
     }
 
     /// Takes in η(i, direction, j) of every feasible step.
     #[inline(never)]
     pub fn see(&mut self, scenario: &Scenario, eta: &Eta) {
-        for c in 0..scenario.grid.len() as Cell {
-            let mut row = [0.0f64; DIRECTIONS];
-            for d in scenario.moves.directions(c) {
-                row[d as usize] = eta(c, d, scenario.moves.step(c, d));
-            }
-            let largest = row.iter().fold(0.0f64, |m, &e| m.max(e));
-            let out = &mut self.visibility[c as usize];
-            *out = [0.0; DIRECTIONS];
-            for d in scenario.moves.directions(c) {
-                out[d as usize] = (power(row[d as usize] / largest, self.beta) as f32).max(FLOOR);
-            }
-        }
+        let beta = self.beta;
+        let rows = Arc::make_mut(&mut self.visibility).iter_mut();
+        rows.zip(0..).for_each(|(row, c)| *row = visibility(scenario, eta, beta, c));
     }
 
     /// Recomputes the weights whose trail has changed.
@@ -72,11 +67,30 @@ impl Choice {
         trails.take_changes(|row, c| weights[c as usize] = weigh(row, alpha, &visibility[c as usize]));
     }
 
+    /// What it holds, in bytes, without what snapshots share.
+    pub fn bytes(&self) -> usize {
+        held(&self.weights)
+    }
+
     /// The weights of the steps from a cell.
     #[inline(always)]
     pub fn row(&self, c: Cell) -> &Row {
         &self.weights[c as usize]
     }
+}
+
+/// (η/η_max)^β of every step of a cell; 0 where the step is infeasible.
+pub(super) fn visibility(scenario: &Scenario, eta: &Eta, beta: f64, c: Cell) -> Row {
+    let mut seen = [0.0f64; DIRECTIONS];
+    for d in scenario.moves.directions(c) {
+        seen[d as usize] = eta(c, d, scenario.moves.step(c, d));
+    }
+    let largest = seen.iter().fold(0.0f64, |m, &e| m.max(e));
+    let mut row = [0.0; DIRECTIONS];
+    for d in scenario.moves.directions(c) {
+        row[d as usize] = (power(seen[d as usize] / largest, beta) as f32).max(FLOOR);
+    }
+    row
 }
 
 /// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).

@@ -5,18 +5,21 @@ use std::sync::Arc;
 use crate::map::Cell;
 use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
-use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Refined, Solution, Status, advance};
+use crate::planner::{
+    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, advance, held,
+};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Choice, Eta, Weights, without};
+use super::choice::{self, Choice, Eta, Weights, weigh, without};
 use super::lanes;
-use super::on_demand::OnDemand;
+use super::on_demand::{self, OnDemand};
 use super::trails::Trails;
 use super::variant::{Iteration, Settings, Step, Variant};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
+#[derive(Clone)]
 struct Tables {
     trails: Trails,
     /// The weights of every step, ready before the walk; empty with [`Variant::TIMED`].
@@ -40,6 +43,11 @@ impl Tables {
         }
     }
 
+    fn bytes(&self) -> usize {
+        let ants = held(&self.ants) + self.ants.iter().map(Ant::bytes).sum::<usize>();
+        self.trails.bytes() + self.choice.bytes() + self.on_demand.bytes() + ants
+    }
+
     #[inline(never)]
     fn place_ants(&mut self, scenario: &Scenario, streams: Streams, iteration: u32) {
         for (k, ant) in self.ants.iter_mut().enumerate() {
@@ -49,6 +57,7 @@ impl Tables {
 }
 
 /// A colony at work on one scenario.
+#[derive(Clone)]
 pub struct Colony<V> {
     scenario: Arc<Scenario>,
     variant: V,
@@ -90,6 +99,35 @@ impl<V: Variant + 'static> Colony<V> {
         let mut trails = Trails::new(self.scenario.grid.len(), self.variant.initial_trail(&self.scenario));
         self.variant.shape_trails(&self.scenario, &mut trails);
         trails
+    }
+
+    /// The variant as the ants of the iteration at work have it or, between two, those of the next; of the last once the budget is spent.
+    fn variant_now(&self) -> V {
+        let mut variant = self.variant.clone();
+        if self.tables.is_none() {
+            variant.prepare(&self.scenario);
+        }
+        if !self.constructing {
+            variant.begin_iteration((self.progress.effort.iterations + 1).min(self.settings.iterations));
+        }
+        variant
+    }
+
+    /// [`Planner::moves_from`] for a cell of the map; the weights and the rule are those of the walk.
+    fn odds_at(&self, variant: &V, trails: &Trails, cell: Cell) -> Vec<MoveOdds> {
+        let (scenario, settings) = (&*self.scenario, &self.settings);
+        let eta = |d, to| variant.heuristic(scenario, cell, d, to);
+        let seen = if V::TIMED {
+            on_demand::visibility(scenario, variant, settings.beta, cell)
+        } else {
+            choice::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
+        };
+        let odds = variant.odds(&weigh(&trails.relative(cell), settings.alpha, &seen));
+        let step = |d| {
+            let to = scenario.moves.step(cell, d);
+            MoveOdds { colony: 0, to, trail: trails.get(cell, d), heuristic: eta(d, to), probability: odds[d as usize] }
+        };
+        scenario.moves.directions(cell).map(step).collect()
     }
 }
 
@@ -255,6 +293,25 @@ fn record(iteration: &Iteration) -> Record {
 impl<V: Variant + 'static> Planner for Colony<V> {
     fn advance(&mut self, by: Granularity) -> Status {
         advance(self, by)
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
+    }
+
+    fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
+        if cell as usize >= self.scenario.grid.len() || cell == self.scenario.goal {
+            return Vec::new();
+        }
+        let variant = self.variant_now();
+        match &self.tables {
+            Some(tables) => self.odds_at(&variant, &tables.trails, cell),
+            None => self.odds_at(&variant, &self.initial_trails(), cell),
+        }
     }
 
     fn progress(&self) -> &Progress {

@@ -7,16 +7,17 @@ use std::sync::Arc;
 
 use crate::map::Cell;
 use crate::path::Path;
-use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
 use super::colony::{self, Colony};
 use super::variant::{Settings, Variant};
 
 /// Makes the second stage's variant from the first one's best path and its length in cells, if there is one.
-pub type Second<V> = Box<dyn Fn(Option<(Path, f64)>) -> V + Send>;
+pub type Second<V> = Arc<dyn Fn(Option<(Path, f64)>) -> V + Send + Sync>;
 
 /// A planner, and then a colony on the trails that it seeds.
+#[derive(Clone)]
 pub struct Hybrid<V> {
     scenario: Arc<Scenario>,
     first: Box<dyn Planner>,
@@ -105,6 +106,20 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
 
     fn progress(&self) -> &Progress {
         &self.progress
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let second = self.colony.as_ref().map_or(0, |colony| colony.bytes() - size_of::<Colony<V>>());
+        size_of::<Self>() + self.progress.bytes() + self.first.bytes() + second
+    }
+
+    /// Those of the colony; none while the first stage runs, which has no ants.
+    fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
+        self.colony.as_ref().map_or_else(Vec::new, |colony| colony.moves_from(cell))
     }
 
     fn objective(&self) -> Objective {

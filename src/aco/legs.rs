@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, nested};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -35,7 +35,7 @@ pub struct OrderLevel {
 
 /// A planner for one goal or several: with one there is no order to choose, and it is the variant's colony alone. Its streams are those
 /// of the planner with the id `streams`; `layers` are those of its entry.
-pub fn planner<V: Variant + Clone + 'static>(
+pub fn planner<V: Variant + 'static>(
     scenario: &Arc<Scenario>,
     level: OrderLevel,
     variant: V,
@@ -61,6 +61,7 @@ pub fn planner<V: Variant + Clone + 'static>(
 }
 
 /// What is being done.
+#[derive(Clone)]
 enum Stage {
     /// Nothing yet.
     Begin,
@@ -73,6 +74,7 @@ enum Stage {
 }
 
 /// A colony for each leg, after a colony for their order.
+#[derive(Clone)]
 struct Legs<V> {
     scenario: Arc<Scenario>,
     level: OrderLevel,
@@ -86,7 +88,7 @@ struct Legs<V> {
     progress: Progress,
 }
 
-impl<V: Variant + Clone + 'static> Legs<V> {
+impl<V: Variant + 'static> Legs<V> {
     /// One step of the order level; false once the legs are walked.
     fn choose_order(&mut self) -> bool {
         let scenario = &self.scenario;
@@ -208,7 +210,7 @@ impl<V: Variant + Clone + 'static> Legs<V> {
     }
 }
 
-impl<V: Variant + Clone + 'static> Planner for Legs<V> {
+impl<V: Variant + 'static> Planner for Legs<V> {
     fn advance(&mut self, by: Granularity) -> Status {
         while !self.progress.status.is_finished() {
             let ordering = self.choose_order();
@@ -228,6 +230,27 @@ impl<V: Variant + Clone + 'static> Planner for Legs<V> {
 
     fn budget(&self) -> Option<u32> {
         Some(self.variant.settings().iterations)
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let order = match &self.stage {
+            Stage::Measuring(rows) => nested(rows),
+            Stage::Ordering(_, colony) => colony.bytes(),
+            Stage::Begin | Stage::Walking => 0,
+        };
+        let spare = (self.legs.capacity() - self.legs.len()) * size_of::<Colony<V>>();
+        size_of::<Self>() + self.progress.bytes() + order + spare + self.legs.iter().map(Colony::bytes).sum::<usize>()
+    }
+
+    /// A colony for each leg, in visiting order; none before the legs are walked.
+    fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
+        let of_leg =
+            |(leg, colony): (u32, &Colony<V>)| colony.moves_from(cell).into_iter().map(move |m| MoveOdds { colony: leg, ..m });
+        (0..).zip(&self.legs).flat_map(of_leg).collect()
     }
 
     /// Ants of each leg.

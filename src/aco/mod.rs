@@ -9,6 +9,7 @@
 //! | τ, evaporation, limits | `trails.rs` |
 //! | τ^α·η^β by cell and direction, selection rules | `choice.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
+//! | probabilities by these rules, for who looks at a cell | `odds.rs` |
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
@@ -42,6 +43,7 @@ pub mod heuristic;
 pub mod hybrid;
 mod lanes;
 pub mod legs;
+pub mod odds;
 pub mod on_demand;
 pub mod shared_params;
 pub mod tour;

@@ -5,6 +5,7 @@
 //! largest of the cell, and a feasible step keeps at least the same floor. Which ant comes first changes nothing.
 
 use crate::map::{Cell, DIRECTIONS};
+use crate::planner::held;
 use crate::scenario::Scenario;
 
 use super::choice::{FLOOR, Weights, weigh};
@@ -51,6 +52,11 @@ impl OnDemand {
         trails.take_changes(|_, c| state[c as usize] = state[c as usize].min(OUTDATED));
     }
 
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.fixed) + held(&self.timed) + held(&self.weights) + held(&self.state)
+    }
+
     /// The tables as a walk reads them now.
     pub fn now<'a, V: Variant>(&'a mut self, scenario: &'a Scenario, variant: &'a V, trails: &'a Trails) -> Now<'a, V> {
         Now { tables: self, scenario, variant, trails, time: variant.time() as f32 }
@@ -87,26 +93,42 @@ impl<V: Variant> Now<'_, V> {
         }
         let tables = &mut *self.tables;
         tables.state[i] = tables.now;
-        let (fixed, timed, trail) = (&tables.fixed[i], &tables.timed[i], self.trails.relative(c));
-        let logs: Row = std::array::from_fn(|d| fixed[d] + timed[d] * self.time);
-        let largest = logs.iter().fold(f32::NEG_INFINITY, |m, &x| if x > m { x } else { m });
-        let seen = logs.map(|x| if x > f32::NEG_INFINITY { libm::exp2f(x - largest).max(FLOOR) } else { 0.0 });
-        tables.weights[i] = weigh(&trail, tables.alpha, &seen);
+        let seen = at_time(&tables.fixed[i], &tables.timed[i], self.time);
+        tables.weights[i] = weigh(&self.trails.relative(c), tables.alpha, &seen);
     }
 
     /// Takes in ln η of a cell's feasible steps.
     fn see(&mut self, c: Cell) {
-        let (mut fixed, mut timed) = ([f64::NEG_INFINITY; DIRECTIONS], [f64::NEG_INFINITY; DIRECTIONS]);
-        let scale = self.tables.beta / std::f64::consts::LN_2;
-        for d in self.scenario.moves.directions(c) {
-            let (a, b) = self.variant.log_heuristic(self.scenario, c, d, self.scenario.moves.step(c, d));
-            (fixed[d as usize], timed[d as usize]) = (a * scale, b * scale);
-        }
-        let below_largest = |row: [f64; DIRECTIONS], infeasible: f32| -> Row {
-            let largest = row.iter().fold(f64::NEG_INFINITY, |m, &x| if x > m { x } else { m });
-            row.map(|x| if x.is_finite() { (x - largest) as f32 } else { infeasible })
-        };
-        self.tables.fixed[c as usize] = below_largest(fixed, f32::NEG_INFINITY);
-        self.tables.timed[c as usize] = below_largest(timed, 0.0);
+        let (fixed, timed) = logs(self.scenario, self.variant, self.tables.beta, c);
+        self.tables.fixed[c as usize] = fixed;
+        self.tables.timed[c as usize] = timed;
     }
+}
+
+/// β·a / ln 2 and β·b / ln 2 of a cell's steps, the largest of each being 0.
+fn logs<V: Variant>(scenario: &Scenario, variant: &V, beta: f64, c: Cell) -> (Row, Row) {
+    let (mut fixed, mut timed) = ([f64::NEG_INFINITY; DIRECTIONS], [f64::NEG_INFINITY; DIRECTIONS]);
+    let scale = beta / std::f64::consts::LN_2;
+    for d in scenario.moves.directions(c) {
+        let (a, b) = variant.log_heuristic(scenario, c, d, scenario.moves.step(c, d));
+        (fixed[d as usize], timed[d as usize]) = (a * scale, b * scale);
+    }
+    let below_largest = |row: [f64; DIRECTIONS], infeasible: f32| -> Row {
+        let largest = row.iter().fold(f64::NEG_INFINITY, |m, &x| if x > m { x } else { m });
+        row.map(|x| if x.is_finite() { (x - largest) as f32 } else { infeasible })
+    };
+    (below_largest(fixed, f32::NEG_INFINITY), below_largest(timed, 0.0))
+}
+
+/// (η/η_max)^β of a cell's steps at one time; 0 for infeasible ones.
+fn at_time(fixed: &Row, timed: &Row, time: f32) -> Row {
+    let logs: Row = std::array::from_fn(|d| fixed[d] + timed[d] * time);
+    let largest = logs.iter().fold(f32::NEG_INFINITY, |m, &x| if x > m { x } else { m });
+    logs.map(|x| if x > f32::NEG_INFINITY { libm::exp2f(x - largest).max(FLOOR) } else { 0.0 })
+}
+
+/// (η/η_max)^β of a cell's steps as a walk would compute it now; 0 for infeasible ones.
+pub(super) fn visibility<V: Variant>(scenario: &Scenario, variant: &V, beta: f64, c: Cell) -> Row {
+    let (fixed, timed) = logs(scenario, variant, beta, c);
+    at_time(&fixed, &timed, variant.time() as f32)
 }

@@ -8,6 +8,7 @@ use rand::Rng;
 
 use super::choice::power;
 use crate::exact::order::{Costs, Shape};
+use crate::planner::held;
 use crate::rng::{Stream, Streams, unit_f32};
 
 /// Costs below this count as this: two nodes may share a cell, and η = 1 / cost.
@@ -96,6 +97,11 @@ impl OrderColony {
     /// Whether the budget of iterations is spent.
     pub fn is_finished(&self) -> bool {
         self.iterations >= self.settings.iterations
+    }
+
+    /// What it holds beside its costs, in bytes; of both as many as there are pairs of nodes.
+    pub fn bytes(&self) -> usize {
+        3 * held(&self.trails) + self.best.as_ref().map_or(0, |best| held(&best.order))
     }
 
     /// τ of the edge from node i to node j.

@@ -5,6 +5,7 @@
 //! all trails, which rounds differently): an iteration touches the cells where ants have been, not the whole map.
 
 use crate::map::{Cell, DIRECTIONS, Direction};
+use crate::planner::held;
 
 /// Values by cell and direction.
 pub type Row = [f32; DIRECTIONS];
@@ -148,6 +149,11 @@ impl Trails {
         self.is_active[c as usize] = true;
         self.active.push(c);
         self.stored[c as usize] = [self.background; DIRECTIONS];
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.stored) + held(&self.dirty) + held(&self.touched) + held(&self.active) + held(&self.is_active)
     }
 
     /// Every weight is to be computed anew, because η has changed.

@@ -10,6 +10,7 @@ use super::ant::Ant;
 use super::choice::random_proportional;
 use super::dead_end::DeadEnd;
 use super::deposit;
+use super::odds;
 use super::trails::{Row, Trails};
 
 /// Numbers that every colony has.
@@ -79,7 +80,7 @@ pub struct Step {
 }
 
 /// A variant of the colony. Every default is Ant System.
-pub trait Variant: Send {
+pub trait Variant: Clone + Send {
     /// Whether ants change trails while they walk: then all of them move in lock step, one move each in index order. Otherwise each
     /// ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
     const LOCK_STEP: bool = false;
@@ -128,6 +129,11 @@ pub trait Variant: Send {
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
         random_proportional(weights, stream)
+    }
+
+    /// With which probability [`Variant::choose`] selects each step.
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        odds::random_proportional(weights)
     }
 
     /// After a step of an ant (only with [`Variant::LOCK_STEP`]).

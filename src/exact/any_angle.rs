@@ -19,13 +19,14 @@ use crate::error::ParamError;
 use crate::map::{Cell, Point};
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
+use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status, held};
 use crate::scenario::Scenario;
 
 /// Largest map in cells, free or not: 64 × 64.
 pub const MOST_CELLS: usize = 64 * 64;
 
 /// A free cell that a way may lead to.
+#[derive(Clone)]
 struct Candidate {
     cell: Cell,
     at: Point,
@@ -33,7 +34,7 @@ struct Candidate {
 }
 
 /// The rules of the search: all cells in sight.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct AnyAngle {
     /// The free cells that can be reached at all.
     candidates: Vec<Candidate>,
@@ -51,6 +52,10 @@ impl Rules for AnyAngle {
         let candidate = |cell| Candidate { cell, at: scenario.grid.point(cell), to_goal: self.to_goal(scenario, cell) };
         self.candidates = cells.map(candidate).collect();
         self.distances = (0..scenario.grid.len() as Cell).map(|c| euclidean(scenario, 0, c)).collect();
+    }
+
+    fn bytes(&self) -> usize {
+        held(&self.candidates) + held(&self.distances)
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
@@ -100,6 +105,7 @@ pub const ENTRY: Entry = Entry {
     summary: "A* over all pairs of cells that see each other; always the shortest polyline through cell centres, on maps of up to 64 × 64 cells.",
     source: "ours: A* (Hart, Nilsson, Raphael 1968) on the graph of all cells in line of sight",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: Ground::STEPS,

@@ -17,7 +17,10 @@ use crate::scenario::Scenario;
 
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
 /// terrain it is a lower bound.
+#[derive(Clone)]
 pub struct Distance {
+    /// Whether nothing is known of the goal: 0 everywhere. A search by it is the same code as by the others.
+    unknown: bool,
     goal: Point,
     saved_by_diagonal: f64,
     saved_by_far: f64,
@@ -31,6 +34,11 @@ impl Distance {
         Self::to(scenario, scenario.goal)
     }
 
+    /// Dijkstra's: it knows nothing of the goal.
+    pub fn unknown(scenario: &Scenario) -> Self {
+        Self { unknown: true, ..Self::of(scenario) }
+    }
+
     /// To any cell of the scenario's map.
     pub fn to(scenario: &Scenario, goal: Cell) -> Self {
         // Between a row and a diagonal, 16 moves replace a straight and a diagonal step by one of √5.
@@ -40,13 +48,16 @@ impl Distance {
             Moves::Sixteen => (2.0 - SQRT_2, 1.0 + SQRT_2 - step_length(DIRECTIONS as u8)),
         };
         let relief = scenario.moves.relief().map(|r| (r.clone(), scenario.grid.width(), r.height(goal)));
-        Self { goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, relief }
+        Self { unknown: false, goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, relief }
     }
 }
 
 impl Estimate for Distance {
     #[inline(always)]
     fn to_goal(&self, x: u32, y: u32) -> f64 {
+        if self.unknown {
+            return 0.0;
+        }
         let (dx, dy) = (x.abs_diff(self.goal.x), y.abs_diff(self.goal.y));
         let mut plane = f64::from(dx + dy) - self.saved_by_diagonal * f64::from(dx.min(dy));
         if self.saved_by_far > 0.0 {
@@ -75,6 +86,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Explores by cost so far plus a lower bound of what remains; always the shortest path, usually with fewer cells.",
     source: "Hart, Nilsson, Raphael 1968, IEEE Trans. Systems Science and Cybernetics 4, 100–107, doi:10.1109/TSSC.1968.300136",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: Ground::STEPS,

@@ -9,7 +9,7 @@ use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
 
 /// A cell, or a cell and what else the cost of the next step depends on.
@@ -21,7 +21,7 @@ pub(super) const SAME: f64 = 1e-9;
 const NO_PARENT: State = State::MAX;
 
 /// What a search does.
-pub(super) trait Rules: Send {
+pub(super) trait Rules: Clone + Send {
     /// What the result is measured by.
     const OBJECTIVE: Objective;
     /// What a path that it has found to the end is.
@@ -35,6 +35,10 @@ pub(super) trait Rules: Send {
     fn start(&self, scenario: &Scenario) -> State {
         scenario.start * Self::STATES_PER_CELL
     }
+    /// What its tables hold, in bytes.
+    fn bytes(&self) -> usize {
+        0
+    }
     /// A lower bound of the cost from a cell to the goal.
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64;
     /// Relaxes what can follow a state.
@@ -42,6 +46,7 @@ pub(super) trait Rules: Send {
 }
 
 /// A state that waits to be expanded.
+#[derive(Clone)]
 pub(super) struct Open {
     pub(super) state: State,
     /// Cost from the start.
@@ -72,6 +77,7 @@ impl PartialEq for Open {
 impl Eq for Open {}
 
 /// The ways found so far.
+#[derive(Clone)]
 pub(super) struct Tree {
     /// Cost from the start by state; empty until the first step.
     g: Vec<f64>,
@@ -148,6 +154,7 @@ impl Tree {
 }
 
 /// A search at work.
+#[derive(Clone)]
 pub(super) struct BestFirst<R> {
     scenario: Arc<Scenario>,
     rules: R,
@@ -210,7 +217,7 @@ impl<R: Rules> BestFirst<R> {
     }
 }
 
-impl<R: Rules> Planner for BestFirst<R> {
+impl<R: Rules + 'static> Planner for BestFirst<R> {
     fn advance(&mut self, by: Granularity) -> Status {
         if self.progress.status.is_finished() {
             return self.progress.status;
@@ -228,6 +235,16 @@ impl<R: Rules> Planner for BestFirst<R> {
 
     fn progress(&self) -> &Progress {
         &self.progress
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let Tree { g, parent, expanded, open, .. } = &self.tree;
+        let tree = held(g) + held(parent) + held(expanded) + open.capacity() * size_of::<Open>();
+        size_of::<Self>() + self.progress.bytes() + self.rules.bytes() + tree
     }
 
     fn objective(&self) -> Objective {

@@ -4,25 +4,16 @@
 
 use std::sync::Arc;
 
-use super::search::{Estimate, Search};
+use super::astar::Distance;
+use super::search::Search;
 use crate::error::ParamError;
 use crate::params::{Values, check_keys};
 use crate::planner::{Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
-/// Knows nothing of the goal.
-pub(super) struct Nothing;
-
-impl Estimate for Nothing {
-    #[inline(always)]
-    fn to_goal(&self, _: u32, _: u32) -> f64 {
-        0.0
-    }
-}
-
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     check_keys(ENTRY.id, &[], values)?;
-    Ok(Box::new(Search::new(Arc::clone(scenario), Nothing)))
+    Ok(Box::new(Search::new(Arc::clone(scenario), Distance::unknown(scenario))))
 }
 
 /// Dijkstra in the catalog.
@@ -33,6 +24,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Explores in rings of equal cost until the goal is reached; always the shortest path.",
     source: "Dijkstra 1959, Numerische Mathematik 1, 269–271, doi:10.1007/BF01386390",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: Ground::STEPS,

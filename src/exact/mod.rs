@@ -50,6 +50,11 @@ pub enum Reference {
 }
 
 impl Reference {
+    /// Whether no result can be better.
+    pub fn is_proven(self) -> bool {
+        matches!(self, Self::Proven { .. })
+    }
+
     /// The value, proven or not.
     pub fn value(self) -> Option<f64> {
         match self {

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::dijkstra::Nothing;
+use super::astar::Distance;
 use super::search::{EVERYWHERE, Search};
 use crate::map::Cell;
 use crate::path::Path;
@@ -105,8 +105,8 @@ pub(crate) fn grid_row(scenario: &Arc<Scenario>, node: usize) -> (Vec<f64>, u64)
     (at.iter().map(|&c| search.costs()[c as usize]).collect(), search.effort().cell_expansions)
 }
 
-fn everywhere(scenario: &Arc<Scenario>, cell: Cell) -> Search<Nothing> {
-    let mut search = Search::between(Arc::clone(scenario), cell, EVERYWHERE, Nothing);
+fn everywhere(scenario: &Arc<Scenario>, cell: Cell) -> Search<Distance> {
+    let mut search = Search::between(Arc::clone(scenario), cell, EVERYWHERE, Distance::unknown(scenario));
     search.run();
     search
 }

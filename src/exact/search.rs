@@ -13,11 +13,11 @@ use std::sync::Arc;
 use super::best_first::Open;
 use crate::map::{Cell, Direction, offset, opposite};
 use crate::path::Path;
-use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status, held, nested};
 use crate::scenario::Scenario;
 
 /// A lower bound of the remaining cost that never drops by more than a step costs.
-pub trait Estimate: Send {
+pub trait Estimate: Clone + Send {
     /// For the cell in column x and row y, in cells.
     fn to_goal(&self, x: u32, y: u32) -> f64;
 }
@@ -32,6 +32,7 @@ const NO_PARENT: u8 = u8::MAX;
 pub(super) const EVERYWHERE: Cell = Cell::MAX;
 
 /// A search at work.
+#[derive(Clone)]
 pub(super) struct Search<E> {
     scenario: Arc<Scenario>,
     start: Cell,
@@ -233,7 +234,7 @@ fn contour(scenario: &Scenario) -> f64 {
     (0..cells).flat_map(longest).fold(1.0, |most: f64, length| most.max(libm::ceil(length / 16.0)))
 }
 
-impl<E: Estimate> Planner for Search<E> {
+impl<E: Estimate + 'static> Planner for Search<E> {
     fn advance(&mut self, by: Granularity) -> Status {
         if self.progress.status.is_finished() {
             return self.progress.status;
@@ -251,6 +252,16 @@ impl<E: Estimate> Planner for Search<E> {
 
     fn progress(&self) -> &Progress {
         &self.progress
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let sorted = self.sorted.as_ref().map_or(0, |sorted| sorted.capacity() * size_of::<Open>());
+        let tables = held(&self.g) + held(&self.parent) + held(&self.expanded) + nested(&self.buckets);
+        size_of::<Self>() + self.progress.bytes() + tables + sorted
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {

@@ -8,13 +8,14 @@ use std::sync::Arc;
 use crate::error::ParamError;
 use crate::map::{Cell, Slices, Way};
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
 
 /// Predecessor of a place that nothing leads to.
 const NONE: Cell = Cell::MAX;
 
 /// The search at work: one column an iteration.
+#[derive(Clone)]
 struct SliceSearch {
     slices: Arc<Slices>,
     /// Cost of the cheapest way to each place; empty until the first step.
@@ -101,6 +102,14 @@ impl Planner for SliceSearch {
         &self.progress
     }
 
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + self.progress.bytes() + held(&self.cost) + held(&self.parent) + held(&self.front)
+    }
+
     fn objective(&self) -> Objective {
         Objective::SliceCost
     }
@@ -145,6 +154,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Dynamic programming from column to column; always the cheapest path by slices over a terrain.",
     source: "Bellman 1957, Dynamic Programming, Princeton University Press",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: &[Ground::Slices],

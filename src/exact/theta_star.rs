@@ -19,6 +19,7 @@ use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
 use crate::scenario::Scenario;
 
 /// The rules of Theta*.
+#[derive(Clone)]
 struct ThetaStar;
 
 impl Rules for ThetaStar {
@@ -63,6 +64,7 @@ pub const ENTRY: Entry = Entry {
     summary: "A* whose segments may have any angle: a cell hangs on its grandparent where that one sees it. Short polylines, without a proof.",
     source: "Nash, Daniel, Koenig, Felner 2007, AAAI-07, 1177–1183; Daniel, Nash, Koenig, Felner 2010, JAIR 39, 533–579, doi:10.1613/jair.2994",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: Ground::PLANE,

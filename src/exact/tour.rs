@@ -7,12 +7,14 @@ use std::sync::Arc;
 
 use super::astar::Distance;
 use super::order::{self, Costs, MAX_ORDERED, Shape, held_karp, nodes};
-use super::search::{EVERYWHERE, Estimate, Search};
+use super::search::{EVERYWHERE, Search};
 use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Effort, Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{
+    Effort, Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status, nested,
+};
 use crate::scenario::Scenario;
 use crate::{choice, params};
 
@@ -34,17 +36,8 @@ params! {
     }
 }
 
-/// Towards a cell, or everywhere.
-struct Bound(Option<Distance>);
-
-impl Estimate for Bound {
-    #[inline(always)]
-    fn to_goal(&self, x: u32, y: u32) -> f64 {
-        self.0.as_ref().map_or(0.0, |distance| distance.to_goal(x, y))
-    }
-}
-
 /// The exact tour at work: first a search from each node but the last to all others, then a search for each leg.
+#[derive(Clone)]
 struct ExactTour {
     scenario: Arc<Scenario>,
     objective: Objective,
@@ -52,13 +45,13 @@ struct ExactTour {
     rows: Vec<Vec<f64>>,
     /// The legs that are found.
     legs: Vec<Path>,
-    search: Search<Bound>,
+    search: Search<Distance>,
     progress: Progress,
 }
 
 impl ExactTour {
     fn new(scenario: Arc<Scenario>, objective: Objective) -> Self {
-        let search = Search::between(Arc::clone(&scenario), scenario.start, EVERYWHERE, Bound(None));
+        let search = Search::between(Arc::clone(&scenario), scenario.start, EVERYWHERE, Distance::unknown(&scenario));
         let (rows, legs, progress) = (Vec::new(), Vec::new(), Progress::default());
         Self { scenario, objective, rows, legs, search, progress }
     }
@@ -81,7 +74,8 @@ impl ExactTour {
     }
 
     fn look_for(&mut self, from: Cell, to: Cell) {
-        let bound = Bound((to != EVERYWHERE).then(|| Distance::to(&self.scenario, to)));
+        let scenario = &self.scenario;
+        let bound = if to == EVERYWHERE { Distance::unknown(scenario) } else { Distance::to(scenario, to) };
         self.search = Search::between(Arc::clone(&self.scenario), from, to, bound);
     }
 
@@ -152,6 +146,15 @@ impl Planner for ExactTour {
         &self.progress
     }
 
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let search = self.search.bytes() - size_of::<Search<Distance>>();
+        size_of::<Self>() + self.progress.bytes() + nested(&self.rows) + nested(&self.legs) + search
+    }
+
     fn objective(&self) -> Objective {
         self.objective
     }
@@ -184,6 +187,7 @@ pub const ENTRY: Entry = Entry {
     summary: "The proven best order of up to 16 goals, by weight or by length, with a shortest path for each leg.",
     source: "Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: MAX_ORDERED as u32,
     grounds: Ground::STEPS,

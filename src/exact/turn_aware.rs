@@ -14,13 +14,14 @@ use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, step_length};
 use crate::metrics::TURN_WEIGHT;
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
+use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status, held};
 use crate::scenario::Scenario;
 
 /// A cell's state at the start, which no step led to.
 const NO_DIRECTION: Direction = DIRECTIONS as Direction;
 
 /// The rules of the search: states are cell · 9 + direction.
+#[derive(Clone)]
 struct TurnAware {
     distance: Distance,
     /// V at the first expansion by cell.
@@ -54,6 +55,10 @@ impl Rules for TurnAware {
 
     fn prepare(&mut self, scenario: &Scenario) {
         self.first = vec![f64::INFINITY; scenario.grid.len()];
+    }
+
+    fn bytes(&self) -> usize {
+        held(&self.first)
     }
 
     fn start(&self, scenario: &Scenario) -> State {
@@ -90,6 +95,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times.",
     source: "V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)",
     presets: &[],
+    components: &[],
     layers: &[Layer::Cost, Layer::Visits],
     max_goals: 1,
     grounds: Ground::PLANE,

@@ -1,6 +1,9 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 mod ground;
+mod memory;
+mod moves;
+pub mod playback;
 mod progress;
 
 use std::sync::Arc;
@@ -16,6 +19,8 @@ use crate::path::PathKind;
 use crate::scenario::Scenario;
 
 pub use ground::Ground;
+pub(crate) use memory::{held, nested};
+pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tour};
 pub(crate) use progress::{Iterations, advance};
 
@@ -139,6 +144,18 @@ pub trait Planner: Send {
         out.clear();
     }
 
+    /// The same planner as it stands, with tables of its own: either goes on to the same end.
+    fn snapshot(&self) -> Box<dyn Planner>;
+
+    /// What a snapshot holds, in bytes: its own tables; not the scenario, nor what the planner's copies share.
+    fn bytes(&self) -> usize;
+
+    /// The moves among which an ant at a cell (by slices at a place) chooses, as it would see them that has visited nothing else: of the
+    /// iteration at work or, between two of them, of the next. Empty where no ant goes on: at a goal, on a wall, in a planner without ants.
+    fn moves_from(&self, _cell: Cell) -> Vec<MoveOdds> {
+        Vec::new()
+    }
+
     /// What its result is measured by.
     fn objective(&self) -> Objective {
         Objective::Length
@@ -196,6 +213,12 @@ pub trait Planner: Send {
     }
 }
 
+impl Clone for Box<dyn Planner> {
+    fn clone(&self) -> Self {
+        self.snapshot()
+    }
+}
+
 /// What kind of planner an entry of the catalog is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -231,7 +254,30 @@ impl Preset {
     pub fn values(&self) -> Values {
         let numbers = self.numbers.iter().map(|&(k, v)| (k.to_string(), Value::from(v)));
         let choice = |v: &str| v.parse::<bool>().map_or_else(|_| Value::from(v), Value::from);
-        numbers.chain(self.choices.iter().map(|&(k, v)| (k.to_string(), choice(v)))).collect()
+        // One by one: to be collected they would be sorted, and the opening build sorts nothing else.
+        let mut values = Values::new();
+        values.extend(numbers.chain(self.choices.iter().map(|&(k, v)| (k.to_string(), choice(v)))));
+        values
+    }
+}
+
+/// What a publication adds to the rule that it starts from, so that a run without it can be held against the full planner.
+#[derive(Debug, Clone, Copy)]
+pub struct Component {
+    /// Its id in entries of questions and in tables: a to z, 0 to 9 and -; it names the same thing in every planner.
+    pub id: &'static str,
+    /// Name for tables.
+    pub name: &'static str,
+    /// What the publication adds, in one sentence with its equations.
+    pub adds: &'static str,
+    /// The values that turn it off by key, as `--set` reads them; whatever else is given stays.
+    pub without: &'static [(&'static str, &'static str)],
+}
+
+impl Component {
+    /// The values that turn it off.
+    pub fn values(&self) -> Values {
+        self.without.iter().map(|&(key, text)| (key.to_string(), Value::parse(text))).collect()
     }
 }
 
@@ -250,6 +296,8 @@ pub struct Entry {
     pub source: &'static str,
     /// Named parameter sets.
     pub presets: &'static [Preset],
+    /// What its publication adds, in the order in which it tells them; empty for a rule to start from.
+    pub components: &'static [Component],
     /// The layers it can draw.
     pub layers: &'static [Layer],
     /// Most goals that it can visit: 1 for a planner from one place to another.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Granularity, Status};
+use super::{Granularity, Status, held};
 use crate::digest::Digest;
 use crate::path::Path;
 use crate::scenario::Scenario;
@@ -143,6 +143,13 @@ impl Progress {
             _ if done >= budget => Status::BudgetSpent,
             _ => Status::Running,
         }
+    }
+
+    /// What it holds in bytes, its own size not counted.
+    pub(crate) fn bytes(&self) -> usize {
+        let best = self.best.as_ref().map_or(0, |b| held(&b.path) + b.refined.as_ref().map_or(0, |r| held(&r.path)));
+        let tour = self.tour.as_ref().map_or(0, |t| held(&t.order) + held(&t.planned) + held(&t.walked));
+        held(&self.history) + best + tour
     }
 
     /// Adds a finished iteration to the history.

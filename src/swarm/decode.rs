@@ -11,6 +11,7 @@ use std::f64::consts::SQRT_2;
 use crate::aco::heuristic;
 use crate::map::{Cell, DIRECTIONS, Direction, Moves, Point, step_length};
 use crate::params;
+use crate::planner::held;
 use crate::scenario::Scenario;
 
 use super::search::{Decode, Settings};
@@ -177,6 +178,10 @@ impl Decode for Decoder {
 
     fn moves(&self) -> u32 {
         self.moves
+    }
+
+    fn bytes(&self) -> usize {
+        held(&self.free) + held(&self.nearness) + held(&self.scores) + held(&self.visited) + held(&self.path)
     }
 
     fn draw(&self, _: &Scenario, position: &[f32], out: &mut [f32]) {

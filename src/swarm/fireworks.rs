@@ -33,7 +33,7 @@ use crate::aco::Reading;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
@@ -249,6 +249,25 @@ const PRINTED: Preset = Preset {
     choices: &[("reading", "printed")],
 };
 
+/// What the paper adds to the fireworks of Tan and Zhu 2010; its Eq. 9 has both.
+pub const COMPONENTS: &[Component] = &[COOLED_RADIUS, WEIGHTED_MUTATION];
+
+/// Eq. 9, the radius.
+pub const COOLED_RADIUS: Component = Component {
+    id: "cooled-radius",
+    name: "cooled radius",
+    adds: "the radius of the explosions shrinks as by annealing (eq. 9, first part); without: it stays (eq. 3)",
+    without: &[("radius_end", "1")],
+};
+
+/// Eq. 9, the mutation.
+pub const WEIGHTED_MUTATION: Component = Component {
+    id: "weighted-mutation",
+    name: "weighted mutation",
+    adds: "the mutation's deviation has an inertia weight that falls (eq. 9, second part); without: the weight is 1 (eq. 5)",
+    without: &[("mutation_start", "1"), ("mutation_end", "1")],
+};
+
 /// The fireworks algorithm in the catalog.
 pub const FWA: Entry = Entry {
     id: "fwa",
@@ -257,6 +276,7 @@ pub const FWA: Entry = Entry {
     summary: "Each firework gives every cell a priority and so decodes into a path; good ones explode into many near sparks, bad ones into far ones.",
     source: "Tan, Zhu 2010, LNCS 6145, 355–364, doi:10.1007/978-3-642-13495-1_44; priorities as in Zhou, Mu, Zhang 2019",
     presets: &[PRINTED],
+    components: &[],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,
@@ -272,6 +292,7 @@ pub const IFWA: Entry = Entry {
     summary: "Fireworks whose explosions shrink as by annealing and whose mutations weigh less and less (its formula is lost: our choice).",
     source: "Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究), eq. 1–9",
     presets: &[PRINTED],
+    components: COMPONENTS,
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

@@ -13,6 +13,7 @@
 use rand::Rng;
 
 use crate::params;
+use crate::planner::held;
 use crate::rng::{Streams, unit_f32};
 
 use super::decode::DecodeRows;
@@ -129,6 +130,10 @@ impl ParticleSwarm {
 impl Method for ParticleSwarm {
     fn settings(&self) -> Settings {
         self.settings
+    }
+
+    fn bytes(&self) -> usize {
+        held(&self.velocities) + held(&self.own) + held(&self.own_costs)
     }
 
     fn propose(&mut self, population: &mut Population, number: u32, streams: Streams) -> bool {

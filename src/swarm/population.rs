@@ -2,6 +2,7 @@
 
 use rand::Rng;
 
+use crate::planner::held;
 use crate::rng::{Stream, unit_f32};
 
 /// The positions of an iteration. Those that are decoded come first.
@@ -24,6 +25,11 @@ impl Population {
     /// Number of dimensions.
     pub fn dimensions(&self) -> usize {
         self.dimensions
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.positions) + held(&self.costs) + held(&self.spare)
     }
 
     /// Number of positions, decoded or not.

@@ -94,6 +94,7 @@ pub const ENTRY: Entry = Entry {
             choices: &[],
         },
     ],
+    components: &[],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
     grounds: Ground::ALL,

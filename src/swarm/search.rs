@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance};
+use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance, held};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -27,9 +27,14 @@ pub struct Settings {
 }
 
 /// What moves the positions.
-pub trait Method: Send {
+pub trait Method: Clone + Send {
     /// The common numbers.
     fn settings(&self) -> Settings;
+
+    /// What it holds beside the population, in bytes.
+    fn bytes(&self) -> usize {
+        0
+    }
 
     /// Adds the next positions to decode in iteration `number` (from 1), or changes those that are there; everything in the population is
     /// decoded when it is called. False when the iteration is complete.
@@ -37,7 +42,7 @@ pub trait Method: Send {
 }
 
 /// What turns positions into paths.
-pub trait Decode: Send {
+pub trait Decode: Clone + Send {
     /// For one scenario.
     fn new(scenario: &Scenario, settings: &Settings) -> Self;
     /// Length of a position, at least 1.
@@ -50,11 +55,14 @@ pub trait Decode: Send {
     fn path(&self) -> &[Cell];
     /// Moves of the last decoding, steps back included.
     fn moves(&self) -> u32;
+    /// What it holds, in bytes.
+    fn bytes(&self) -> usize;
     /// Writes a position's numbers where they belong on the map; `out` has a value for each cell.
     fn draw(&self, scenario: &Scenario, position: &[f32], out: &mut [f32]);
 }
 
 /// What a swarm needs while it works; allocated at its first step.
+#[derive(Clone)]
 struct Tables<D> {
     decoder: D,
     population: Population,
@@ -81,6 +89,7 @@ impl Tally {
 }
 
 /// A swarm at work on one scenario.
+#[derive(Clone)]
 pub struct Swarm<M, D = Decoder> {
     scenario: Arc<Scenario>,
     method: M,
@@ -181,9 +190,19 @@ impl<M: Method, D: Decode> Iterations for Swarm<M, D> {
     }
 }
 
-impl<M: Method, D: Decode> Planner for Swarm<M, D> {
+impl<M: Method + 'static, D: Decode + 'static> Planner for Swarm<M, D> {
     fn advance(&mut self, by: Granularity) -> Status {
         advance(self, by)
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        let tables = |t: &Tables<D>| t.decoder.bytes() + t.population.bytes() + held(&t.visits);
+        let leader = held(&self.leader_position) + self.leader.as_ref().map_or(0, |(path, _)| held(path));
+        size_of::<Self>() + self.progress.bytes() + self.method.bytes() + leader + self.tables.as_ref().map_or(0, tables)
     }
 
     fn progress(&self) -> &Progress {

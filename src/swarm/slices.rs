@@ -12,6 +12,7 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use crate::map::{Cell, Slices};
+use crate::planner::held;
 use crate::scenario::Scenario;
 
 use super::search::{Decode, Settings};
@@ -122,6 +123,10 @@ impl Decode for SliceDecoder {
 
     fn moves(&self) -> u32 {
         self.path.len() as u32 - 1
+    }
+
+    fn bytes(&self) -> usize {
+        held(&self.path)
     }
 
     /// The level at each column's row.

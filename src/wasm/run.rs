@@ -12,13 +12,14 @@ use super::paint::{Canvas, Style, Theme};
 use super::{Answer, argument, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::params::Values;
+use crate::planner::playback::{Playback, Replay};
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
 use crate::scenario::{Scenario, ScenarioSpec};
 
 /// Parameter values by key.
 #[derive(serde::Deserialize, Tsify)]
 #[serde(transparent)]
-pub struct ParamInput(#[tsify(type = "Record<string, number | string | boolean>")] Values);
+pub struct ParamInput(#[tsify(type = "Record<string, number | string | boolean>")] pub(super) Values);
 
 /// Where a run stands.
 #[derive(Serialize, Tsify)]
@@ -55,8 +56,14 @@ pub struct RunSummary {
 /// A planner at work.
 #[wasm_bindgen]
 pub struct Run {
-    scenario: Arc<Scenario>,
-    planner: Box<dyn Planner>,
+    pub(super) scenario: Arc<Scenario>,
+    pub(super) planner: Box<dyn Planner>,
+    /// What is kept to look back; the beginning alone before [`Run::keep_snapshots`].
+    pub(super) playback: Playback,
+    /// On its way to the iteration that is to be looked at.
+    pub(super) replay: Option<Replay>,
+    /// How the planner stood at the iteration that is looked at.
+    pub(super) past: Option<Box<dyn Planner>>,
     layers: &'static [Layer],
     canvas: RefCell<Canvas>,
     /// Metrics of the best path and the iteration that found it: measured once per improvement, not once per frame.
@@ -79,14 +86,18 @@ impl Run {
         let ParamInput(values) = params.to_rust().map_err(|e| argument("params", &e.to_string()))?;
         let layers = crate::catalog::find(planner).map_err(throw)?.layers;
         let planner = crate::catalog::build(&scenario, planner, None, &values, seed).map_err(throw)?;
-        Ok(Run { scenario, planner, layers, canvas: RefCell::default(), measured: RefCell::default() })
+        let (canvas, measured) = Default::default();
+        let playback = Playback::new(&*planner, 0);
+        Ok(Run { scenario, planner, playback, replay: None, past: None, layers, canvas, measured })
     }
 
     /// Advances by up to `count` moves or iterations; stops early when finished.
     pub fn advance(&mut self, by: Ts<Granularity>, count: u32) -> Answer<Ts<Status>> {
         let by = by.to_rust().map_err(|e| argument("by", &e.to_string()))?;
         for _ in 0..count {
-            if self.planner.advance(by).is_finished() {
+            let finished = self.planner.advance(by).is_finished();
+            self.playback.note(&*self.planner, by);
+            if finished {
                 break;
             }
         }
@@ -103,9 +114,9 @@ impl Run {
         self.planner.effort().iterations
     }
 
-    /// Where the run stands.
+    /// Where the run stands, or stood at the iteration that is looked at.
     pub fn summary(&self) -> Ts<RunSummary> {
-        let planner = &self.planner;
+        let planner = self.shown();
         let last: Option<&Record> = planner.history().last();
         object(&RunSummary {
             status: planner.status(),
@@ -126,7 +137,7 @@ impl Run {
 
     /// Rows of the history from `from_row` on: iteration, best so far, iteration best, mean, worst, arrived; NaN where no ant arrived.
     pub fn history(&self, from_row: usize) -> Vec<f64> {
-        let rows = self.planner.history().get(from_row..).unwrap_or_default();
+        let rows = self.shown().history().get(from_row..).unwrap_or_default();
         let real = |v: Option<f64>| v.unwrap_or(f64::NAN);
         rows.iter()
             .flat_map(|r| {
@@ -138,23 +149,23 @@ impl Run {
 
     /// Number of rows of the history.
     pub fn history_rows(&self) -> usize {
-        self.planner.history().len()
+        self.shown().history().len()
     }
 
     /// The best path, refined where the planner does so, as x0, y0, x1, y1, …; empty while there is none.
     pub fn best_path(&self) -> Vec<u32> {
-        self.planner.best().map_or_else(Vec::new, |b| self.points(b.result().0))
+        self.shown().best().map_or_else(Vec::new, |b| self.points(b.result().0))
     }
 
     /// Altitude in metres of each place of the best path: on the ground of a terrain, by slices at its level; empty on a plane.
     pub fn best_altitudes(&self) -> Vec<f64> {
-        self.planner.best().map_or_else(Vec::new, |b| self.scenario.altitudes(b.result().0))
+        self.shown().best().map_or_else(Vec::new, |b| self.scenario.altitudes(b.result().0))
     }
 
     /// x, y of every living ant of the current iteration.
     pub fn ants(&self) -> Vec<u32> {
         let mut cells = Vec::new();
-        self.planner.ants(&mut cells);
+        self.shown().ants(&mut cells);
         self.points(&cells)
     }
 
@@ -174,7 +185,7 @@ impl Run {
     ) -> Answer<()> {
         let layer: Option<Layer> = serde_wasm_bindgen::from_value(layer).ok();
         let style = Style { theme: Theme::of(theme), scale: cells_per_unit(&self.scenario.spec), shaded };
-        self.canvas.borrow_mut().paint(context, &self.scenario.grid, &*self.planner, layer, style)
+        self.canvas.borrow_mut().paint(context, &self.scenario.grid, self.shown(), layer, style)
     }
 }
 
@@ -199,13 +210,18 @@ fn cells_per_unit(spec: &ScenarioSpec) -> f64 {
 }
 
 impl Run {
+    /// The planner that everything but stepping asks: as it stands, or as it stood.
+    pub(super) fn shown(&self) -> &dyn Planner {
+        self.past.as_deref().unwrap_or(&*self.planner)
+    }
+
     fn points(&self, cells: &[u32]) -> Vec<u32> {
         let width = self.scenario.grid.width();
         self.scenario.cells_of(cells).iter().flat_map(|&c| [c % width, c / width]).collect()
     }
 
     fn metrics(&self) -> Option<Metrics> {
-        let best = self.planner.best()?;
+        let best = self.shown().best()?;
         let mut measured = self.measured.borrow_mut();
         if measured.is_none_or(|(iteration, _)| iteration != best.iteration) {
             *measured = Some((best.iteration, Metrics::of(&self.scenario, best.result().0)));

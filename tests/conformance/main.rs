@@ -4,10 +4,12 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod components;
 mod grounds;
 mod parameters;
 mod paths;
 mod runs;
+mod snapshots;
 #[path = "../common/terrains.rs"]
 mod terrains;
 mod tours;

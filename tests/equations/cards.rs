@@ -1,6 +1,9 @@
-//! A card in docs/papers has a table of equations; a row that names a file and functions (`src/….rs`, then `name`, …) is checked here.
+//! A card in docs/papers has a table of equations; a row that names a file and functions (`src/….rs`, then `name`, …) is checked here. So are
+//! its tables of components, which are the catalog's.
 
 use std::path::Path;
+
+use formicarium::catalog::{self, CatalogEntry};
 
 /// What stands between backticks.
 fn quoted(cell: &str) -> impl Iterator<Item = &str> {
@@ -31,6 +34,33 @@ fn every_function_that_a_card_names_is_in_its_file() {
         for (file, name) in pairs {
             let source = std::fs::read_to_string(root.join(file)).unwrap_or_else(|e| panic!("{}: {file}: {e}", card.display()));
             assert!(source.contains(&format!("fn {name}(")), "{}: no `{name}` in {file}", card.display());
+        }
+    }
+}
+
+/// The table of a planner's components, as its card has it.
+fn components(planner: &CatalogEntry) -> String {
+    let head = format!("| component of `{}` | what the paper adds | taken out by |\n|---|---|---|\n", planner.id);
+    let row = |c: &catalog::ComponentEntry| {
+        let values: Vec<String> = c.without.iter().map(|(key, value)| format!("`{key}={value}`")).collect();
+        format!("| {} (`{}`) | {} | {} |\n", c.name, c.id, c.adds, values.join(", "))
+    };
+    head + &planner.components.iter().map(row).collect::<String>()
+}
+
+#[test]
+fn every_card_has_the_components_of_its_planners() {
+    let cards = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/papers").read_dir().expect("the cards");
+    let planners = catalog::catalog().planners;
+    for card in cards.map(|c| c.expect("readable").path()) {
+        let text = std::fs::read_to_string(&card).expect("text");
+        let line = text.lines().find(|l| l.starts_with("Planners:")).expect("its planners");
+        let own: Vec<&CatalogEntry> =
+            planners.iter().filter(|p| !p.components.is_empty() && quoted(line).any(|q| q == p.id)).collect();
+        assert!(!own.is_empty(), "{} names no planner with components", card.display());
+        for planner in own {
+            let table = components(planner);
+            assert!(text.contains(&table), "{} should have\n{table}", card.display());
         }
     }
 }

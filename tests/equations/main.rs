@@ -3,6 +3,7 @@
 
 mod cards;
 mod classics;
+mod components;
 mod fire;
 mod fireworks;
 mod pso;

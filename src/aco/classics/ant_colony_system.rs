@@ -14,12 +14,14 @@
 //! Where the publication is silent on paths, we do as in [`super::ant_system`], and take L_open, the length from start to goal on an open
 //! map, for the nearest-neighbour tour C, and the steps of that path for n, as a tour of n cities has n steps. All ants move in lock
 //! step, one move each in index order, as the paper does; a step back from a dead end changes no trail. The rule has no α; with
-//! `alpha` = 1 the weights are the paper's τ·η^β.
+//! `alpha` = 1 the weights are the paper's τ·η^β. Its third addition, that the best path so far alone is reinforced (eq. 3.11), cannot be
+//! taken out alone: nothing else reinforces.
 
 use std::sync::Arc;
 
 use crate::aco::choice::pseudo_random_proportional;
 use crate::aco::colony::Colony;
+use crate::aco::odds;
 use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, open_map_steps, settings};
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
@@ -27,7 +29,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -89,6 +91,10 @@ impl Variant for AntColonySystem {
         pseudo_random_proportional(weights, self.params.q0, stream)
     }
 
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        odds::pseudo_random_proportional(weights, self.params.q0)
+    }
+
     fn on_move(&self, trails: &mut Trails, step: Step) {
         trails.blend(step.from, step.direction, self.params.xi, self.initial);
     }
@@ -115,6 +121,20 @@ pub const ENTRY: Entry = Entry {
     summary: "Ants mostly take the best step, wear off the trail they walk on, and only the best path so far is reinforced.",
     source: "Dorigo, Gambardella 1997, IEEE Trans. Evolutionary Computation 1, 53–66, doi:10.1109/4235.585892",
     presets: &[],
+    components: &[
+        Component {
+            id: "greedy-choice",
+            name: "mostly the best step (q0)",
+            adds: "with probability q0 an ant takes the best step (eq. 3.10); without: every step by its probability (eq. 3.2)",
+            without: &[("q0", "0")],
+        },
+        Component {
+            id: "local-update",
+            name: "local update",
+            adds: "an ant wears off the trail of each step it takes (eq. 3.12); without: it changes nothing as it walks",
+            without: &[("xi", "0")],
+        },
+    ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

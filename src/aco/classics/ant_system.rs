@@ -132,6 +132,7 @@ pub const ENTRY: Entry = Entry {
     summary: "The first ant-colony algorithm: every ant that arrives leaves pheromone, more on shorter paths, and trails evaporate.",
     source: "Dorigo, Maniezzo, Colorni 1996, IEEE Trans. SMC-B 26, 29–41, doi:10.1109/3477.484436",
     presets: PRESETS,
+    components: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

@@ -25,7 +25,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
 params! {
@@ -96,6 +96,12 @@ pub const ENTRY: Entry = Entry {
     summary: "Ant System in which the best path so far gets extra pheromone in every iteration, as if elitist ants walked it again.",
     source: "Dorigo, Maniezzo, Colorni 1996, IEEE Trans. SMC-B 26, 29–41, doi:10.1109/3477.484436",
     presets: &[],
+    components: &[Component {
+        id: "elitists",
+        name: "elitist ants",
+        adds: "the best path so far is deposited e times more in each iteration (eq. 3.6–3.7); without: e = 0, Ant System",
+        without: &[("elitists", "0")],
+    }],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

@@ -9,7 +9,7 @@
 //! | selection | as Ant System |
 //! | on each move | nothing |
 //! | update | eq. 3.9: evaporate, 1/L on the iteration-best or the best-so-far path; then τ_min ≤ τ ≤ τ_max |
-//! | limits | τ_max = 1/(ρ·L_bs), τ_min = τ_max·(1 − ⁿ√p)/((avg − 1)·ⁿ√p), p = p_best, anew with each new best |
+//! | limits (`limits`) | τ_max = 1/(ρ·L_bs), τ_min = τ_max·(1 − ⁿ√p)/((avg − 1)·ⁿ√p), p = p_best, anew with each new best |
 //! | daemon actions | after `restart_after` iterations without a shorter path all trails start again at τ_max |
 //!
 //! Where the publication is silent on paths, we do as in [`super::ant_system`], and:
@@ -18,6 +18,7 @@
 //! - avg, the mean number of options of a choice, is the mean number of allowed moves of the map's cells that have any, at least 2;
 //! - τ_min is at most τ_max, as the paper says; with few steps the formula exceeds it;
 //! - an iteration in which no ant arrives only evaporates, unless it is the turn of the best-so-far path;
+//! - that one ant alone deposits cannot be taken out alone: τ_max is where one deposit an iteration leads to;
 //! - the best-so-far path has its turn every `best_every` iterations from first to last (the paper's schedule is for runs of thousands
 //!   of iterations with local search), and a restart looks only at improvement, not at the branching factor.
 
@@ -33,7 +34,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Solution};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Solution};
 use crate::scenario::Scenario;
 
 params! {
@@ -44,6 +45,8 @@ params! {
         ..choice: ChoiceParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.02, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
+        /// whether trails stay between the limits
+        limits: bool = true, "τ_min, τ_max", [], "", "Stützle and Hoos 2000; Dorigo and Stützle 2004, section 3.3.4";
         /// probability of repeating the best path once trails have converged; it sets the lower limit of trails
         p_best: f64 = 0.05, "p_best", [0.0001..=0.9999], "", "Stützle and Hoos 2000; Dorigo and Stützle 2004, box 3.1";
         /// the best path so far deposits in every iteration that is a multiple of this, the iteration's best in all others; 0 = never
@@ -142,7 +145,7 @@ impl Variant for MaxMinAntSystem {
         if self.limits.is_none() || best.iteration == iteration.number {
             self.limits = Some(self.limits_of(best));
         }
-        if let Some(Limits { min, max }) = self.limits {
+        if let Some(Limits { min, max }) = self.limits.filter(|_| self.params.limits) {
             trails.limit(min, max);
         }
     }
@@ -170,6 +173,26 @@ pub const ENTRY: Entry = Entry {
     summary: "Only the best path of an iteration deposits, and trails stay between two limits, so that no way is ever given up.",
     source: "Stützle, Hoos 2000, Future Generation Computer Systems 16, 889–914, doi:10.1016/S0167-739X(00)00043-1",
     presets: &[],
+    components: &[
+        Component {
+            id: "limits",
+            name: "limits of trails",
+            adds: "trails stay between τ_min and τ_max (section 3.3.4); without: they have no limits",
+            without: &[("limits", "false")],
+        },
+        Component {
+            id: "turns-of-the-best",
+            name: "turns of the best so far",
+            adds: "now and then the best path so far deposits in place of the iteration's best (eq. 3.9); without: the iteration's best alone",
+            without: &[("best_every", "0")],
+        },
+        Component {
+            id: "restart",
+            name: "restart",
+            adds: "all trails start again after many iterations without a shorter path (section 3.3.4); without: never; it needs a budget above `restart_after`",
+            without: &[("restart_after", "0")],
+        },
+    ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

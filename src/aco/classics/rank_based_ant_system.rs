@@ -8,7 +8,7 @@
 //! | heuristic | as Ant System |
 //! | selection | as Ant System |
 //! | on each move | nothing |
-//! | update | eq. 3.8: evaporate; the ant of rank r < w leaves (w − r)·Q/L_r, the best-so-far path gets w·Q/L_bs |
+//! | update | eq. 3.8: evaporate; the ant of rank r < w leaves (w − r)·Q/L_r (`ranking`), the best-so-far path gets w·Q/L_bs (`best_so_far`) |
 //! | daemon actions | none |
 //!
 //! Where the publication is silent on paths, we do as in [`super::ant_system`], and take L_open, the length from start to goal on an open
@@ -25,7 +25,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
 use crate::scenario::Scenario;
 
 params! {
@@ -40,6 +40,10 @@ params! {
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Dorigo and Stützle 2004, eq. 3.8: 1 / length";
         /// weight of the best path so far; the ant of rank r weighs w − r, so w − 1 ants deposit
         ranks: u32 = 6, "w", [2..=100], "ants", "Dorigo and Stützle 2004, box 3.1";
+        /// whether deposits weigh by rank; else every arrived ant leaves Q / length, as in Ant System
+        ranking: bool = true, "w − r", [], "", "Dorigo and Stützle 2004, eq. 3.8";
+        /// whether the best path so far is deposited as well
+        best_so_far: bool = true, "L_bs", [], "", "Dorigo and Stützle 2004, eq. 3.8";
         ..sight: SightParams;
         ..walk: WalkParams;
     }
@@ -55,6 +59,15 @@ impl RankBasedAntSystem {
     /// With these parameters.
     pub fn new(params: RankBasedAntSystemParams) -> Self {
         Self { params }
+    }
+}
+
+/// The first sum of Eq. 3.8.
+fn by_rank(p: &RankBasedAntSystemParams, trails: &mut Trails, iteration: &Iteration) {
+    let mut ranked: Vec<_> = iteration.arrived().collect();
+    ranked.sort_by(|a, b| a.1.total_cmp(&b.1));
+    for (weight, (ant, length)) in (1..p.ranks).rev().zip(ranked) {
+        deposit::along(trails, iteration.scenario, ant, f64::from(weight) * p.deposit / length);
     }
 }
 
@@ -77,12 +90,12 @@ impl Variant for RankBasedAntSystem {
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let p = &self.params;
         trails.evaporate(p.rho);
-        let mut ranked: Vec<_> = iteration.arrived().collect();
-        ranked.sort_by(|a, b| a.1.total_cmp(&b.1));
-        for (weight, (ant, length)) in (1..p.ranks).rev().zip(ranked) {
-            deposit::along(trails, iteration.scenario, ant, f64::from(weight) * p.deposit / length);
+        if p.ranking {
+            by_rank(p, trails, &iteration);
+        } else {
+            deposit::ant_cycle(trails, iteration.scenario, iteration.ants, p.deposit);
         }
-        if let Some(best) = iteration.best_so_far {
+        if let Some(best) = iteration.best_so_far.filter(|_| p.best_so_far) {
             deposit::along_path(trails, iteration.scenario, &best.path, f64::from(p.ranks) * p.deposit / best.length);
         }
     }
@@ -101,6 +114,20 @@ pub const ENTRY: Entry = Entry {
     summary: "Only the best few ants of an iteration deposit, the better the more, and the best path so far most of all.",
     source: "Bullnheimer, Hartl, Strauss 1999, Central European J. Operations Research and Economics 7, 25–38",
     presets: &[],
+    components: &[
+        Component {
+            id: "ranking",
+            name: "deposits by rank",
+            adds: "only the best w − 1 ants of an iteration deposit, the better the more (eq. 3.8); without: every arrived ant leaves Q/L (eq. 3.5)",
+            without: &[("ranking", "false")],
+        },
+        Component {
+            id: "best-so-far-deposit",
+            name: "deposit of the best so far",
+            adds: "the best path so far is deposited w times in each iteration (eq. 3.8); without: ants of the iteration alone deposit",
+            without: &[("best_so_far", "false")],
+        },
+    ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

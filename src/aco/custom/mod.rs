@@ -99,6 +99,10 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
         lent!(self, selection_of, choose(weights, stream))
     }
 
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        lent!(self, selection_of, odds(weights))
+    }
+
     fn on_move(&self, trails: &mut Trails, step: Step) {
         lent!(self, local_update_of, on_move(trails, step));
     }
@@ -175,7 +179,7 @@ impl Parts<'_> {
             let seeded = custom.donors.seeded.with_seed(found);
             Custom::<S, P, T> { rules, donors: Donors { seeded, ..custom.donors.clone() } }
         };
-        Box::new(Hybrid::new(Arc::clone(self.scenario), first, Box::new(second), (streams, ENTRY.layers), self.seed))
+        Box::new(Hybrid::new(Arc::clone(self.scenario), first, Arc::new(second), (streams, ENTRY.layers), self.seed))
     }
 }
 
@@ -187,6 +191,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Every rule of a colony by the name of the planner that it is taken from: compose, or replace one rule to see what it contributes.",
     source: "the planners that lend the rules",
     presets: PRESETS,
+    components: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::InitialTrail, Layer::Density],
     max_goals: MAX_GOALS as u32,
     grounds: Ground::NEIGHBOURS,

@@ -52,7 +52,9 @@ fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
     const SEEDED: &[Donor] = &[Donor::FwaAco, Donor::PsoAco];
     Some(match key {
         "heuristic" => ("heuristic_of", CLASSICS_AND_HYBRIDS),
-        "goal_pull" | "omega_min" | "omega_max" | "obstacle_push" => ("heuristic_of", &[Donor::Ship]),
+        "direction" | "growing_pull" | "goal_pull" | "omega_min" | "omega_max" | "obstacle_push" => {
+            ("heuristic_of", &[Donor::Ship])
+        }
         "goal_distance" => ("heuristic_of", GOAL),
         "q0" => ("selection_of", &[Donor::AntColonySystem]),
         "seed_iterations" | "seed_ants" | "range" | "decode_limit" => ("initial_trail_of", SEEDED),
@@ -65,8 +67,10 @@ fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
         "rule" => ("selection_of", &[Donor::Acost]),
         "xi" => ("local_update_of", &[Donor::AntColonySystem]),
         "move_deposit" => ("local_update_of", &[Donor::Acost]),
-        "p_best" | "best_every" => ("update_of", &[Donor::MaxMin]),
-        "update" | "k_best" | "k_worst" | "trail_min" => ("update_of", &[Donor::Ship]),
+        "maximal" => ("selection_of", &[Donor::Acomsp]),
+        "ranking" | "best_so_far" => ("update_of", &[Donor::RankBased]),
+        "limits" | "p_best" | "best_every" => ("update_of", &[Donor::MaxMin]),
+        "update" | "shifting_weights" | "weaken_worst" | "k_best" | "k_worst" | "trail_min" => ("update_of", &[Donor::Ship]),
         "path_deposit" => ("update_of", GOAL),
         "refinement" => ("refinement_of", &[Donor::Ship]),
         "restart_after" => ("daemon_of", &[Donor::MaxMin]),

@@ -27,7 +27,8 @@
 //! The paper measures the ways between fires by straight lines. Walls may make the best order by lines a bad one to walk, so the default
 //! is the length of the shortest path on the map (`leg_length=grid`, ours); presets keep the lines.
 //!
-//! Eq. 10, V(d, r), judges finished paths and steers nothing: [`crate::metrics::Metrics::turn_index`].
+//! Eq. 10, V(d, r), judges finished paths and steers nothing: [`crate::metrics::Metrics::turn_index`]. So it is no component that could be
+//! taken out, though it is the third of the paper's improvements. With one goal there is no order, and nothing to take out of it.
 
 use std::sync::Arc;
 
@@ -35,6 +36,7 @@ use super::Reading;
 use crate::aco::choice::{pseudo_random_proportional, random_proportional};
 use crate::aco::heuristic::{AT_GOAL, goal_distance};
 use crate::aco::legs::{self, OrderLevel};
+use crate::aco::odds;
 use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
 use crate::aco::tour::TourSettings;
 use crate::aco::trails::Row;
@@ -42,7 +44,7 @@ use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{choice, params};
@@ -174,6 +176,13 @@ impl Variant for Fire {
             Rule::Basic => random_proportional(weights, stream),
         }
     }
+
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        match self.params.legs {
+            Rule::Improved => odds::pseudo_random_proportional(weights, self.params.r0),
+            Rule::Basic => odds::random_proportional(weights),
+        }
+    }
 }
 
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
@@ -207,6 +216,21 @@ const PRESETS: &[Preset] = &[
     },
 ];
 
+const COMPONENTS: &[Component] = &[
+    Component {
+        id: "weighted-order",
+        name: "order by urgency",
+        adds: "the order of the goals weighs each way by the urgency of the goal it leads to (eq. 6–8); without: the shortest order; with one goal there is none",
+        without: &[("order", "distance")],
+    },
+    Component {
+        id: "best-step",
+        name: "mostly the best step",
+        adds: "with probability r0 an ant takes the best step of a leg (eq. 9); without: every step by its probability (eq. 3)",
+        without: &[("legs", "basic")],
+    },
+];
+
 /// The fire-fighting planner in the catalog.
 pub const ENTRY: Entry = Entry {
     id: "fire",
@@ -215,6 +239,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Ants choose the order of several goals by distance and urgency, then look for the path of each leg, mostly by the best step (Zhang et al. 2020).",
     source: "Zhang, Wang, Sun, Liu, Wu, Liu 2020, Computer Science and Application 10(5), doi:10.12677/CSA.2020.105088",
     presets: PRESETS,
+    components: COMPONENTS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: MAX_GOALS as u32,
     grounds: Ground::NEIGHBOURS,

@@ -27,6 +27,9 @@
 //! evaporation factor (挥发因子). `rho` is what leaves: 0.1 by the equation; preset `evaporating` has 0.9. Its step 3 updates "by the best
 //! path that the ants found", Eq. 12 sums over all m ants: we sum.
 //!
+//! Each of its additions can be taken out alone, but for the rough search itself: without it there is no Δτ, and with it and without Δτ
+//! (`seed_ants` = 0) the budget is the same, which is what is compared.
+//!
 //! Where the paper is silent: how much Δτ of Eq. 10 is. We take what `seed_ants` ants leave on the path by Eq. 12, n·Q/L, by default as many
 //! as the colony has. τ0 is 1. Trails are directed. The colony's iterations are numbered after those of the seeder, and the best path is the
 //! best of both, so that budgets and histories count everything that was spent. The first stage draws the numbers of `ifwa`: it is that
@@ -46,10 +49,10 @@ use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::swarm::decode::DecodeRows;
-use crate::swarm::fireworks::{self, AnnealingRows, FireworkRows};
+use crate::swarm::fireworks::{self, AnnealingRows, COOLED_RADIUS, FireworkRows, WEIGHTED_MUTATION};
 use crate::swarm::particle_swarm::ParticleRows;
 use crate::swarm::pso;
 
@@ -174,7 +177,7 @@ fn hybrid(
     seed: u32,
 ) -> Box<dyn Planner> {
     let second = move |path| Seeded::new(rows, path);
-    Box::new(Hybrid::new(Arc::clone(scenario), first, Box::new(second), (planner, LAYERS), seed))
+    Box::new(Hybrid::new(Arc::clone(scenario), first, Arc::new(second), (planner, LAYERS), seed))
 }
 
 fn build_fwa_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
@@ -197,6 +200,20 @@ const EVAPORATING: Preset = Preset {
     choices: &[],
 };
 
+const SEED_TRAIL: Component = Component {
+    id: "seed-trail",
+    name: "trail of the first stage",
+    adds: "the first stage's best path gets a head start of trail (eq. 10); without: the same first stage, and τ0 everywhere",
+    without: &[("seed_ants", "0")],
+};
+
+const STEPPING_BACK: Component = Component {
+    id: "stepping-back",
+    name: "stepping back",
+    adds: "ants at a dead end step back (section 1.3.2, step 2); without: they die",
+    without: &[("dead_end", "die")],
+};
+
 /// The hybrid of fireworks and ants in the catalog.
 pub const FWA_ACO: Entry = Entry {
     id: "fwa-aco",
@@ -214,6 +231,7 @@ pub const FWA_ACO: Entry = Entry {
             choices: &[],
         },
     ],
+    components: &[SEED_TRAIL, COOLED_RADIUS, WEIGHTED_MUTATION, STEPPING_BACK],
     layers: LAYERS,
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,
@@ -229,6 +247,7 @@ pub const PSO_ACO: Entry = Entry {
     summary: "A particle swarm over cell priorities searches first; its best path gets a head start of pheromone, and ants go on from there.",
     source: "named in Zhou, Mu, Zhang 2019 as what it compares with; particle swarm as Shi and Eberhart 1999",
     presets: &[EVAPORATING],
+    components: &[SEED_TRAIL],
     layers: LAYERS,
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

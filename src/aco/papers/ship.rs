@@ -5,10 +5,10 @@
 //! | override point | source |
 //! |---|---|
 //! | initial trail | as Ant System |
-//! | heuristic | Eq. 6–7: pull of the goal, direction, obstacle density, with a weight ω(t) that grows |
+//! | heuristic | Eq. 6–7: pull of the goal, direction (`direction`), obstacle density, with a weight ω(t) that grows (`growing_pull`) |
 //! | selection | Eq. 1: as Ant System |
 //! | on each move | as Ant System (nothing) |
-//! | update | Eq. 9–11 and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
+//! | update | Eq. 9–11 (`shifting_weights`, `weaken_worst`) and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
 //! | daemon actions | section 3.3: the best path is refined by line of sight (`refinement`); ants and trails know nothing of it |
 //!
 //! `reading` decides where the printed formula does not do what its text says:
@@ -30,6 +30,11 @@
 //! refines once, after the last iteration; we refine each new best path, which shows the same path in the end: the shortest one is
 //! chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the farthest later one in sight, as
 //! its introduction says of ref. 22, the default; or node by node up to the first one out of sight (`refinement`).
+//!
+//! Everything that the paper adds can be taken out alone ([`COMPONENTS`]), but for the "dynamic non-linear evaporation rate" of its section
+//! 3.2, which no equation has: ρ is constant. What adapts to time (Eq. 6, 10 and 11) is replaced by its mean over the run, so that the
+//! adaptation is taken out and not the strength, which is ours. With all of μ^f_a, d^h and exp(−γ·α_obs) out, η is 1/d_ij (Eq. 2); with
+//! Eq. 12 and without Δω\*, the update is Ant System's.
 
 use std::sync::Arc;
 
@@ -45,7 +50,7 @@ use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 use crate::{choice, params};
 
@@ -77,14 +82,22 @@ params! {
         rho: f64 = 0.8, "ρ", [0.0..=1.0], "", "Fan et al. 2026, section 4";
         /// intensity of every deposit: Q / length
         deposit: f64 = 10.0, "Q", [1e-6..=1e6], "cells", "Fan et al. 2026, section 4, where it is called the initial trail";
+        /// whether d(i, E)^h pulls in the direction of the goal; else η has no such factor
+        direction: bool = true, "h", [], "", "Fan et al. 2026, eq. 7";
         /// strength of the goal's pull
         goal_pull: f64 = 10.0, "μ", [1.0..=100.0], "", "our choice: not given";
+        /// whether the weight of the goal's pull goes from its first to its last value; else it is their mean all the time
+        growing_pull: bool = true, "ω(t)", [], "", "Fan et al. 2026, eq. 6";
         /// weight of the goal's pull at the beginning
         omega_min: f64 = 2.0, "ω_min", [0.0..=6.0], "", "our choice: not given";
         /// weight of the goal's pull at the end
         omega_max: f64 = 4.0, "ω_max", [0.0..=6.0], "", "our choice: not given";
         /// how strongly obstacles around a cell repel
         obstacle_push: f64 = 1.0, "γ", [0.0..=50.0], "", "our choice: not given";
+        /// whether the weights of global-best, iteration-best and iteration-worst path shift with time; else they are their means over the run
+        shifting_weights: bool = true, "α(t), β(t), γ(t)", [], "", "Fan et al. 2026, eq. 10–11", when(update: "weighted");
+        /// whether the iteration's worst path loses trail, by Δτ⁻ and by the second term of the additional trail
+        weaken_worst: bool = true, "Δτ⁻", [], "", "Fan et al. 2026, eq. 8, 9 and 11";
         /// weight of the iteration's best path in the additional trail
         k_best: f64 = 1.0, "k_best", [0.0..=100.0], "", "our choice: not given";
         /// weight of the iteration's worst path in the additional trail
@@ -99,9 +112,10 @@ params! {
     }
 }
 
-/// Eq. 6: ω(t) = ω_min + (ω_max − ω_min)·t/T.
+/// Eq. 6: ω(t) = ω_min + (ω_max − ω_min)·t/T; without it, the mean of both.
 pub fn omega(p: &ShipParams, t: u32) -> f64 {
-    p.omega_min + (p.omega_max - p.omega_min) * f64::from(t) / f64::from(p.choice.iterations)
+    let part = if p.growing_pull { f64::from(t) / f64::from(p.choice.iterations) } else { 0.5 };
+    p.omega_min + (p.omega_max - p.omega_min) * part
 }
 
 /// The four quantities of Eq. 7 that ω(t) and the parameters act on, for the step from i to j.
@@ -118,6 +132,13 @@ pub struct Sight {
 }
 
 /// What an ant at `i` sees of the step in direction `d` to `j` (Eq. 7).
+pub fn seen(p: &ShipParams, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> Sight {
+    let all = sight(p.reading, scenario, i, d, j);
+    // d^0 = 1: no factor.
+    Sight { angle: if p.direction { all.angle } else { 0.0 }, ..all }
+}
+
+/// All that Eq. 7 has to say of the step in direction `d` from `i` to `j`.
 pub fn sight(reading: Reading, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> Sight {
     let (at, next, goal) = (scenario.grid.point(i), scenario.grid.point(j), scenario.grid.point(scenario.goal));
     let to_goal = vector(at, goal);
@@ -186,9 +207,13 @@ pub fn path_weights(t: u32, budget: u32) -> PathWeights {
     PathWeights { global_best: 0.5 + 0.5 * s, iteration_best: 1.0 - 0.5 * s, iteration_worst: (s - 0.5).max(0.0) }
 }
 
-/// The two terms of Eq. 8, Δω* = k_best·Q/L_best − k_worst·Q/L_worst.
+/// The means of [`path_weights`] over the run.
+pub const MEAN_WEIGHTS: PathWeights = PathWeights { global_best: 0.75, iteration_best: 0.75, iteration_worst: 0.125 };
+
+/// The two terms of Eq. 8, Δω* = k_best·Q/L_best − k_worst·Q/L_worst; the worst path's is 0 where it is not weakened.
 pub fn extra_trail(p: &ShipParams, best: f64, worst: f64) -> (f64, f64) {
-    (p.k_best * p.deposit / best, p.k_worst * p.deposit / worst)
+    let loss = if p.weaken_worst { p.k_worst * p.deposit / worst } else { 0.0 };
+    (p.k_best * p.deposit / best, loss)
 }
 
 /// The planner of the paper.
@@ -207,14 +232,16 @@ impl Ship {
 
     /// Eq. 9–11 without what evaporates: +Δτ⁺ on the best paths; what Δτ⁻ takes from the worst is returned.
     fn weighted(&self, trails: &mut Trails, iteration: &Iteration) -> f64 {
-        let (q, weights) = (self.params.deposit, path_weights(iteration.number, iteration.budget));
+        let (q, shifting) = (self.params.deposit, self.params.shifting_weights);
+        let weights = if shifting { path_weights(iteration.number, iteration.budget) } else { MEAN_WEIGHTS };
         if let Some(best) = iteration.best_so_far {
             deposit::along_path(trails, iteration.scenario, &best.path, weights.global_best * q / best.length);
         }
         if let Some((ant, length)) = iteration.iteration_best() {
             deposit::along(trails, iteration.scenario, ant, weights.iteration_best * q / length);
         }
-        iteration.iteration_worst().map_or(0.0, |(_, length)| weights.iteration_worst * q / length)
+        let worst = iteration.iteration_worst().filter(|_| self.params.weaken_worst);
+        worst.map_or(0.0, |(_, length)| weights.iteration_worst * q / length)
     }
 }
 
@@ -248,11 +275,11 @@ impl Variant for Ship {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        eta(&self.params, self.omega, &sight(self.params.reading, scenario, i, d, j), scenario.moves.length(i, d))
+        eta(&self.params, self.omega, &seen(&self.params, scenario, i, d, j), scenario.moves.length(i, d))
     }
 
     fn log_heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> (f64, f64) {
-        log_eta(&self.params, &sight(self.params.reading, scenario, i, d, j), scenario.moves.length(i, d))
+        log_eta(&self.params, &seen(&self.params, scenario, i, d, j), scenario.moves.length(i, d))
     }
 
     fn time(&self) -> f64 {
@@ -314,6 +341,64 @@ const PRESETS: &[Preset] = &[
     },
 ];
 
+/// What the paper adds, in the order of its equations.
+pub const COMPONENTS: &[Component] = &[
+    Component {
+        id: "growing-pull",
+        name: "growing pull ω(t)",
+        adds: "the weight of goal and direction grows with the iterations (eq. 6); without: its mean all the time",
+        without: &[("growing_pull", "false")],
+    },
+    Component {
+        id: "goal-pull",
+        name: "pull of the goal",
+        adds: "η grows by μ^f_a near the goal (eq. 7); without: no such factor, μ = 1",
+        without: &[("goal_pull", "1")],
+    },
+    Component {
+        id: "direction",
+        name: "direction",
+        adds: "η grows by d(i, E)^h, the more the straighter a step leads to the goal (eq. 7); without: no such factor",
+        without: &[("direction", "false")],
+    },
+    Component {
+        id: "obstacle-density",
+        name: "obstacle density",
+        adds: "η falls by exp(−γ·α_obs) where many cells around are blocked (eq. 7); without: γ = 0",
+        without: &[("obstacle_push", "0")],
+    },
+    Component {
+        id: "extra-trail",
+        name: "additional trail Δω*",
+        adds: "the iteration's best path gains and its worst loses once more (eq. 8); without: both k = 0",
+        without: &[("k_best", "0"), ("k_worst", "0")],
+    },
+    Component {
+        id: "weighted-paths",
+        name: "best and worst paths alone",
+        adds: "only global-best, iteration-best and iteration-worst path change trails (eq. 9–11 and 14); without: every arrived ant deposits, as in Ant System (eq. 12)",
+        without: &[("update", "all-ants")],
+    },
+    Component {
+        id: "shifting-weights",
+        name: "shifting weights",
+        adds: "the weights of these paths shift with the iterations (eq. 10–11); without: their means all the time",
+        without: &[("shifting_weights", "false")],
+    },
+    Component {
+        id: "weakened-worst",
+        name: "weakened worst path",
+        adds: "the iteration's worst path loses trail (eq. 8, 9 and 11); without: it loses none",
+        without: &[("weaken_worst", "false")],
+    },
+    Component {
+        id: "refinement",
+        name: "refinement",
+        adds: "the best path is straightened by line of sight at the end (section 3.3); without: it stays cell by cell",
+        without: &[("refinement", "none")],
+    },
+];
+
 /// The engine-room planner in the catalog.
 pub const ENTRY: Entry = Entry {
     id: "ship",
@@ -322,6 +407,7 @@ pub const ENTRY: Entry = Entry {
     summary: "Ants see goal, direction and obstacles around a cell; best paths gain pheromone and the worst loses some; the best path is refined by line of sight (Fan et al. 2026).",
     source: "Fan, Zhang, Liu, Zhu 2026, J. Dalian Maritime Univ. 52(1), 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009",
     presets: PRESETS,
+    components: COMPONENTS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Density],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

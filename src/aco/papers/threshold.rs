@@ -7,7 +7,7 @@
 //! |---|---|---|---|
 //! | initial trail | τ0, step 1 | as ACOST | as ACOST |
 //! | heuristic | Eq. 4, Euclidean (Eq. 2) | as ACOST | as ACOST |
-//! | selection | Eq. 5 and 6, step 5: [`choice::threshold`] | [`choice::maximal`] of Eq. 5 | Eq. 5, as Ant System |
+//! | selection | Eq. 5 and 6, step 5: [`choice::threshold`] (`rule`) | [`choice::maximal`] of Eq. 5 (`maximal`) | Eq. 5, as Ant System |
 //! | on each move | Eq. 7–9: τ + Q1/l | nothing (no Q1 in table 1) | as ACOST |
 //! | dead end | the ant stops (step 3, case 1) | as ACOST | as ACOST |
 //! | update | Eq. 10–12: evaporate, Q2/L_min on the iteration's shortest path | as ACOST | evaporate (no Q2 in table 1) |
@@ -32,6 +32,9 @@
 //! - **Step 8**, where a dead end leads, is not printed. The text says 无路可走; the ant stops, the others walk on.
 //! - **λ = 1.** Eq. 6 never reaches 1; in 64 bits it rounds to 1 once t² > 37.4·T_max (t = 44 of 50): then the rule is Ant System's.
 //!
+//! The paper's two improvements are the threshold and the reward of the shortest path; without both, ACOST is the paper's ACO. ACOMSP is
+//! told by one: without its rule it is the random proportional one. Its reward cannot be taken out alone, for it is all that its ants leave.
+//!
 //! Where the paper is silent: τ0 is 1; trails are directed, as its arcs are; all trails evaporate, also when no ant has arrived; ants of an
 //! iteration move in turn, one step each; equal largest probabilities are drawn from uniformly; there is no cap on moves.
 
@@ -43,13 +46,14 @@ use crate::aco::colony::Colony;
 use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
 use crate::aco::heuristic::{self, AT_GOAL};
+use crate::aco::odds;
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -107,6 +111,8 @@ params! {
 params! {
     /// Parameters of ACOMSP.
     pub struct AcomspParams {
+        /// whether an ant takes the most probable step; else each by its probability, as in Ant System
+        maximal: bool = true, "", [], "", "Lai, Guo 2014, section 1, of its ref. 13";
         /// weight of the heuristic η in the choice of a step
         beta: f64 = 15.0, "β", [0.0..=50.0], "", "table 1";
         ..common: CommonParams;
@@ -211,6 +217,13 @@ impl Variant for Acost {
         }
     }
 
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        match self.params.rule {
+            Rule::Threshold => odds::threshold(weights, self.lambda),
+            Rule::Proportional => odds::random_proportional(weights),
+        }
+    }
+
     /// Eq. 7–9.
     fn on_move(&self, trails: &mut Trails, step: Step) {
         trails.deposit(step.from, step.direction, self.params.move_deposit / step.walked);
@@ -251,7 +264,11 @@ impl Variant for Acomsp {
 
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
-        choice::maximal(weights, stream)
+        if self.params.maximal { choice::maximal(weights, stream) } else { choice::random_proportional(weights, stream) }
+    }
+
+    fn odds(&self, weights: &Row) -> Vec<f64> {
+        if self.params.maximal { odds::maximal(weights) } else { odds::random_proportional(weights) }
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
@@ -292,6 +309,20 @@ pub const ACOST: Entry = Entry {
             choices: &[("reading", "printed")],
         },
     ],
+    components: &[
+        Component {
+            id: "threshold",
+            name: "threshold λ",
+            adds: "early on, steps above a probability that rises to 1 are barred (eq. 6, step 5); without: every step by its probability (eq. 5)",
+            without: &[("rule", "proportional")],
+        },
+        Component {
+            id: "shortest-path-reward",
+            name: "reward of the shortest path",
+            adds: "the iteration's shortest path gains Q2/L_min (eq. 10–12); without: ants leave Q1 on their moves alone (eq. 7–9)",
+            without: &[("path_deposit", "0")],
+        },
+    ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,
@@ -307,6 +338,12 @@ pub const ACOMSP: Entry = Entry {
     summary: "Every ant takes the most probable step; the iteration's shortest path is rewarded. Often every ant ends in the same dead end.",
     source: "Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332",
     presets: &[],
+    components: &[Component {
+        id: "maximal-step",
+        name: "most probable step",
+        adds: "every ant takes the most probable step (section 1, of its ref. 13); without: every step by its probability (eq. 5)",
+        without: &[("maximal", "false")],
+    }],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

@@ -12,14 +12,15 @@ use super::walk::Walker;
 use crate::aco::ant::Fate;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance};
-use crate::rng::Streams;
+use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, advance};
+use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
 /// Both planners draw from the streams of this name: with everything off `terrain-epf` is `terrain-aco`, bit for bit.
 const STREAMS: &str = "terrain-aco";
 
 /// The colony at work on one scenario.
+#[derive(Clone)]
 pub(super) struct FieldColony<S> {
     pub(super) space: S,
     scenario: Arc<Scenario>,
@@ -58,8 +59,16 @@ impl<S: Space> FieldColony<S> {
         (self.progress.effort.iterations + 1).min(self.params.common.choice.iterations)
     }
 
-    /// The weight of the force in an iteration.
+    /// A stream for who draws nothing from it.
+    pub(super) fn stream(&self) -> Stream {
+        self.streams.ant(0, 0)
+    }
+
+    /// The weight of the force in an iteration, full where it does not fade.
     pub(super) fn weight(&self, iteration: u32) -> f64 {
+        if !self.params.force_fades {
+            return 1.0;
+        }
         force_weight(self.params.reading, iteration, self.params.common.choice.iterations)
     }
 }
@@ -143,7 +152,7 @@ impl<S: Space> Iterations for FieldColony<S> {
     }
 }
 
-impl<S: Space> Planner for FieldColony<S> {
+impl<S: Space + 'static> Planner for FieldColony<S> {
     fn advance(&mut self, by: Granularity) -> Status {
         advance(self, by)
     }
@@ -158,6 +167,18 @@ impl<S: Space> Planner for FieldColony<S> {
 
     fn colony_size(&self) -> u32 {
         self.params.common.ants
+    }
+
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
+    }
+
+    fn moves_from(&self, place: Cell) -> Vec<MoveOdds> {
+        self.odds_at(place)
     }
 
     fn objective(&self) -> Objective {

@@ -5,13 +5,14 @@
 //! | override point | `terrain-aco` (sections 2 and 5) | `terrain-epf` (section 4) |
 //! |---|---|---|
 //! | initial trail | τ0 | Eq. 14: τ0·F'_tot (`initial`) |
-//! | heuristic | Eq. 2 | second "Eq. 12": a^(F_tot·cos φ)·Eq. 2 (`force`) |
+//! | heuristic | Eq. 2 | second "Eq. 12": a^(F_tot·cos φ)·Eq. 2 (`force`), weaker and weaker (`force_fades`) |
 //! | selection | Eq. 1, with q0 of Table 1 | as `terrain-aco` |
 //! | on each move | local evaporation of Table 1 by Eq. 3 | as `terrain-aco` |
 //! | update | Eq. 3 and 4 | and Eq. 10 and 11: the best 5 % deposit once more (`elite`) |
 //! | construction | from the start | from both ends, joined where two ants meet (`two_colonies`) |
 //!
-//! Each addition has a parameter that turns it off; with all four off `terrain-epf` is `terrain-aco`, bit for bit. Both go over places
+//! Each addition has a parameter that turns it off ([`COMPONENTS`]); with all of them off `terrain-epf` is `terrain-aco`, bit for bit. But
+//! for the 16 directions of section 4.4: how one moves belongs to the scenario, and whoever plans there has them. Both go over places
 //! ([`space::Space`]): the cells of a plane or a surface, with as many moves as the scenario has, or the places of slices. Trails lie on
 //! places, not on steps, as in Eq. 14.
 //!
@@ -44,6 +45,7 @@ pub mod trails;
 pub mod walk;
 
 mod colony;
+mod moves;
 mod team;
 mod view;
 
@@ -55,7 +57,7 @@ use space::{Layered, Surface};
 
 use crate::error::ParamError;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
 use crate::scenario::Scenario;
 
 /// The colony in the scenario's space.
@@ -106,12 +108,47 @@ pub const ACO: Entry = Entry {
             choices: &[("heuristic", "step")],
         },
     ],
+    components: &[],
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::ALL,
     specs: BasicParams::specs,
     build: build_basic,
 };
+
+/// What the paper adds, in the order of its section 4.
+pub const COMPONENTS: &[Component] = &[
+    Component {
+        id: "elite",
+        name: "elite",
+        adds: "the best 5 % of the ants deposit once more, by (it/it_max)³ (eq. 10–11); without: every ant once (eq. 3–4)",
+        without: &[("elite", "0")],
+    },
+    Component {
+        id: "two-colonies",
+        name: "two colonies",
+        adds: "half of the ants set out from the goal, and two that meet join their ways (section 4.2); without: all from the start",
+        without: &[("two_colonies", "false")],
+    },
+    Component {
+        id: "field-trails",
+        name: "first trails by the field",
+        adds: "the potential field makes the first trails (eq. 12–14); without: τ0 everywhere",
+        without: &[("initial", "uniform")],
+    },
+    Component {
+        id: "force",
+        name: "force of the field",
+        adds: "the force of the field bends the heuristic (section 4.5, the second eq. 12); without: the distance alone (eq. 2)",
+        without: &[("force", "false")],
+    },
+    Component {
+        id: "fading-force",
+        name: "fading force",
+        adds: "the force weighs ((it_max − it)/it_max)³, less and less (section 4.5, the second eq. 12); without: its full weight all the time",
+        without: &[("force_fades", "false")],
+    },
+];
 
 /// The paper's own method in the catalog.
 pub const EPF: Entry = Entry {
@@ -136,6 +173,7 @@ pub const EPF: Entry = Entry {
             choices: &[("reading", "printed"), ("heuristic", "step")],
         },
     ],
+    components: COMPONENTS,
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::ALL,

@@ -54,6 +54,8 @@ params! {
         force: bool = true, "", [], "", "section 4.5, the second eq. 12";
         /// base of the power by which the force weighs
         force_base: f64 = std::f64::consts::E, "a", [0.1..=10.0], "", "our choice: not given; the force then weighs about as much as the distance", when(force: true);
+        /// whether the force weighs less and less over the iterations; else it has its full weight all the time
+        force_fades: bool = true, "", [], "", "section 4.5, the second eq. 12", when(force: true);
         /// share of each colony's ants that deposit once more, the shortest first; at least one ant, none with 0
         elite: f64 = 0.05, "", [0.0..=1.0], "", "section 4.1";
         /// half of the ants are a colony of their own that sets out from the goal; two ants that meet join their ways

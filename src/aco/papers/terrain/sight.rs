@@ -9,6 +9,7 @@ use crate::aco::choice::{FLOOR, power};
 use crate::aco::heuristic::AT_GOAL;
 use crate::choice;
 use crate::map::Way;
+use crate::planner::held;
 
 choice! {
     /// Which distance an ant sees.
@@ -117,6 +118,11 @@ impl Sight {
     /// What these ants look at.
     pub fn eyes(&self) -> &Eyes {
         &self.eyes
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.row_of) + held(&self.seen) + held(&self.near) + held(&self.pull) + held(&self.seen_in)
     }
 
     /// Another iteration begins, in which the exponent has this weight.

@@ -12,7 +12,7 @@ use crate::scenario::Scenario;
 pub type Place = Cell;
 
 /// The places of a scenario and the steps between them. Lengths and positions in cells; by slices a level counts as one.
-pub trait Space: Send {
+pub trait Space: Clone + Send {
     /// What a path is measured by.
     const OBJECTIVE: Objective;
 
@@ -51,6 +51,7 @@ pub trait Space: Send {
 }
 
 /// From cell to cell: on a plane, where all heights are 0, or on the ground of a terrain. Steps lead back as they led there.
+#[derive(Clone)]
 pub struct Surface {
     scenario: Arc<Scenario>,
     top: f64,
@@ -118,6 +119,7 @@ impl Space for Surface {
 }
 
 /// From column to column above the ground.
+#[derive(Clone)]
 pub struct Layered {
     scenario: Arc<Scenario>,
     slices: Arc<Slices>,

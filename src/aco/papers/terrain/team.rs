@@ -9,9 +9,11 @@ use super::walk::{Walker, alone, join, select, weigh};
 use crate::aco::dead_end::DeadEnd;
 use crate::error::ParamError;
 use crate::map::Way;
+use crate::planner::held;
 use crate::rng::Streams;
 
 /// The ants of one way, their trails and what they see.
+#[derive(Clone)]
 pub(super) struct Team {
     pub(super) way: Way,
     /// The index of the first ant.
@@ -105,6 +107,7 @@ pub(super) fn check_memory(space: &impl Space, params: &EpfParams) -> Result<(),
 }
 
 /// Allocated at the first step, so that a colony that is only shown costs nothing.
+#[derive(Clone)]
 pub(super) struct Tables {
     pub(super) teams: Vec<Team>,
     pub(super) ants: Vec<Walker>,
@@ -124,6 +127,14 @@ impl Tables {
         let teams = params.ways().map(team).collect();
         let ants = (0..all).map(|k| Walker::new(space.places(), streams.ant(0, k as u32))).collect();
         Self { teams, ants, weights: vec![0.0; space.steps()], route: Vec::new() }
+    }
+
+    /// What they hold, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        let team = |t: &Team| held(&t.deltas) + t.trails.bytes() + t.sight.bytes() + held(&t.on_lists);
+        let teams = held(&self.teams) + self.teams.iter().map(team).sum::<usize>();
+        let ants = held(&self.ants) + self.ants.iter().map(Walker::bytes).sum::<usize>();
+        teams + ants + held(&self.weights) + held(&self.route)
     }
 
     /// One move of one ant.

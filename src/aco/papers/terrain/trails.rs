@@ -3,6 +3,7 @@
 //! As on the grid ([`crate::aco::trails`]), what leaves everywhere is kept as one factor; what ants take away where they come by is not.
 
 use super::space::Place;
+use crate::planner::held;
 
 /// Stored trails never fall below this, so that τ stays positive however long it evaporates.
 const FLOOR: f32 = 1e-30;
@@ -20,6 +21,11 @@ impl PlaceTrails {
     /// From τ of every place, above 0.
     pub fn new(initial: impl Iterator<Item = f64>) -> Self {
         Self { stored: initial.map(|t| (t as f32).max(FLOOR)).collect(), scale: 1.0 }
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.stored)
     }
 
     /// τ of a place.

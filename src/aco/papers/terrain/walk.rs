@@ -7,6 +7,7 @@ use super::trails::PlaceTrails;
 use crate::aco::ant::Fate;
 use crate::aco::choice::{FLOOR, power};
 use crate::map::Way;
+use crate::planner::held;
 use crate::rng::{Stream, unit_f32};
 
 /// An ant of one team.
@@ -78,6 +79,11 @@ impl Walker {
     /// Its path from start to goal with what it costs, once it has one.
     pub fn path(&self) -> Option<(&[Place], f64)> {
         (self.fate == Fate::Arrived).then_some((self.route.as_slice(), self.cost))
+    }
+
+    /// What it holds, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.list) + held(&self.abandoned) + held(&self.tabu) + held(&self.route)
     }
 
     /// Whether it has visited a place.
