@@ -1,4 +1,4 @@
-//! `catalog`: every planner with its presets and parameters.
+//! `catalog`: every planner with its presets, components and parameters.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use formicarium::params::{ParamKind, ParamSpec};
 use super::error::CliError;
 use super::{Outcome, text};
 
-/// Lists every planner with its presets and parameters
+/// Lists every planner with its presets, its components and its parameters
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -48,6 +48,10 @@ fn table(planner: &CatalogEntry) -> String {
     for preset in &planner.presets {
         let values: Vec<String> = preset.values.iter().map(|(k, v)| format!("{k}={v}")).collect();
         let _ = writeln!(out, "\n  --preset {}: {} ({})\n    {}", preset.name, preset.meaning, preset.source, values.join(" "));
+    }
+    for component in &planner.components {
+        let values: Vec<String> = component.without.iter().map(|(k, v)| format!("--set {k}={v}")).collect();
+        let _ = writeln!(out, "\n  without {}: {}\n    {}", component.id, values.join(" "), component.adds);
     }
     out
 }

@@ -1,4 +1,4 @@
-//! `compare`: a question over many seeds, on all cores.
+//! `compare`: a question over many seeds, on all cores; a committed one, or what each component of a planner does.
 
 use std::collections::BTreeSet;
 use std::num::NonZero;
@@ -7,7 +7,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use formicarium::experiment::{Deviation, Experiment, Row, Task, Verification, document, judge, report};
+use formicarium::experiment::report::{self, Reports, ResultFile};
+use formicarium::experiment::{
+    Budget, Deviation, Experiment, Intervals, Row, Samples, Seen, Task, Verification, analysis, document, effects,
+};
+use formicarium::params::Value;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::error::CliError;
@@ -18,70 +22,121 @@ use super::{Outcome, text};
 /// Runs a question: every entry on every map with every seed, and judges its claims
 #[derive(clap::Args)]
 #[command(after_help = "\
-Writes NAME.csv, one row a run, NAME.md, tables and verdicts, NAME.tests.md, rank tests of all pairs, and NAME.json, question, maps
-and runs in one file, which the page opens and which can be compared again. They depend on the question alone, not on the number of jobs.
+Writes NAME.csv, one row a run, NAME.md, tables and verdicts, NAME.tests.md, rank tests of all pairs, NAME.summary.csv and
+NAME.summary.json, one row an entry and map with every statistic, NAME.tex, the same for a paper, and NAME.json, question, maps
+and runs in one file, which the page opens and which can be compared again: exit code 1 when other bits come out though engine, question,
+maps and parameters are the recorded ones. They depend on the question alone, not on the number of jobs.
 Every finished run is kept in NAME.partial at once: a comparison that was broken off goes on where it was when it is started again. The
 question's format and the rule of the verdicts: docs/methodology.md.
+
+--ablate asks without a file what each component of a planner does: the full planner beside the same without one, on maps of your own.
+`formicarium catalog PLANNER` lists the components.
 
 Examples:
   formicarium compare experiments/ship.toml --out experiments/records
   formicarium compare ship.json --out /tmp/again
-  formicarium compare experiments/ship.toml --out /tmp/look --seeds 10
-  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv")]
+  formicarium compare experiments/ship.toml --out /tmp/look --seeds 10 --files markdown,latex
+  formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
+  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
+  formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
+  formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation")]
 pub struct Args {
-    /// The question as TOML (formicarium/question@1), or with its maps and results as JSON (formicarium/result@1)
-    pub question: PathBuf,
+    /// The question as TOML (formicarium/question@1), or with its maps and results as JSON (formicarium/comparison@1)
+    #[arg(required_unless_present = "ablate")]
+    pub question: Option<PathBuf>,
+    /// In place of a question: this planner, and the same without each of its components
+    #[arg(long, value_name = "PLANNER", conflicts_with = "question", requires = "map")]
+    pub ablate: Option<String>,
+    /// With --ablate: a named parameter set of the planner
+    #[arg(long, value_name = "NAME", requires = "ablate")]
+    pub preset: Option<String>,
+    /// With --ablate: a parameter, over preset and default; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = super::plan::assignment)]
+    pub set: Vec<(String, Value)>,
     /// Folder for the files; made if it is missing
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Which files: csv, markdown, tests, tests-csv, summary-csv, summary-json, summary-markdown, latex, json [default: those above]
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
+          default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]
+    files: Vec<(&'static str, ResultFile)>,
     /// Runs at the same time [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
-    /// Only the question's first seeds
+    /// Only the question's first seeds; with --ablate how many [default: 100]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub seeds: Option<u32>,
+    /// What a run may spend, in place of the question's budget: iterations, constructed-paths, ant-moves, cell-expansions or moves
+    #[arg(long, value_name = "AXIS=AMOUNT", value_parser = super::question::budget)]
+    pub budget: Option<Budget>,
     /// Only this instance; may be repeated
     #[arg(long, value_name = "ID")]
     pub only: Vec<String>,
-    /// Another map in place of an instance's; may be repeated
-    #[arg(long, value_name = "ID=FILE", value_parser = super::question::stand_in)]
-    pub map: Vec<(String, PathBuf)>,
+    /// Another map in place of an instance's; with --ablate a map, its ID= may be left out; may be repeated
+    #[arg(long, value_name = "ID=FILE", value_parser = super::question::named_map)]
+    pub map: Vec<(Option<String>, PathBuf)>,
+    /// Results of your own planner, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
+    /// may be repeated
+    #[arg(long, value_name = "ID=FILE", value_parser = super::question::named_map)]
+    pub results: Vec<(Option<String>, PathBuf)>,
+}
+
+impl Args {
+    /// What the files are called.
+    fn name(&self) -> String {
+        let stem = |file: &PathBuf| file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        self.ablate.as_ref().map_or_else(|| self.question.as_ref().map_or_else(String::new, stem), |id| format!("ablation-{id}"))
+    }
+
+    /// What is asked, as the arguments say it.
+    pub fn asked(&self) -> String {
+        let file = |file: &PathBuf| file.display().to_string();
+        self.ablate.as_ref().map_or_else(|| self.question.as_ref().map_or_else(String::new, file), |id| format!("--ablate {id}"))
+    }
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let (experiment, recorded) = load(args)?;
-    let name = args.question.file_stem().unwrap_or_default();
-    let (mut journal, kept) = Journal::open(args.out.join(name).with_extension("partial"), &experiment)?;
+    let (experiment, before) = load(args)?;
+    let name = args.name();
+    let (mut journal, kept) = Journal::open(args.out.join(&name).with_extension("partial"), &experiment)?;
     let done = run_all(args, &experiment, &mut journal, kept)?;
     let rows = experiment.all_rows(&done);
-    let comparisons = judge(&experiment, &rows);
-    let page = report::markdown(&experiment, &rows, &comparisons, &command(args));
+    let analysis = analysis::whole(&Samples::new(&experiment, rows.iter().map(Seen::from)), &mut Intervals::default());
     let mut said = format!("{}: {}\n", experiment.question.title, text::count(rows.len() as u64, "run", "runs"));
-    said += &report::verdicts(&experiment, &comparisons);
-    let tests = report::tests(&experiment, &rows);
-    let whole = document::write(&experiment, &done, true);
-    for (ending, contents) in [("csv", report::csv(&experiment, &rows)), ("md", page), ("tests.md", tests), ("json", whole)] {
-        let path = args.out.join(name).with_extension(ending);
-        replace(&path, &contents)?;
+    said += &report::verdicts(&experiment, &analysis.comparisons);
+    said += &report::components(&experiment, &effects(&experiment, &rows));
+    let (command, document) = (command(args), |with_rows| document::write(&experiment, &done, with_rows));
+    let reports = Reports { experiment: &experiment, rows: &rows, analysis: &analysis, command: &command, document: &document };
+    for (ending, file) in &args.files {
+        let path = args.out.join(&name).with_extension(ending);
+        replace(&path, &reports.contents(*file))?;
         said += &format!("wrote {}\n", path.display());
     }
     journal.close()?;
-    said += &recorded.map_or_else(String::new, |then| verified(&document::verify(&experiment, &then, &done)));
-    Ok(Outcome::fine(said))
+    let verification = before.map(|before| before.verify(&experiment, &done));
+    let fine = !verification.as_ref().is_some_and(|v| v.refuted);
+    said += &verification.map_or_else(String::new, |v| verified(&v));
+    Ok(Outcome { text: said, fine })
+}
+
+/// A kind of `--files`, with the ending of its name.
+fn result_file(text: &str) -> Result<(&'static str, ResultFile), String> {
+    let named = ResultFile::NAMED.iter().find(|(id, ..)| *id == text);
+    let all = || ResultFile::NAMED.map(|(id, ..)| id).join(", ");
+    named.map(|&(_, ending, file)| (ending, file)).ok_or_else(|| format!("choose from {}", all()))
 }
 
 /// What became of the results that the file had.
 fn verified(verification: &Verification) -> String {
-    let Verification { same, open, deviations } = verification;
-    let mut said = format!("recorded results: {same} of {} the same, bit for bit\n", same + open + bits(deviations));
+    let Verification { runs, of, deviations, .. } = verification;
+    let mut said = format!("recorded results: {runs} of {} the same, bit for bit\n", text::count((*of).into(), "run", "runs"));
     for deviation in deviations {
         said += &format!("  {deviation}\n");
     }
+    if !deviations.is_empty() && deviations.iter().all(|d| matches!(d, Deviation::Bits { .. })) {
+        said += "  nothing explains it: engine, question, maps and parameters are those that were recorded\n";
+    }
     said
-}
-
-fn bits(deviations: &[Deviation]) -> u32 {
-    deviations.iter().filter(|d| matches!(d, Deviation::Bits { .. })).count() as u32
 }
 
 fn jobs(args: &Args) -> usize {
@@ -147,11 +202,16 @@ fn beside(kept: usize, without_path: usize) -> String {
 
 /// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
 fn command(args: &Args) -> String {
-    let mut said = format!("formicarium compare {} --out DIR", args.question.display());
+    let mut said = format!("formicarium compare {} --out DIR", args.asked());
+    args.preset.iter().for_each(|name| said += &format!(" --preset {name}"));
+    args.set.iter().for_each(|(key, value)| said += &format!(" --set {key}={value}"));
     args.seeds.iter().for_each(|n| said += &format!(" --seeds {n}"));
+    args.budget.iter().for_each(|b| said += &format!(" --budget {b}"));
     args.only.iter().for_each(|id| said += &format!(" --only {id}"));
     let name = |file: &Path| file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    args.map.iter().for_each(|(id, file)| said += &format!(" --map {id}={}", name(file)));
+    let id = |id: &Option<String>| id.as_ref().map_or_else(String::new, |id| format!("{id}="));
+    args.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), name(file)));
+    args.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), name(file)));
     said
 }
 

@@ -65,7 +65,8 @@ impl Args {
     }
 }
 
-fn assignment(text: &str) -> Result<(String, Value), String> {
+/// `KEY=VALUE` of `--set`.
+pub fn assignment(text: &str) -> Result<(String, Value), String> {
     let (key, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` is no assignment: write key=value such as rho=0.1"))?;
     Ok((key.trim().into(), Value::parse(value.trim())))

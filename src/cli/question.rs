@@ -1,47 +1,145 @@
-//! The question of a comparison: read, narrowed by the arguments, with its maps.
+//! The question of a comparison: read and narrowed by the arguments, or made from them, with its maps.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use formicarium::error::{Error, FormatError};
-use formicarium::experiment::{Experiment, Question, QuestionError, Recorded, document};
+use formicarium::experiment::{
+    Budget, Experiment, Instance, Question, QuestionError, Record, Row, Seeds, Verification, ablation, document, given,
+};
+use formicarium::formats::{OwnResults, import_results};
 use formicarium::scenario::Scenario;
 
 use super::compare::Args;
 use super::error::CliError;
 use super::{input, text};
 
-/// The question with its maps, and what was recorded of it.
-pub fn load(args: &Args) -> Result<(Experiment, Option<Recorded>), CliError> {
-    if args.question.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
-        return reopen(args);
+/// What a file tells of runs that were done before.
+pub struct Before {
+    record: Record,
+    rows: Vec<Row>,
+}
+
+impl Before {
+    /// Whether they come out again.
+    pub fn verify(&self, experiment: &Experiment, done: &[Row]) -> Verification {
+        self.record.verify(experiment, &self.rows, done)
     }
-    let mut question = input::in_file(&args.question, |bytes, _| read(bytes))?;
-    question.check().map_err(|e| in_question(args, e))?;
-    let folder = args.question.parent().unwrap_or(Path::new(""));
-    // A map that is named here is looked for here, a question's own beside it.
-    question.instances.iter_mut().for_each(|i| i.map = folder.join(&i.map).display().to_string());
-    narrow(args, &mut question).map_err(|e| in_question(args, e))?;
+}
+
+/// The question with its maps and the results from elsewhere, and what was recorded of it.
+pub fn load(args: &Args) -> Result<(Experiment, Option<Before>), CliError> {
+    let (experiment, recorded) = asked(args)?;
+    Ok((joined(args, experiment)?, recorded))
+}
+
+fn asked(args: &Args) -> Result<(Experiment, Option<Before>), CliError> {
+    let mut left_out = Vec::new();
+    let mut question = match (&args.ablate, &args.question) {
+        (Some(planner), _) => components(args, planner).map_err(|e| in_question(args, e))?,
+        (None, Some(file)) if file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => {
+            return reopen(args, file);
+        }
+        (None, Some(file)) => committed(args, file, &mut left_out)?,
+        (None, None) => return Err(CliError::usage("there is no question", "name its file, or a planner by --ablate")),
+    };
     let scenarios = question.instances.iter().map(|i| scenario(Path::new(&i.map))).collect::<Result<Vec<_>, _>>()?;
     // From here on maps are known by their names: folders are this machine's.
     question.instances.iter_mut().for_each(|i| i.map = file_name(Path::new(&i.map)));
-    let experiment = Experiment::new(question, scenarios).map_err(|e| in_question(args, e))?;
+    let files: Vec<Option<PathBuf>> = question.entries.iter().map(|e| e.results.as_ref().map(PathBuf::from)).collect();
+    question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = file_name(Path::new(file)));
+    let mut experiment = Experiment::new(question, scenarios).map_err(|e| in_question(args, e))?;
+    for (entry, file) in files.iter().enumerate().filter_map(|(entry, file)| Some((entry, file.as_ref()?))) {
+        let mut results = results(file)?;
+        results.leave_out(&left_out);
+        experiment = given::fill(experiment, entry, &results).map_err(|e| in_results(file, e))?;
+    }
     Ok((experiment, None))
 }
 
+/// With the entries of `--results`.
+fn joined(args: &Args, mut experiment: Experiment) -> Result<Experiment, CliError> {
+    for (instance, file) in &args.results {
+        let place = instance.as_ref().map(|id| experiment.question.place(id)).transpose().map_err(|e| in_question(args, e))?;
+        experiment = given::join(experiment, &results(file)?, place).map_err(|e| in_results(file, e))?;
+    }
+    Ok(experiment)
+}
+
+/// Reads results from elsewhere.
+fn results(file: &Path) -> Result<OwnResults, CliError> {
+    let results = input::in_file(file, |bytes, name| Ok(import_results(bytes, name)?))?;
+    text::notes(&results.notices);
+    Ok(results)
+}
+
+fn in_results(file: &Path, error: QuestionError) -> CliError {
+    CliError::Contents { path: file.display().to_string(), error: error.into() }
+}
+
+/// A question from a file; `left_out` takes the names of the maps that the arguments leave out.
+fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Question, CliError> {
+    let mut question = input::in_file(file, |bytes, _| read(bytes))?;
+    question.check().map_err(|e| in_question(args, e))?;
+    let folder = file.parent().unwrap_or(Path::new(""));
+    // A map that is named here is looked for here, a question's own beside it.
+    question.instances.iter_mut().for_each(|i| i.map = folder.join(&i.map).display().to_string());
+    question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = folder.join(&*file).display().to_string());
+    if let Some((_, map)) = args.map.iter().find(|(id, _)| id.is_none()) {
+        let message = format!("`{}` stands in for no map", map.display());
+        return Err(CliError::usage(message, "write ID=FILE such as ship-20x20=mine.csv"));
+    }
+    let all = question.instances.clone();
+    narrow(args, &mut question).map_err(|e| in_question(args, e))?;
+    let is_asked = |i: &&Instance| question.instances.iter().any(|left| left.id == i.id);
+    left_out.extend(all.iter().filter(|i| !is_asked(i)).map(|i| i.id.clone()));
+    Ok(question)
+}
+
+/// What each component of a planner does, on the maps that are named.
+fn components(args: &Args, planner: &str) -> Result<Question, QuestionError> {
+    let instance = |(id, file): &(Option<String>, PathBuf)| Instance {
+        id: id.clone().unwrap_or_else(|| plain(&file.file_stem().unwrap_or_default().to_string_lossy())),
+        map: file.display().to_string(),
+        note: String::new(),
+    };
+    let (seeds, set) = (Seeds { from: 1, count: args.seeds.unwrap_or(100) }, args.set.iter().cloned().collect());
+    let instances = args.map.iter().map(instance).collect();
+    let mut question = ablation::question(planner, args.preset.as_deref(), &set, instances, seeds)?;
+    question.check()?;
+    if !args.only.is_empty() {
+        question.keep_instances(&args.only)?;
+    }
+    Ok(question)
+}
+
+/// A name as an id: small letters, digits, `-`.
+fn plain(name: &str) -> String {
+    let keep = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+    let id: String = name.chars().map(keep).collect();
+    if id.is_empty() { "map".into() } else { id }
+}
+
 /// An experiment that was written before, its maps in it.
-fn reopen(args: &Args) -> Result<(Experiment, Option<Recorded>), CliError> {
-    if let Some(id) = args.only.first().or_else(|| args.map.first().map(|(id, _)| id)) {
+fn reopen(args: &Args, file: &Path) -> Result<(Experiment, Option<Before>), CliError> {
+    let map = |(id, map): &(Option<String>, PathBuf)| id.clone().unwrap_or_else(|| map.display().to_string());
+    if let Some(id) = args.only.first().cloned().or_else(|| args.map.first().map(map)) {
         let message = format!("`{id}` cannot be chosen or replaced: the file has its maps in it, and results on all of them");
         return Err(CliError::usage(message, "leave out --only and --map, or give a question as TOML"));
     }
-    let opened = input::in_file(&args.question, |bytes, _| {
+    let opened = input::in_file(file, |bytes, _| {
         let text = std::str::from_utf8(bytes).map_err(|_| FormatError::NotText { found: "binary data".into() })?;
         document::open(text)
     })?;
+    let record = opened.record();
+    let is_any = opened.recorded.is_some() || !opened.rows.is_empty();
     let mut experiment = opened.experiment;
+    let budget = experiment.question.budget;
     narrow(args, &mut experiment.question).map_err(|e| in_question(args, e))?;
-    Ok((experiment, opened.recorded))
+    // Under another budget other runs are asked for: there is nothing to compare them with.
+    let is_same = experiment.question.budget == budget;
+    let before = (is_any && is_same).then_some(Before { record, rows: opened.rows });
+    Ok((experiment, before))
 }
 
 fn file_name(path: &Path) -> String {
@@ -59,7 +157,8 @@ fn read(bytes: &[u8]) -> Result<Question, Error> {
 /// What the arguments leave of a question.
 fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
     question.seeds.count = question.seeds.count.min(args.seeds.unwrap_or(u32::MAX));
-    for (id, file) in &args.map {
+    question.budget = args.budget.or(question.budget);
+    for (id, file) in args.map.iter().filter_map(|(id, file)| Some((id.as_ref()?, file))) {
         let instance = question.instance_mut(id)?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         (instance.map, instance.note) = (file.display().to_string(), format!("{stem} in place of the question's map."));
@@ -77,12 +176,19 @@ fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
 }
 
 pub fn in_question(args: &Args, error: QuestionError) -> CliError {
-    CliError::Contents { path: args.question.display().to_string(), error: error.into() }
+    CliError::Contents { path: args.asked(), error: error.into() }
 }
 
-/// `ID=FILE` of `--map`.
-pub fn stand_in(text: &str) -> Result<(String, PathBuf), String> {
-    let split = text.split_once('=').filter(|(id, file)| !id.is_empty() && !file.is_empty());
-    let (id, file) = split.ok_or_else(|| format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv"))?;
-    Ok((id.into(), file.into()))
+/// `AXIS=AMOUNT` of `--budget`.
+pub fn budget(text: &str) -> Result<Budget, String> {
+    text.parse().map_err(|e: QuestionError| e.to_string())
+}
+
+/// `ID=FILE` or `FILE` of `--map`.
+pub fn named_map(text: &str) -> Result<(Option<String>, PathBuf), String> {
+    match text.split_once('=') {
+        None if !text.is_empty() => Ok((None, text.into())),
+        Some((id, file)) if !id.is_empty() && !file.is_empty() => Ok((Some(id.into()), file.into())),
+        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv")),
+    }
 }

@@ -68,6 +68,18 @@ pub enum FormatError {
         /// What the format asks for there.
         expected: String,
     },
+    /// A field of a table cannot be used.
+    #[error("line {line}, column `{column}`: `{value}` cannot be used")]
+    Cell {
+        /// Line, from 1.
+        line: usize,
+        /// The column's name in the file.
+        column: String,
+        /// What stands there, shortened.
+        value: String,
+        /// What may stand there.
+        expected: String,
+    },
     /// The file claims or holds more than can be used.
     #[error("{what} is more than the {max} that can be read")]
     TooLarge {
@@ -153,6 +165,13 @@ impl FormatError {
                 ErrorReport::new("syntax", field, message, format!("expected {expected}"))
                     .with("line", line)
                     .with("what", what)
+                    .with("expected", expected)
+            }
+            Self::Cell { line, column, value, expected } => {
+                ErrorReport::new("bad-cell", format!("line {line}"), message, format!("expected {expected}"))
+                    .with("line", line)
+                    .with("column", column)
+                    .with("value", value)
                     .with("expected", expected)
             }
             Self::TooLarge { what, max } => ErrorReport::new("too-large", "file", message, "crop or resample the map first")

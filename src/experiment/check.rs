@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use thiserror::Error;
 
-use super::question::{Axis, Claim, Contender, FORMAT, Instance, Question};
+use super::question::{Axis, Budget, Claim, Contender, FORMAT, Instance, Question};
 use crate::catalog;
 use crate::error::{ErrorReport, ParamError};
 
@@ -46,7 +46,7 @@ impl QuestionError {
         Self::Planner { entry: entry.id.clone(), error: Box::new(error) }
     }
 
-    fn field(field: impl Into<String>, value: impl ToString, allowed: impl Into<String>) -> Self {
+    pub(super) fn field(field: impl Into<String>, value: impl ToString, allowed: impl Into<String>) -> Self {
         Self::Field { field: field.into(), value: value.to_string(), allowed: allowed.into() }
     }
 
@@ -88,7 +88,7 @@ impl Question {
         if self.seeds.from.checked_add(self.seeds.count - 1).is_none() {
             return Err(QuestionError::field("seeds.from", self.seeds.from, format!("at most {} − count + 1", u32::MAX)));
         }
-        self.check_budget()?;
+        self.budget.map_or(Ok(()), |budget| budget.check())?;
         check_ids("instances", self.instances.iter().map(|i| &i.id), true)?;
         check_ids("entries", self.entries.iter().map(|e| &e.id), true)?;
         check_ids("claims", self.claims.iter().map(|c| &c.id), false)?;
@@ -118,6 +118,15 @@ impl Question {
         self.instances.iter_mut().find(|i| i.id == id).ok_or_else(|| QuestionError::outside("instance"))
     }
 
+    /// The place of an instance among the question's.
+    ///
+    /// # Errors
+    /// [`QuestionError`] if there is none of this id.
+    pub fn place(&self, id: &str) -> Result<usize, QuestionError> {
+        self.check_instance("instances", id)?;
+        self.instances.iter().position(|i| i.id == id).ok_or_else(|| QuestionError::outside("instance"))
+    }
+
     /// The entry of an id.
     pub fn entry(&self, id: &str) -> Option<&Contender> {
         self.entries.iter().find(|e| e.id == id)
@@ -131,17 +140,6 @@ impl Question {
         let published = |id: &str| claim.measure.published(self.entry(id)?.published.get(instance)?);
         let (improved, baseline) = (published(&claim.improved)?, published(&claim.baseline)?);
         (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
-    }
-
-    fn check_budget(&self) -> Result<(), QuestionError> {
-        match self.budget {
-            Some(budget) if budget.axis == Axis::Time => {
-                let allowed = "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
-                Err(QuestionError::field("budget.axis", "time", allowed))
-            }
-            Some(budget) if budget.amount == 0 => Err(QuestionError::field("budget.amount", 0, "at least 1")),
-            _ => Ok(()),
-        }
     }
 
     fn check_entry(&self, entry: &Contender) -> Result<(), QuestionError> {
@@ -190,6 +188,20 @@ impl Question {
     }
 }
 
+impl Budget {
+    /// Whether runs can be ended by it.
+    pub(super) fn check(self) -> Result<(), QuestionError> {
+        match self {
+            Self { axis: Axis::Time, .. } => {
+                let allowed = "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
+                Err(QuestionError::field("budget.axis", "time", allowed))
+            }
+            Self { amount: 0, .. } => Err(QuestionError::field("budget.amount", 0, "at least 1")),
+            _ => Ok(()),
+        }
+    }
+}
+
 fn list<'a>(ids: impl Iterator<Item = &'a String>) -> String {
     ids.map(String::as_str).collect::<Vec<_>>().join(", ")
 }
@@ -214,7 +226,7 @@ fn check_ids<'a>(field: &str, ids: impl Iterator<Item = &'a String>, needed: boo
 
 #[cfg(test)]
 mod tests {
-    use super::super::question::{Budget, Direction, Seeds};
+    use super::super::question::{Direction, Seeds};
     use super::*;
     use serde_json::json;
 

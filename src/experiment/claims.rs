@@ -1,9 +1,11 @@
 //! Claims against runs: the difference that was measured, how sure it is, and the verdict. The rule is stated in docs/methodology.md.
 
+use super::analysis::Intervals;
+use super::analysis::measure_of;
+use super::analysis::samples::{Samples, paired, plain};
 use super::question::{Claim, Direction, Measure, Statistic};
-use super::row::Row;
-use super::setting::Experiment;
-use super::statistics::{Difference, a12, mean, mean_difference, median_difference, quantile, sorted};
+use super::setting::Map;
+use super::statistics::{Difference, a12, mean, quantile, sorted};
 
 /// Fewest pairs of runs from which a verdict is drawn.
 pub const MIN_PAIRS: usize = 30;
@@ -42,7 +44,7 @@ pub struct Comparison {
     pub pairs: usize,
     /// Pairs of which both runs have a finite value: those that the means are over.
     pub finite_pairs: usize,
-    /// Share of the baseline's runs that found a proven optimum.
+    /// Share of the baseline's runs that found a proven optimum; none where the improved entry may be better by the claim's measure even so.
     pub baseline_optimal: Option<f64>,
     /// What decides.
     pub statistic: Statistic,
@@ -78,41 +80,52 @@ impl Comparison {
 }
 
 /// Compares the runs of every claim on every map that it is about.
-pub fn judge(experiment: &Experiment, rows: &[Row]) -> Vec<Comparison> {
-    let question = &experiment.question;
+pub fn judge(samples: &Samples, intervals: &mut Intervals) -> Vec<Comparison> {
+    let question = &samples.experiment().question;
     let about = |claim: usize| {
         let places = question.instances.iter().enumerate();
         places.filter(move |(_, i)| question.claims[claim].is_about(&i.id)).map(move |(instance, _)| (claim, instance))
     };
     let all = (0..question.claims.len()).flat_map(about);
-    all.map(|(claim, instance)| compare(experiment, rows, claim, instance)).collect()
+    all.map(|(claim, instance)| compare(samples, intervals, claim, instance)).collect()
 }
 
-fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize) -> Comparison {
-    let (question, claim) = (&experiment.question, &experiment.question.claims[index]);
-    let place = &question.instances[instance].id;
-    let values = |entry, measure| values(experiment, rows, instance, entry, measure);
-    let sample =
-        |entry| values(entry, claim.measure).into_iter().map(|v| worst_if_missing(claim.direction, v)).collect::<Vec<_>>();
+fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance: usize) -> Comparison {
+    let question = &samples.experiment().question;
+    let (claim, place) = (&question.claims[index], &question.instances[instance].id);
+    let of = |id: &String| question.entries.iter().position(|e| e.id == *id);
+    let values = |id: &String, measure| {
+        let entry = of(id);
+        entry.map_or_else(Vec::new, |entry| samples.values(instance, entry, measure))
+    };
+    let both: Vec<usize> =
+        (0..question.entries.len()).filter(|&e| [&claim.improved, &claim.baseline].contains(&&question.entries[e].id)).collect();
+    let sample = |id: &String| {
+        let common = |value| samples.experiment().in_common_digits(&both, claim.measure, value);
+        let worst = |(seed, value)| (seed, worst_if_missing(claim.direction, common(value)));
+        values(id, claim.measure).into_iter().map(worst).collect::<Vec<_>>()
+    };
     let (improved, baseline) = (sample(&claim.improved), sample(&claim.baseline));
-    let pairs: Vec<(f64, f64)> = improved.iter().copied().zip(baseline.iter().copied()).collect();
+    let pairs = paired(&improved, &baseline);
+    let (improved, baseline) = (plain(&improved), plain(&baseline));
     let finite: Vec<(f64, f64)> = pairs.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     let statistic = claim.statistic(finite.len() == pairs.len());
     let counted = if statistic == Statistic::Mean { &finite } else { &pairs };
     let (first, second): (Vec<f64>, Vec<f64>) = counted.iter().copied().unzip();
     let name = format!("{}/{place}", claim.id);
+    let bound = is_bound(&samples.experiment().maps[instance], claim.measure, [&claim.improved, &claim.baseline].map(of));
     let comparison = Comparison {
         claim: index,
         instance,
         claimed: question.claimed_size(claim, place),
         pairs: pairs.len(),
         finite_pairs: finite.len(),
-        baseline_optimal: mean(&values(&claim.baseline, Measure::Optimal)),
+        baseline_optimal: bound.then(|| mean(&plain(&values(&claim.baseline, Measure::Optimal)))).flatten(),
         statistic,
         improved: standing(statistic, &first).or_else(|| standing(statistic, &improved)),
         baseline: standing(statistic, &second).or_else(|| standing(statistic, &baseline)),
-        medians: median_difference(&pairs, &name),
-        means: mean_difference(&finite, &name),
+        medians: intervals.median_difference(&pairs, &name),
+        means: intervals.mean_difference(&finite, &name),
         better: better(claim.direction, &improved, &baseline),
         verdict: Verdict::Not,
     };
@@ -120,11 +133,16 @@ fn compare(experiment: &Experiment, rows: &[Row], index: usize, instance: usize)
     Comparison { verdict, ..comparison }
 }
 
-/// A measure of an entry's runs on an instance, by seed.
-fn values(experiment: &Experiment, rows: &[Row], instance: usize, entry: &str, measure: Measure) -> Vec<f64> {
-    let of_entry = |r: &&Row| experiment.question.entries.get(r.task.entry).is_some_and(|e| e.id == entry);
-    let of = rows.iter().filter(|r| r.task.instance == instance).filter(of_entry);
-    of.filter_map(|r| experiment.value(r, measure)).collect()
+/// Whether the baseline's optimum is one by the claim's measure, and no path of the improved entry can have less: a polyline is shorter than
+/// the shortest path of steps, and who makes V small need not have the shortest one.
+fn is_bound(map: &Map, measure: Measure, entries: [Option<usize>; 2]) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let best = |entry: Option<usize>| {
+        let objective = map.objective(entry?).filter(|o| measure_of(*o) == measure)?;
+        map.yardsticks().iter().find(|y| y.objective == objective)?.reference.value()
+    };
+    let [improved, baseline] = entries.map(best);
+    improved.zip(baseline).is_some_and(|(improved, baseline)| improved >= baseline * (1.0 - ROUNDING))
 }
 
 /// A run without a path is never the better one, also where more is better.
@@ -149,6 +167,9 @@ fn better(direction: Direction, improved: &[f64], baseline: &[f64]) -> Option<f6
 
 /// The rule of docs/methodology.md.
 fn verdict(claim: &Claim, c: &Comparison) -> Verdict {
+    if c.pairs == 0 && c.improved.is_some() && c.baseline.is_some() {
+        return Verdict::CannotTell("no two runs share a seed");
+    }
     if c.pairs == 0 {
         return Verdict::CannotTell("one of the two cannot be run");
     }
@@ -182,7 +203,15 @@ fn without_difference(claim: &Claim, c: &Comparison) -> Verdict {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use super::super::Experiment;
+    use super::super::question::{FORMAT, Question};
+    use super::super::row::Task;
     use super::*;
+    use crate::map::{Grid, Point};
+    use crate::scenario::{Scenario, ScenarioSpec};
+    use serde_json::json;
 
     const CLAIM: &str =
         r#"{ "id": "c", "says": "", "improved": "a", "baseline": "b", "measure": "length", "direction": "less" }"#;
@@ -227,7 +256,9 @@ mod tests {
         assert_eq!(given(comparison(Some(0.1), inf, 40.0, inf, inf)), Verdict::Opposite);
         assert!(cannot(comparison(Some(0.1), 40.0, inf, -inf, -inf)));
         assert!(cannot(Comparison { pairs: 29, ..comparison(None, 39.0, 40.0, -2.0, -0.5) }));
-        assert!(cannot(Comparison { medians: None, pairs: 0, ..comparison(None, 0.0, 0.0, 0.0, 0.0) }));
+        let unpaired = Comparison { medians: None, pairs: 0, ..comparison(None, 39.0, 40.0, 0.0, 0.0) };
+        assert_eq!(given(unpaired.clone()), Verdict::CannotTell("no two runs share a seed"));
+        assert_eq!(given(Comparison { improved: None, ..unpaired }), Verdict::CannotTell("one of the two cannot be run"));
     }
 
     #[test]
@@ -239,6 +270,43 @@ mod tests {
         assert_eq!(verdict(&claim, &full(41.0, 0.5, 1.5)), Verdict::Opposite);
         let turns = Claim { measure: Measure::Turns, ..claim };
         assert_eq!(verdict(&turns, &full(40.0, -0.1, 0.0)), Verdict::Not);
+    }
+
+    /// Steps, a polyline and V on an open map without a straight way.
+    fn experiment(width: u32, height: u32) -> Experiment {
+        let entry = |planner| json!({ "id": planner, "label": planner, "role": "other", "planner": planner });
+        let planners = ["astar", "theta-star", "turn-aware"];
+        let question: Question = serde_json::from_value(json!({
+            "format": FORMAT, "title": "t", "asks": "?", "seeds": { "from": 1, "count": 2 },
+            "instances": [{ "id": "open", "map": "open.json" }],
+            "entries": planners.map(entry)
+        }))
+        .unwrap();
+        let grid = Grid::open(width, height).unwrap();
+        let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(width - 1, height - 1));
+        Experiment::new(question, vec![Arc::new(Scenario::new(grid, spec).unwrap())]).unwrap()
+    }
+
+    #[test]
+    fn an_optimum_of_another_kind_leaves_room() {
+        let map = &experiment(6, 5).maps[0];
+        let is_bound = |improved, baseline| is_bound(map, Measure::Length, [Some(improved), Some(baseline)]);
+        // A polyline may be shorter than the shortest path of steps; not the other way round. The least V says nothing of lengths.
+        assert_eq!([is_bound(0, 0), is_bound(1, 0), is_bound(0, 1), is_bound(0, 2)], [true, false, true, false]);
+        assert!(
+            !super::is_bound(map, Measure::Turns, [Some(0), Some(0)]) && !super::is_bound(map, Measure::Length, [None, Some(0)])
+        );
+    }
+
+    #[test]
+    fn what_is_not_proven_is_no_optimum() {
+        // Above 64 × 64 cells the yardstick of polylines is a Theta* run.
+        for (width, proven) in [(64, true), (65, false)] {
+            let experiment = experiment(width, 64);
+            let row = experiment.run(Task { instance: 0, entry: 1, seed: 1 }, &mut || 0.0).unwrap().row;
+            assert_eq!(experiment.gap(&row), Some(0.0));
+            assert_eq!(experiment.value(&row, Measure::Optimal), Some(f64::from(u8::from(proven))));
+        }
     }
 
     #[test]

@@ -2,15 +2,19 @@
 //!
 //! Rank tests need no distribution of the values, and a run without a path (an infinite value) keeps its place in them. All are two-sided,
 //! by the normal or χ² approximation with the usual corrections for ties, as SciPy computes them; below [`MIN_RUNS`] runs the approximation
-//! is too coarse, and there is no answer. Only `libm`, so that a p-value has the same bits everywhere.
+//! is too coarse, and there is no answer. Of pairs only those that differ count in a test: where they are fewer, its p is exact. Friedman's
+//! test counts maps, of which there are few. Only `libm`, so that a p-value has the same bits everywhere.
 
-use super::statistics::sorted;
+use serde::Serialize;
+
+use super::statistics::{minus, rounded, sorted};
 
 /// Fewest runs of a sample.
 pub const MIN_RUNS: usize = 20;
 
 /// A test statistic and how likely one as extreme is where nothing differs.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Test {
     /// U, W or χ².
     pub statistic: f64,
@@ -20,7 +24,8 @@ pub struct Test {
 
 /// Mid-ranks of a sample, in its order, from 1; and Σ (t³ − t) over its ties.
 fn ranks(values: &[f64]) -> (Vec<f64>, f64) {
-    let ascending = sorted(values.to_vec());
+    let values: Vec<f64> = values.iter().copied().map(rounded).collect();
+    let ascending = sorted(values.clone());
     let below = |v: f64| ascending.partition_point(|a| a.total_cmp(&v).is_lt());
     let upto = |v: f64| ascending.partition_point(|a| a.total_cmp(&v).is_le());
     let rank = |&v: &f64| (below(v) + upto(v) + 1) as f64 / 2.0;
@@ -52,22 +57,61 @@ fn mann_whitney_of_any(first: &[f64], second: &[f64]) -> Test {
 }
 
 /// Wilcoxon 1945, signed ranks: W, the smaller rank sum of the differences of paired samples. Pairs without a difference are left out
-/// (two runs without a path do not differ). `None` below [`MIN_RUNS`] pairs.
+/// (two runs without a path do not differ); where fewer than [`MIN_RUNS`] are left, p is exact. `None` below [`MIN_RUNS`] pairs.
 pub fn wilcoxon(pairs: &[(f64, f64)]) -> Option<Test> {
     (pairs.len() >= MIN_RUNS).then(|| wilcoxon_of_any(pairs))
 }
 
 fn wilcoxon_of_any(pairs: &[(f64, f64)]) -> Test {
-    let differ = pairs.iter().filter(|(a, b)| a != b);
-    let differences: Vec<f64> = differ.map(|(a, b)| a - b).collect();
-    let (ranks, ties) = ranks(&differences.iter().map(|d| d.abs()).collect::<Vec<_>>());
-    let n = differences.len() as f64;
-    let whole = n * (n + 1.0) / 2.0;
-    // The sum of nothing is −0.
-    let above = 0.0 + differences.iter().zip(&ranks).filter(|(d, _)| **d > 0.0).map(|(_, r)| r).sum::<f64>();
+    let SignedRanks { above, whole, ranks, ties } = signed_ranks(pairs);
     let statistic = above.min(whole - above);
+    if ranks.len() < MIN_RUNS {
+        return Test { statistic, p: by_enumeration(&ranks, statistic) };
+    }
+    let n = ranks.len() as f64;
     let variance = n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - ties / 48.0;
     Test { statistic, p: two_sided((statistic - whole / 2.0).abs(), variance) }
+}
+
+/// Two-sided p of a rank sum where each rank is as likely on either side: all ways to divide them are counted. Twice a mid-rank is whole.
+fn by_enumeration(ranks: &[f64], statistic: f64) -> f64 {
+    let doubled = ranks.iter().map(|rank| (2.0 * rank) as usize);
+    let whole: usize = doubled.clone().sum();
+    let mut ways = vec![0.0; whole + 1];
+    ways[0] = 1.0;
+    for rank in doubled {
+        (rank..=whole).rev().for_each(|sum| ways[sum] += ways[sum - rank]);
+    }
+    let beyond: f64 = ways.iter().take((2.0 * statistic) as usize + 1).sum();
+    (2.0 * beyond / ways.iter().sum::<f64>()).min(1.0)
+}
+
+/// Which way paired samples differ, by the signed ranks of [`wilcoxon`]: (W⁺ − W⁻) / (W⁺ + W⁻), the matched-pairs rank-biserial correlation
+/// (Kerby 2014). From −1, the first is always smaller, to 1, always larger; 0 where no pair differs.
+pub fn rank_biserial(pairs: &[(f64, f64)]) -> f64 {
+    let SignedRanks { above, whole, .. } = signed_ranks(pairs);
+    if whole > 0.0 { (2.0 * above - whole) / whole } else { 0.0 }
+}
+
+/// The ranks of what pairs differ by.
+struct SignedRanks {
+    /// W⁺, the rank sum of the positive differences.
+    above: f64,
+    /// All ranks together.
+    whole: f64,
+    /// The ranks of the pairs that differ.
+    ranks: Vec<f64>,
+    /// Σ (t³ − t) over the ties.
+    ties: f64,
+}
+
+fn signed_ranks(pairs: &[(f64, f64)]) -> SignedRanks {
+    let differences: Vec<f64> = pairs.iter().map(|&(a, b)| minus(a, b)).filter(|d| *d != 0.0).collect();
+    let (ranks, ties) = ranks(&differences.iter().map(|d| d.abs()).collect::<Vec<_>>());
+    let n = differences.len() as f64;
+    // The sum of nothing is −0.
+    let above = 0.0 + differences.iter().zip(&ranks).filter(|(d, _)| **d > 0.0).map(|(_, r)| r).sum::<f64>();
+    SignedRanks { above, whole: n * (n + 1.0) / 2.0, ranks, ties }
 }
 
 /// What a Friedman test says of several planners on several maps.
@@ -77,8 +121,8 @@ pub struct Friedman {
     pub test: Test,
     /// Mean rank of each planner, 1 = best (smallest).
     pub mean_ranks: Vec<f64>,
-    /// Number of maps.
-    pub blocks: usize,
+    /// For each map the rank of each planner; ties share theirs.
+    pub ranks: Vec<Vec<f64>>,
 }
 
 /// Friedman 1937, with tie correction: one row a map, one value a planner, smaller is better. `None` below two maps or two planners, or
@@ -99,7 +143,7 @@ pub fn friedman(rows: &[Vec<f64>]) -> Option<Friedman> {
     }
     let statistic = spread / correction;
     let test = Test { statistic, p: chi_squared_beyond(statistic, k as u32 - 1) };
-    Some(Friedman { test, mean_ranks: sums.iter().map(|s| s / n).collect(), blocks: rows.len() })
+    Some(Friedman { test, mean_ranks: sums.iter().map(|s| s / n).collect(), ranks: ranked.into_iter().map(|(r, _)| r).collect() })
 }
 
 impl Friedman {
@@ -107,7 +151,7 @@ impl Friedman {
     pub fn between(&self, first: usize, second: usize) -> Option<f64> {
         let (a, b) = (self.mean_ranks.get(first)?, self.mean_ranks.get(second)?);
         let k = self.mean_ranks.len() as f64;
-        Some(two_sided((a - b).abs(), k * (k + 1.0) / (6.0 * self.blocks as f64)))
+        Some(two_sided((a - b).abs(), k * (k + 1.0) / (6.0 * self.ranks.len() as f64)))
     }
 }
 
@@ -179,16 +223,41 @@ mod tests {
         let second = [0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06, 3.14, 1.29];
         let test = wilcoxon_of_any(&first.into_iter().zip(second).collect::<Vec<_>>());
         assert!((test.statistic - 5.0).abs() < 1e-12);
-        close(test.p, 0.038_151_710_173_415_135);
+        // Of 2⁹ ways to put signs to the ranks 10 give 5 or less.
+        close(test.p, 2.0 * 10.0 / 512.0);
         // Darwin's maize, SciPy's documentation of wilcoxon: W = 24.
         let maize = [6.0, 8.0, 14.0, 16.0, 23.0, 24.0, 28.0, 29.0, 41.0, -48.0, 49.0, 56.0, 60.0, -67.0, 75.0];
         let test = wilcoxon_of_any(&maize.map(|d| (d, 0.0)));
         assert_eq!(test.statistic, 24.0);
-        close(test.p, 0.040_888_132_911_855_91);
+        close(test.p, 0.041_259_765_625);
         let pairs: Vec<_> = tied(40, 7919, 23, 0.0).into_iter().zip(tied(40, 104_729, 29, 1.0)).collect();
         let test = wilcoxon(&pairs).unwrap();
         assert_eq!(test.statistic, 408.0);
         close(test.p, 0.978_541_745_142_374_5);
+    }
+
+    #[test]
+    fn few_pairs_that_differ_are_counted_exactly() {
+        let of = |differences: &[f64]| {
+            let same = (0..30).map(|_| (7.0, 7.0));
+            wilcoxon(&differences.iter().map(|d| (7.0 + d, 7.0)).chain(same).collect::<Vec<_>>()).unwrap()
+        };
+        // Five equal signs: 2 of 32, where the normal approximation says 0.0253. Six: 2 of 64.
+        assert_eq!([of(&[1.0; 5]).p, of(&[1.0; 6]).p, of(&[-1.0; 6]).p], [0.0625, 0.03125, 0.03125]);
+        // Ranks 2.5, 2.5, 2.5, 6, 6, 2.5, 8, 6, 9, so W⁻ = 8.5: SciPy's PermutationMethod, all of 2⁹.
+        let test = of(&[1.0, 1.0, 1.0, 2.0, 2.0, -1.0, 3.0, -2.0, 4.0]);
+        assert_eq!((test.statistic, test.p), (8.5, 0.121_093_75));
+        assert_eq!(of(&[]).p, 1.0);
+    }
+
+    #[test]
+    fn equal_differences_are_ties_whatever_their_last_bits() {
+        // 30.1 − 30 = 0.10000000000000142, 0.3 − 0.2 = 0.09999999999999998, 5 − 5.1 = −0.09999999999999964; 0.1 + 0.2 is 0.3.
+        let pairs = [(30.1, 30.0), (0.3, 0.2), (0.3, 0.1 + 0.2), (5.0, 5.1)];
+        // Three ties of rank 2: (4 − 2) / 6.
+        assert_eq!(rank_biserial(&pairs), 1.0 / 3.0);
+        // The same in other tests: 0.1 + 0.2 ranks as 0.3 does.
+        assert_eq!(ranks(&[0.1 + 0.2, 0.3, 0.0, -1e-12, f64::INFINITY]), (vec![3.5, 3.5, 1.5, 1.5, 5.0], 12.0));
     }
 
     #[test]
@@ -238,6 +307,15 @@ mod tests {
         close(result.between(0, 2).unwrap(), libm::erfc(21.0 / 22.0 / libm::sqrt(2.0 * 12.0 / 132.0)));
         assert_eq!(friedman(&[vec![1.0, 2.0]]), None);
         assert_eq!(friedman(&[vec![1.0, 1.0], vec![2.0, 2.0]]), None);
+    }
+
+    #[test]
+    fn the_leaning_of_pairs_by_hand() {
+        // Differences 1, −2, 3, 0: ranks 1, 2, 3, so (4 − 2) / 6. Two runs without a path do not differ; one is the largest difference.
+        let inf = f64::INFINITY;
+        assert_eq!(rank_biserial(&[(2.0, 1.0), (1.0, 3.0), (4.0, 1.0), (5.0, 5.0)]), 1.0 / 3.0);
+        assert_eq!(rank_biserial(&[(inf, inf), (inf, 7.0), (6.0, 7.0), (6.0, 8.0)]), 0.0);
+        assert_eq!((rank_biserial(&[(1.0, 2.0)]), rank_biserial(&[(2.0, 2.0)]), rank_biserial(&[])), (-1.0, 0.0, 0.0));
     }
 
     #[test]

@@ -1,9 +1,12 @@
 //! The question as it is written down: `formicarium/question@1`.
 
 use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
+use super::check::QuestionError;
 use crate::params::Values;
 
 /// What `format` must say.
@@ -80,6 +83,27 @@ pub enum Axis {
     Moves,
     /// Seconds on the machine that ran it. Not part of any result file.
     Time,
+}
+
+impl fmt::Display for Budget {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let id = serde_json::to_value(self.axis).unwrap_or_default();
+        write!(f, "{}={}", id.as_str().unwrap_or_default(), self.amount)
+    }
+}
+
+impl FromStr for Budget {
+    type Err = QuestionError;
+
+    /// Reads `AXIS=AMOUNT`, as it prints itself.
+    fn from_str(text: &str) -> Result<Self, QuestionError> {
+        const ALLOWED: &str = "AXIS=AMOUNT such as constructed-paths=5000";
+        let wrong = || QuestionError::field("budget", text, ALLOWED);
+        let (axis, amount) = text.split_once('=').ok_or_else(wrong)?;
+        let axis = serde_json::from_value(axis.into()).map_err(|_| wrong())?;
+        let budget = Self { axis, amount: amount.parse().map_err(|_| wrong())? };
+        budget.check().map(|()| budget)
+    }
 }
 
 impl Axis {

@@ -1,47 +1,61 @@
 //! What an experiment says: a CSV with one row a run, and a page of tables. Every number in one fixed form.
 
+mod ablation;
 mod csv;
+mod file;
+mod latex;
+mod table;
 mod tests;
 mod verdicts;
 
 use std::fmt::Write;
 
-use super::claims::Comparison;
-use super::question::{Contender, Instance, Measure, Published, Role};
+use super::ablation::effects;
+use super::analysis::{Analysis, EntryAnalysis, MapAnalysis};
+use super::question::{Contender, Measure, Published, Role};
 use super::row::Row;
-use super::setting::{Experiment, Map};
+use super::setting::{Experiment, Map, Yardstick};
 use super::statistics::Summary;
 use crate::exact::Reference;
 use crate::map::{CornerRule, Movement, Moves};
-use crate::planner::Objective;
 use crate::scenario::Scenario;
 
+pub use ablation::components;
 pub use csv::{HEADER, csv, line};
-pub use tests::tests;
+pub use file::{Reports, ResultFile};
+pub use latex::latex;
+pub use table::{csv as summary_csv, json as summary_json, markdown as summary_markdown};
+pub use tests::{tests, tests_csv};
 pub use verdicts::verdicts;
 
-/// The page: what was asked, a table for each map, and what became of each claim. `command` repeats it.
-pub fn markdown(experiment: &Experiment, rows: &[Row], comparisons: &[Comparison], command: &str) -> String {
-    let mut out = head(experiment, rows.len(), command);
+/// The page: what was asked, a table for each map, what became of each claim, and of an ablation what each component does. `command` repeats
+/// it.
+pub fn markdown(experiment: &Experiment, rows: &[Row], analysis: &Analysis, command: &str) -> String {
+    let mut out = head(experiment, analysis, command);
     entries(&mut out, experiment);
-    for (index, instance) in experiment.question.instances.iter().enumerate() {
-        map_table(&mut out, experiment, rows, index, instance);
+    for (map, of) in experiment.maps.iter().zip(&analysis.instances) {
+        map_table(&mut out, experiment, map, of);
     }
-    verdicts::claims_table(&mut out, experiment, comparisons);
+    verdicts::claims_table(&mut out, experiment, &analysis.comparisons);
+    ablation::tables(&mut out, experiment, &effects(experiment, rows));
     out
 }
 
-fn head(experiment: &Experiment, runs: usize, command: &str) -> String {
+fn head(experiment: &Experiment, analysis: &Analysis, command: &str) -> String {
     let q = &experiment.question;
     let paper = if q.paper.is_empty() { String::new() } else { format!("Paper: {}.\n\n", q.paper) };
+    let setting = setting_of(experiment, analysis);
+    format!("# {}\n\n{}\n\n{paper}Made by `{command}` with {setting} How to read it: docs/methodology.md.\n", q.title, q.asks)
+}
+
+/// What numbers depend on beside the question: engine, seeds, budget.
+fn setting_of(experiment: &Experiment, analysis: &Analysis) -> String {
+    let q = &experiment.question;
+    let runs: usize = analysis.instances.iter().flat_map(|map| &map.entries).map(|e| e.runs).sum();
     let last = q.seeds.from.saturating_add(q.seeds.count.saturating_sub(1));
     let seeds = format!("seeds {} to {last} of every entry on every map, {runs} runs", q.seeds.from);
-    format!(
-        "# {}\n\n{}\n\n{paper}Made by `{command}` with engine version {}: {seeds}. How to read it: docs/methodology.md.\n",
-        q.title,
-        q.asks,
-        env!("CARGO_PKG_VERSION"),
-    )
+    let budget = q.budget.map_or_else(String::new, |b| format!(", of {} {} at most each", b.amount, b.axis.words()));
+    format!("engine version {}: {seeds}{budget}.", env!("CARGO_PKG_VERSION"))
 }
 
 /// What each entry runs.
@@ -70,51 +84,58 @@ fn recipe(entry: &Contender) -> String {
     format!("`--planner {planner}{preset}{set}`")
 }
 
-fn map_table(out: &mut String, experiment: &Experiment, rows: &[Row], index: usize, instance: &Instance) {
-    let Some(map) = experiment.maps.get(index) else { return };
-    let (grid, spec) = (&map.scenario.grid, &map.scenario.spec);
-    let name = if spec.name.is_empty() { &instance.id } else { &spec.name };
-    let _ = writeln!(out, "\n## {name}\n");
-    let _ =
-        writeln!(out, "`{}`, {} × {}, {}. {}\n", instance.id, grid.width(), grid.height(), moves(&map.scenario), instance.note);
-    let main = map.measure();
-    let _ = write!(out, "| | published: {} / turns / iterations ", main.name());
-    out.push_str("| found a path | best | median | IQR | mean ± sd | iteration of best: median (IQR) ");
+fn map_table(out: &mut String, experiment: &Experiment, map: &Map, of: &MapAnalysis) {
+    let grid = &map.scenario.grid;
+    let _ = writeln!(out, "\n## {}\n", of.name);
+    let _ = writeln!(out, "`{}`, {} × {}, {}. {}\n", of.id, grid.width(), grid.height(), moves(&map.scenario), of.note);
+    let _ = write!(out, "| | published: {} / turns / iterations ", of.measure_name);
+    out.push_str("| found a path | best | median | IQR | mean ± sd [95 %] | iteration of best: median (IQR) ");
     out.push_str(
         "| constructed paths to best: median | turns: median (IQR) | optimal |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
-    for (entry, contender) in experiment.question.entries.iter().enumerate() {
-        let of: Vec<&Row> = rows.iter().filter(|r| (r.task.instance, r.task.entry) == (index, entry)).collect();
-        let published = contender.published.get(&instance.id).map_or_else(|| "–".into(), |row| published(main, row));
-        let _ = writeln!(out, "| {} | {published} | {} |", contender.label, ours(experiment, main, &of));
+    for (entry, contender) in of.entries.iter().zip(&experiment.question.entries) {
+        let published = contender.published.get(&of.id).map_or_else(|| "–".into(), |row| published(of.measure, row));
+        let _ = writeln!(out, "| {} | {published} | {} |", entry.label, ours(entry));
     }
-    references(out, map, |objective| best_of_runs(map, rows, index, objective));
+    of.references.iter().for_each(|yardstick| reference(out, of, yardstick));
+    impossible(out, of);
 }
 
-/// The best value that any of the runs on a map has reached by an objective.
-fn best_of_runs(map: &Map, rows: &[Row], instance: usize, objective: Objective) -> Option<f64> {
-    let by = |r: &&Row| map.objective(r.task.entry) == Some(objective);
-    let found = rows.iter().filter(|r| r.task.instance == instance).filter(by).filter_map(|r| Some(r.found.as_ref()?.value));
-    found.reduce(f64::min)
+/// The best there is by an objective; where nothing is proven, the best of these runs stands in.
+fn reference(out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
+    let name = yardstick.objective.words();
+    let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+    let best = by.filter_map(|e| e.best).reduce(f64::min);
+    let (name, value) = match yardstick.reference {
+        Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
+        Reference::Unproven { value } => {
+            (format!("best known, not proven, {name}"), length(best.map_or(value, |best| best.min(value))))
+        }
+        Reference::NoPath => ("exact".into(), "no path exists".into()),
+        Reference::Unknown => (format!("best of these runs, nothing is proven, {name}"), best.map_or("none".into(), length)),
+    };
+    let _ = writeln!(out, "| {name} | | | {value} | | | | | | | |");
 }
 
-/// The best there is, by each objective that some entry has; where nothing is proven, the best of these runs stands in.
-fn references(out: &mut String, map: &Map, best_of_runs: impl Fn(Objective) -> Option<f64>) {
-    for yardstick in map.yardsticks() {
-        let name = yardstick.objective.words();
-        let (name, value) = match yardstick.reference {
-            Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
-            Reference::Unproven { value } => {
-                let best = best_of_runs(yardstick.objective).map_or(value, |best| best.min(value));
-                (format!("best known, not proven, {name}"), length(best))
-            }
-            Reference::NoPath => ("exact".into(), "no path exists".into()),
-            Reference::Unknown => {
-                let best = best_of_runs(yardstick.objective).map_or("none".into(), length);
-                (format!("best of these runs, nothing is proven, {name}"), best)
-            }
-        };
-        let _ = writeln!(out, "| {name} | | | {value} | | | | | | | |");
+/// Names what no path on this map can have.
+fn impossible(out: &mut String, map: &MapAnalysis) {
+    let mut told = Vec::new();
+    for e in &map.entries {
+        if let Some((value, optimum)) = e.published.filter(|p| p.impossible).and_then(|p| p.value.zip(p.optimum)) {
+            let what = format!("the published {value} is impossible on this map under its rule");
+            told.push(format!("{}: {what}: the exact optimum is {}.", e.label, length(optimum)));
+        }
+        if e.impossible > 0 {
+            let what = format!("{} of {} runs are impossible on this map under its rule", e.impossible, e.runs);
+            told.push(format!("{}: {what}: they are better than the exact optimum, or there is no path.", e.label));
+        }
+    }
+    if !told.is_empty() {
+        let _ = writeln!(
+            out,
+            "\n- {}\n\nOf a map that only stands for the publication's, this says that the two differ.",
+            told.join("\n- ")
+        );
     }
 }
 
@@ -143,27 +164,26 @@ fn published(main: Measure, row: &Published) -> String {
 }
 
 /// The cells of a table from our runs, best to deviation by the main measure; of paths, over the runs that found one.
-fn ours(experiment: &Experiment, main: Measure, rows: &[&Row]) -> String {
+fn ours(e: &EntryAnalysis) -> String {
     const NONE: &str = "– | – | – | – | – | – | – | –";
-    if rows.is_empty() {
+    if e.runs == 0 {
         return format!("not run | {NONE}");
     }
-    let found: Vec<&&Row> = rows.iter().filter(|r| r.found.is_some()).collect();
-    let share = format!("{} of {}", found.len(), rows.len());
-    let of = |measure| Summary::of(&found.iter().filter_map(|r| r.value(measure)).collect::<Vec<_>>());
-    let all = (of(main), of(Measure::IterationOfBest), of(Measure::PathsToBest), of(Measure::Turns));
-    let (Some(l), Some(iteration), Some(paths), Some(turns)) = all else { return format!("{share} | {NONE}") };
+    let share = format!("{} of {}", e.with_path, e.runs);
+    let Some(l) = &e.summary else { return format!("{share} | {NONE}") };
     let spread = l.deviation.map_or_else(|| length(l.mean), |sd| format!("{} ± {}", length(l.mean), length(sd)));
-    let optimal = rows.iter().filter(|r| experiment.value(r, Measure::Optimal) == Some(1.0)).count();
+    let range = e.mean_interval.map_or_else(String::new, |[low, high]| format!(" [{}, {}]", length(low), length(high)));
+    let known = |text: Option<String>| text.unwrap_or_else(|| "–".into());
     format!(
-        "{share} | {} | {} | {}–{} | {spread} | {} | {} | {} | {optimal}",
+        "{share} | {} | {} | {}–{} | {spread}{range} | {} | {} | {} | {}",
         length(l.least),
         length(l.median),
         length(l.lower),
         length(l.upper),
-        middle(&iteration),
-        short(paths.median),
-        middle(&turns),
+        known(e.iteration_of_best.as_ref().map(middle)),
+        known(e.paths_to_best.map(|paths| short(paths.median))),
+        known(e.turns.as_ref().map(middle)),
+        e.optimal,
     )
 }
 

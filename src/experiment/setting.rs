@@ -22,6 +22,9 @@ pub struct Experiment {
     pub maps: Vec<Map>,
     /// The runs of entries whose results come from elsewhere, in the order of the rows.
     pub given: Vec<Row>,
+    /// For each entry how far a value may lie from the reference and still be the same, by the digits that it is printed with; 0 for what is
+    /// run here.
+    printed: Vec<f64>,
 }
 
 /// The map of an instance.
@@ -37,6 +40,7 @@ pub struct Map {
 
 /// What results are measured by, and the best that there is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Yardstick {
     /// What counts.
     pub objective: Objective,
@@ -53,7 +57,8 @@ impl Experiment {
         question.check()?;
         let map = |scenario| Map::new(scenario, &question);
         let maps = scenarios.into_iter().map(map).collect::<Result<_, _>>()?;
-        Ok(Self { question, maps, given: Vec::new() })
+        let printed = vec![0.0; question.entries.len()];
+        Ok(Self { question, maps, given: Vec::new(), printed })
     }
 
     /// Takes in the runs of entries whose results come from elsewhere.
@@ -66,6 +71,9 @@ impl Experiment {
             return Err(QuestionError::outside("entry"));
         }
         given.sort_by_key(|row| row.task);
+        let half_unit =
+            |entry| half_unit(given.iter().filter(|row| row.task.entry == entry).filter_map(|row| Some(row.found?.value)));
+        self.printed = (0..self.question.entries.len()).map(half_unit).collect();
         self.given = given;
         Ok(self)
     }
@@ -113,16 +121,52 @@ impl Experiment {
     }
 
     /// Relative distance of a run's value to the reference, value / reference − 1; none without a path or a reference. Below 0 only where the
-    /// reference is not proven, or the run comes from elsewhere.
+    /// reference is not proven, or the run comes from elsewhere. A value from elsewhere that is the reference within the digits it was printed
+    /// with has no distance.
     pub fn gap(&self, row: &Row) -> Option<f64> {
-        let reference = self.maps.get(row.task.instance)?.reference(row.task.entry);
-        gap(row.found?.value, reference)
+        let reference = self.maps.get(row.task.instance)?.reference(row.task.entry).value()?;
+        gap(row.found?.value, reference, self.slack(row.task.entry, reference))
     }
 
-    /// A measure of a run, as [`Row::value`] tells it, or whether it found the optimum.
+    /// How far a value of an entry may lie from another one, in cells, and still be the same: half a unit of the last digit that the entry's
+    /// runs are printed with, and what a rounded √2 makes, as in a MovingAI `.scen`. 0 for what is run here.
+    pub fn slack(&self, entry: usize, value: f64) -> f64 {
+        const ROUNDED_ROOT: f64 = 1e-6;
+        match self.printed.get(entry) {
+            Some(&printed) if printed > 0.0 => printed + ROUNDED_ROOT * value.abs(),
+            _ => 0.0,
+        }
+    }
+
+    /// A length or cost in the digits that all of these entries are known with, before they are ranked: digits that nobody has printed would
+    /// break ties. As it is where all of them are run here.
+    pub fn in_common_digits(&self, entries: &[usize], measure: Measure, value: f64) -> f64 {
+        const MOST: f64 = 1e9;
+        let printed = entries.iter().filter_map(|&entry| self.printed.get(entry)).copied().fold(0.0, f64::max);
+        if printed == 0.0 || !matches!(measure, Measure::Length | Measure::Cost) {
+            return value;
+        }
+        let scale = libm::round(0.5 / printed).min(MOST);
+        libm::round(value * scale) / scale
+    }
+
+    /// Whether a run claims a path that cannot be: better than the exact optimum, by more than the digits it was printed with. It was searched
+    /// for under other rules (moves, corners, measure), or on another map.
+    pub fn impossible(&self, row: &Row) -> bool {
+        let reference = self.maps.get(row.task.instance).map(|map| map.reference(row.task.entry));
+        let nowhere = reference == Some(Reference::NoPath) && row.found.is_some();
+        nowhere || (self.is_proven(row) && self.gap(row).is_some_and(|gap| gap < 0.0))
+    }
+
+    /// Whether nothing can be better than what a run is compared with.
+    fn is_proven(&self, row: &Row) -> bool {
+        self.maps.get(row.task.instance).is_some_and(|map| map.reference(row.task.entry).is_proven())
+    }
+
+    /// A measure of a run, as [`Row::value`] tells it, or whether it found the proven optimum.
     pub fn value(&self, row: &Row, measure: Measure) -> Option<f64> {
         match measure {
-            Measure::Optimal => Some(f64::from(u8::from(self.gap(row) == Some(0.0)))),
+            Measure::Optimal => Some(f64::from(u8::from(self.is_proven(row) && self.gap(row) == Some(0.0)))),
             other => row.value(other),
         }
     }
@@ -130,7 +174,11 @@ impl Experiment {
 
 impl Map {
     fn new(scenario: Arc<Scenario>, question: &Question) -> Result<Self, QuestionError> {
-        let by_map = if scenario.by_slices().is_some() { Objective::SliceCost } else { Objective::Length };
+        let by_map = match scenario.by_slices() {
+            Some(_) => Objective::SliceCost,
+            None if scenario.goals.len() > 1 => Objective::TourLength,
+            None => Objective::Length,
+        };
         let objective = |entry| match build(&scenario, entry, 0)? {
             Some(planner) => Ok(Some(planner.objective())),
             None => Ok(entry.results.as_ref().map(|_| by_map)),
@@ -171,8 +219,18 @@ impl Map {
 }
 
 /// Relative distance to the reference. A difference of a rounding is none.
-fn gap(value: f64, reference: Reference) -> Option<f64> {
+fn gap(value: f64, best: f64, slack: f64) -> Option<f64> {
     const ROUNDING: f64 = 1e-9;
-    let gap = reference.value().map(|best| if best > 0.0 { value / best - 1.0 } else { 0.0 });
-    gap.map(|g| if g.abs() < ROUNDING { 0.0 } else { g })
+    if (value - best).abs() <= slack {
+        return Some(0.0);
+    }
+    let gap = if best > 0.0 { value / best - 1.0 } else { 0.0 };
+    Some(if gap.abs() < ROUNDING { 0.0 } else { gap })
+}
+
+/// Half a unit of the last decimal that any of the values has, because those of one of them may end in zeros; 0 where there is no value.
+pub(super) fn half_unit(values: impl Iterator<Item = f64>) -> f64 {
+    let decimals = |v: f64| v.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let most = values.map(decimals).max();
+    most.map_or(0.0, |most| (0..most).fold(0.5, |unit, _| unit / 10.0))
 }

@@ -1,13 +1,15 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`sniff`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
+//! path, [`import_results`] results of runs from elsewhere; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
 mod ends;
 mod matrix;
 mod movingai;
 mod path_list;
+pub mod results;
 mod scen;
 mod scenario_json;
 mod table;
@@ -21,11 +23,12 @@ use crate::map::{Grid, Point, Window};
 use crate::scenario::{Goal, ScenarioSpec, TerrainMoves};
 
 pub use path_list::{path_kind, read_path, read_places};
+pub use results::{OwnEntry, OwnResults, OwnRun, OwnStep, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 
 /// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `esri-ascii`, `height-table`, `geotiff`, `srtm`, `scenario`,
-/// `experiment`, `result`, `unknown`.
+/// `experiment`, `comparison`, `results`, `unknown`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -49,7 +52,9 @@ pub enum Kind {
     /// An experiment, as JSON.
     Experiment,
     /// Many runs with their question and maps, as JSON.
-    Result,
+    Comparison,
+    /// Runs from elsewhere, as a table or a data file of IOHanalyzer.
+    Results,
     /// None of these.
     Unknown,
 }
@@ -211,6 +216,8 @@ fn sniff_text(text: &str, name: &str) -> Kind {
         Kind::MovingaiScen
     } else if movingai::looks_like(text) {
         Kind::MovingaiMap
+    } else if results::looks_like(text) {
+        Kind::Results
     } else if terrain::esri_ascii::looks_like(text) {
         Kind::EsriAscii
     } else if table::looks_like(text) {
@@ -227,7 +234,9 @@ fn sniff_json(text: &str) -> Kind {
     let named = [
         (place("formicarium/scenario@"), Kind::Scenario),
         (place("formicarium/experiment@"), Kind::Experiment),
-        (place("formicarium/result@"), Kind::Result),
+        (place("formicarium/comparison@"), Kind::Comparison),
+        // Of a single run: the reader of comparisons says so.
+        (place("formicarium/result@"), Kind::Comparison),
     ];
     let first = named.into_iter().filter(|(place, _)| *place < usize::MAX).min_by_key(|(place, _)| *place);
     first.map_or(Kind::Unknown, |(_, kind)| kind)
@@ -253,7 +262,8 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
         Kind::Scenario => scenario(&text)?,
         Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
         Kind::Experiment => return Err(FormatError::NotAMap { found: "an experiment" }.into()),
-        Kind::Result => return Err(FormatError::NotAMap { found: "the results of an experiment" }.into()),
+        Kind::Comparison => return Err(FormatError::NotAMap { found: "the results of an experiment" }.into()),
+        Kind::Results => return Err(FormatError::NotAMap { found: "a table of results" }.into()),
         // An object without a format: the error names what is missing.
         _ if text.trim_start().starts_with('{') => scenario(&text)?,
         _ => return Err(FormatError::Unknown { begins: text::quote(&text) }.into()),

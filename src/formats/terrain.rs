@@ -125,7 +125,8 @@ fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
         Kind::MovingaiScen => "a list of MovingAI scenarios",
         Kind::Scenario => "a scenario",
         Kind::Experiment => "an experiment",
-        Kind::Result => "the results of an experiment",
+        Kind::Comparison => "the results of an experiment",
+        Kind::Results => "a table of results",
         Kind::Unknown => "of no known format",
     };
     Err(FormatError::NotATerrain { found })

@@ -2,13 +2,25 @@
 
 use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
+use super::run::ParamInput;
 use super::{Answer, argument, object, throw};
 use crate::error::FormatError;
-use crate::experiment::{self, Recorded, Row, Task, Timed, Verification, document, judge, report};
+use crate::experiment::report::{Reports, ResultFile};
+use crate::experiment::{
+    self, Ablated, Analysis, Axis, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed, Verification, analyse, analysis,
+    document,
+};
+
+/// `Measure` is what slices are measured by.
+#[wasm_bindgen(typescript_custom_section)]
+const RUN_MEASURE: &str = r#"
+/** What is measured on a run. */
+export type RunMeasure = "length" | "cost" | "turns" | "turn-index" | "weight" | "iteration-of-best" | "paths-to-best" | "ant-moves" | "success" | "optimal"
+"#;
 
 /// A run that is done.
 #[derive(Serialize, Tsify)]
@@ -23,41 +35,50 @@ pub struct DoneRun {
     pub found: bool,
 }
 
-/// The files of an experiment's results.
-#[derive(Deserialize, Tsify)]
-#[serde(rename_all = "kebab-case")]
-pub enum ResultFile {
-    /// One line a run.
-    Csv,
-    /// Tables and verdicts, as Markdown.
-    Markdown,
-    /// Rank tests of every pair, as Markdown.
-    Tests,
-    /// Question, maps and all runs: opens again.
-    Json,
-    /// Question, maps and digests of the runs, for a link.
-    Link,
+/// The entries of a question that asks what each component of a planner does, as JSON: the full planner with these values, and the same
+/// without each component.
+#[wasm_bindgen]
+pub fn ablation(planner: &str, preset: Option<String>, set: Ts<ParamInput>) -> Answer<String> {
+    let ParamInput(set) = set.to_rust().map_err(|e| argument("set", &e.to_string()))?;
+    let entries = experiment::ablation::ablation(planner, preset.as_deref(), &set).map_err(throw)?;
+    Ok(serde_json::to_string(&entries).unwrap_or_default())
 }
 
 /// A question with its maps and the runs of it that are done.
 #[wasm_bindgen]
 pub struct Experiment {
     inner: experiment::Experiment,
-    recorded: Option<Recorded>,
+    /// What the document told of runs.
+    record: Record,
     tasks: Vec<Task>,
     done: BTreeMap<usize, Timed>,
+    /// The runs among them that were not done in this browser, or had not been: as they came.
+    brought: BTreeMap<usize, Row>,
+    /// Runs that were done again, to be compared with those.
+    again: BTreeMap<usize, Row>,
+    /// Those of the runs as they were when somebody asked last.
+    intervals: Intervals,
 }
 
 #[wasm_bindgen]
 impl Experiment {
-    /// Opens a document (`formicarium/result@1`); the runs in it are kept.
+    /// Opens a document (`formicarium/comparison@1`); the runs in it are kept.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &str) -> Answer<Experiment> {
         let opened = document::open(document).map_err(throw)?;
-        let tasks = opened.experiment.tasks();
+        let (record, tasks) = (opened.record(), opened.experiment.tasks());
         let place = |row: Row| Some((tasks.binary_search(&row.task).ok()?, Timed { row, seconds: Vec::new() }));
-        let done = opened.rows.into_iter().filter_map(place).collect();
-        Ok(Experiment { inner: opened.experiment, recorded: opened.recorded, tasks, done })
+        let done: BTreeMap<usize, Timed> = opened.rows.into_iter().filter_map(place).collect();
+        let brought = done.iter().map(|(&place, timed)| (place, timed.row.clone())).collect();
+        Ok(Experiment {
+            inner: opened.experiment,
+            record,
+            tasks,
+            done,
+            brought,
+            again: BTreeMap::new(),
+            intervals: Intervals::default(),
+        })
     }
 
     /// Number of runs that are to be done, the done ones among them.
@@ -88,40 +109,88 @@ impl Experiment {
         Ok(object(&DoneRun { index: index as u32, row: line(&row), found: row.found.is_some(), seconds }))
     }
 
-    /// Takes in a run that is done, from any worker or from before; `seconds` as `run` tells them, empty where they are not known.
+    /// Takes in a run that is done, from any worker or from before; `seconds` as `run` tells them, empty for a run that somebody else has done.
     pub fn keep(&mut self, row: &str, seconds: Vec<f64>) -> Answer<()> {
-        let row: Row = serde_json::from_str(row).map_err(|e| throw(FormatError::syntax(1, e.to_string(), "a run's row")))?;
-        let index = self.tasks.binary_search(&row.task).map_err(|_| argument("row", "the experiment has no such run"))?;
+        let (index, row) = self.placed(row)?;
+        if seconds.is_empty() {
+            self.brought.insert(index, row.clone());
+        }
         self.done.insert(index, Timed { row, seconds });
         Ok(())
     }
 
+    /// Takes in a run that was done again, only to be compared: the one that somebody else has done stays.
+    pub fn check(&mut self, row: &str) -> Answer<()> {
+        let (index, row) = self.placed(row)?;
+        self.again.insert(index, row);
+        Ok(())
+    }
+
+    /// What the runs so far say, those from elsewhere among them, with effort counted on an axis. Bootstrap intervals and the verdicts that
+    /// follow from them take long, but only once for the same runs.
+    pub fn analysis(&mut self, axis: Ts<Axis>, intervals: bool) -> Answer<Ts<Analysis>> {
+        let axis = axis.to_rust().map_err(|e| argument("axis", &e.to_string()))?;
+        let runs = self.done.values().map(Seen::from).chain(self.inner.given.iter().map(Seen::from));
+        let samples = Samples::new(&self.inner, runs);
+        Ok(object(&analyse(&samples, axis, intervals.then_some(&mut self.intervals))))
+    }
+
     /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made.
-    pub fn file(&self, file: Ts<ResultFile>, command: &str) -> Answer<String> {
+    pub fn file(&mut self, file: Ts<ResultFile>, command: &str) -> Answer<String> {
         let file = file.to_rust().map_err(|e| argument("file", &e.to_string()))?;
         let done = self.done_rows();
         let rows = self.inner.all_rows(&done);
-        Ok(match file {
-            ResultFile::Csv => report::csv(&self.inner, &rows),
-            ResultFile::Markdown => report::markdown(&self.inner, &rows, &judge(&self.inner, &rows), command),
-            ResultFile::Tests => report::tests(&self.inner, &rows),
-            ResultFile::Json => document::write(&self.inner, &done, true),
-            ResultFile::Link => document::write(&self.inner, &done, false),
-        })
+        let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
+        let recorded = self.recorded_now(&done);
+        let document = |with_rows| document::write_as(&self.inner, &done, with_rows, recorded.as_ref());
+        let reports = Reports { experiment: &self.inner, rows: &rows, analysis: &analysis, command, document: &document };
+        Ok(reports.contents(file))
+    }
+
+    /// What each component does, on each map, by the kept runs; empty where the question is no ablation. Infinite: half of the runs or more
+    /// found no path.
+    pub fn effects(&self) -> Vec<Ts<Ablated>> {
+        let rows = self.inner.all_rows(&self.done_rows());
+        experiment::effects(&self.inner, &rows).iter().map(object).collect()
     }
 
     /// What was recorded when the document was written; null where nothing had been run.
     pub fn recorded(&self) -> Option<Ts<Recorded>> {
-        self.recorded.as_ref().map(object)
+        self.record.recorded().map(object)
     }
 
-    /// How far the kept runs are those that were recorded; null where nothing was.
+    /// How far runs that somebody else has done come out again in those done here: kept with their seconds, or checked. Null where nobody has
+    /// done any.
     pub fn verify(&self) -> Option<Ts<Verification>> {
-        self.recorded.as_ref().map(|then| object(&document::verify(&self.inner, then, &self.done_rows())))
+        if self.record.recorded().is_none() && self.brought.is_empty() {
+            return None;
+        }
+        let then: Vec<Row> = self.brought.values().cloned().collect();
+        let own = self.done.values().filter(|timed| !timed.seconds.is_empty()).map(|timed| &timed.row);
+        let now: Vec<Row> = own.chain(self.again.values()).cloned().collect();
+        Some(object(&self.record.verify(&self.inner, &then, &now)))
     }
 }
 
 impl Experiment {
+    /// A row of JSON, and its place among the tasks.
+    fn placed(&self, row: &str) -> Answer<(usize, Row)> {
+        let row: Row = serde_json::from_str(row).map_err(|e| throw(FormatError::syntax(1, e.to_string(), "a run's row")))?;
+        let index = self.tasks.binary_search(&row.task).map_err(|_| argument("row", "the experiment has no such run"))?;
+        Ok((index, row))
+    }
+
+    /// What is to be told about the runs: this engine's words, or those of whoever has done them, perhaps with another one.
+    fn recorded_now(&self, done: &[Row]) -> Option<Recorded> {
+        let then = self.record.recorded();
+        let foreign = self.done.values().filter(|timed| timed.seconds.is_empty()).count();
+        match then {
+            Some(then) if foreign == done.len() => Some(then.clone()),
+            Some(then) if foreign > 0 => Some(Recorded::of(&self.inner, done).with_runs_of(then)),
+            _ => (!done.is_empty()).then(|| Recorded::of(&self.inner, done)),
+        }
+    }
+
     fn done_rows(&self) -> Vec<Row> {
         self.done.values().map(|timed| timed.row.clone()).collect()
     }

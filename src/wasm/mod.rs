@@ -10,6 +10,9 @@ mod ground;
 #[cfg(feature = "whole")]
 mod maps;
 mod paint;
+mod playback;
+#[cfg(feature = "whole")]
+mod results;
 mod run;
 
 use std::sync::Arc;
@@ -25,11 +28,13 @@ use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
-pub use experiment::Experiment;
+pub use experiment::{Experiment, ablation};
 #[cfg(feature = "whole")]
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]
 pub use maps::{export_geotiff, export_map, generate, import_map, import_scen, import_terrain, sniff, survey_terrain};
+#[cfg(feature = "whole")]
+pub use results::{join_results, survey_results};
 pub use run::{Run, paint_map};
 
 /// No signature mentions what is thrown, so its type is written out here.

@@ -1,10 +1,12 @@
 //! Every file format: what is accepted, what is refused and in which words, and that nothing is lost on the way out and in.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod comparison;
 mod geotiff;
 mod matrix;
 mod movingai;
 mod properties;
+mod results;
 mod scen;
 mod scenario;
 mod schema;

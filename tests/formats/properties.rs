@@ -1,7 +1,8 @@
 //! For all files: no bytes make a reader panic, and every map survives every format.
 
 use formicarium::formats::{
-    BinaryExport, Export, TerrainOptions, export, export_binary, import, import_piece, import_scen, read_places, sniff, survey,
+    BinaryExport, Export, TerrainOptions, export, export_binary, import, import_piece, import_results, import_scen, read_places,
+    sniff, survey,
 };
 use formicarium::map::{CornerRule, Grid, Movement, Moves, Point, Window};
 use formicarium::scenario::{Goal, ScenarioSpec, Vehicle};
@@ -29,6 +30,10 @@ fn read_all(bytes: &[u8]) {
     let _ = import_scen(bytes);
     let _ = read_places(bytes);
     let _ = survey(bytes, "a.hgt");
+    match import_results(bytes, "a.csv") {
+        Ok(results) => assert!(results.runs() > 0 && results.entries.iter().all(|e| !e.id.is_empty() && !e.label.is_empty())),
+        Err(error) => assert!(!error.report().message.is_empty() && !error.report().hint.is_empty()),
+    }
     let window = Window { x: 1, y: 0, width: 2, height: 2 };
     let _ = import_piece(bytes, "a.asc", TerrainOptions { crop: Some(window), size: Some((3, 1)) });
 }
@@ -88,6 +93,9 @@ fn samples() -> Vec<Vec<u8>> {
     samples.push(
         b"NCOLS 3\r\nnrows 2\nxllcorner -105.5\nyllcorner 40\ncellsize 0.01\nNODATA_value -9999\n1 2 -9999\n4.5 5 6e1\n".to_vec(),
     );
+    samples.push(b"entry,instance,seed,length,turns,evaluations\nA,m,1,34.5,3,10\nA,m,1,33.0,3,20\n\"B, b\",m,2,,,\n".to_vec());
+    samples.push(b"seed;value;status\r\n1;34,5;optimal\r\n2;nan;\r\n".to_vec());
+    samples.push(b"\"function evaluation\" \"best-so-far f(x)\"\n1  +2.95e+02\n9 inf\nevaluations raw_y\n3 4\n".to_vec());
     samples.push(b"10,20,30\n40,-9999,60\n7,8,9\n".to_vec());
     let heights = vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, f32::NAN, 11.0, 12.0];
     let terrain = grid.with_heights(heights).unwrap();
@@ -143,12 +151,21 @@ proptest! {
     }
 
     #[test]
-    fn any_text_of_telling_letters_is_read_or_refused(text in "(version 1|type octile|height 3|width 4|map|[\\[\\]{};,.%#=\" \\t\\r\\n0-9eE@GSTWx-]){0,60}") {
+    fn any_text_of_telling_letters_is_read_or_refused(text in "(version 1|type octile|height 3|width 4|map|length|seed,value|evaluations raw_y|[\\[\\]{};,.%#=\" \\t\\r\\n0-9eE@GSTWx-]){0,60}") {
         read_all(text.as_bytes());
     }
 
     #[test]
-    fn spoiled_files_are_read_or_refused(which in 0usize..11, spoils in spoils()) {
+    fn tables_of_results_are_read_or_refused(
+        header in prop::sample::select(&["length", "entry,seed,length", "seed;value;iterations", "run\tcost\tevaluations\tstatus"][..]),
+        body in "(1|2|3|7|0.5|1e3|nan|inf|,|;|\t|\n|\r\n|\"|#| |a|-|optimal){0,80}",
+    ) {
+        read_all(format!("{header}\n{body}").as_bytes());
+        read_all(format!("evaluations raw_y\n{body}").as_bytes());
+    }
+
+    #[test]
+    fn spoiled_files_are_read_or_refused(which in 0usize..14, spoils in spoils()) {
         let mut bytes = samples().swap_remove(which);
         spoils.iter().for_each(|s| s.apply(&mut bytes));
         read_all(&bytes);

@@ -56,7 +56,7 @@ fn questions() -> Result<Vec<String>> {
 
 fn compare(name: &str) -> Command {
     let mut command = Command::new(tools::target_dir().join("release/formicarium"));
-    command.current_dir(root()).args(["compare", &question(name)]);
+    command.current_dir(root()).args(["compare", &question(name), "--files", "csv,markdown,tests"]);
     command
 }
 

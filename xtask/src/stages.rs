@@ -86,7 +86,11 @@ fn wasm_tests(cargo: &mut Command) -> Result<()> {
 fn browser() -> Result<()> {
     install::chromium()?;
     page::build(None)?;
-    run(with_data(node_script("@playwright/test/cli.js").args(["test", "--config", &config()])))
+    // Results of the page are compared with those of the command line, bit for bit.
+    run(tools::cargo().args(["build", "--package", "formicarium", "--bin", "formicarium"]))?;
+    let mut tests = node_script("@playwright/test/cli.js");
+    tests.args(["test", "--config", &config()]).env("FORMICARIUM_CLI", tools::target_dir().join("debug/formicarium"));
+    run(with_data(&mut tests))
 }
 
 fn config() -> String {

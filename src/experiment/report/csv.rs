@@ -36,6 +36,14 @@ pub fn line(experiment: &Experiment, row: &Row) -> String {
     format!("{instance},{entry},{seed},{status},{path},{effort},{objective},{value},{best},{proven},{gap},{digest}")
 }
 
+/// Lines of equal columns, named by their fields.
+pub(super) fn of_lines(lines: impl IntoIterator<Item = impl Serialize>) -> String {
+    let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
+    // Writing plain data to memory cannot fail; were it to, the output would visibly end early.
+    let _ = lines.into_iter().try_for_each(|line| writer.serialize(line));
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
 fn path_fields(f: Found) -> String {
     let turns = count(f.turns.map(f64::from));
     format!("{},{turns},{},{}", six(f.length), maybe(f.turn_index), maybe(f.weight))

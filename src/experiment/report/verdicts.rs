@@ -71,7 +71,7 @@ fn change(direction: Direction, size: Option<f64>) -> String {
     size.map_or_else(|| "–".into(), |s| signed(100.0 * direction.signed(s), |v| format!("{v:.1}")) + " %")
 }
 
-fn amount(measure: Measure, v: f64) -> String {
+pub(super) fn amount(measure: Measure, v: f64) -> String {
     if !v.is_finite() {
         return "no path".into();
     }
@@ -82,7 +82,7 @@ fn amount(measure: Measure, v: f64) -> String {
     }
 }
 
-fn difference(measure: Measure, d: &Difference) -> String {
+pub(super) fn difference(measure: Measure, d: &Difference) -> String {
     let one = |v: f64| match measure {
         _ if v.is_infinite() => signed(v, |_| "∞".into()),
         Measure::Success | Measure::Optimal => signed(100.0 * v, |v| format!("{v:.0}")),
@@ -93,7 +93,7 @@ fn difference(measure: Measure, d: &Difference) -> String {
 }
 
 /// With a true minus sign, and a plus for what is above 0.
-fn signed(v: f64, digits: impl Fn(f64) -> String) -> String {
+pub(super) fn signed(v: f64, digits: impl Fn(f64) -> String) -> String {
     let sign = if v < 0.0 {
         "−"
     } else if v > 0.0 {

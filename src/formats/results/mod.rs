@@ -1,0 +1,242 @@
+//! Results of runs that were made elsewhere: what somebody's own planner has found, to be compared with what is run here.
+//!
+//! [`import_results`] reads tables with a header (`table`) and the data files of IOHanalyzer (`ioh`). Nothing here knows which maps the
+//! runs belong to: [`crate::experiment::given`] joins them to a question. docs/formats.md lists the columns.
+
+mod columns;
+mod ioh;
+mod run;
+mod table;
+
+use super::text::{self, quote, stem};
+use crate::error::{FormatError, Notice};
+use crate::experiment::Spent;
+use crate::planner::Status;
+
+/// Most lines of a file.
+pub const MAX_ROWS: usize = 1_000_000;
+
+/// Most entries of a file.
+pub const MAX_ENTRIES: usize = 100;
+
+/// Most maps of a file.
+pub const MAX_INSTANCES: usize = 1000;
+
+/// Longest name of an entry or an instance, in letters; the rest is cut off.
+const LONGEST_NAME: usize = 80;
+
+/// What reads as "no path was found" where a length is expected, in small letters.
+const MISSING: [&str; 12] = ["", "-", "–", "inf", "+inf", "infinity", "∞", "nan", "na", "n/a", "none", "null"];
+
+/// Largest whole number that every f64 below it tells apart from its neighbours.
+const MAX_WHOLE: f64 = 9_007_199_254_740_992.0;
+
+/// The runs of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnResults {
+    /// The file's name without folders.
+    pub file: String,
+    /// The names of maps that stand in the file, in their order; empty where it names none.
+    pub instances: Vec<String>,
+    /// Whose runs they are, in the order of the file; at least one.
+    pub entries: Vec<OwnEntry>,
+    /// What was assumed or left out.
+    pub notices: Vec<Notice>,
+}
+
+/// The runs of one algorithm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnEntry {
+    /// Its name made plain: small letters, digits, `-`. May be the same for two of them.
+    pub id: String,
+    /// Its name as it stands in the file, or the file's without ending.
+    pub label: String,
+    /// Its runs, in the order of the file.
+    pub runs: Vec<OwnRun>,
+}
+
+/// One run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnRun {
+    /// Which of [`OwnResults::instances`] it is on; none where the file does not say.
+    pub instance: Option<usize>,
+    /// Its seed; where the file does not say, runs are counted from 1.
+    pub seed: u32,
+    /// How it ended; where the file does not say, [`Status::Complete`] with a path and [`Status::BudgetSpent`] without.
+    pub status: Status,
+    /// What it had spent when it ended, as far as that is known.
+    pub effort: Spent,
+    /// Its improvements in the order in which they came, the last one its result; empty for a run without a path.
+    pub steps: Vec<OwnStep>,
+}
+
+/// A path that a run has found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OwnStep {
+    /// Its length in cells.
+    pub length: Option<f64>,
+    /// Its value by whatever it was searched for: on terrains by slices the cost. One of length and value is always there.
+    pub value: Option<f64>,
+    /// Its turns.
+    pub turns: Option<u32>,
+    /// V(d, r) in cells.
+    pub turn_index: Option<f64>,
+    /// Σ R in cells, of a tour by several goals.
+    pub weight: Option<f64>,
+    /// What had been spent when it was found, as far as that is known.
+    pub spent: Spent,
+}
+
+impl OwnStep {
+    /// What it is compared by: on terrains by slices its value, elsewhere its length, or the only number there is. None where the cost by
+    /// slices is asked for and a length is all that is known.
+    pub fn compared(&self, by_slices: bool) -> Option<f64> {
+        if by_slices { self.value } else { self.length.or(self.value) }
+    }
+
+    /// Whether it has a smaller length or a smaller value than another one.
+    fn improves(&self, than: &Self) -> bool {
+        let less = |new: Option<f64>, old: Option<f64>| new.is_some_and(|n| old.is_none_or(|o| n < o));
+        less(self.length, than.length) || less(self.value, than.value)
+    }
+}
+
+impl OwnResults {
+    /// Number of runs of all entries.
+    pub fn runs(&self) -> usize {
+        self.entries.iter().map(|e| e.runs.len()).sum()
+    }
+
+    /// Leaves out the runs on maps of these names, in small or large letters.
+    pub fn leave_out(&mut self, names: &[String]) {
+        let is_left_out = |instance: &String| names.iter().any(|name| name.to_lowercase() == instance.to_lowercase());
+        let (mut left, mut place) = (Vec::new(), Vec::new());
+        for instance in std::mem::take(&mut self.instances) {
+            let stays = !is_left_out(&instance);
+            place.push(stays.then_some(left.len()));
+            left.extend(stays.then_some(instance));
+        }
+        self.instances = left;
+        for entry in &mut self.entries {
+            entry.runs.retain_mut(|run| {
+                let Some(instance) = run.instance else { return true };
+                run.instance = place[instance];
+                run.instance.is_some()
+            });
+        }
+    }
+}
+
+/// Reads the results of runs: a table with one line a run or one line an improvement, or a data file of IOHanalyzer.
+///
+/// # Errors
+/// [`FormatError`] with the line, the column and the value at fault, for more than a million lines or a hundred entries, and for what is no
+/// text of at most 64 MiB.
+pub fn import_results(bytes: &[u8], name: &str) -> Result<OwnResults, FormatError> {
+    let text = text::decode(bytes)?;
+    let text = text.trim_end_matches('\u{1a}');
+    // A lone CR ends lines as well; the readers below know LF and CRLF.
+    let unified = if text.contains('\n') { None } else { Some(text.replace('\r', "\n")) };
+    let text = unified.as_deref().unwrap_or(text);
+    if ioh::looks_like(text) { ioh::read(text, name) } else { table::read(text, name) }
+}
+
+/// Whether a text begins as such a file does: with a line of column names, one of them a length or a value.
+pub(super) fn looks_like(text: &str) -> bool {
+    ioh::looks_like(text) || columns::looks_like(text)
+}
+
+/// The name of a file without its folders.
+fn file_name(name: &str) -> String {
+    name.rsplit(['/', '\\']).next().unwrap_or(name).into()
+}
+
+/// A name as it may stand in a table: on one line, not endless; the file's where there is none.
+fn label(text: &str, file: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let short: String = words.join(" ").chars().filter(|c| !c.is_control()).take(LONGEST_NAME).collect();
+    match short.as_str() {
+        "" if stem(file).trim().is_empty() => "results".into(),
+        "" => stem(file).trim().chars().take(LONGEST_NAME).collect(),
+        _ => short,
+    }
+}
+
+/// A name made of a to z, 0 to 9 and `-` alone.
+fn plain(label: &str) -> String {
+    let mut id = String::new();
+    for letter in label.chars().map(|c| c.to_ascii_lowercase()) {
+        match letter {
+            'a'..='z' | '0'..='9' => id.push(letter),
+            _ if !id.is_empty() && !id.ends_with('-') => id.push('-'),
+            _ => {}
+        }
+    }
+    let id = id.trim_end_matches('-');
+    if id.is_empty() { "results".into() } else { id.into() }
+}
+
+/// How a run ended that does not say so.
+fn ended(steps: &[OwnStep]) -> Status {
+    if steps.is_empty() { Status::BudgetSpent } else { Status::Complete }
+}
+
+/// A number of at least 0, or none for what means that there is no path.
+fn measured(text: &str) -> Result<Option<f64>, &'static str> {
+    const ALLOWED: &str = "a number of at least 0 with a decimal point, or nothing, inf or nan for a run without a path";
+    match text.parse() {
+        Ok(value) if f64::is_finite(value) && value >= 0.0 => Ok(Some(value)),
+        _ if MISSING.contains(&text.to_lowercase().as_str()) => Ok(None),
+        _ => Err(ALLOWED),
+    }
+}
+
+/// A whole number, or none where nothing stands; `100.0` and `1e3` are whole as well.
+fn counted(text: &str) -> Result<Option<u64>, &'static str> {
+    match measured(text) {
+        Ok(Some(v)) if v.fract() == 0.0 && v <= MAX_WHOLE => Ok(Some(v as u64)),
+        Ok(None) => Ok(None),
+        _ => Err("a whole number of at least 0, or nothing where it is not known"),
+    }
+}
+
+/// A field that cannot be used.
+fn cell(line: usize, column: &str, value: &str, expected: &str) -> FormatError {
+    FormatError::Cell { line, column: quote(column), value: quote(value), expected: expected.into() }
+}
+
+/// More lines than are read.
+fn too_many_rows(line: usize) -> FormatError {
+    FormatError::syntax(line, format!("the file has more than {MAX_ROWS} lines"), format!("at most {MAX_ROWS} lines"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_plain() {
+        for (label, id) in [("My ACO (v2)", "my-aco-v2"), ("蚁群算法", "results"), ("--", "results"), ("A_b", "a-b")] {
+            assert_eq!(plain(label), id);
+        }
+        assert_eq!(
+            (label("  a\n b ", "f.csv"), label("", "d/f.csv"), label("", "")),
+            ("a b".into(), "f".into(), "results".into())
+        );
+        assert_eq!(label(&"x".repeat(200), "").len(), LONGEST_NAME);
+    }
+
+    #[test]
+    fn numbers_as_programs_print_them() {
+        for (text, value) in
+            [("34.5", Some(34.5)), ("+2.95000e+02", Some(295.0)), ("NaN", None), ("Inf", None), ("", None), ("0", Some(0.0))]
+        {
+            assert_eq!(measured(text), Ok(value), "{text}");
+        }
+        for text in ["-1", "-inf", "abc", "1,5", "1e999", "0x10"] {
+            assert!(measured(text).is_err(), "{text}");
+        }
+        assert_eq!((counted("1e3"), counted("7.0"), counted("")), (Ok(Some(1000)), Ok(Some(7)), Ok(None)));
+        assert!(counted("7.5").is_err() && counted("1e17").is_err());
+    }
+}

@@ -1,0 +1,57 @@
+//! Results from elsewhere: looked at, and joined to an experiment's document.
+
+use serde::Serialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::*;
+
+use super::{Answer, object, throw};
+use crate::error::Notice;
+use crate::experiment::{document, given};
+use crate::formats::import_results;
+
+/// What a file of results holds.
+#[derive(Serialize, Tsify)]
+pub struct ResultsSurvey {
+    /// Whose runs they are.
+    pub entries: Vec<SurveyedEntry>,
+    /// The names of maps that stand in the file; empty where it names none.
+    pub instances: Vec<String>,
+    /// What was assumed or left out.
+    pub warnings: Vec<Notice>,
+}
+
+/// The runs of one entry of a file.
+#[derive(Serialize, Tsify)]
+pub struct SurveyedEntry {
+    /// Its name in the file.
+    pub label: String,
+    /// Its runs.
+    pub runs: u32,
+    /// Those that found a path.
+    pub with_path: u32,
+}
+
+/// Looks at a file of results (a table, or a data file of IOHanalyzer) without joining it.
+#[wasm_bindgen]
+pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
+    let results = import_results(bytes, name).map_err(throw)?;
+    let entry = |e: &crate::formats::OwnEntry| SurveyedEntry {
+        label: e.label.clone(),
+        runs: e.runs.len() as u32,
+        with_path: e.runs.iter().filter(|run| !run.steps.is_empty()).count() as u32,
+    };
+    let entries = results.entries.iter().map(entry).collect();
+    Ok(object(&ResultsSurvey { entries, instances: results.instances, warnings: results.notices }))
+}
+
+/// Adds the entries of a file of results to a document (`formicarium/comparison@1`) and gives the new document, with the runs that it had.
+/// `instance` is the id of the map for runs that name none, and for a file that names a single other one; it may be left out where the question
+/// has one map.
+#[wasm_bindgen]
+pub fn join_results(document: &str, bytes: &[u8], name: &str, instance: Option<String>) -> Answer<String> {
+    let opened = document::open(document).map_err(throw)?;
+    let results = import_results(bytes, name).map_err(throw)?;
+    let place = instance.map(|id| opened.experiment.question.place(&id)).transpose().map_err(throw)?;
+    let experiment = given::join(opened.experiment, &results, place).map_err(throw)?;
+    Ok(document::write(&experiment, &opened.rows, true))
+}

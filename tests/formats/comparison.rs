@@ -1,0 +1,131 @@
+//! A whole comparison as JSON, and its schema.
+
+use formicarium::experiment::{Experiment, Question, Row, Task, document};
+use formicarium::formats::{Kind, sniff};
+use formicarium::map::{Grid, Point};
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+use serde_json::{Value, json};
+
+use super::schema::{load, violations};
+
+/// A plane and a surface with a hole in its data; a colony, a search, what cannot be run, and a claim.
+fn experiment() -> Experiment {
+    let question: Question = serde_json::from_value(json!({
+        "format": "formicarium/question@1", "title": "Everything – 全部", "asks": "Does all of it come back?",
+        "seeds": { "from": 4_294_967_294u32, "count": 2 }, "budget": { "axis": "moves", "amount": 5000 },
+        "instances": [{ "id": "plane", "map": "plane.csv" }, { "id": "hill", "map": "hill.asc", "note": "with a hole" }],
+        "entries": [
+            { "id": "ants", "label": "ants", "role": "improved", "planner": "ant-system", "preset": "fire",
+              "set": { "ants": 4, "iterations": 6, "dead_end": "die" }, "published": { "plane": { "length": 9.5, "turns": 3 } } },
+            { "id": "exact", "label": "A*", "role": "baseline", "planner": "astar" },
+            { "id": "lost", "label": "lost", "role": "other", "missing": "its formulas are nowhere" }
+        ],
+        "claims": [{ "id": "shorter", "says": "shorter", "improved": "ants", "baseline": "exact", "measure": "length",
+                     "direction": "less", "size": 0.1, "statistic": "median", "instances": ["plane"] }]
+    }))
+    .unwrap();
+    let walls = [0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0];
+    Experiment::new(question, vec![plane(&walls), hill(&walls)]).unwrap()
+}
+
+fn plane(walls: &[u8]) -> std::sync::Arc<Scenario> {
+    let grid = Grid::from_bytes(4, 3, walls).unwrap();
+    let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+    Scenario::new(grid, spec).unwrap().into()
+}
+
+fn hill(walls: &[u8]) -> std::sync::Arc<Scenario> {
+    let heights = (0..12).map(|i| if i == 6 { f32::NAN } else { 0.1 * i as f32 }).collect();
+    let grid = Grid::from_bytes(4, 3, walls).unwrap().with_heights(heights).unwrap();
+    let mut spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+    spec.goals = vec![Goal::new(Point::new(3, 2), "top")];
+    spec.terrain = Some(TerrainSpec { vertical_unit: 1.0, moves: TerrainMoves::Surface { max_slope: 60.0 } });
+    Scenario::new(grid, spec).unwrap().into()
+}
+
+fn run_all(experiment: &Experiment) -> Vec<Row> {
+    let run = |task: Task| experiment.run(task, &mut || 0.0).unwrap().row;
+    experiment.tasks().into_iter().map(run).collect()
+}
+
+#[test]
+fn a_comparison_comes_out_as_it_went_in() {
+    let first = experiment();
+    let rows = run_all(&first);
+    // Two maps, two entries that run, the last two seeds there are.
+    assert_eq!(rows.len(), 8);
+    assert_eq!(rows[1].task.seed, u32::MAX);
+    for (some, with_rows) in [(&rows[..], true), (&rows[..3], true), (&rows[..], false), (&[], true)] {
+        let text = document::write(&first, some, with_rows);
+        assert_eq!(sniff(text.as_bytes(), "anything"), Kind::Comparison);
+        let again = document::open(&text).unwrap();
+        assert_eq!(again.rows, if with_rows { some } else { &[] });
+        assert_eq!(again.experiment.digest().hex(), first.digest().hex());
+        assert_eq!(document::write_as(&again.experiment, &again.rows, true, again.recorded.as_ref()), text);
+    }
+    // What was opened runs as what was written.
+    let again = document::open(&document::write(&first, &[], true)).unwrap();
+    assert_eq!(run_all(&again.experiment), rows);
+}
+
+#[test]
+fn every_comparison_fits_the_schema() {
+    let schema = load("comparison");
+    let e = experiment();
+    let rows = run_all(&e);
+    for text in [document::write(&e, &rows, true), document::write(&e, &[], true)] {
+        let written: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(violations(&schema, &written), Vec::<String>::new());
+    }
+    let written: Value = serde_json::from_str(&document::write(&e, &rows, true)).unwrap();
+    for (place, value) in [
+        ("/format", json!("formicarium/comparison@2")),
+        ("/question/seeds/count", json!(0)),
+        ("/recorded/experiment", json!("12")),
+        ("/rows/0/effort", json!([1, 2, 3])),
+        ("/rows/0/task/seed", json!(-1)),
+    ] {
+        let mut spoilt = written.clone();
+        *spoilt.pointer_mut(place).unwrap() = value;
+        assert!(!violations(&schema, &spoilt).is_empty(), "{place}");
+        assert!(document::open(&spoilt.to_string()).is_err() || place.starts_with("/recorded"), "{place}");
+    }
+}
+
+#[test]
+fn every_committed_question_fits_the_schema() {
+    let alone = load("question");
+    assert_eq!(
+        (&alone["$id"], &alone["$ref"]),
+        (&"formicarium/question@1".into(), &"comparison.schema.json#/$defs/question".into())
+    );
+    let schema = json!({ "$ref": "#/$defs/question", "$defs": load("comparison")["$defs"] });
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
+    let files = folder.read_dir().unwrap().map(|file| file.unwrap().path());
+    let questions: Vec<_> = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml")).collect();
+    assert!(questions.len() >= 6, "{questions:?}");
+    for path in questions {
+        let question: Value = toml::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        assert_eq!(violations(&schema, &question), Vec::<String>::new(), "{}", path.display());
+        // And as it is written within a comparison.
+        let written = serde_json::to_value(serde_json::from_value::<Question>(question).unwrap()).unwrap();
+        assert_eq!(violations(&schema, &written), Vec::<String>::new(), "{}", path.display());
+    }
+}
+
+#[test]
+fn no_spoilt_byte_makes_it_panic() {
+    let e = experiment();
+    let text = document::write(&e, &run_all(&e), true);
+    for at in (0..text.len()).step_by(61) {
+        for byte in [b'"', b'9', b'-', b'{'] {
+            let mut spoilt = text.clone().into_bytes();
+            spoilt[at] = byte;
+            let Ok(spoilt) = String::from_utf8(spoilt) else { continue };
+            if let Ok(opened) = document::open(&spoilt) {
+                opened.record().verify(&opened.experiment, &opened.rows, &opened.rows);
+            }
+        }
+        let _ = document::open(&text[..text.floor_char_boundary(at)]);
+    }
+}
