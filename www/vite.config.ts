@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url'
 import preact from '@preact/preset-vite'
 import { defineConfig, type Plugin } from 'vite'
 import { paperCards } from './paper_cards.ts'
+import { paperQuestions } from './paper_questions.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
@@ -25,7 +26,7 @@ function reloadOnNewEngine(): Plugin {
 export default defineConfig({
   // Relative addresses: the built folder works on any host and any sub-path.
   base: './',
-  plugins: [preact(), reloadOnNewEngine(), paperCards()],
+  plugins: [preact(), reloadOnNewEngine(), paperCards(), paperQuestions()],
   resolve: { alias: { '@pkg': pkg } },
   server: { fs: { allow: [path('..')] } },
   build: { target: 'es2022', sourcemap: false },

@@ -1,6 +1,8 @@
+import { readFile } from 'node:fs/promises'
 import { expect, test } from '@playwright/test'
 import { packBits, unpack } from '../../www/src/share/codec'
 import { open, seal } from '../../www/src/share/envelope'
+import { textOfPng } from '../../www/src/share/png'
 import { freshLab, Lab } from './lab'
 
 test.describe('share links', () => {
@@ -122,6 +124,42 @@ test.describe('share links', () => {
     await lab.paste(`Look at this: ${link}`)
     await expect.poll(() => lab.walls()).toBeGreaterThan(0)
     await expect(page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+  })
+
+  test('a picture of the race carries it, and is dropped on the page', async ({
+    page,
+    browser,
+  }) => {
+    const lab = new Lab(page)
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    await page.getByTestId('share').click()
+    await expect(page.getByTestId('share-picture')).toBeEnabled()
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByTestId('share-picture').click(),
+    ])
+    const png = await readFile(await download.path())
+    // Two panels beside each other, and the whole link inside.
+    expect(png.readUInt32BE(16)).toBeGreaterThan(png.readUInt32BE(20))
+    expect(await textOfPng(png)).toMatch(/^http:.*#x=[\w-]+$/)
+    const session = await lab.session()
+
+    const other = await freshLab(browser, page.url().split('#')[0] ?? '')
+    await other.page.getByTestId('reset').click()
+    const transfer = await other.page.evaluateHandle((base64) => {
+      const data = new DataTransfer()
+      const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0))
+      data.items.add(new File([bytes], 'race.png'))
+      return data
+    }, png.toString('base64'))
+    await other.page.dispatchEvent('main', 'drop', { dataTransfer: transfer })
+    for (const place of [1, 2])
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
+    expect((await other.session()).scenario).toEqual(session.scenario)
+    await other.page.context().close()
   })
 })
 

@@ -7,12 +7,23 @@ import { DropVeil } from './maps/drop'
 import { Dock } from './panels/dock'
 import { PanelGrid } from './panels/panel_grid'
 import { RaceStrip } from './panels/race_strip'
-import { catalog, startError, startPage } from './state'
+import { catalog, showView, startError, startPage, view } from './state'
+import { ScrubberPlace } from './toolbar/scrubber_place'
 import { Toolbar } from './toolbar/toolbar'
 import { Button } from './ui/buttons'
 import { Dialogs } from './ui/dialog_switch'
 import { Icon } from './ui/icon'
+import { lazily } from './ui/lazily'
 import { Toasts } from './ui/toasts'
+
+/** Experiments: fetched with their words when somebody wants to compare. */
+const Lab = lazily(() => import('./lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
+
+/** There is nothing to show; the way there stays open. */
+function leaveLab(error: unknown): never {
+  showView('race')
+  throw error
+}
 
 export function App() {
   return (
@@ -30,11 +41,22 @@ function Body() {
   if (startError.value) return <StartFailed />
   if (!catalog.value) return <Loading />
   return (
-    <main class="page">
+    <>
+      {view.value === 'lab' && <Lab />}
+      <Race hidden={view.value === 'lab'} />
+    </>
+  )
+}
+
+/** Hidden rather than gone: canvases whose drawing has been handed to workers do not come back. */
+function Race({ hidden }: { hidden: boolean }) {
+  return (
+    <main class="page" hidden={hidden}>
       <Toolbar />
       <div class="content">
         <Welcome />
         <RaceStrip />
+        <ScrubberPlace />
         <PanelGrid />
         <Dock />
       </div>

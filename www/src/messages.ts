@@ -71,6 +71,37 @@ export type PanelRequest =
   | { kind: 'tick'; runId: number; target: Target; sliceMs: number }
   /** Answer with a `raster` of how things stand. */
   | { kind: 'raster' }
+  /** Answered by an `answer` with the same `id`. */
+  | { kind: 'ask'; runId: number; id: number; question: Question }
+
+/** What one may ask about a run besides its frames. */
+export type Question =
+  /** Look back: show the run as at the end of an iteration, until the next tick; null shows where it stands. */
+  | { about: 'look'; iteration: number | null }
+  /** The moves of an ant from a cell, by slices at a level; null for the level at which there is most to tell. */
+  | { about: 'moves'; cell: [number, number]; level: number | null }
+  /** The values of a layer, row by row; empty where the planner has no such layer. */
+  | { about: 'layer'; layer: Layer }
+  /** What is kept to look back. */
+  | { about: 'kept' }
+
+/** What is answered to each question; null where there is no answer, e.g. because the run has been replaced meanwhile. */
+export interface Answers {
+  look: { summary: RunSummary; bestPath: Uint32Array; bestAltitudes: Float64Array }
+  moves: {
+    /** By slices the level of the place, else 0. */
+    level: number
+    /** Seven numbers each, as `Run.moves_from` gives them. */
+    rows: Float64Array
+  }
+  layer: Float32Array
+  kept: {
+    snapshots: number
+    bytes: number
+    /** Most iterations that a look back computes again. */
+    mostRepeated: number
+  }
+}
 
 /** What a tick or a load did. */
 export interface Frame {
@@ -101,6 +132,7 @@ export interface RasterReply {
 
 export type PanelReply =
   | { kind: 'ready' }
+  | { kind: 'answer'; id: number; answer: Answers[keyof Answers] | null }
   | RasterReply
   | Frame
   /** The request was refused; the panel shows the map alone. */

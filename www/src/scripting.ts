@@ -4,8 +4,11 @@
  *     await formicarium.load(link)             // a share link, the text of any file we read, or a Session
  *     await formicarium.run()                  // to the end of every panel; or { iterations: 20 }
  *     formicarium.results()                    // one entry a panel
+ *     await formicarium.look(12)               // all panels as they stood after iteration 12; null for now
+ *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
-import type { RunSummary } from '@pkg/formicarium'
+import type { ResultFile, RunSummary } from '@pkg/formicarium'
+import type { CompareOptions, Comparison } from './lab/scripting'
 import type { Session } from './session'
 import {
   currentSession,
@@ -43,8 +46,14 @@ export interface Scripting {
   /** Runs every panel to its end, or by so many iterations, and gives the results. */
   run(options?: { iterations?: number }): Promise<PanelResult[]>
   pause(): void
+  /** Looks back at an iteration, in every panel; null for where the runs stand. What `results` tells is then of the past. */
+  look(iteration: number | null): Promise<PanelResult[]>
   results(): PanelResult[]
   session(): Session | null
+  /** Runs every planner on the map with many seeds, or any experiment that a document holds. */
+  compare(options?: CompareOptions): Promise<Comparison>
+  /** A result file of the comparison that is open, as text. */
+  resultFile(kind: ResultFile): Promise<string>
 }
 
 declare global {
@@ -77,14 +86,26 @@ export function offerScripting(): void {
       return results()
     },
     pause,
+    async look(iteration) {
+      const { lookTo, settle } = await import('./playback/look')
+      lookTo(iteration ?? Number.POSITIVE_INFINITY)
+      await settle()
+      return results()
+    },
     results,
     session: currentSession,
+    async compare(options) {
+      const lab = await import('./lab')
+      await lab.fetchLab()
+      return lab.compare(options)
+    },
+    resultFile: async (kind) => (await import('./lab')).resultFile(kind),
   }
 }
 
 function results(): PanelResult[] {
   return panels.peek().map((panel) => {
-    const live = latest(panel.id)
+    const live = panel.past.peek() ?? latest(panel.id)
     const { planner, params } = panel.setup
     const { summary, verified } = live
     return {

@@ -2,6 +2,7 @@
 export * from './state/appearance'
 export * from './state/files'
 export { historyOf, latest, onReply } from './state/live'
+export { comparing, inspected, leavePast, lookedAt, shownOf } from './state/looking'
 export {
   announce,
   announcement,
@@ -39,3 +40,4 @@ export { chooseSpeed } from './state/speed'
 export { startPage } from './state/start'
 export * from './state/store'
 export { type TerrainFile, terrainFile } from './state/terrain_files'
+export { showView, view } from './state/view'

@@ -15,7 +15,7 @@ async function wholeCatalog(): Promise<Catalog> {
 
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
-  const { planners: named, params, options, presets, meanings } = zhCNEngine
+  const { planners: named, params, options, presets, components, meanings } = zhCNEngine
   const missing: string[] = []
   const look = (where: object, what: string, keys: string[]) => {
     for (const key of keys) if (!(key in where)) missing.push(`${what}.${key}`)
@@ -26,6 +26,11 @@ test('everything in the catalog has a Chinese name', async () => {
       presets,
       'presets',
       planner.presets.map(({ name }) => name),
+    )
+    look(
+      components,
+      'components',
+      planner.components.map(({ id }) => id),
     )
     for (const { key, kind } of planner.params) {
       look(params, 'params', [key])

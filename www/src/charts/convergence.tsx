@@ -5,7 +5,16 @@ import { numbers, t } from '../i18n'
 import { referenceValue } from '../panels/gap'
 import { objectiveWord } from '../panels/objective_words'
 import { panelTitle } from '../panels/planner_text'
-import { liveTick, notifyError, objectives, panels, references, slotColour, theme } from '../state'
+import {
+  liveTick,
+  lookedAt,
+  notifyError,
+  objectives,
+  panels,
+  references,
+  slotColour,
+  theme,
+} from '../state'
 import { curvesOf } from './curves'
 import type { PlotStyle } from './plot'
 
@@ -143,6 +152,10 @@ function keepDrawn(host: HTMLElement): () => void {
     liveTick.value
     if (timer === 0) timer = window.setTimeout(refill, REDRAW_MS)
   })
+  const stopMarking = effect(() => {
+    lookedAt.value
+    plot?.redraw(false)
+  })
   const resized = new ResizeObserver(() => {
     plot?.setSize({ width: Math.max(1, host.clientWidth), height: Math.max(1, host.clientHeight) })
   })
@@ -152,6 +165,7 @@ function keepDrawn(host: HTMLElement): () => void {
     stopFetching()
     stopRemaking()
     stopRefilling()
+    stopMarking()
     resized.disconnect()
     plot?.destroy()
   }
@@ -166,5 +180,6 @@ function plotStyle(): PlotStyle {
     showMean: showMean.value,
     levels: levels().map(({ length }) => length),
     axisLabels: { x: t('chart.iteration'), y: t(showsCost() ? 'chart.cost' : 'chart.length') },
+    marker: () => lookedAt.peek(),
   }
 }

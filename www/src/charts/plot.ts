@@ -13,6 +13,8 @@ export interface PlotStyle {
   /** Lengths to compare with. */
   levels: number[]
   axisLabels: { x: string; y: string }
+  /** The iteration that is looked at, asked for with every drawing; null for none. */
+  marker: () => number | null
 }
 
 export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
@@ -40,12 +42,28 @@ function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
       { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
       { ...axis, label: style.axisLabels.y, size: 40 },
     ],
+    hooks: { draw: [(plot) => drawMarker(plot, style.marker(), colour('--info'))] },
     series: [
       {},
       ...style.levels.map(() => levelSeries(colour('--text'))),
       ...style.colours.flatMap(panelSeries(style)),
     ],
   }
+}
+
+/** A line across all lengths. */
+function drawMarker(plot: uPlot, iteration: number | null, colour: string): void {
+  if (iteration === null) return
+  const { ctx, bbox } = plot
+  const x = Math.round(Math.max(bbox.left, plot.valToPos(iteration, 'x', true)))
+  ctx.save()
+  ctx.strokeStyle = colour
+  ctx.lineWidth = 2 * devicePixelRatio
+  ctx.beginPath()
+  ctx.moveTo(x, bbox.top)
+  ctx.lineTo(x, bbox.top + bbox.height)
+  ctx.stroke()
+  ctx.restore()
 }
 
 function levelSeries(stroke: string): uPlot.Series {

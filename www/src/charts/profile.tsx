@@ -6,7 +6,7 @@ import { numbers, t } from '../i18n'
 import { panelTitle } from '../panels/planner_text'
 import { ground } from '../relief/terrain_now'
 import { marked } from '../stage/marked'
-import { notifyError, panels, scenario, selectedPanel, slotColour, theme } from '../state'
+import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 
 /** Curves need not move faster than a reader can follow. */
@@ -28,8 +28,9 @@ let lastProfiles: PanelProfile[] = []
 const profiles = computed<PanelProfile[]>(() => {
   const surface = ground.value
   const bySlices = scenario.value?.spec.terrain?.slices !== undefined
-  const found = panels.value.flatMap(({ id, slot, live }) => {
-    const { bestPath, bestAltitudes } = live.value
+  const found = panels.value.flatMap((panel) => {
+    const { id, slot } = panel
+    const { bestPath, bestAltitudes } = shownOf(panel)
     if (!bestPath || !bestAltitudes || bestAltitudes.length < 2) return []
     return [{ id, slot, bestPath, bestAltitudes, below: bySlices && id === groundOf.value }]
   })
@@ -83,9 +84,9 @@ function Legend() {
 
 /** The profile in words, for those who cannot see it: with the numbers of the comparison. */
 function describe(): string {
-  const parts = panels.value.map(({ id, live }) => {
-    const planner = panelTitle(id)
-    const metrics = live.value.summary?.metrics
+  const parts = panels.value.map((panel) => {
+    const planner = panelTitle(panel.id)
+    const metrics = shownOf(panel).summary?.metrics
     if (!metrics?.terrain) return `${planner}: –`
     const { climb, descent } = metrics.terrain
     const metres = (value: number) => numbers.value.metres.format(value)

@@ -3,9 +3,11 @@
  * shows the panel mounts this element, however often the page is rendered anew.
  */
 import type {
+  Answers,
   Frame,
   PanelReply,
   PanelRequest,
+  Question,
   RasterReply,
   RunSetup,
   Target,
@@ -15,6 +17,8 @@ import { type Build, buildFor } from './builds'
 import { toEngineError } from './errors'
 import { modules } from './load'
 import { newWorker } from './workers'
+
+type Answer = Answers[keyof Answers] | null
 
 interface Load {
   runId: number
@@ -69,6 +73,8 @@ export class PanelClient {
   private loadUnderWay: number | null = null
   private loadWaiting: Load | null = null
   private watcher: RasterWatcher | null = null
+  private readonly waiting = new Map<number, (answer: Answer) => void>()
+  private lastQuestion = 0
 
   constructor(private readonly onReply: (reply: PanelReply) => void) {}
 
@@ -106,6 +112,20 @@ export class PanelClient {
     return this.started
   }
 
+  /** Asks about the current run; null when there is none, or none any more. */
+  ask<About extends keyof Answers>(
+    question: Extract<Question, { about: About }>,
+  ): Promise<Answers[About] | null> {
+    const { current } = this
+    if (!this.started || current === null) return Promise.resolve(null)
+    const id = ++this.lastQuestion
+    return new Promise((resolve) => {
+      // The worker answers each question in its kind.
+      this.waiting.set(id, (answer) => resolve(answer as Answers[About] | null))
+      this.post({ kind: 'ask', runId: current.runId, id, question })
+    })
+  }
+
   tick(target: Target, sliceMs: number): void {
     if (this.state !== 'idle' || this.current === null) return
     this.state = 'ticking'
@@ -119,6 +139,7 @@ export class PanelClient {
   /** Ends the worker, and with it the run and all its memory. */
   terminate(): void {
     this.worker?.terminate()
+    this.leaveUnanswered()
     this.worker = null
     this.started = false
     this.canvas?.remove()
@@ -132,6 +153,7 @@ export class PanelClient {
     if (this.build === build || (this.started && this.build === 'whole')) return
     this.build = build
     this.worker?.terminate()
+    this.leaveUnanswered()
     this.worker = null
     this.loadUnderWay = null
     if (!this.started) return
@@ -177,7 +199,20 @@ export class PanelClient {
     if (reply.kind === 'crashed') this.crash(reply.message)
     else if (reply.kind === 'ready') this.onReply(reply)
     else if (reply.kind === 'raster') this.handRaster(reply)
+    else if (reply.kind === 'answer') this.settle(reply.id, reply.answer)
     else this.answer(reply)
+  }
+
+  private settle(id: number, answer: Answer): void {
+    this.waiting.get(id)?.(answer)
+    this.waiting.delete(id)
+    this.watcher?.stale()
+  }
+
+  /** A worker that is gone answers nothing. */
+  private leaveUnanswered(): void {
+    for (const resolve of this.waiting.values()) resolve(null)
+    this.waiting.clear()
   }
 
   private handRaster(reply: RasterReply): void {
@@ -202,6 +237,7 @@ export class PanelClient {
   /** The canvas went down with its worker; a fresh one stands by for the next load. */
   private crash(message: string): void {
     this.worker?.terminate()
+    this.leaveUnanswered()
     this.worker = null
     this.started = false
     this.loadUnderWay = null

@@ -3,7 +3,15 @@
  * (see messages.ts).
  */
 import type * as core from '@pkg/core/formicarium'
-import type { Frame, PanelReply, PanelRequest, RunSetup, Target } from '../messages'
+import type {
+  Answers,
+  Frame,
+  PanelReply,
+  PanelRequest,
+  Question,
+  RunSetup,
+  Target,
+} from '../messages'
 import type { ContourLayer } from '../stage/contours'
 import { Painter } from '../stage/painter'
 import { isEngineError } from './errors'
@@ -14,13 +22,18 @@ export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
 /** What a terrain has besides its raster; null on a plane. */
 export type GroundOf = (setup: RunSetup) => ContourLayer | null
 
-interface Running {
+/** Memory for snapshots of a run, by which one can look back at it; what is not kept is computed again. */
+const KEPT_BYTES = 64 * 1024 * 1024
+
+export interface Running {
   id: number
   run: core.Run
   stepper: Stepper
   rowsSent: number
   /** The best path's fingerprint at the last frame: it is sent again only when it has changed. */
   pathSent: string
+  /** Counts what is to be shown, an iteration of the past or where the run stands: only the newest of them is. */
+  looks: number
 }
 
 let engine: PanelEngine
@@ -45,9 +58,10 @@ function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
 function load(runId: number, setup: RunSetup): void {
   const { spec, cells, heights, planner, params, seed } = setup
   const run = new engine.Run(spec, cells, heights, planner, params, seed)
+  run.keep_snapshots(KEPT_BYTES)
   const old = current
   const stepper = new Stepper(run, () => performance.now())
-  current = { id: runId, run, stepper, rowsSent: 0, pathSent: '' }
+  current = { id: runId, run, stepper, rowsSent: 0, pathSent: '', looks: 0 }
   painter?.show(run, spec, groundOf(setup))
   old?.run.free()
   reply(frame(current, true, 0))
@@ -65,6 +79,7 @@ function refuse(setup: RunSetup): void {
 
 function tick(runId: number, target: Target, sliceMs: number): void {
   if (current?.id !== runId) return
+  leavePast(current)
   const began = performance.now()
   const reached = current.stepper.advance(target, sliceMs)
   const workMs = performance.now() - began
@@ -99,6 +114,38 @@ function frame(running: Running, reached: boolean, workMs: number): Frame {
   }
 }
 
+/** A run goes on from where it stands, whatever was looked at. */
+function leavePast(running: Running): void {
+  if (running.looks === 0) return
+  running.looks++
+  running.run.show_iteration(undefined, 0)
+}
+
+async function ask({ runId, id, question }: Extract<PanelRequest, { kind: 'ask' }>): Promise<void> {
+  const running = current?.id === runId ? current : null
+  if (running && question.about === 'look') running.looks++
+  const answer = running && (await answerTo(question, running).catch(() => null))
+  const transfer = answer instanceof Float32Array ? [answer.buffer] : []
+  self.postMessage({ kind: 'answer', id, answer } satisfies PanelReply, { transfer })
+}
+
+/** The rarely asked questions are answered by a part that is fetched with the first of them. */
+async function answerTo(question: Question, running: Running) {
+  const looks = running.looks
+  const { answer } = await import('./panel_answers')
+  return answer(question, running.run, {
+    isCurrent: () => current === running && (question.about !== 'look' || running.looks === looks),
+    repaint: showPast,
+  })
+}
+
+/** Draws what the run answers now, be it of the past. */
+function showPast({ bestPath, summary }: Answers['look']): void {
+  painter?.setPath(bestPath)
+  painter?.setOrder(summary.tour?.order ?? [])
+  painter?.refresh(false)
+}
+
 function raster(): void {
   const bitmap = painter?.flatBitmap()
   if (!bitmap) return
@@ -127,6 +174,9 @@ function handle(request: PanelRequest): void {
       break
     case 'raster':
       raster()
+      break
+    case 'ask':
+      void ask(request)
       break
   }
 }

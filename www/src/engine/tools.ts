@@ -16,7 +16,7 @@ import type {
   Survey,
   Window,
 } from '@pkg/formicarium'
-import type { RunSetup } from '../messages'
+import type { ParamValues, RunSetup } from '../messages'
 import type { Origin, RecordedResult, Scenario } from '../session'
 import { type Build, buildFor, noteCore } from './builds'
 import { crash, toEngineError } from './errors'
@@ -43,6 +43,9 @@ export interface MapCalls {
     format: ExportFormat,
   ): string
   exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
+  /** The entries of an ablation, as JSON. */
+  ablation(planner: string, preset: string | null, set: ParamValues): string
+  joinResults(document: string, bytes: Uint8Array, name: string, instance: string | null): string
   generate(
     kind: Origin['generator'],
     width: number,
@@ -83,16 +86,17 @@ interface Waiting {
 type Calls<C> = { [K in keyof C]: (...args: never[]) => unknown }
 
 /** One worker and the calls it still owes an answer. */
-class ToolBox<C extends Calls<C>> {
+export class ToolBox<C extends Calls<C>> {
   private readonly waiting = new Map<number, Waiting>()
-  private readonly worker: Worker
   private readonly ready: Promise<void>
   private nextId = 1
   private failure: EngineError | null = null
   dead = false
 
-  constructor(build: Build) {
-    this.worker = newWorker(build)
+  constructor(
+    build: Build,
+    private readonly worker = newWorker(build),
+  ) {
     this.worker.onmessage = (event: MessageEvent<ToolReply>) => this.settle(event.data)
     this.worker.onerror = (event) => this.fail(event.message || 'the worker could not start')
     this.ready = modules[build]().then((module) =>
@@ -181,6 +185,11 @@ export const tools = {
     wholeBox().call('exportMap', spec, cells, heights, format),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
+  /** An experiment with the entries of a file of results; see the engine's `join_results`. */
+  ablation: (planner: string, preset: string | null, set: ParamValues) =>
+    wholeBox().call('ablation', planner, preset, set),
+  joinResults: (document: string, bytes: Uint8Array, name: string, instance: string | null) =>
+    wholeBox().call('joinResults', document, bytes, name, instance),
   generate: (
     kind: Origin['generator'],
     width: number,

@@ -13,6 +13,9 @@ const calls: ToolCalls & MapCalls = {
   surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
   importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
   exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
+  ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
+  joinResults: (document, bytes, name, instance) =>
+    engine.join_results(document, bytes, name, instance),
   exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),

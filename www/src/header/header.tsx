@@ -1,7 +1,16 @@
-import { CircleQuestionMark, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
+import { ChartColumn, CircleQuestionMark, Eye, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
 import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
 import { MapMenu } from '../maps/map_menu'
-import { notifyError, scenario, setTheme, type ThemeChoice, theme, themeChoice } from '../state'
+import {
+  notifyError,
+  scenario,
+  setTheme,
+  showView,
+  type ThemeChoice,
+  theme,
+  themeChoice,
+  view,
+} from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { show } from '../ui/dialogs'
 import { Icon } from '../ui/icon'
@@ -9,13 +18,15 @@ import { Menu, MenuItem } from '../ui/menu'
 import { Mark } from './mark'
 
 export function Header() {
-  const ready = scenario.value !== null
+  const started = scenario.value !== null
+  const ready = started && view.value === 'race'
   return (
     <header class="header">
       <h1 class="brand">
         <Mark />
         <span>Formicarium</span>
       </h1>
+      {started && <ViewSwitch />}
       {ready && <MapMenu />}
       <span class="spacer" />
       {ready && (
@@ -37,6 +48,30 @@ export function Header() {
         onClick={() => show('help')}
       />
     </header>
+  )
+}
+
+const VIEWS = { race: Eye, lab: ChartColumn } as const
+
+/** Names where there is room for them, pictures on a phone. */
+function ViewSwitch() {
+  return (
+    <fieldset class="segmented view-choice">
+      <legend class="visually-hidden">{t('header.view')}</legend>
+      {(['race', 'lab'] as const).map((each) => (
+        <button
+          key={each}
+          type="button"
+          class="segment"
+          aria-pressed={view.value === each}
+          data-testid={`view-${each}`}
+          onClick={() => showView(each)}
+        >
+          <Icon icon={VIEWS[each]} size={16} />
+          <span>{t(`header.views.${each}`)}</span>
+        </button>
+      ))}
+    </fieldset>
   )
 }
 

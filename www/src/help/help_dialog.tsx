@@ -7,6 +7,7 @@ type KeyName =
   | 'play'
   | 'move'
   | 'iteration'
+  | 'look'
   | 'reset'
   | 'end'
   | 'undo'
@@ -30,11 +31,12 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['play', ['Space']],
   ['move', ['→']],
   ['iteration', ['Shift →', ']']],
+  ['look', [',', '.']],
   ['reset', ['R', 'Home']],
   ['end', ['End']],
   ['undo', ['Ctrl Z']],
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
-  ['tools', ['W', 'E', 'S', 'G', 'A', 'H']],
+  ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
   ['fit', ['0']],
   ['relief', ['3']],
 ]

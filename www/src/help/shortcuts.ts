@@ -1,18 +1,35 @@
 /** The page's keys. A focused map or form control keeps the keys it uses itself. */
 
 import { fitWholeMap, toggleRelief } from '../relief/mode'
-import { redo, reset, runToEnd, stepIteration, stepMove, toggle, tool, undo } from '../state'
+import {
+  notifyError,
+  redo,
+  reset,
+  runToEnd,
+  stepIteration,
+  stepMove,
+  toggle,
+  tool,
+  undo,
+  view,
+} from '../state'
 import { openDialog, show } from '../ui/dialogs'
 
 const choose = (id: typeof tool.value) => () => {
   tool.value = id
 }
 
+/** Looking back is fetched with the first look. */
+const lookBy = (iterations: number) =>
+  void import('../playback/look').then((look) => look.lookBy(iterations), notifyError)
+
 const KEYS: Record<string, () => void> = {
   ' ': toggle,
   ArrowRight: stepMove,
   'Shift+ArrowRight': stepIteration,
   ']': stepIteration,
+  ',': () => lookBy(-1),
+  '.': () => lookBy(1),
   r: reset,
   Home: reset,
   End: runToEnd,
@@ -21,6 +38,7 @@ const KEYS: Record<string, () => void> = {
   s: choose('start'),
   g: choose('goal'),
   a: choose('add-goal'),
+  i: choose('inspect'),
   h: choose('pan'),
   '0': fitWholeMap,
   '3': toggleRelief,
@@ -37,7 +55,8 @@ export function listenForKeys(): void {
   addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey || openDialog.value !== null) return
     if (keptByControl(event)) return
-    const action = KEYS[nameOf(event)]
+    const name = nameOf(event)
+    const action = view.value === 'race' || name === '?' ? KEYS[name] : undefined
     if (!action) return
     event.preventDefault()
     action()

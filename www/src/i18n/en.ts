@@ -20,6 +20,8 @@ export const en = {
     working: 'Working…',
   },
   header: {
+    view: 'What to do',
+    views: { race: 'Watch', lab: 'Compare' },
     share: 'Share',
     theme: 'Theme',
     themes: { system: 'As the system', light: 'Light', dark: 'Dark' },
@@ -62,6 +64,7 @@ export const en = {
     goal: 'Move the goal',
     goalNamed: 'Move goal {{name}}',
     'add-goal': 'Add a goal',
+    inspect: 'Moves of an ant from a cell',
     pan: 'Move the view',
     undo: 'Undo',
     redo: 'Redo',

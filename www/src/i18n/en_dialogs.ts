@@ -119,8 +119,8 @@ export const enDialogs = {
       scen: 'MovingAI scenarios (.scen) for the map on show or dropped with it',
       matrix: 'Matrix of 0 (free) and 1 (blocked), with or without separators',
       raster: 'Heights: ESRI ASCII grid (.asc), GeoTIFF (.tif), SRTM (.hgt), table (.csv)',
-      json: 'Formicarium scenario or experiment (.json)',
-      link: 'Share link',
+      json: 'Formicarium scenario, experiment or comparison (.json)',
+      link: 'Share link, or a picture saved here (.png): its experiment is in it',
     },
     format: 'Format',
     exports: {
@@ -185,6 +185,7 @@ export const enDialogs = {
     link: 'Share link',
     copy: 'Copy link',
     file: 'Save as file',
+    picture: 'Save as picture',
     private: '{{length}} characters. Everything is in the link itself; nothing is uploaded.',
     tooLarge:
       'This terrain has more heights than a link can carry. Save the experiment as a file instead: it opens here by drag and drop.',
@@ -205,11 +206,12 @@ export const enDialogs = {
       play: 'Play, pause',
       move: 'One ant move',
       iteration: 'One iteration',
+      look: 'Look back: one iteration earlier, later (64 MiB of each run are kept, the rest is computed again)',
       reset: 'Reset all runs',
       end: 'Run to the end',
       undo: 'Undo',
       redo: 'Redo',
-      tools: 'Wall, erase, start, goal, add a goal, pan',
+      tools: 'Wall, erase, start, goal, add a goal, moves of a cell, pan',
       fit: 'Fit the map',
       relief: 'A terrain in 3-D, and flat again',
       cursor: 'Move the cell cursor',
@@ -224,6 +226,6 @@ export const enDialogs = {
       leave: 'Back to drawing walls',
     },
     scripting:
-      'Version {{version}}. For lessons and scripts: window.formicarium in the console offers load, run and results.',
+      'Version {{version}}. For lessons and scripts: window.formicarium in the console offers load, run, results and compare.',
   },
 }

@@ -89,6 +89,8 @@ export const enMaps = {
     paperPlanners: 'The planners of the paper race on this map.',
     terrainPlanners: 'Planners that know this kind of terrain race on it.',
     formerPlanners: 'Bring back the former ones',
+    paperReported: 'This map stands for one of a paper, which reports numbers.',
+    paperReproduced: 'Reported and reproduced…',
     unknownPlanner: 'This version does not know the planner “{{planner}}”.',
     unknownPlannerHint: 'Its panel was left out; the rest is as shared.',
   },

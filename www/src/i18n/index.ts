@@ -35,6 +35,23 @@ export function addEnglish(words: object): void {
   i18next.addResourceBundle('en', 'translation', words, true)
 }
 
+type More = () => Promise<object>
+const chineseToCome = new Set<More>()
+
+/** Words of a part of the page that is fetched on demand: English at once, Chinese when it is spoken. */
+export async function addWords(english: object, chinese: More): Promise<void> {
+  addEnglish(english)
+  chineseToCome.add(chinese)
+  if (language.peek() === 'zh-CN') await addChinese()
+}
+
+async function addChinese(): Promise<void> {
+  for (const fetch of [...chineseToCome]) {
+    i18next.addResourceBundle('zh-CN', 'translation', await fetch(), true)
+    chineseToCome.delete(fetch)
+  }
+}
+
 /** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
 async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
@@ -48,6 +65,7 @@ async function useLanguage(choice: Language): Promise<void> {
     // The engine speaks English; what a dictionary has for its names and errors replaces that.
     i18next.addResourceBundle(choice, 'engine', zhCNEngine)
   }
+  if (choice === 'zh-CN') await addChinese()
   language.value = choice
 }
 

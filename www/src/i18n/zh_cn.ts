@@ -21,6 +21,8 @@ export const zhCN: Shape<typeof en> = {
     working: '处理中…',
   },
   header: {
+    view: '做什么',
+    views: { race: '观看', lab: '比较' },
     share: '分享',
     theme: '主题',
     themes: { system: '跟随系统', light: '浅色', dark: '深色' },
@@ -60,6 +62,7 @@ export const zhCN: Shape<typeof en> = {
     erase: '擦除墙',
     start: '移动起点',
     goal: '移动终点',
+    inspect: '蚂蚁在某格的选择',
     goalNamed: '移动目标 {{name}}',
     'add-goal': '添加目标',
     pan: '移动视图',

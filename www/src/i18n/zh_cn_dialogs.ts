@@ -111,8 +111,8 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
       scen: 'MovingAI 场景（.scen），用于当前或一起拖入的地图',
       matrix: '由 0（空闲）和 1（障碍）组成的矩阵，有无分隔符均可',
       raster: '高程：ESRI ASCII 栅格（.asc）、GeoTIFF（.tif）、SRTM（.hgt）、表格（.csv）',
-      json: 'Formicarium 场景或实验（.json）',
-      link: '分享链接',
+      json: 'Formicarium 场景、实验或比较（.json）',
+      link: '分享链接，或此处保存的图片（.png）：实验就在其中',
     },
     format: '格式',
     exports: {
@@ -175,6 +175,7 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
     link: '分享链接',
     copy: '复制链接',
     file: '保存为文件',
+    picture: '保存为图片',
     private: '{{length}} 个字符。所有内容都在链接里，不会上传任何数据。',
     tooLarge: '这片地形的高程太多，链接无法容纳。请改为保存实验文件：拖放到此页即可打开。',
     tooLong:
@@ -193,11 +194,12 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
       play: '播放、暂停',
       move: '蚂蚁走一步',
       iteration: '一次迭代',
+      look: '回看：上一次、下一次迭代（每个面板保留 64 MiB，其余重新计算）',
       reset: '全部重置',
       end: '运行到结束',
       undo: '撤销',
       redo: '重做',
-      tools: '墙、擦除、起点、终点、添加目标、移动视图',
+      tools: '墙、擦除、起点、终点、添加目标、某格的选择、移动视图',
       fit: '适应窗口',
       relief: '地形三维与平面切换',
       cursor: '移动格子光标',
@@ -212,6 +214,6 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
       leave: '回到画墙',
     },
     scripting:
-      '版本 {{version}}。教学与脚本：控制台中的 window.formicarium 提供 load、run 与 results。',
+      '版本 {{version}}。教学与脚本：控制台中的 window.formicarium 提供 load、run、results 与 compare。',
   },
 }

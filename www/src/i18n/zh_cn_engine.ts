@@ -136,6 +136,15 @@ export const zhCNEngine = {
     attraction: '起点处目标的引力',
     repulsion: '高于起点之处的斥力',
     repulsion_range: '离地面多近时高处产生斥力',
+    force_fades: '势场力的权重是否随迭代减小；否则始终为满权重',
+    direction: 'd(i, E)^h 是否把蚂蚁引向目标方向；否则 η 中没有这一因子',
+    growing_pull: '目标引力的权重是否从初值变到末值；否则始终为二者的平均',
+    shifting_weights: '全局最优、本代最优与本代最差路径的权重是否随迭代变化；否则为全程的平均',
+    weaken_worst: '本代最差路径的信息素是否被削弱（Δτ⁻ 与附加信息素的第二项）',
+    maximal: '蚂蚁是否总走概率最大的一步；否则按概率抽取，同蚂蚁系统',
+    ranking: '信息素是否按名次加权；否则每只到达的蚂蚁留下 Q / 长度，同蚂蚁系统',
+    best_so_far: '至今最优路径是否也留下信息素',
+    limits: '信息素是否保持在上下限之间',
     local_rho: '局部挥发率：蚂蚁走到一个位置时带走的那部分信息素',
     order: '各目标的次序使什么最小',
     order_rule: '蚂蚁如何选择下一个目标',
@@ -293,6 +302,132 @@ export const zhCNEngine = {
       proportional: '在所有步中轮盘赌，同蚂蚁系统',
     },
   },
+  components: {
+    'weighted-order': {
+      name: '按紧急程度定次序',
+      adds: '各目标的次序按所到目标的紧急程度加权（式 6–8）；去掉后：最短的次序；只有一个目标时没有次序',
+    },
+    'best-step': {
+      name: '多半走最好的一步',
+      adds: '蚂蚁以概率 r0 走路段上最好的一步（式 9）；去掉后：每一步都按概率抽取（式 3）',
+    },
+    'growing-pull': {
+      name: '自适应迭代权重 ω(t)',
+      adds: '目标与方向的权重随迭代增大（式 6）；去掉后：始终为其平均',
+    },
+    'goal-pull': {
+      name: '目标引力',
+      adds: 'η 在目标附近乘以 μ^f_a（式 7）；去掉后：没有这一因子，μ = 1',
+    },
+    direction: {
+      name: '方向角修正',
+      adds: 'η 乘以 d(i, E)^h，越正对目标的一步越大（式 7）；去掉后：没有这一因子',
+    },
+    'obstacle-density': {
+      name: '局部障碍密度',
+      adds: '周围障碍多处 η 按 exp(−γ·α_obs) 减小（式 7）；去掉后：γ = 0',
+    },
+    'extra-trail': {
+      name: '附加信息素 Δω*',
+      adds: '本代最优路径再增、最差路径再减一次（式 8）；去掉后：两个 k 都为 0',
+    },
+    'weighted-paths': {
+      name: '只看最优与最差路径',
+      adds: '只有全局最优、本代最优与本代最差路径改变信息素（式 9–11 与 14）；去掉后：到达的蚂蚁都留下信息素，同蚂蚁系统（式 12）',
+    },
+    'shifting-weights': {
+      name: '自适应路径权重',
+      adds: '这些路径的权重随迭代变化（式 10–11）；去掉后：始终为其平均',
+    },
+    'weakened-worst': {
+      name: '削弱最差路径',
+      adds: '本代最差路径失去信息素（式 8、9 与 11）；去掉后：不失去',
+    },
+    refinement: {
+      name: '路径优化',
+      adds: '最后按视线拉直最优路径（第 3.3 节）；去掉后：逐格保留',
+    },
+    elite: {
+      name: '精英策略',
+      adds: '最好的 5 % 蚂蚁按 (it/it_max)³ 再留一次信息素（式 10–11）；去掉后：每只蚂蚁一次（式 3–4）',
+    },
+    'two-colonies': {
+      name: '双向搜索',
+      adds: '一半蚂蚁从终点出发，相遇的两只把路相连（第 4.2 节）；去掉后：都从起点出发',
+    },
+    'field-trails': {
+      name: '势场初始化信息素',
+      adds: '势场给出初始信息素（式 12–14）；去掉后：处处为 τ0',
+    },
+    force: {
+      name: '势场力',
+      adds: '势场的力影响启发信息（第 4.5 节，第二个式 12）；去掉后：只看距离（式 2）',
+    },
+    'fading-force': {
+      name: '逐渐减弱的势场力',
+      adds: '势场力的权重为 ((it_max − it)/it_max)³，越来越小（第 4.5 节，第二个式 12）；去掉后：始终为满权重',
+    },
+    threshold: {
+      name: '自适应阈值 λ',
+      adds: '早期禁止概率超过阈值的步，阈值升至 1（式 6，第 5 步）；去掉后：每一步都按概率抽取（式 5）',
+    },
+    'shortest-path-reward': {
+      name: '最短路径奖励',
+      adds: '本代最短路径得到 Q2/L_min（式 10–12）；去掉后：蚂蚁只在走动时留下 Q1（式 7–9）',
+    },
+    'maximal-step': {
+      name: '最大转移概率',
+      adds: '每只蚂蚁都走概率最大的一步（第 1 节，其文献 13）；去掉后：每一步都按概率抽取（式 5）',
+    },
+    'seed-trail': {
+      name: '第一阶段的信息素',
+      adds: '第一阶段的最优路径先得到信息素（式 10）；去掉后：第一阶段照旧，处处为 τ0',
+    },
+    'cooled-radius': {
+      name: '退火半径',
+      adds: '爆炸半径按退火缩小（式 9 前一部分）；去掉后：保持不变（式 3）',
+    },
+    'weighted-mutation': {
+      name: '惯性权重变异',
+      adds: '变异的偏差带有逐渐减小的惯性权重（式 9 后一部分）；去掉后：权重为 1（式 5）',
+    },
+    'stepping-back': {
+      name: '回退机制',
+      adds: '陷入死胡同的蚂蚁回退（第 1.3.2 节，第 2 步）；去掉后：死亡',
+    },
+    elitists: {
+      name: '精英蚂蚁',
+      adds: '每次迭代中至今最优路径再留下 e 次信息素（式 3.6–3.7）；去掉后：e = 0，即蚂蚁系统',
+    },
+    ranking: {
+      name: '按名次留下信息素',
+      adds: '每次迭代只有最好的 w − 1 只蚂蚁留下信息素，名次越前越多（式 3.8）；去掉后：到达的蚂蚁都留下 Q/L（式 3.5）',
+    },
+    'best-so-far-deposit': {
+      name: '至今最优路径的信息素',
+      adds: '每次迭代中至今最优路径留下 w 次信息素（式 3.8）；去掉后：只有本次迭代的蚂蚁留下',
+    },
+    limits: {
+      name: '信息素上下限',
+      adds: '信息素保持在 τ_min 与 τ_max 之间（第 3.3.4 节）；去掉后：没有上下限',
+    },
+    'turns-of-the-best': {
+      name: '轮到至今最优路径',
+      adds: '每隔若干次迭代由至今最优路径代替本次最优留下信息素（式 3.9）；去掉后：只有本次迭代的最优路径',
+    },
+    restart: {
+      name: '重启',
+      adds: '多次迭代没有更短路径后所有信息素重新开始（第 3.3.4 节）；去掉后：从不；预算须大于 restart_after',
+    },
+    'greedy-choice': {
+      name: '多半走最好的一步 (q0)',
+      adds: '蚂蚁以概率 q0 走最好的一步（式 3.10）；去掉后：每一步都按概率抽取（式 3.2）',
+    },
+    'local-update': {
+      name: '局部更新',
+      adds: '蚂蚁每走一步都减弱该步的信息素（式 3.12）；去掉后：走动时不改变信息素',
+    },
+  },
   grounds: {
     plane: '在平面上',
     surface: '在地形表面上',
@@ -302,6 +437,10 @@ export const zhCNEngine = {
   notices: {
     unreachable: '在此移动规则下，起点与终点之间没有通路。',
     'start-is-goal': '起点与终点是同一格：路径长度为 0。',
+    'results-columns': '未使用的列：{{columns}}。',
+    'results-improvements': '{{runs}} 次运行的 {{lines}} 行按“每行一次改进”读入。',
+    'results-status': '未知的结束方式，已忽略：{{words}}。',
+    'results-incomplete': '{{records}} 条字段不足的记录已略去。',
     'ends-chosen': '文件没有给出起点和终点：使用 ({{start}}) 与 ({{goal}})。',
     'matrix-one-is-blocked':
       '0 读作空闲，1 读作障碍。若含义相反，请在地图菜单中选择“交换墙与空地”。',
@@ -380,6 +519,10 @@ export const zhCNEngine = {
       hint: '所有格都是无数据值，或所选窗口内没有数据',
     },
     'bad-field': { message: '文件的 {{field}} 不能使用：{{what}}', hint: '应为：{{expected}}' },
+    'bad-cell': {
+      message: '第 {{line}} 行“{{column}}”列：“{{value}}”不能使用',
+      hint: '应为：{{expected}}',
+    },
     window: {
       message: '({{x}}, {{y}}) 处 {{columns}} × {{rows}} 格的窗口超出 {{width}} × {{height}} 格',
       hint: '请选择范围之内的窗口',
@@ -396,7 +539,7 @@ export const zhCNEngine = {
     },
     'link-foreign': {
       message: '这不是 Formicarium 的分享链接',
-      hint: '分享链接的地址后以 #x= 开头；请复制完整链接',
+      hint: '分享链接的地址后以 #x= 或 #q= 开头；请复制完整链接',
     },
     'link-damaged': {
       message: '链接已损坏',
@@ -410,6 +553,10 @@ export const zhCNEngine = {
     'link-invalid': {
       message: '链接内容无效：{{field}}',
       hint: '它不是由“分享”生成，或被手工改动过',
+    },
+    'picture-bare': {
+      message: '图片中没有实验',
+      hint: '此处保存的图片带有实验，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',
     },
     'engine-unreachable': {
       message: '无法获取引擎的这一部分',

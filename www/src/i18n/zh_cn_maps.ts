@@ -92,6 +92,8 @@ export const zhCNMaps: Shape<typeof enMaps> = {
     paperPlanners: '该论文的规划器正在此地图上比赛。',
     terrainPlanners: '适用于此类地形的规划器正在此比赛。',
     formerPlanners: '恢复原来的规划器',
+    paperReported: '这张地图代表某篇论文中的地图，论文报告了数值。',
+    paperReproduced: '报告与重现…',
     unknownPlanner: '此版本不认识规划器“{{planner}}”。',
     unknownPlannerHint: '已略去该面板；其余与分享内容一致。',
   },

@@ -4,17 +4,16 @@ import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import {
-  announce,
   download,
   exportExperiment,
   exportGeotiff,
   exportMap,
   fileStem,
-  notify,
   notifyError,
   scenario,
 } from '../state'
 import { Button } from '../ui/buttons'
+import { copyText } from '../ui/copy'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { Segmented } from '../ui/fields'
@@ -117,16 +116,6 @@ export function ExportDialog() {
       )}
     </Dialog>
   )
-}
-
-export async function copyText(text: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text)
-    notify('success', t('common.copied'))
-    announce(t('common.copied'))
-  } catch {
-    notify('warning', t('common.copyFailed'), { hint: t('common.copyFailedHint') })
-  }
 }
 
 /** The file in the chosen format; null while it is being made. */

@@ -8,7 +8,7 @@ import { FormError } from '../ui/form_error'
 
 const FORMATS = ['map', 'scen', 'matrix', 'raster', 'json', 'link'] as const
 /** What the file picker offers first. */
-const ENDINGS = '.map,.scen,.txt,.csv,.json,.asc,.tif,.tiff,.hgt'
+const ENDINGS = '.map,.scen,.txt,.csv,.json,.asc,.tif,.tiff,.hgt,.png'
 
 export function ImportDialog() {
   const picker = useRef<HTMLInputElement>(null)

@@ -130,5 +130,5 @@ function galleryItem({ id }: GalleryEntry) {
 
 type GalleryKey = 'two-corridors'
 
-const galleryName = (id: string) => t(`gallery.${id as GalleryKey}.name`)
+export const galleryName = (id: string) => t(`gallery.${id as GalleryKey}.name`)
 const galleryNote = (id: string) => t(`gallery.${id as GalleryKey}.note`)

@@ -1,8 +1,12 @@
 import { Charts } from '../charts/charts'
 import { t } from '../i18n'
+import { lookedAt } from '../state'
+import { lazily } from '../ui/lazily'
 import { Goals, goalsOnShow } from './goals'
 import { MetricsTable } from './metrics_table'
 import { Parameters } from './parameters'
+
+const PastChip = lazily(async () => (await import('../playback')).fetchPastChip())
 
 /** Beneath the panels: how the race went, how it compares, what can be changed. */
 export function Dock() {
@@ -12,6 +16,7 @@ export function Dock() {
       <div class="dock-card comparison">
         <header class="dock-head">
           <h2>{t('metrics.title')}</h2>
+          {lookedAt.value !== null && <PastChip />}
         </header>
         <MetricsTable />
       </div>

@@ -1,6 +1,6 @@
 /** How far a result is from what it is compared with. */
 import type { Reference } from '@pkg/formicarium'
-import { type Panel, referenceOf } from '../state'
+import { type Panel, referenceOf, shownOf } from '../state'
 
 const EQUAL = 1e-9
 
@@ -21,7 +21,7 @@ export function gapOf(
   return Math.abs(gap) < EQUAL ? 0 : gap
 }
 
-/** The gap of what a panel has reached by now, by its own objective. */
+/** The gap of what a panel shows, by its own objective. */
 export function panelGap(panel: Panel): number | null {
-  return gapOf(panel.live.value.summary?.value, referenceOf(panel))
+  return gapOf(shownOf(panel).summary?.value, referenceOf(panel))
 }

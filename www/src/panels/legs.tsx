@@ -1,10 +1,11 @@
 /** A tour leg by leg: what was planned, what is walked, and what it weighs. */
 import { numbers, t } from '../i18n'
 import { goalName, goalWeight } from '../maps/goals'
-import { type Panel, panelById, scenario } from '../state'
+import { type Panel, panelById, scenario, shownOf } from '../state'
 
 export default function Legs({ panel }: { panel: Panel }) {
-  const tour = panelById(panel.id)?.live.value.summary?.tour
+  const now = panelById(panel.id)
+  const tour = now && shownOf(now).summary?.tour
   const spec = scenario.value?.spec
   if (!tour || !spec) return null
   const { length } = numbers.value

@@ -1,6 +1,14 @@
 import { numbers, t } from '../i18n'
 import { goalName } from '../maps/goals'
-import { type Panel, panels, plannerEntry, referenceOf, scenario, slotColour } from '../state'
+import {
+  type Panel,
+  panels,
+  plannerEntry,
+  referenceOf,
+  scenario,
+  shownOf,
+  slotColour,
+} from '../state'
 import { panelGap } from './gap'
 import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from './metric_rows'
 import { objectiveWord } from './objective_words'
@@ -82,7 +90,7 @@ function TextRow({ id, all, text, optional }: TextRowProps) {
 /** What a panel's gap is taken from. */
 function comparedWith(panel: Panel): Words | null {
   const reference = referenceOf(panel)
-  const { objective } = panel.live.value
+  const { objective } = shownOf(panel)
   if (!reference || !objective) return null
   switch (reference.kind) {
     case 'no-path':
@@ -98,21 +106,21 @@ function comparedWith(panel: Panel): Words | null {
 }
 
 function orderOf(panel: Panel): Words | null {
-  const order = panel.live.value.summary?.tour?.order
+  const order = shownOf(panel).summary?.tour?.order
   const spec = scenario.value?.spec
   return order && spec ? { text: order.map((goal) => goalName(spec, goal)).join(' → ') } : null
 }
 
 /** Before the first step every run has the digest of nothing. */
 function digestOf(panel: Panel): Words | null {
-  const { summary } = panel.live.value
+  const { summary } = shownOf(panel)
   const begun = summary && summary.effort.ant_moves + summary.effort.cell_expansions > 0
   return begun ? { text: summary.digest } : null
 }
 
 function Row({ row, all }: { row: MetricRow; all: Panel[] }) {
   const values = all.map((panel) => {
-    const { summary } = panel.live.value
+    const { summary } = shownOf(panel)
     const family = plannerEntry(panel.setup.planner)?.family
     if (row.families && !(family && row.families.includes(family))) return null
     return summary && row.value(summary, panelGap(panel))

@@ -1,18 +1,28 @@
 import { Bug } from 'lucide'
 import { t } from '../i18n'
-import { panels } from '../state'
+import { comparing, panels } from '../state'
 import { Icon } from '../ui/icon'
+import { lazily } from '../ui/lazily'
 import { AddPlannerButtons } from './add_planner'
 import { PanelCard } from './panel_card'
+
+const Difference = lazily(async () => (await import('../playback')).fetchDifference())
+/** More are laid out as so many are. */
+const MOST_COLUMNS = 6
 
 export function PanelGrid() {
   const all = panels.value
   if (all.length === 0) return <NoPanels />
   return (
-    <section class="panel-grid" data-count={all.length} aria-label={t('panels.region')}>
+    <section
+      class="panel-grid"
+      data-count={Math.min(MOST_COLUMNS, all.length + Number(comparing.value))}
+      aria-label={t('panels.region')}
+    >
       {all.map((panel, index) => (
         <PanelCard key={panel.id} panel={panel} place={index + 1} />
       ))}
+      {comparing.value && <Difference />}
     </section>
   )
 }

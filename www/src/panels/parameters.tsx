@@ -1,9 +1,10 @@
-import type { CatalogEntry } from '@pkg/formicarium'
+import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
 import { ArrowUp, BookOpen } from 'lucide'
 import { t } from '../i18n'
 import type { ParamValues } from '../messages'
 import { cardOf, showCard } from '../papers/cards'
+import type { PanelSetup } from '../session'
 import {
   type Panel,
   panelById,
@@ -99,10 +100,7 @@ function Controls({ panel }: { panel: Panel }) {
   ).value
   const entry = plannerEntry(setup.planner)
   if (!entry) return null
-  const shown = entry.params.filter(({ applies_when }) => {
-    const governing = entry.params.find(({ key }) => key === applies_when?.key)
-    return !applies_when || !governing || applies_when.values.includes(paramValue(setup, governing))
-  })
+  const shown = paramsInForce(entry, setup)
   return (
     <div class="parameter-list">
       <p class="hint">{plannerSummary(entry)}</p>
@@ -133,6 +131,14 @@ function Controls({ panel }: { panel: Panel }) {
       ))}
     </div>
   )
+}
+
+/** Parameters that have an effect beside the others' values. */
+export function paramsInForce({ params }: CatalogEntry, setup: PanelSetup): ParamSpec[] {
+  return params.filter(({ applies_when }) => {
+    const governing = params.find(({ key }) => key === applies_when?.key)
+    return !applies_when || !governing || applies_when.values.includes(paramValue(setup, governing))
+  })
 }
 
 /** What its paper claims and what came out, where somebody wrote it down. */
@@ -177,7 +183,7 @@ function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string |
   ) : null
 }
 
-function presetOptions(presets: CatalogEntry['presets'], params: ParamValues) {
+export function presetOptions(presets: CatalogEntry['presets'], params: ParamValues) {
   const named = presets.map((preset) => ({ value: preset.name, label: presetName(preset) }))
   const own = Object.keys(params).length > 0 ? [{ value: 'own', label: t('parameters.own') }] : []
   return [{ value: '', label: t('parameters.defaults') }, ...named, ...own]

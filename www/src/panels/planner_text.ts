@@ -14,9 +14,11 @@ export function isSearch(planner: string): boolean {
   return family === 'search' || family === 'exact'
 }
 
-/** Why a planner cannot be used on this map: it does not know the way of moving, or not so many goals. */
-export function whyNot({ max_goals, grounds }: CatalogEntry): string | null {
-  const spec = scenario.value?.spec
+/** Why a planner cannot be used on a map, this one if none is named: it does not know the way of moving, or not so many goals. */
+export function whyNot(
+  { max_goals, grounds }: CatalogEntry,
+  spec = scenario.value?.spec,
+): string | null {
   if (!spec) return null
   const ground = groundOf(spec)
   if (!grounds.includes(ground)) return t(`panels.otherGround.${ground}`)

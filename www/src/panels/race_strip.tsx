@@ -9,6 +9,7 @@ import {
   panels,
   plannerEntry,
   references,
+  rest,
   scenario,
   scenarioNotices,
   showAnts,
@@ -24,6 +25,8 @@ import { showGoals } from './goals'
 import { objectiveWord } from './objective_words'
 
 const ReliefControls = lazily(async () => (await import('../relief/controls')).ReliefControls)
+
+const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
 
 /** What is being raced for, in one line, and how to look at it. */
 export function RaceStrip() {
@@ -195,6 +198,7 @@ function ViewControls() {
           showPath.value = !showPath.value
         }}
       />
+      {panels.value.length > 1 && rest.value === 'here' && <CompareButton />}
       {onTerrain.value && <ReliefControls />}
       <span class="divider" />
       <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomView(1 / 1.4)} />

@@ -1,13 +1,13 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, type TextKey, t } from '../i18n'
-import { type Panel, referenceOf } from '../state'
+import { type Panel, referenceOf, shownOf } from '../state'
 import { panelGap } from './gap'
 import { type ObjectiveWord, objectiveWord } from './objective_words'
 import { isSearch, panelTitle } from './planner_text'
 
 /** The panel's result at a glance: how far from the best there is, how long, how far it has come. */
 export function Readout({ panel, place }: { panel: Panel; place: number }) {
-  const { summary } = panel.live.value
+  const { summary } = shownOf(panel)
   const length = summary?.metrics?.length ?? null
   const gap = panelGap(panel)
   const reference = referenceOf(panel)
@@ -53,7 +53,7 @@ function ObjectiveFact({ summary, place }: { summary: RunSummary | null; place: 
 
 /** Colonies count iterations and arrived ants, searches the cells they have looked at. */
 function ProgressFacts({ panel, place }: { panel: Panel; place: number }) {
-  const { summary } = panel.live.value
+  const { summary } = shownOf(panel)
   const { whole } = numbers.value
   if (isSearch(panel.setup.planner)) {
     return (
@@ -86,7 +86,7 @@ function Fact(props: { label: string; testId: string; children: string; leading?
 }
 
 function ProgressBar({ panel }: { panel: Panel }) {
-  const share = progress(panel.live.value.summary)
+  const share = progress(shownOf(panel).summary)
   return (
     <div
       class="progress-bar"
@@ -110,7 +110,7 @@ function progress(summary: RunSummary | null): number {
 
 function gapWords(panel: Panel, gap: number | null): string {
   const reference = referenceOf(panel)
-  const { summary, objective } = panel.live.value
+  const { summary, objective } = shownOf(panel)
   if (reference?.kind === 'no-path') return t('gap.noPathExists')
   if (summary && !summary.metrics && summary.status !== 'running') return t('gap.noPathFound')
   if (!summary?.metrics || !objective) return t('gap.noPathYet')

@@ -1,7 +1,7 @@
 import type { RunSummary } from '@pkg/formicarium'
 import { BadgeCheck, TriangleAlert } from 'lucide'
 import { t } from '../i18n'
-import { type Panel, type Phase, phase, type Verification } from '../state'
+import { type Panel, type Phase, phase, shownOf, type Verification } from '../state'
 import { Icon } from '../ui/icon'
 import { objectiveWord } from './objective_words'
 import { isSearch } from './planner_text'
@@ -21,7 +21,7 @@ type StatusWord =
 
 /** What the panel's run is doing, in one word. */
 export function StatusChip({ panel, place }: { panel: Panel; place: number }) {
-  const { summary, verified, error } = panel.live.value
+  const { summary, verified, error } = shownOf(panel)
   const search = isSearch(panel.setup.planner)
   const word = error ? 'refused' : statusWord(summary, phase.value, search)
   const words = word === 'optimal' && isNoLength(summary) ? 'optimal-value' : word

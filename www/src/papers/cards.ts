@@ -4,10 +4,13 @@ import cards from 'virtual:paper-cards'
 import { signal } from '@preact/signals'
 import { show } from '../ui/dialogs'
 
-const texts = import.meta.glob<string>('../../../docs/papers/*.md', {
-  query: '?raw',
-  import: 'default',
-})
+const texts = import.meta.glob<string>(
+  ['../../../docs/papers/*.md', '../../../docs/methodology.md'],
+  { query: '?raw', import: 'default' },
+)
+
+/** Not about one paper: how claims are measured and judged. */
+export const METHODOLOGY = 'methodology'
 
 /** The card that is open, by name. */
 export const openCard = signal('')
@@ -23,7 +26,8 @@ export function showCard(card: string): void {
 }
 
 export async function cardText(card: string): Promise<string> {
-  const fetched = texts[`../../../docs/papers/${card}.md`]
+  const file = card === METHODOLOGY ? card : `papers/${card}`
+  const fetched = texts[`../../../docs/${file}.md`]
   if (!fetched) throw new Error(`there is no card ${card}`)
   return fetched()
 }

@@ -4,8 +4,9 @@
  */
 import type { Signal } from '@preact/signals'
 import { t } from '../i18n'
+import type { Cell } from '../maps/edit'
 import type { Scenario } from '../session'
-import { ARROWS, handleAtCursor, STRIDE, shiftCursor } from '../stage/keyboard'
+import { ARROWS, handleAtCursor, handleInspection, STRIDE, shiftCursor } from '../stage/keyboard'
 import type { Cursor } from '../stage/look'
 import { announce, scenario } from '../state'
 import { orbit, resetEye, shiftEye, turned, zoomEye } from './eye'
@@ -16,11 +17,14 @@ const TURN = 0.14
 const TILT = 0.1
 const SHIFT = 0.05
 
-export function reliefKeyHandler(cursor: Signal<Cursor | null>): (event: KeyboardEvent) => void {
+export function reliefKeyHandler(
+  cursor: Signal<Cursor | null>,
+  inspect: (cell: Cell) => void,
+): (event: KeyboardEvent) => void {
   return (event) => {
     const now = scenario.peek()
     if (now === null || event.metaKey || event.altKey) return
-    if (handle(event, now, cursor)) {
+    if (handleInspection(event, now, cursor, inspect) || handle(event, now, cursor)) {
       event.preventDefault()
       event.stopPropagation()
     }

@@ -40,6 +40,7 @@ export class ReliefPointer {
     private readonly view: ReliefView,
     private readonly size: ReadonlySignal<CanvasSize>,
     private readonly cursor: Signal<Cursor | null>,
+    private readonly inspect: (cell: Cell) => void,
   ) {
     const { signal } = this.listening
     element.addEventListener('pointerdown', (event) => this.down(event), { signal })
@@ -59,7 +60,8 @@ export class ReliefPointer {
   private down(event: PointerEvent): void {
     const at = this.point(event)
     this.element.setPointerCapture(event.pointerId)
-    const mark = event.button === 0 && this.held.size === 0 ? this.markAt(at, event) : null
+    const takes = event.button === 0 && this.held.size === 0 && tool.peek() !== 'inspect'
+    const mark = takes ? this.markAt(at, event) : null
     if (mark) {
       if (mark.brush.kind === 'goal') activeGoal.value = mark.brush.index
       this.drawing = { pointerId: event.pointerId, gesture: newGesture(), last: mark.at, ...mark }
@@ -124,6 +126,10 @@ export class ReliefPointer {
     const now = scenario.peek()
     const cell = this.view.cellAt(at)
     if (!now || !cell || tool.peek() === 'pan') return
+    if (tool.peek() === 'inspect') {
+      this.inspect(cell)
+      return
+    }
     if (!placesEnds()) {
       notify('info', t('relief.wallsFlat'), {
         action: { label: t('relief.flatHint'), run: () => void showRelief(false) },

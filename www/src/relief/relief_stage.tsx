@@ -3,6 +3,7 @@ import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { CellReadout } from '../stage/cell_readout'
+import { Inspector, inspector, isInspected } from '../stage/inspected'
 import type { CanvasSize, Cursor } from '../stage/look'
 import { measure } from '../stage/measure'
 import { scenario, tool } from '../state'
@@ -38,8 +39,9 @@ export function ReliefStage({ panelId }: { panelId: number }) {
       leaveRelief('missing')
       return
     }
-    const pointer = new ReliefPointer(element, view, size, cursor)
-    const onKey = reliefKeyHandler(cursor)
+    const inspect = inspector(panelId)
+    const pointer = new ReliefPointer(element, view, size, cursor, inspect)
+    const onKey = reliefKeyHandler(cursor, inspect)
     element.addEventListener('keydown', onKey)
     return () => {
       element.removeEventListener('keydown', onKey)
@@ -63,6 +65,7 @@ export function ReliefStage({ panelId }: { panelId: number }) {
         tabIndex={0}
       />
       <CellReadout cursor={cursor} />
+      {isInspected(panelId) && <Inspector panelId={panelId} size={null} />}
     </>
   )
 }

@@ -7,7 +7,7 @@ import type { RasterReply } from '../messages'
 import { type CanvasSize, type Cursor, lookAt } from '../stage/look'
 import { markedCell } from '../stage/marked'
 import { coalesced } from '../stage/measure'
-import { panelById, panelColour, scenario, showAnts, showPath, theme } from '../state'
+import { panelById, panelColour, scenario, showAnts, shownOf, showPath, theme } from '../state'
 import { Content } from './content'
 import { eye } from './eye'
 import { cancelDraw, drawSoon } from './frames'
@@ -35,11 +35,13 @@ export class ReliefView implements RasterWatcher {
   private readonly client: PanelClient
   private readonly stops: (() => void)[] = []
   // Much of what a run reports changes several times a second; its best path seldom does.
-  private readonly bestPath = computed(() => panelById(this.panelId)?.live.value.bestPath)
-  private readonly bestAltitudes = computed(() => panelById(this.panelId)?.live.value.bestAltitudes)
-  private readonly order = computed(() =>
-    (panelById(this.panelId)?.live.value.summary?.tour?.order ?? []).join(),
-  )
+  private readonly shown = computed(() => {
+    const panel = panelById(this.panelId)
+    return panel && shownOf(panel)
+  })
+  private readonly bestPath = computed(() => this.shown.value?.bestPath)
+  private readonly bestAltitudes = computed(() => this.shown.value?.bestAltitudes)
+  private readonly order = computed(() => (this.shown.value?.summary?.tour?.order ?? []).join())
   private ants: Uint32Array = new Uint32Array()
   private asked = false
   private askedAt = 0

@@ -60,7 +60,7 @@ export async function packEdits(
 }
 
 export async function unpack(bytes: Uint8Array, generate: Generate): Promise<Session> {
-  const reader = new Reader(intact(bytes))
+  const reader = new Reader(verifiedBytes(bytes))
   const version = reader.byte()
   if (version > TERRAIN)
     throw new LinkError(
@@ -99,7 +99,7 @@ export function withChecksum(parts: ArrayLike<number>[]): Uint8Array<ArrayBuffer
 }
 
 /** What the checksum covers, if it agrees. */
-function intact(bytes: Uint8Array): Uint8Array {
+export function verifiedBytes(bytes: Uint8Array): Uint8Array {
   if (bytes.length < CHECKSUM_BYTES) throw damaged('it ends too early')
   const noted = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true)
   const covered = bytes.subarray(CHECKSUM_BYTES)

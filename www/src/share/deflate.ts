@@ -1,13 +1,23 @@
 /** Compression by the browser's own streams, with a lid on what a hostile payload may unfold to. */
 import { LinkError } from './error'
 
-export async function deflate(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
-  return collect(through(bytes, new CompressionStream('deflate-raw')), Number.POSITIVE_INFINITY)
+/** With a zlib header, as PNG asks for it, `deflate`. */
+type Wrapping = 'deflate-raw' | 'deflate'
+
+export async function deflate(
+  bytes: Uint8Array<ArrayBuffer>,
+  wrapping: Wrapping = 'deflate-raw',
+): Promise<Uint8Array> {
+  return collect(through(bytes, new CompressionStream(wrapping)), Number.POSITIVE_INFINITY)
 }
 
 /** Stops reading as soon as more than `most` bytes have come out. Throws whatever the stream throws on broken data. */
-export async function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
-  return collect(through(bytes, new DecompressionStream('deflate-raw')), most)
+export async function inflate(
+  bytes: Uint8Array<ArrayBuffer>,
+  most: number,
+  wrapping: Wrapping = 'deflate-raw',
+): Promise<Uint8Array> {
+  return collect(through(bytes, new DecompressionStream(wrapping)), most)
 }
 
 function through(

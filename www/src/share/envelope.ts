@@ -3,6 +3,9 @@ import { MAX_BYTES } from './codec'
 import { deflate, inflate } from './deflate'
 import { damaged, LinkError } from './error'
 
+/** Longer links are cut by some hosts and mail programs: offer a file instead. Characters of the fragment's payload. */
+export const LINK_LIMIT = 8000
+
 const STORED = 0
 const DEFLATED = 1
 

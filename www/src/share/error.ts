@@ -7,14 +7,17 @@ export type LinkErrorKind =
   | 'link-newer'
   | 'link-too-large'
   | 'link-invalid'
+  | 'picture-bare'
 
 const HINTS: Record<LinkErrorKind, string> = {
-  'link-foreign': 'Links made by Share begin with #x= after the address; copy the whole link.',
+  'link-foreign': 'Links made by Share have #x= or #q= after the address; copy the whole link.',
   'link-damaged':
     'Part of it seems to be missing; copy the whole link again, or ask for the file instead.',
   'link-newer': 'Reload the page to get the newest version, then open it again.',
   'link-too-large': 'Maps of up to 4096 × 4096 cells and six panels can be opened.',
   'link-invalid': 'It was not made by Share, or was changed by hand; correct the named value.',
+  'picture-bare':
+    'Pictures saved here carry their experiment, until a program that leaves such things out saves them again; ask for the original, the link or the file.',
 }
 
 export class LinkError extends Error implements EngineError {

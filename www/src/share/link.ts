@@ -16,10 +16,8 @@ import { open, seal } from './envelope'
 import { LinkError } from './error'
 import { documentOf, readDocument } from './experiment'
 
+export { LINK_LIMIT } from './envelope'
 export { LinkError } from './error'
-
-/** Longer links are cut by some hosts and mail programs: offer a file instead. Characters of the fragment's payload. */
-export const LINK_LIMIT = 8000
 
 const PREFIX = '#x='
 const BLOCKED = '@'

@@ -1,8 +1,7 @@
-import { Copy, FileDown } from 'lucide'
+import { Copy, FileDown, ImageDown } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
-import { copyText } from '../maps/export_dialog'
 import { isSearch, plannerName } from '../panels/planner_text'
 import type { PanelSetup, Session } from '../session'
 import {
@@ -16,6 +15,7 @@ import {
   plannerEntry,
 } from '../state'
 import { Button } from '../ui/buttons'
+import { copyText } from '../ui/copy'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
 import { encodeSession, LINK_LIMIT, LinkError } from './link'
@@ -36,6 +36,13 @@ export function ShareDialog() {
       testId="share-dialog"
       actions={
         <>
+          <Button
+            icon={ImageDown}
+            label={t('share.picture')}
+            testId="share-picture"
+            disabled={link === null}
+            onClick={() => savePicture(tooLong ? null : link).catch(notifyError)}
+          />
           <Button
             icon={FileDown}
             label={t('share.file')}
@@ -142,6 +149,13 @@ function useLink(session: Session | null): string | null {
     )
   }, [session])
   return link
+}
+
+/** The panels as they stand; inside the link, or what the file has where that is too long. */
+async function savePicture(link: string | null): Promise<void> {
+  const { racePicture } = await import('./picture')
+  const png = await racePicture(link ?? (await exportExperiment()))
+  download(`${fileStem()}.png`, png, 'image/png')
 }
 
 async function saveFile(): Promise<void> {

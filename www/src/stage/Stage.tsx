@@ -6,6 +6,7 @@ import { t } from '../i18n'
 import { inRelief, relief } from '../relief/mode'
 import { scenario, tool } from '../state'
 import { CellReadout } from './cell_readout'
+import { Inspector, inspector, isInspected } from './inspected'
 import { keyboardHandler } from './keyboard'
 import { type CanvasSize, type Cursor, lookAt } from './look'
 import { markedCell } from './marked'
@@ -37,8 +38,9 @@ function FlatStage({ panelId }: { panelId: number }) {
       () => lookAt(panelId, size.value, cursor.value ?? markedCell(panelId)),
       (view) => client.setView(view),
     )
-    const pointer = new PointerInput(element, size, cursor)
-    const onKey = keyboardHandler(size, cursor)
+    const inspect = inspector(panelId)
+    const pointer = new PointerInput(element, size, cursor, inspect)
+    const onKey = keyboardHandler(size, cursor, inspect)
     element.addEventListener('keydown', onKey)
     return () => {
       element.removeEventListener('keydown', onKey)
@@ -62,6 +64,7 @@ function FlatStage({ panelId }: { panelId: number }) {
         tabIndex={0}
       />
       <CellReadout cursor={cursor} />
+      {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
     </>
   )
 }

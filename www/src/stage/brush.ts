@@ -31,6 +31,7 @@ export function brushFor(tool: Tool, scenario: Scenario, at: Cell, active: numbe
       return { kind: 'goal', index: Math.min(active, length - 1) }
     case 'add-goal':
       return length < MAX_GOALS ? { kind: 'goal', index: length } : null
+    case 'inspect':
     case 'pan':
       return null
   }

@@ -33,15 +33,28 @@ export const STRIDE = 10
 export function keyboardHandler(
   size: ReadonlySignal<Size>,
   cursor: Signal<Cursor | null>,
+  inspect: (cell: Cell) => void,
 ): (event: KeyboardEvent) => void {
   return (event) => {
     const now = scenario.peek()
     if (now === null || event.altKey || event.metaKey) return
-    if (handle(event, now, size.peek(), cursor)) {
+    if (handleInspection(event, now, cursor, inspect) || handle(event, now, size.peek(), cursor)) {
       event.preventDefault()
       event.stopPropagation()
     }
   }
+}
+
+/** With the tool that looks into cells, Enter and x do. True when the key was one of them. */
+export function handleInspection(
+  { key }: KeyboardEvent,
+  now: Scenario,
+  cursor: Signal<Cursor | null>,
+  inspect: (cell: Cell) => void,
+): boolean {
+  if (tool.peek() !== 'inspect' || (key !== 'Enter' && key !== 'x')) return false
+  inspect(cursor.peek()?.cell ?? now.spec.start)
+  return true
 }
 
 /** True when the key was the stage's. */

@@ -1,5 +1,6 @@
 /** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
-import type { Layer, Run, ScenarioSpec } from '@pkg/formicarium'
+import type { Run } from '@pkg/core/formicarium'
+import type { Layer, ScenarioSpec } from '@pkg/formicarium'
 import type { View } from '../messages'
 import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'

@@ -23,10 +23,14 @@ interface Drawing {
 
 const ZOOM_PER_PIXEL = 1.0016
 const PINCH_GRACE_MS = 90
+/** A press that has gone no further is a click; CSS pixels. */
+const CLICK_SLOP = 5
 
 export class PointerInput {
   private drawing: Drawing | null = null
   private readonly hold = new MapHold()
+  /** A press with the tool that looks into cells. */
+  private looking: { pointerId: number; at: Point } | null = null
   private requested = 0
   private readonly listening = new AbortController()
 
@@ -34,6 +38,7 @@ export class PointerInput {
     private readonly element: HTMLElement,
     private readonly size: ReadonlySignal<CanvasSize>,
     private readonly cursor: Signal<Cursor | null>,
+    private readonly inspect: (cell: Cell) => void,
   ) {
     const { signal } = this.listening
     element.addEventListener('pointerdown', (event) => this.down(event), { signal })
@@ -54,15 +59,31 @@ export class PointerInput {
     const at = this.point(event)
     this.element.setPointerCapture(event.pointerId)
     const end = this.endAt(event, at)
+    const looks = event.button === 0 && tool.peek() === 'inspect'
+    const pans = event.button === 0 && tool.peek() === 'pan' && end === null
+    this.looking = null
     if (this.drawing !== null || this.hold.active) {
       this.joinPinch(event.pointerId, at)
-    } else if (
-      event.button === 1 ||
-      (event.button === 0 && tool.peek() === 'pan' && end === null)
-    ) {
+    } else if (event.button === 1 || pans || looks) {
       event.preventDefault()
+      // The focus goes with the click all the same: keys are for this map from now on.
+      if (looks) this.element.focus()
       this.hold.take(event.pointerId, at)
+      if (looks) this.looking = { pointerId: event.pointerId, at }
     } else if (event.button === 0) this.begin(event, at, end)
+  }
+
+  /** A press that has not shifted the map looks into its cell. */
+  private look(event: PointerEvent): void {
+    const { looking } = this
+    if (looking?.pointerId !== event.pointerId) return
+    this.looking = null
+    const [x, y] = this.point(event)
+    const slop = CLICK_SLOP * this.size.peek().dpr
+    if (Math.hypot(x - looking.at[0], y - looking.at[1]) > slop) return
+    const now = scenario.peek()
+    const cell = this.cell(looking.at)
+    if (now && isInside(now, cell)) this.inspect(cell)
   }
 
   private begin(event: PointerEvent, at: Point, end: Grabbed | null): void {
@@ -101,6 +122,7 @@ export class PointerInput {
 
   private up(event: PointerEvent): void {
     this.hold.drop(event.pointerId)
+    if (event.type === 'pointerup') this.look(event)
     if (event.pointerType === 'touch') this.cursor.value = null
     if (this.drawing?.pointerId !== event.pointerId) return
     this.draw()

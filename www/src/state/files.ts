@@ -14,6 +14,7 @@ import { autoplay, currentSession, loadSession } from './sessions'
 import { suitSpeed } from './speed'
 import { engineVersion, scenario } from './store'
 import { importPart, offerTerrain, type TerrainFile } from './terrain_files'
+import { showView } from './view'
 
 export interface ScenChoice {
   fileName: string
@@ -39,8 +40,14 @@ interface Opening {
 
 /** Opens what a file holds; refusals are thrown, and leave the page as it was. */
 async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}): Promise<void> {
+  if (isPicture(bytes)) {
+    const { textOfPng } = await import('../share/png')
+    return openText(await textOfPng(bytes))
+  }
   const kind = await tools.sniff(bytes, name)
   if (kind === 'experiment') await openExperiment(bytes)
+  else if (kind === 'comparison') await openInLab(new TextDecoder().decode(bytes))
+  else if (kind === 'results') await takeInLab(bytes, name)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
   else if (RASTERS.includes(kind) && !opening.unasked) await offerTerrain(bytes, name)
   else await openMap(bytes, name, opening)
@@ -48,8 +55,12 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
 export async function openText(text: string, opening: Opening = {}): Promise<void> {
-  const fragment = /#x=[\w-]+/.exec(text)?.[0]
-  if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
+  // A file may well mention a link.
+  const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
+  if (fragment?.startsWith('#q')) {
+    const { decodeFragment } = await import('../lab/share/link')
+    await openInLab(await decodeFragment(fragment))
+  } else if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
   else await openFile(new TextEncoder().encode(text), t('maps.pastedName'), opening)
 }
 
@@ -75,7 +86,25 @@ async function openExperiment(bytes: Uint8Array): Promise<void> {
   replay(await sessionFromFile(new TextDecoder().decode(bytes)))
 }
 
+/** A comparison of many runs. */
+async function openInLab(text: string): Promise<void> {
+  const { openLabDocument } = await import('../lab')
+  showView('lab')
+  await openLabDocument(text)
+}
+
+/** Runs that were made elsewhere. */
+async function takeInLab(bytes: Uint8Array, name: string): Promise<void> {
+  const { takeOwnResults } = await import('../lab')
+  showView('lab')
+  await takeOwnResults(name, bytes)
+}
+
+/** PNG, as its first bytes say. */
+const isPicture = (bytes: Uint8Array) => bytes[0] === 137 && bytes[1] === 80
+
 function replay(session: Session): void {
+  showView('race')
   loadSession(session)
   autoplay()
 }
@@ -173,7 +202,7 @@ function showMap(imported: Imported, name: string): void {
   })
 }
 
-function toScenario({ spec, cells, heights }: Imported, name: string): Scenario {
+export function toScenario({ spec, cells, heights }: Imported, name: string): Scenario {
   return {
     spec: { ...spec, name: spec.name || name },
     cells,

@@ -18,7 +18,7 @@ import {
 let nextId = 1
 
 export function makePanel(setup: PanelSetup, slot: number): Panel {
-  return { id: nextId++, slot, setup, live: signal(blankLive()) }
+  return { id: nextId++, slot, setup, live: signal(blankLive()), past: signal(null) }
 }
 
 export const bareSetup = (planner: string): PanelSetup => ({

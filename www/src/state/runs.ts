@@ -4,6 +4,7 @@ import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../messages'
 import type { Scenario } from '../session'
 import { clearLive, flushLive, forget, onReply } from './live'
+import { leavePast } from './looking'
 import { fetchRest } from './rest'
 import {
   liveTick,
@@ -33,6 +34,7 @@ let lastRunId = 0
 export function play(): void {
   if (!scenario.peek() || panels.peek().length === 0) return
   if (phase.peek() === 'running') return
+  leavePast()
   if (phase.peek() === 'finished') reset()
   phase.value = 'running'
   conductor.play()
@@ -58,6 +60,7 @@ export function stepIteration(): void {
 
 export function runToEnd(): void {
   if (!scenario.peek() || panels.peek().length === 0 || phase.peek() === 'finished') return
+  leavePast()
   phase.value = 'running'
   conductor.runToEnd()
 }
@@ -65,6 +68,7 @@ export function runToEnd(): void {
 /** Every run back to its beginning, on the same map with the same seed. */
 export function reset(): void {
   conductor.pause()
+  leavePast()
   const now = scenario.peek()
   if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchRest()
   batch(() => {
@@ -100,6 +104,7 @@ function step(by: () => void): void {
   if (!scenario.peek() || phase.peek() === 'finished') return
   // Steps wait in line; pausing would clear it, so only playing is paused.
   if (phase.peek() === 'running') pause()
+  leavePast()
   phase.value = 'paused'
   by()
 }

@@ -13,7 +13,7 @@ import { plainTerrain } from '../maps/terrain'
 import { MAX_GOALS, type Origin, type Scenario } from '../session'
 import { createHistory } from '../stage/history'
 import { fitView } from '../stage/view'
-import { announce, notify } from './notices'
+import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
 import { fetchRest } from './rest'
 import { pause, play, reset, restart } from './runs'
@@ -126,6 +126,16 @@ export async function openGallery(id: string): Promise<void> {
   batch(() => {
     if (entry.racers) letRace(entry.racers, entry.group)
     setScenario(opened, { undoable: true })
+  })
+  if (entry.group === 'papers') offerQuestion()
+}
+
+/** What the paper reports can be asked again, over many runs. */
+function offerQuestion(): void {
+  const run = () =>
+    void import('../lab').then(({ showPublished }) => showPublished()).catch(notifyError)
+  notify('info', t('notices.paperReported'), {
+    action: { label: t('notices.paperReproduced'), run },
   })
 }
 

@@ -9,7 +9,7 @@ import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live'
 import { notify, notifyError } from './notices'
 import { bareSetup, makePanel, removePanel } from './panels'
-import { dropRun, pause, play, reset, restart, runSetup } from './runs'
+import { dropRun, pause, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -26,6 +26,7 @@ import {
   speed,
   sync,
 } from './store'
+import { playWhenShown } from './view'
 
 const FIRST_PLANNERS = ['ant-system', 'astar']
 const FIRST_MAP = 'two-corridors'
@@ -115,7 +116,7 @@ export function firstSession(): Session {
 /** Plays at once, or, when the reader prefers less motion, after the first key or click. */
 export function autoplay(): void {
   if (!reducedMotion()) {
-    play()
+    playWhenShown()
     return
   }
   notify('info', t('notices.calm'), { hint: t('notices.calmHint') })
@@ -124,7 +125,7 @@ export function autoplay(): void {
     removeEventListener('keydown', start)
     // After the click's own effect: the play button must not be undone by this.
     setTimeout(() => {
-      if (phase.peek() === 'editing') play()
+      if (phase.peek() === 'editing') playWhenShown()
     })
   }
   addEventListener('click', start)

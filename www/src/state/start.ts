@@ -8,6 +8,7 @@ import { watchScenario } from './optimum'
 import { fetchRestWhenIdle } from './rest'
 import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
 import { catalog, engineVersion, rest, startError } from './store'
+import { followAddress } from './view'
 
 let watching = false
 
@@ -36,6 +37,7 @@ function watch(): void {
     if (rest.value === 'here') untracked(admitWaiting)
   })
   addEventListener('hashchange', async () => {
+    followAddress()
     if (await openFragment(location.hash)) autoplay()
   })
 }

@@ -43,12 +43,14 @@ export interface Panel {
   slot: number
   setup: PanelSetup
   live: Signal<PanelLive>
+  /** What it had reached at the iteration that is looked at; null while nobody looks back. */
+  past: Signal<PanelLive | null>
 }
 
 /** Of the engine: not asked for · on its way · in the catalog · not to be had, until asked for again */
 export type Rest = 'absent' | 'fetching' | 'here' | 'failed'
 
-export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'pan'
+export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'inspect' | 'pan'
 
 export const catalog = signal<Catalog | null>(null)
 /** Whether the catalog is complete: at first it has what the core of the engine knows. */

@@ -1,4 +1,4 @@
-import { BrickWall, CircleDot, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
+import { BrickWall, CircleDot, Compass, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
 import { t } from '../i18n'
 import { goalName } from '../maps/goals'
 import { activeGoal, canRedo, canUndo, redo, scenario, type Tool, tool, undo } from '../state'
@@ -10,6 +10,7 @@ const TOOLS = [
   { id: 'start', icon: CircleDot, keys: 'S' },
   { id: 'goal', icon: Flag, keys: 'G' },
   { id: 'add-goal', icon: MapPinPlus, keys: 'A' },
+  { id: 'inspect', icon: Compass, keys: 'I' },
   { id: 'pan', icon: Hand, keys: 'H' },
 ] as const satisfies { id: Tool; icon: unknown; keys: string }[]
 

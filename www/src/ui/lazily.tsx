@@ -4,8 +4,14 @@ import type { ComponentType } from 'preact'
 import { useEffect } from 'preact/hooks'
 import { notifyError } from '../state'
 
-/** Stands for a component; nothing is there until it has been fetched. A failed fetch is said, and tried again when shown anew. */
-export function lazily<P extends object>(fetch: () => Promise<ComponentType<P>>): ComponentType<P> {
+/**
+ * Stands for a component; nothing, or `Meanwhile`, is there until it has been fetched. A failed fetch is said, and tried again when
+ * shown anew.
+ */
+export function lazily<P extends object>(
+  fetch: () => Promise<ComponentType<P>>,
+  Meanwhile?: ComponentType,
+): ComponentType<P> {
   const fetched: Signal<ComponentType<P> | null> = signal(null)
   return (props: P) => {
     useEffect(() => {
@@ -15,6 +21,7 @@ export function lazily<P extends object>(fetch: () => Promise<ComponentType<P>>)
       }, notifyError)
     }, [])
     const Component = fetched.value
-    return Component && <Component {...props} />
+    if (!Component) return Meanwhile ? <Meanwhile /> : null
+    return <Component {...props} />
   }
 }

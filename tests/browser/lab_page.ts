@@ -1,0 +1,148 @@
+/** The laboratory as its readers use it. */
+import { expect, type Locator, type Page } from '@playwright/test'
+import type { CompareOptions, Comparison } from '../../www/src/lab/scripting'
+import { Lab } from './lab'
+
+export class Laboratory {
+  constructor(readonly page: Page) {}
+
+  /** Opens the page at the laboratory, once every planner is known. */
+  async open(): Promise<void> {
+    await this.page.goto('about:blank')
+    await this.page.goto('./#lab')
+    await this.ready()
+  }
+
+  async ready(): Promise<void> {
+    await expect(this.page.getByTestId('builder')).toBeVisible()
+    await expect(this.start).toBeEnabled()
+  }
+
+  /** Comes from the race, as most readers do. */
+  async openFromRace(): Promise<void> {
+    await new Lab(this.page).open()
+    await this.page.getByTestId('view-lab').click()
+    await this.ready()
+  }
+
+  get start(): Locator {
+    return this.page.getByTestId('lab-start')
+  }
+
+  get entries(): Locator {
+    return this.page.getByTestId(/^entry-\d+$/)
+  }
+
+  get maps(): Locator {
+    return this.page.getByTestId('draft-map')
+  }
+
+  entry(place: number): Locator {
+    return this.page.getByTestId(`entry-${place}`)
+  }
+
+  /** Exactly these planners, with their default parameters. */
+  async compare(...planners: string[]): Promise<void> {
+    for (let left = await this.entries.count(); left > 0; left--)
+      await this.entry(left).getByTestId('entry-remove').click()
+    for (const id of planners) await this.add(id)
+    await expect(this.entries).toHaveCount(planners.length)
+  }
+
+  async add(planner: string): Promise<void> {
+    await this.menu('lab-add-planner', `lab-add-${planner}`)
+  }
+
+  /** Exactly this built-in map. */
+  async on(...ids: string[]): Promise<void> {
+    const remove = this.maps.getByRole('button')
+    for (let left = await this.maps.count(); left > 0; left--) await remove.first().click()
+    for (const id of ids) await this.menu('lab-add-map', `add-map-${id}`)
+    await expect(this.maps).toHaveCount(ids.length)
+  }
+
+  async seeds(count: number, from = 1): Promise<void> {
+    await this.type('seed-count', count)
+    await this.type('seed-from', from)
+  }
+
+  /** A parameter of an entry. */
+  async set(place: number, key: string, value: string | number): Promise<void> {
+    const values = this.entry(place).locator('details')
+    if (!(await values.evaluate((one: HTMLDetailsElement) => one.open)))
+      await values.locator('summary').click()
+    await this.type(`param-${key}`, value, this.entry(place))
+  }
+
+  async type(field: string, value: string | number, within: Page | Locator = this.page) {
+    await within.getByTestId(field).fill(String(value))
+    await within.getByTestId(field).press('Enter')
+  }
+
+  async menu(menu: string, item: string): Promise<void> {
+    await this.page.getByTestId(menu).click()
+    await this.page.getByTestId(item).click()
+  }
+
+  async run(): Promise<void> {
+    await this.start.click()
+    await expect(this.page.getByTestId('run-bar')).toBeVisible()
+  }
+
+  phase(): Promise<string | null> {
+    return this.page.getByTestId('lab').getAttribute('data-phase')
+  }
+
+  async finished(timeout = 60_000): Promise<void> {
+    await expect(this.page.getByTestId('lab')).toHaveAttribute('data-phase', 'done', { timeout })
+  }
+
+  /** Runs that are done, by the bar. */
+  async done(): Promise<number> {
+    return Number(await this.page.getByTestId('lab-progress').getAttribute('aria-valuenow'))
+  }
+
+  async words(): Promise<string> {
+    return (await this.page.getByTestId('run-words').textContent()) ?? ''
+  }
+
+  /** By the scripting interface: with what result files say. */
+  script(options: CompareOptions = {}): Promise<Comparison> {
+    return this.page.evaluate((given) => window.formicarium.compare(given), options)
+  }
+}
+
+interface Asked {
+  entries: { id: string; planner: string; set?: Record<string, number | string | boolean> }[]
+  seeds: number
+  rows?: string[]
+}
+
+const ROWS = ['.......@', '.@@@@..@', '.@......', '...@@@..', '.@......', '.@..@@@.', '........']
+
+/** A document to be run: one small map, unless it has rows of its own. */
+export function documentText({ entries, seeds, rows = ROWS }: Asked): string {
+  const [width, height] = [rows[0]?.length ?? 0, rows.length]
+  return JSON.stringify({
+    format: 'formicarium/comparison@1',
+    question: {
+      format: 'formicarium/question@1',
+      title: 'Small',
+      asks: '?',
+      seeds: { from: 1, count: seeds },
+      instances: [{ id: 'small', map: 'small.json' }],
+      entries: entries.map((entry) => ({ label: entry.id, role: 'other', ...entry })),
+    },
+    maps: [
+      {
+        format: 'formicarium/scenario@1',
+        name: 'Small',
+        width,
+        height,
+        start: [0, 0],
+        goals: [{ at: [width - 1, height - 1] }],
+        map: { rows },
+      },
+    ],
+  })
+}

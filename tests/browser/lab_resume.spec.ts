@@ -1,0 +1,66 @@
+import { type BrowserContext, expect, test } from '@playwright/test'
+import { documentText, Laboratory } from './lab_page'
+
+/** Long enough that one can break it off. */
+const ASKED = documentText({
+  entries: [
+    { id: 'ants', planner: 'ant-system' },
+    { id: 'ranks', planner: 'rank-based-ant-system' },
+  ],
+  seeds: 80,
+  rows: Array.from({ length: 24 }, () => '.'.repeat(24)),
+})
+
+/** A tab whose comparison is under way. */
+async function begun(context: BrowserContext): Promise<Laboratory> {
+  const laboratory = new Laboratory(await context.newPage())
+  await laboratory.open()
+  // Nobody waits for its end.
+  await laboratory.page.evaluate((document) => {
+    void window.formicarium.compare({ document }).catch(() => {})
+  }, ASKED)
+  await expect.poll(() => laboratory.done()).toBeGreaterThan(5)
+  return laboratory
+}
+
+test('a tab closed at any moment loses nothing that was done, and what follows is the same', async ({
+  browser,
+}) => {
+  const context = await browser.newContext()
+  const first = await begun(context)
+  // Some moment, another one at every start.
+  await first.page.waitForTimeout(400 * Math.random())
+  await first.page.close()
+
+  const second = new Laboratory(await context.newPage())
+  await second.open()
+  const item = second.page.getByTestId('kept-item')
+  await expect(item).toContainText('Interrupted')
+  await item.getByTestId('kept-open').click()
+  await expect.poll(() => second.phase()).toBe('paused')
+  const kept = await second.done()
+  console.log(`${kept} of 160 runs were kept`)
+  expect(kept).toBeGreaterThan(0)
+  expect(kept).toBeLessThan(160)
+  expect(await second.words()).toContain(`${kept} from before`)
+  await second.page.getByTestId('lab-go-on').click()
+  await second.finished()
+  const resumed = await second.page.evaluate(() => window.formicarium.resultFile('json'))
+
+  const unbroken = await second.script({ document: ASKED })
+  expect(resumed).toBe(unbroken.files.json)
+  await context.close()
+})
+
+test('a reload in the middle opens the same comparison, paused', async ({ browser }) => {
+  const context = await browser.newContext()
+  const { page } = await begun(context)
+  await page.reload()
+  const laboratory = new Laboratory(page)
+  await expect.poll(() => laboratory.phase()).toBe('paused')
+  expect(await laboratory.done()).toBeGreaterThan(0)
+  await page.getByTestId('lab-go-on').click()
+  await laboratory.finished()
+  expect(await laboratory.done()).toBe(160)
+  await context.close()
+})

@@ -1,0 +1,268 @@
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import AxeBuilder from '@axe-core/playwright'
+import { expect, type Page, test } from '@playwright/test'
+import { Lab } from './lab'
+import { documentText, Laboratory } from './lab_page'
+
+const COLONIES = [
+  { id: 'ants', planner: 'ant-system', set: { iterations: 12, ants: 6 } },
+  { id: 'limits', planner: 'max-min-ant-system', set: { iterations: 12, ants: 6 } },
+  { id: 'exact', planner: 'astar' },
+]
+
+test.describe('a comparison', () => {
+  test('of what races runs to its end, is kept, and outlives a reload', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.openFromRace()
+    await expect(laboratory.entries).toHaveCount(2)
+    await laboratory.seeds(4)
+    await expect(page.getByTestId('run-count')).toHaveText(/1 map × 2 planners × 4 seeds = 8 runs/)
+    await laboratory.run()
+    await laboratory.finished()
+    expect(await laboratory.words()).toContain('All 8 runs are done')
+    const written = await page.evaluate(() => window.formicarium.resultFile('csv'))
+    expect(written.trim().split('\n')).toHaveLength(1 + 8)
+
+    await page.reload()
+    await laboratory.finished()
+    expect(await laboratory.words()).toContain('All 8 runs are done')
+    expect(await page.evaluate(() => window.formicarium.resultFile('csv'))).toBe(written)
+    await page.getByTestId('lab-back').click()
+    await expect(page.getByTestId('kept-item')).toHaveCount(1)
+    await expect(page.getByTestId('kept-item')).toContainText('Ant System – A* on Two corridors')
+  })
+
+  test('pauses, goes on, is stopped, removed, and brought back', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.compare('ant-system', 'ship')
+    await laboratory.seeds(60)
+    await laboratory.run()
+    await expect.poll(() => laboratory.done()).toBeGreaterThan(4)
+    await page.getByTestId('lab-pause').click()
+    await expect(page.getByTestId('run-words')).toContainText('paused')
+    const done = await laboratory.done()
+    expect(done).toBeLessThan(120)
+    await page.waitForTimeout(700)
+    expect(await laboratory.done()).toBe(done)
+    expect(await page.evaluate(() => window.formicarium.resultFile('csv'))).toMatch(
+      new RegExp(`^(.*\n){${done + 1}}$`),
+    )
+
+    await page.getByTestId('lab-go-on').click()
+    await expect.poll(() => laboratory.done()).toBeGreaterThan(done)
+    await page.getByTestId('lab-cancel').click()
+    await expect(page.getByTestId('builder')).toBeVisible()
+    const item = page.getByTestId('kept-item')
+    await expect(item).toContainText('Interrupted')
+    await item.getByTestId('kept-remove').click()
+    await expect(item).toHaveCount(0)
+    await page.getByRole('button', { name: 'Undo' }).click()
+    await expect(item).toHaveCount(1)
+    await item.getByTestId('kept-go-on').click()
+    await laboratory.finished()
+    expect(await laboratory.done()).toBe(120)
+  })
+
+  test('counts runs without a path, and says so', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.on('unreachable')
+    await laboratory.compare('ant-system', 'astar')
+    await laboratory.set(1, 'iterations', 3)
+    await laboratory.seeds(3)
+    await laboratory.run()
+    await laboratory.finished()
+    expect(await laboratory.words()).toContain('6 found no path')
+  })
+
+  test('repeats a run whose worker has stopped, and reports one that stops it twice', async ({
+    page,
+  }) => {
+    await page.addInitScript(stopWorkers, { once: [3], always: [5] })
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    const result = await laboratory.script({
+      document: documentText({ entries: COLONIES.slice(0, 1), seeds: 12 }),
+      workers: 2,
+    })
+    expect([result.runs, result.failed]).toEqual([11, 1])
+    await expect(page.getByTestId('lab-failures')).toContainText('ants · 6')
+    expect(await laboratory.phase()).toBe('paused')
+    // Whatever stopped it is gone: the last one is done as well.
+    await page.evaluate(() => {
+      ;(window as unknown as { stopped: number[] }).stopped = []
+    })
+    await page.getByTestId('lab-go-on').click()
+    await laboratory.finished()
+    expect(await laboratory.done()).toBe(12)
+    await expect(page.getByTestId('lab-failures')).toBeHidden()
+  })
+
+  test('runs all the same where the browser keeps nothing', async ({ page }) => {
+    await page.addInitScript(() => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('not here', 'SecurityError')
+      }
+    })
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await expect(page.getByTestId('kept')).toContainText('keeps nothing')
+    await laboratory.seeds(3)
+    await laboratory.run()
+    await laboratory.finished()
+    await expect(page.getByTestId('toast-warning')).toHaveCount(1)
+    await expect(page.getByTestId('toast-warning')).toContainText('does not keep the runs')
+  })
+
+  test('is run by one tab at a time', async ({ page, context }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.compare('ant-system', 'elitist-ant-system')
+    await laboratory.seeds(300)
+    await laboratory.run()
+    await expect.poll(() => laboratory.done()).toBeGreaterThan(2)
+
+    const other = new Laboratory(await context.newPage())
+    await other.open()
+    await other.page.getByTestId('kept-item').getByTestId('kept-open').first().click()
+    await expect(other.page.getByTestId('lab-elsewhere')).toBeVisible()
+    await expect(other.page.getByTestId('lab-go-on')).toBeDisabled()
+    await page.getByTestId('lab-pause').click()
+    await expect(other.page.getByTestId('lab-elsewhere')).toBeHidden()
+    expect(await other.done()).toBe(await laboratory.done())
+    await expect(other.page.getByTestId('lab-go-on')).toBeEnabled()
+  })
+})
+
+test.describe('result files', () => {
+  const asked = documentText({ entries: COLONIES, seeds: 6 })
+
+  test('have the same bytes whoever did the runs: one worker or four', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    const one = await laboratory.script({ document: asked, workers: 1 })
+    const four = await laboratory.script({ document: asked, workers: 4 })
+    expect(one.files).toEqual(four.files)
+    expect(one.runs).toBe(18)
+    expect(JSON.parse(one.files.json).rows).toHaveLength(18)
+  })
+
+  test('have the same bytes as those of the command line', async ({ page }) => {
+    const cli = process.env.FORMICARIUM_CLI
+    test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    const { files } = await laboratory.script({
+      document: asked,
+      command: 'formicarium compare small.json --out DIR',
+    })
+    const folder = mkdtempSync(join(tmpdir(), 'formicarium-lab-'))
+    writeFileSync(join(folder, 'small.json'), files.json)
+    execFileSync(cli ?? '', ['compare', 'small.json', '--out', 'again'], { cwd: folder })
+    const again = (name: string) => readFileSync(join(folder, 'again', name), 'utf8')
+    expect(again('small.csv')).toBe(files.csv)
+    expect(again('small.md')).toBe(files.markdown)
+    expect(again('small.tests.md')).toBe(files.tests)
+    expect(again('small.json')).toBe(files.json)
+  })
+})
+
+test('the race rests while one compares, and goes on afterwards', async ({ page }) => {
+  const lab = new Lab(page)
+  await lab.open()
+  await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  await page.getByTestId('view-lab').click()
+  await expect(page.getByTestId('play')).toBeHidden()
+  await page.waitForTimeout(300)
+  const moves = await lab.antMoves()
+  await page.keyboard.press('Space')
+  await page.waitForTimeout(500)
+  expect(await lab.antMoves()).toBe(moves)
+  expect(new URL(page.url()).hash).toBe('#lab')
+  await page.reload()
+  await expect(page.getByTestId('builder')).toBeVisible()
+  await page.getByTestId('view-race').click()
+  await expect(page.getByTestId('play')).toBeVisible()
+  await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  expect(new URL(page.url()).hash).toBe('')
+})
+
+for (const scheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing serious in the laboratory (${scheme})`, async ({ page }) => {
+    test.slow()
+    await page.emulateMedia({ colorScheme: scheme })
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.entry(1).locator('summary').click()
+    await page.getByTestId('budget-axis').selectOption('iterations')
+    await expectClean(page, 'making a comparison')
+    await laboratory.seeds(2)
+    await laboratory.run()
+    await laboratory.finished()
+    await page.getByTestId('asked').locator('summary').click()
+    await expectClean(page, 'a comparison that is done')
+    await page.getByTestId('lab-back').click()
+    await expect(page.getByTestId('kept-item')).toHaveCount(1)
+    await expectClean(page, 'with an earlier comparison')
+  })
+}
+
+test('everything fits on a phone, and axe finds nothing serious @phone', async ({ page }) => {
+  test.slow()
+  const laboratory = new Laboratory(page)
+  await laboratory.open()
+  await expectClean(page, 'making a comparison')
+  expect(await overflow(page)).toBeLessThanOrEqual(0)
+  await laboratory.seeds(2)
+  await laboratory.run()
+  await laboratory.finished()
+  await expectClean(page, 'done')
+  expect(await overflow(page)).toBeLessThanOrEqual(0)
+})
+
+test('the laboratory speaks Chinese', async ({ page }) => {
+  const laboratory = new Laboratory(page)
+  await laboratory.open()
+  await laboratory.menu('language', 'language-zh-CN')
+  await expect(laboratory.start).toContainText(/\p{Script=Han}/u)
+  await page.reload()
+  await laboratory.ready()
+  await expect(laboratory.start).toContainText(/\p{Script=Han}/u)
+  await laboratory.seeds(2)
+  await laboratory.run()
+  await laboratory.finished()
+  expect(await laboratory.words()).toMatch(/\p{Script=Han}/u)
+})
+
+/** How much wider the page is than the screen. */
+const overflow = (page: Page) =>
+  page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
+
+async function expectClean(page: Page, where: string): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze()
+  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
+  const told = serious.map(
+    ({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map((node) => node.html).join('\n  ')}`,
+  )
+  expect(told, where).toEqual([])
+}
+
+/** Lets workers stop over some runs: the first time, or whenever `window.stopped` names them. */
+function stopWorkers({ once, always }: { once: number[]; always: number[] }): void {
+  const remembered = window as unknown as { stopped: number[] }
+  remembered.stopped = always
+  const first = new Set(once)
+  const post = Worker.prototype.postMessage
+  Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
+    const { call, args } = message as { call?: string; args?: number[] }
+    const index = args?.[0] ?? -1
+    if (call === 'run' && (first.delete(index) || remembered.stopped.includes(index)))
+      // Once it is its turn: those before it are done by then.
+      setTimeout(() => this.dispatchEvent(new ErrorEvent('error', { message: 'stopped' })), 300)
+    else Reflect.apply(post, this, [message, ...rest])
+  }
+}

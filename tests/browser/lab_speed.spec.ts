@@ -1,0 +1,53 @@
+import { cpus, loadavg } from 'node:os'
+import { expect, test } from '@playwright/test'
+import { Laboratory } from './lab_page'
+
+const SIX = [
+  'ant-system',
+  'elitist-ant-system',
+  'rank-based-ant-system',
+  'max-min-ant-system',
+  'ant-colony-system',
+  'ship',
+]
+
+/** Numbers to read, not to pass: they depend on the machine and on what else it does. */
+const machine = () => `${cpus().length} processors, load ${loadavg()[0]?.toFixed(1)}`
+
+test('six planners with 30 seeds on a 20 × 20 map', async ({ page }) => {
+  test.slow()
+  const laboratory = new Laboratory(page)
+  await laboratory.open()
+  await laboratory.on('aco-20x20')
+  await laboratory.compare(...SIX)
+  await laboratory.seeds(30)
+  const began = performance.now()
+  await laboratory.run()
+  await laboratory.finished(120_000)
+  const seconds = (performance.now() - began) / 1000
+  console.log(`180 runs of six planners: ${seconds.toFixed(1)} s (${machine()})`)
+  expect(await laboratory.done()).toBe(180)
+})
+
+test('100 seeds of one planner on one worker and on all', async ({ page }) => {
+  test.slow()
+  const laboratory = new Laboratory(page)
+  await laboratory.open()
+  await laboratory.on('aco-20x20')
+  await laboratory.compare('ant-system')
+  await laboratory.set(1, 'iterations', 400)
+  await laboratory.seeds(100)
+  await laboratory.run()
+  await laboratory.finished(120_000)
+  const document = await page.evaluate(() => window.formicarium.resultFile('json'))
+  const { rows: _, recorded: __, ...asked } = JSON.parse(document)
+  const seconds = async (workers?: number) => {
+    const options = { document: JSON.stringify(asked), ...(workers && { workers }) }
+    const result = await laboratory.script(options)
+    expect([result.runs, result.failed]).toEqual([100, 0])
+    return result.seconds
+  }
+  const [one, all] = [await seconds(1), await seconds()]
+  const words = `${one.toFixed(1)} s on one worker, ${all.toFixed(1)} s on all`
+  console.log(`100 runs: ${words}, ${(one / all).toFixed(2)} times as fast (${machine()})`)
+})

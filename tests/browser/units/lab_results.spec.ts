@@ -1,0 +1,127 @@
+import { expect, test } from '@playwright/test'
+import { endsOf, limitsOf, placed } from '../../../www/src/lab/figures/limits'
+import { jitter, whiskers } from '../../../www/src/lab/figures/points'
+import { groups } from '../../../www/src/lab/figures/rank_groups'
+import { symbolPath } from '../../../www/src/lab/figures/symbols'
+import { compared, effectOf } from '../../../www/src/lab/results/compared'
+
+const pair = (first: number, second: number, holm: number) => ({ first, second, p: holm / 2, holm })
+const point = (x: number, lower: number | null, median: number | null, upper: number | null) => ({
+  x,
+  lower,
+  median,
+  upper,
+})
+
+test.describe('figures of results', () => {
+  test('bars join neighbours of which no two differ', () => {
+    const order = [4, 0, 2, 1].map((entry) => ({ entry }))
+    // 4 and 1 differ, and so do 4 and 2: 4 with 0, and 0 with 2 and 1.
+    const pairs = [
+      pair(1, 4, 0.01),
+      pair(2, 4, 0.04),
+      pair(0, 4, 0.3),
+      pair(0, 1, 0.05),
+      pair(1, 2, 1),
+    ]
+    expect(groups(order, { pairs })).toEqual([
+      [0, 1],
+      [1, 3],
+    ])
+    expect(groups(order, { pairs: [] })).toEqual([[0, 3]])
+    const all = order.flatMap((a, i) =>
+      order.slice(i + 1).map((b) => pair(a.entry, b.entry, 0.001)),
+    )
+    expect(groups(order, { pairs: all })).toEqual([])
+  })
+
+  test('a run stands where its seed puts it', () => {
+    const heights = Array.from({ length: 200 }, (_, seed) => jitter(seed))
+    expect(Math.min(...heights)).toBeGreaterThanOrEqual(-1)
+    expect(Math.max(...heights)).toBeLessThan(1)
+    expect(new Set(heights).size).toBe(200)
+    expect(jitter(17)).toBe(jitter(17))
+  })
+
+  test('whiskers stop at the last run within 1.5 interquartile ranges', () => {
+    // Quartiles 10 and 12: whiskers reach from 7 to 15 at most. 16 is beyond, a run without a path is nowhere.
+    const summary = { lower: 10, upper: 12 } as Parameters<typeof whiskers>[1]
+    expect(whiskers([7.5, 10, null, 11, 12, 14, 16], summary)).toEqual({ low: 7.5, high: 14 })
+    expect(whiskers([10, 12], summary)).toEqual({ low: 10, high: 12 })
+  })
+
+  test('what took no effort is drawn at the edge of a logarithmic scale', () => {
+    const ends = endsOf([0, 40, 5, 300], true)
+    expect(ends).toEqual({ first: 5, last: 300 })
+    expect(endsOf([0, 40, 5, 300], false)).toEqual({ first: 0, last: 300 })
+    expect(endsOf([0, 0], true)).toEqual({ first: 1, last: 10 })
+    expect(placed([{ x: 0, y: 3 }], ends)).toEqual([{ x: 5, y: 3 }])
+    // Of what happened before the first place in sight, the last counts.
+    const steps = [1, 4, 9].map((x) => ({ x, y: -x }))
+    expect(placed(steps, ends)).toEqual([
+      { x: 5, y: -4 },
+      { x: 9, y: -9 },
+    ])
+  })
+
+  test('first paths that are far too long are cut off, and only they', () => {
+    const long = [point(1, 60, 80, null), point(9, 29, 30, 31)]
+    const short = [point(1, 33, 35, 40), point(9, 28, 28, 28.5)]
+    // 2.5 times 31 − 28 above 31.
+    expect(limitsOf([long, short], [28])).toMatchObject({ high: 38.5, most: 80 })
+    expect(limitsOf([short], [28])).toMatchObject({ most: 40 })
+    const close = [point(1, 28.4, 28.5, 28.6), point(9, 28, 28, 28.5)]
+    expect(limitsOf([close], [])).toMatchObject({ high: 28.6, most: 28.6 })
+  })
+
+  test('a test reads the same from both sides', () => {
+    const test = { statistic: 3, p: 0.01 }
+    const only = {
+      first: 2,
+      second: 5,
+      a12: 0.8,
+      paired: true,
+      wilcoxon: test,
+      wilcoxon_holm: 0.02,
+      mann_whitney: test,
+      mann_whitney_holm: 0.03,
+    }
+    // A = 0.8: a run of the first is mostly the better one.
+    const map = { pairs: [only] }
+    expect(compared(map, 2, 5, 'wilcoxon')).toEqual({ better: 0.8, p: 0.02, paired: true })
+    expect(compared(map, 5, 2, 'mann-whitney')?.better).toBeCloseTo(0.2, 12)
+    expect(compared(map, 5, 2, 'mann-whitney')?.p).toBe(0.03)
+    expect(compared(map, 2, 2, 'wilcoxon')).toBeNull()
+  })
+
+  test('words for A are those of Vargha and Delaney', () => {
+    expect([0.5, 0.55, 0.57, 0.63, 0.65, 0.7, 0.72, 0.28, 0.02].map(effectOf)).toEqual([
+      'negligible',
+      'negligible',
+      'small',
+      'small',
+      'medium',
+      'medium',
+      'large',
+      'large',
+      'large',
+    ])
+  })
+
+  test('symbols are closed shapes about their middle', () => {
+    for (const name of [
+      'circle',
+      'square',
+      'triangle',
+      'falling',
+      'star',
+      'hexagon',
+      'cross',
+      'diamond',
+    ] as const) {
+      const path = symbolPath(name, 4)
+      expect(path).toMatch(/^M.*Z$/)
+      expect(path).not.toMatch(/NaN|undefined/)
+    }
+  })
+})

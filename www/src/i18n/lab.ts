@@ -1,0 +1,23 @@
+/** `t` for the laboratory, whose words are fetched with it. */
+import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
+import { enLab } from './en_lab'
+import { enLabResults } from './en_lab_results'
+import { enLabShare } from './en_lab_share'
+
+const english = { lab: { ...enLab, ...enLabResults, ...enLabShare } }
+
+export type LabKey = TextKey | KeyOf<typeof english>
+
+export const t = tOfPage as (key: LabKey, args?: Record<string, unknown>) => string
+
+/** Before anything of the laboratory is shown. */
+export const addLabWords = () => addWords(english, fetchChinese)
+
+async function fetchChinese(): Promise<object> {
+  const [{ zhCNLab }, { zhCNLabResults }, { zhCNLabShare }] = await Promise.all([
+    import('./zh_cn_lab'),
+    import('./zh_cn_lab_results'),
+    import('./zh_cn_lab_share'),
+  ])
+  return { lab: { ...zhCNLab, ...zhCNLabResults, ...zhCNLabShare } }
+}

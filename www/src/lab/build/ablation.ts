@@ -1,0 +1,36 @@
+/** One click: a planner as it is, and without each of its components. */
+import type { CatalogEntry, ComponentEntry } from '@pkg/formicarium'
+import { tools } from '../../engine/tools'
+import { engineText } from '../../i18n'
+import { t } from '../../i18n/lab'
+import { plannerName } from '../../panels/planner_text'
+import { plannerEntry } from '../../state'
+import type { Contender } from '../document'
+import { type DraftEntry, setEntries } from './draft'
+
+/** What the id of an entry without a component begins with. */
+const WITHOUT = 'without-'
+
+/** The entries of an ablation in the place of all others; the engine knows which components these values leave. */
+export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {
+  const known = plannerEntry(planner)
+  if (!known) return
+  const entries = JSON.parse(await tools.ablation(planner, preset, params)) as Contender[]
+  const drafts = entries.map(({ id, label, set }) => ({
+    planner,
+    preset,
+    params: set ?? {},
+    label: labelOf(id, known) ?? label,
+    id,
+  }))
+  setEntries(drafts, plannerName(known))
+}
+
+/** In the reader's language. */
+function labelOf(id: string, known: CatalogEntry): string | null {
+  if (!id.startsWith(WITHOUT)) return t('lab.build.full', { planner: plannerName(known) })
+  const component = known.components.find((each) => id === `${WITHOUT}${each.id}`)
+  return component ? t('lab.build.without', { component: componentName(component) }) : null
+}
+
+const componentName = ({ id, name }: ComponentEntry) => engineText(`components.${id}.name`, name)

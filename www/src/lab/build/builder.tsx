@@ -1,0 +1,117 @@
+/** A new experiment: maps × planners × seeds, and what a run may spend. */
+import { Play, RotateCcw } from 'lucide'
+import { useEffect, useId, useState } from 'preact/hooks'
+import { numbers } from '../../i18n'
+import { t } from '../../i18n/lab'
+import { catalog, rest, scenario } from '../../state'
+import { Button } from '../../ui/buttons'
+import { FormError } from '../../ui/form_error'
+import { withOwnFiles } from '../own/files'
+import { startStudy } from '../state'
+import { BudgetFields } from './budget'
+import { compose } from './compose'
+import { entries, fillOnce, maps, refusal, runs, seeds, takeRace, title } from './draft'
+import { Entries } from './entries'
+import { titleOf } from './labels'
+import { Maps } from './maps'
+import { isShownElsewhere } from './refusals'
+
+export function Builder() {
+  const ready = scenario.value !== null && catalog.value !== null
+  useEffect(() => {
+    if (ready) fillOnce()
+  }, [ready])
+  return (
+    <section class="lab-card builder" aria-label={t('lab.build.title')} data-testid="builder">
+      <header class="builder-head">
+        <h3>{t('lab.build.title')}</h3>
+        <span data-tip={t('lab.build.takeRaceHint')}>
+          <Button
+            icon={RotateCcw}
+            label={t('lab.build.takeRace')}
+            tone="quiet"
+            testId="take-race"
+            onClick={takeRace}
+          />
+        </span>
+      </header>
+      <Maps />
+      <Entries />
+      <BudgetFields />
+      <TitleField />
+      <StartBar />
+    </section>
+  )
+}
+
+function TitleField() {
+  const id = useId()
+  return (
+    <div class="builder-row">
+      <label class="field-label" for={id}>
+        {t('lab.build.name')}
+      </label>
+      <input
+        id={id}
+        class="input title-input"
+        type="text"
+        maxLength={120}
+        value={title.value ?? ''}
+        placeholder={titleOf()}
+        data-testid="study-title"
+        onInput={(event) => {
+          title.value = event.currentTarget.value || null
+        }}
+      />
+    </div>
+  )
+}
+
+function StartBar() {
+  const [busy, setBusy] = useState(false)
+  const count = runs.value
+  const start = async () => {
+    setBusy(true)
+    refusal.value = null
+    try {
+      await startStudy(await withOwnFiles(await compose()))
+    } catch (error) {
+      refusal.value = error
+    }
+    setBusy(false)
+  }
+  return (
+    <footer class="start-bar">
+      <p class="hint" data-testid="run-count">
+        {count > 0 ? sum() : ''}
+      </p>
+      {refusal.value !== null && !isShownElsewhere(refusal.value) && (
+        <FormError error={refusal.value} />
+      )}
+      <Button
+        icon={Play}
+        label={t('lab.build.run', { runs: runWords() })}
+        tone="primary"
+        testId="lab-start"
+        busy={busy}
+        disabled={count === 0 || rest.value === 'fetching'}
+        onClick={() => void start()}
+      />
+    </footer>
+  )
+}
+
+function sum(): string {
+  return t('lab.build.count', {
+    maps: t('lab.build.mapCount', { count: maps.value.length }),
+    planners: t('lab.build.plannerCount', { count: entries.value.length }),
+    seeds: t('lab.build.seedCount', { count: seeds.value.count }),
+    runs: runWords(),
+  })
+}
+
+/** i18next picks the plural by the number; what is shown is grouped. */
+function runWords(): string {
+  const words = t('lab.build.runCount', { count: runs.value })
+  return words.replace(String(runs.value), numbers.value.whole.format(runs.value))
+}

@@ -1,0 +1,179 @@
+/** What is going to be asked, while it is being put together. */
+import { batch, computed, effect, signal, untracked } from '@preact/signals'
+import { mapName } from '../../maps/map_menu'
+import type { ParamValues } from '../../messages'
+import { namesakeMark, plannerName } from '../../panels/planner_text'
+import type { Scenario } from '../../session'
+import { panels, plannerEntry, scenario, view } from '../../state'
+import type { Budget } from '../document'
+
+export interface DraftMap {
+  key: number
+  name: string
+  scenario: Scenario
+}
+
+export interface DraftEntry {
+  key: number
+  planner: string
+  preset: string | null
+  /** Only the values that differ from the catalog's defaults. */
+  params: ParamValues
+  /** As the reader wrote it; null: by its planner. */
+  label: string | null
+  /** Of an ablation: which entry it is. */
+  id: string | null
+}
+
+export const MAX_SEEDS = 100_000
+const USUAL_SEEDS = 30
+
+export const maps = signal<DraftMap[]>([])
+export const entries = signal<DraftEntry[]>([])
+export const seeds = signal({ from: 1, count: USUAL_SEEDS })
+export const budget = signal<Budget | null>(null)
+/** Every planner goes on until the budget is spent, whatever its own parameters say. */
+export const untilBudget = signal(false)
+/** As the reader wrote it; null: by what is compared. */
+export const title = signal<string | null>(null)
+/** Of a planner whose components are looked at: its name. */
+export const ablated = signal<string | null>(null)
+/** What the engine said when it was to start. */
+export const refusal = signal<unknown>(null)
+
+let nextKey = 1
+let filled = false
+
+/** Maps and planners of the race, at first. */
+export function fillOnce(): void {
+  if (filled || !scenario.peek()) return
+  filled = true
+  takeRace()
+}
+
+/** A map that somebody drops or pastes while making a comparison belongs to it. */
+export function takeMapsThatCome(): void {
+  effect(() => {
+    scenario.value
+    if (filled && view.peek() === 'lab') untracked(addCurrentMap)
+  })
+}
+
+/** The map and the planners that race now, with their values. */
+export function takeRace(): void {
+  batch(() => {
+    maps.value = []
+    addCurrentMap()
+    entries.value = panels.peek().map(({ id, setup: { planner, preset, params } }) => ({
+      key: nextKey++,
+      planner,
+      preset,
+      params,
+      label: raceLabel(id, planner),
+      id: null,
+    }))
+    ablated.value = null
+    title.value = null
+    refusal.value = null
+  })
+}
+
+export interface Filling {
+  maps: Omit<DraftMap, 'key'>[]
+  entries: Omit<DraftEntry, 'key'>[]
+  seeds: { from: number; count: number }
+  budget: Budget | null
+  ablated: string | null
+}
+
+/** Something else altogether. */
+export function fillWith(all: Filling): void {
+  change(() => {
+    filled = true
+    maps.value = all.maps.map((map) => ({ ...map, key: nextKey++ }))
+    entries.value = all.entries.map((entry) => ({ ...entry, key: nextKey++ }))
+    seeds.value = all.seeds
+    budget.value = all.budget
+    untilBudget.value = false
+    ablated.value = all.ablated
+    title.value = null
+  })
+}
+
+/** Two panels of one planner are told apart as they are in the race. */
+function raceLabel(panelId: number, planner: string): string | null {
+  const entry = plannerEntry(planner)
+  const mark = namesakeMark(panelId)
+  return entry && mark ? `${plannerName(entry)}${mark}` : null
+}
+
+export function addCurrentMap(): void {
+  const now = scenario.peek()
+  if (now) addMap(mapName(), now)
+}
+
+/** The same map twice would tell nothing new. */
+export function addMap(name: string, added: Scenario): void {
+  if (maps.peek().some((map) => map.scenario === added)) return
+  change(() => {
+    maps.value = [...maps.peek(), { key: nextKey++, name, scenario: added }]
+  })
+}
+
+export function removeMap(key: number): void {
+  change(() => {
+    maps.value = maps.peek().filter((map) => map.key !== key)
+  })
+}
+
+export function addEntry(planner: string): void {
+  const added = { key: nextKey++, planner, preset: null, params: {}, label: null, id: null }
+  change(() => {
+    entries.value = [...entries.peek(), added]
+  })
+}
+
+/** The same once more, to be changed in one value. */
+export function copyEntry(key: number): void {
+  change(() => {
+    entries.value = entries.peek().flatMap((entry) => {
+      if (entry.key !== key) return [entry]
+      return [entry, { ...entry, key: nextKey++, label: null, id: null }]
+    })
+  })
+}
+
+export function removeEntry(key: number): void {
+  change(() => {
+    entries.value = entries.peek().filter((entry) => entry.key !== key)
+  })
+}
+
+export function changeEntry(key: number, changes: Partial<Omit<DraftEntry, 'key'>>): void {
+  change(() => {
+    entries.value = entries
+      .peek()
+      .map((entry) => (entry.key === key ? { ...entry, ...changes } : entry))
+  })
+}
+
+/** Other entries altogether. */
+export function setEntries(all: Omit<DraftEntry, 'key'>[], ofPlanner: string | null): void {
+  change(() => {
+    entries.value = all.map((entry) => ({ ...entry, key: nextKey++ }))
+    ablated.value = ofPlanner
+    title.value = null
+  })
+}
+
+/** What was refused may fit now. */
+export function change(how: () => void): void {
+  batch(() => {
+    refusal.value = null
+    how()
+  })
+}
+
+export const runs = computed(
+  () => maps.value.length * entries.value.length * Math.max(0, seeds.value.count),
+)

@@ -1,0 +1,95 @@
+/** What is compared: planners with their parameters. */
+import type { CatalogEntry } from '@pkg/formicarium'
+import { Plus, RotateCw } from 'lucide'
+import { t } from '../../i18n/lab'
+import { FAMILIES, plannerName, plannerSummary, whyNot } from '../../panels/planner_text'
+import { catalog, fetchRest, rest } from '../../state'
+import { Icon } from '../../ui/icon'
+import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
+import { OwnFiles, OwnResults } from '../own/own_results'
+import { instanceIds } from './compose'
+import { addEntry, entries, maps } from './draft'
+import { EntryRow } from './entry_row'
+
+export function Entries() {
+  return (
+    <fieldset class="builder-part">
+      <legend>{t('lab.build.planners')}</legend>
+      <ul class="draft-entries">
+        {entries.value.map((entry, place) => (
+          <EntryRow key={entry.key} entry={entry} place={place} />
+        ))}
+      </ul>
+      {entries.value.length === 0 && <p class="hint">{t('lab.build.noPlanners')}</p>}
+      <OwnFiles />
+      <div class="add-entries">
+        <AddEntry />
+        <OwnResults maps={places()} />
+      </div>
+    </fieldset>
+  )
+}
+
+function places() {
+  const ids = instanceIds()
+  return maps.value.map(({ name }, at) => ({ id: ids[at] ?? '', name }))
+}
+
+function AddEntry() {
+  return (
+    <Menu
+      label={t('lab.build.addPlanner')}
+      testId="lab-add-planner"
+      face={
+        <span class="menu-face">
+          <Icon icon={Plus} size={16} />
+          <span>{t('lab.build.addPlanner')}</span>
+        </span>
+      }
+    >
+      {FAMILIES.map((family) => (
+        <Family key={family} of={planners(family)} heading={t(`family.${family}`)} />
+      ))}
+      {rest.value === 'fetching' && <MenuHeading text={t('panels.fetchingMore')} />}
+      {rest.value === 'failed' && (
+        <MenuItem
+          icon={RotateCw}
+          label={t('panels.fetchMore')}
+          note={t('panels.moreNotFetched')}
+          onClick={fetchRest}
+        />
+      )}
+    </Menu>
+  )
+}
+
+const planners = (family: (typeof FAMILIES)[number]) =>
+  catalog.value?.planners.filter((entry) => entry.family === family) ?? []
+
+function Family({ of, heading }: { of: CatalogEntry[]; heading: string }) {
+  if (of.length === 0) return null
+  return (
+    <>
+      <MenuHeading text={heading} />
+      {of.map((entry) => (
+        <MenuItem
+          key={entry.id}
+          label={plannerName(entry)}
+          note={plannerSummary(entry)}
+          unavailable={whyNotHere(entry)}
+          testId={`lab-add-${entry.id}`}
+          onClick={() => addEntry(entry.id)}
+        />
+      ))}
+    </>
+  )
+}
+
+/** Why a planner cannot run on all of the maps. */
+export function whyNotHere(entry: CatalogEntry): string | null {
+  for (const { name, scenario } of maps.value) {
+    const why = whyNot(entry, scenario.spec)
+    if (why !== null) return maps.value.length > 1 ? t('lab.build.onMap', { map: name, why }) : why
+  }
+  return null
+}

@@ -1,0 +1,176 @@
+/** The maps on which every planner runs. */
+import { Map as MapIcon, Plus, Upload, X } from 'lucide'
+import { useEffect, useRef, useState } from 'preact/hooks'
+import { tools } from '../../engine/tools'
+import { t } from '../../i18n/lab'
+import { gallery } from '../../maps/gallery'
+import { galleryName, mapName } from '../../maps/map_menu'
+import { notifyError } from '../../state'
+import { toScenario } from '../../state/files'
+import { IconButton } from '../../ui/buttons'
+import { FormError } from '../../ui/form_error'
+import { Icon } from '../../ui/icon'
+import { Menu, MenuColumn, MenuHeading, MenuItem } from '../../ui/menu'
+import { addCurrentMap, addMap, type DraftMap, maps, removeMap } from './draft'
+
+const GROUPS = [
+  ['ready', 'maps.gallery'],
+  ['terrains', 'maps.terrains'],
+  ['papers', 'maps.papers'],
+] as const
+/** What the file picker offers first. */
+const ENDINGS = '.map,.txt,.csv,.json,.asc,.tif,.tiff,.hgt'
+
+export function Maps() {
+  const picker = useRef<HTMLInputElement>(null)
+  const [error, setError] = useState<unknown>(null)
+  const open = (files: FileList | null) => {
+    setError(null)
+    openMapFiles(files).catch(setError)
+  }
+  return (
+    <fieldset class="builder-part">
+      <legend>{t('lab.build.maps')}</legend>
+      <ul class="draft-maps">
+        {maps.value.map((map) => (
+          <MapItem key={map.key} map={map} />
+        ))}
+        <li>
+          <AddMap pick={() => picker.current?.click()} />
+        </li>
+      </ul>
+      {maps.value.length === 0 && <p class="hint">{t('lab.build.noMaps')}</p>}
+      {error !== null && <FormError error={error} />}
+      <input
+        ref={picker}
+        type="file"
+        multiple
+        class="visually-hidden"
+        tabIndex={-1}
+        aria-label={t('lab.build.mapFile')}
+        accept={ENDINGS}
+        data-testid="lab-map-file"
+        onChange={(event) => {
+          open(event.currentTarget.files)
+          event.currentTarget.value = ''
+        }}
+      />
+    </fieldset>
+  )
+}
+
+function MapItem({ map }: { map: DraftMap }) {
+  const { key, name, scenario } = map
+  const { width, height } = scenario.spec
+  return (
+    <li class="draft-map" data-testid="draft-map">
+      <Thumbnail map={map} />
+      <span class="draft-map-words">
+        <strong>{name}</strong>
+        <span class="hint">{t('lab.build.size', { width, height })}</span>
+      </span>
+      <IconButton
+        icon={X}
+        label={t('lab.build.removeMap', { name })}
+        tone="quiet"
+        size={16}
+        onClick={() => removeMap(key)}
+      />
+    </li>
+  )
+}
+
+/** The map itself, one pixel a cell: known at a glance. */
+function Thumbnail({ map: { scenario } }: { map: DraftMap }) {
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const { spec, cells } = scenario
+  useEffect(() => {
+    const context = canvas.current?.getContext('2d')
+    if (!context) return
+    const picture = context.createImageData(spec.width, spec.height)
+    cells.forEach((cell, at) => {
+      picture.data.set(cell === 1 ? [60, 78, 71, 255] : [226, 232, 229, 255], at * 4)
+    })
+    context.putImageData(picture, 0, 0)
+    mark(context, spec.start, '#0b8f69')
+    for (const { at } of spec.goals) mark(context, at, '#c8342b')
+  }, [scenario])
+  return (
+    <span class="thumbnail" aria-hidden="true">
+      <canvas ref={canvas} width={spec.width} height={spec.height} />
+    </span>
+  )
+}
+
+function mark(context: CanvasRenderingContext2D, [x, y]: [number, number], colour: string): void {
+  const size = Math.max(1, Math.round(context.canvas.width / 16))
+  context.fillStyle = colour
+  context.fillRect(x - Math.floor(size / 2), y - Math.floor(size / 2), size, size)
+}
+
+function AddMap({ pick }: { pick: () => void }) {
+  return (
+    <Menu
+      label={t('lab.build.addMap')}
+      testId="lab-add-map"
+      face={
+        <span class="menu-face">
+          <Icon icon={Plus} size={16} />
+          <span>{t('lab.build.addMap')}</span>
+        </span>
+      }
+    >
+      <MenuColumn>
+        <MenuItem
+          icon={MapIcon}
+          label={t('lab.build.currentMap')}
+          note={mapName()}
+          testId="add-current-map"
+          onClick={addCurrentMap}
+        />
+        <MenuItem
+          icon={Upload}
+          label={t('lab.build.mapFile')}
+          note={t('lab.build.mapFileHint')}
+          testId="add-map-file"
+          onClick={pick}
+        />
+        <Group at={0} />
+      </MenuColumn>
+      <MenuColumn>
+        <Group at={1} />
+        <Group at={2} />
+      </MenuColumn>
+    </Menu>
+  )
+}
+
+function Group({ at }: { at: 0 | 1 | 2 }) {
+  const [group, heading] = GROUPS[at]
+  return (
+    <>
+      <MenuHeading text={t(heading)} />
+      {gallery
+        .filter((entry) => entry.group === group)
+        .map(({ id, scenario }) => (
+          <MenuItem
+            key={id}
+            label={galleryName(id)}
+            testId={`add-map-${id}`}
+            onClick={() => {
+              scenario().then((opened) => addMap(galleryName(id), opened), notifyError)
+            }}
+          />
+        ))}
+    </>
+  )
+}
+
+/** Rasters of heights come as they are: whoever wants a part of one opens it in the other view. */
+async function openMapFiles(files: FileList | null): Promise<void> {
+  for (const file of files ?? []) {
+    const bytes = new Uint8Array(await file.arrayBuffer())
+    const opened = toScenario(await tools.importMap(bytes, file.name), file.name)
+    addMap(opened.spec.name || file.name, opened)
+  }
+}

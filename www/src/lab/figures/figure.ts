@@ -1,0 +1,78 @@
+/** What a figure is: something that can be drawn, read as a table, and said in a few words. */
+import type { LabKey } from '../../i18n/lab'
+import { labelOf } from '../results/format'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../results/types'
+import { type Look, type Series, seriesOf } from './look'
+
+export type Plot = typeof import('./library')
+
+export const FIGURES = [
+  'values',
+  'convergence',
+  'targets',
+  'effort',
+  'gaps',
+  'ablation',
+  'ranks',
+] as const
+export type FigureId = (typeof FIGURES)[number]
+
+/** What is drawn, and how large. */
+export interface Scene {
+  analysis: Analysis
+  map: MapAnalysis
+  /** Pixels. */
+  width: number
+  look: Look
+  /** Whether effort is on a logarithmic scale. */
+  logarithmic: boolean
+}
+
+export type LegendItem =
+  | { kind: 'series'; series: Series; line: boolean }
+  | {
+      kind: 'mark'
+      mark: 'optimum' | 'published' | 'impossible' | 'box' | 'band' | 'group' | 'map'
+      label: string
+    }
+
+export interface Drawing {
+  plot: SVGElement
+  height: number
+  legend: LegendItem[]
+  /** Below the plot: what it leaves out, how it is to be read. */
+  notes: string[]
+}
+
+export interface FigureTable {
+  columns: string[]
+  rows: string[][]
+}
+
+export interface Figure {
+  id: FigureId
+  /** About all maps together rather than one of them. */
+  overall: boolean
+  /** Whether there is anything to show in such a study at all. */
+  suits(analysis: Analysis): boolean
+  /** Why there is nothing to draw yet. */
+  missing(scene: Scene): LabKey | null
+  draw(plot: Plot, scene: Scene): Drawing
+  table(scene: Scene): FigureTable
+  /** What it shows, in a few words, for those who cannot see it. */
+  words(scene: Scene): string
+}
+
+/** An entry with its place, by which it keeps its colour wherever it is shown. */
+export interface Shown {
+  index: number
+  entry: EntryAnalysis
+  series: Series
+}
+
+/** The entries of which there are runs. */
+export function shownEntries(map: MapAnalysis): Shown[] {
+  return map.entries.flatMap((entry, index) =>
+    entry.runs > 0 ? [{ index, entry, series: seriesOf(index, labelOf(entry)) }] : [],
+  )
+}

@@ -1,0 +1,58 @@
+/** Small helpers for drawing SVG: elements, the width of text, lines of words. */
+
+const NAMESPACE = 'http://www.w3.org/2000/svg'
+
+export type Attributes = Record<string, string | number | undefined>
+
+export function element<K extends keyof SVGElementTagNameMap>(
+  name: K,
+  attributes: Attributes = {},
+  ...children: (Node | string)[]
+): SVGElementTagNameMap[K] {
+  const made = document.createElementNS(NAMESPACE, name)
+  for (const [key, value] of Object.entries(attributes)) {
+    if (value !== undefined) made.setAttribute(key, String(value))
+  }
+  made.append(...children)
+  return made
+}
+
+let ruler: CanvasRenderingContext2D | null = null
+
+/** Width of a line of text in pixels. */
+export function widthOf(text: string, font: string): number {
+  ruler ??= document.createElement('canvas').getContext('2d')
+  if (!ruler) return 7 * text.length
+  ruler.font = font
+  return ruler.measureText(text).width
+}
+
+/** Cut where it would be wider than so many pixels. */
+export function shortened(text: string, most: number, font: string): string {
+  if (widthOf(text, font) <= most) return text
+  let kept = text.length
+  while (kept > 1 && widthOf(`${text.slice(0, kept)}…`, font) > most) kept--
+  return `${text.slice(0, kept).trimEnd()}…`
+}
+
+/** Words in lines of at most so many pixels. Chinese breaks anywhere, as it may. */
+export function wrapped(text: string, most: number, font: string): string[] {
+  const words =
+    text.match(/[\u3000-\u9fff\uff00-\uffef]|[^\s\u3000-\u9fff\uff00-\uffef]+\s*/g) ?? []
+  const lines: string[] = []
+  let line = ''
+  for (const word of words) {
+    if (line !== '' && widthOf((line + word).trimEnd(), font) > most) {
+      lines.push(line.trimEnd())
+      line = ''
+    }
+    line += word
+  }
+  if (line !== '') lines.push(line.trimEnd())
+  return lines
+}
+
+/** As a file that stands alone. */
+export function svgText(svg: SVGSVGElement): string {
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(svg)}\n`
+}

@@ -1,0 +1,74 @@
+/** How many (run, target) pairs are solved by then: an empirical distribution of running times over several targets. */
+import { numbers } from '../../i18n'
+import { t } from '../../i18n/lab'
+import { dash, effort, optimaOf } from '../results/format'
+import type { EntryAnalysis } from '../results/types'
+import { curve, finished, heightOf, LEFT, missingCurves, shownWith, TOP } from './curves'
+import type { Figure } from './figure'
+import { type Ends, endsOf, placed } from './limits'
+import { effortScale, gridEffort, gridY, plotted } from './plotted'
+
+export const targets: Figure = {
+  id: 'targets',
+  overall: false,
+  suits: () => true,
+  missing: (scene) =>
+    scene.map.targets.length === 0 ? 'lab.results.noReference' : missingCurves(scene, hasSteps),
+  draw(plot, scene) {
+    const shown = shownWith(scene, hasSteps)
+    const efforts = shown.flatMap(({ entry }) => [
+      ...entry.ecdf.map(({ x }) => x),
+      entry.total_effort?.greatest ?? 0,
+    ])
+    const ends = endsOf(efforts, scene.logarithmic)
+    const picture = plotted(plot, scene, heightOf(scene), {
+      marginLeft: LEFT,
+      marginTop: TOP,
+      x: effortScale(scene),
+      y: { domain: [0, 1] },
+      marks: [
+        gridEffort(plot, scene),
+        gridY(plot, scene, { label: t('lab.results.solved'), percent: true }),
+        shown.map((each) => curve(plot, each, stepsOf(each.entry, ends), 'share', ends)),
+      ],
+    })
+    const gaps = scene.map.target_gaps.map((gap) => numbers.value.share.format(gap)).join(', ')
+    const proven = optimaOf(scene.map, scene.map.curve_measure).length > 0
+    const notes = [t(proven ? 'lab.results.targetsNote' : 'lab.results.targetsKnownNote', { gaps })]
+    return finished(scene, { plot: picture, shown, legend: [], notes })
+  },
+  words: (scene) =>
+    shownWith(scene, hasSteps)
+      .map(({ entry, series }) => {
+        const share = numbers.value.share.format(entry.ecdf.at(-1)?.share ?? 0)
+        return `${series.label}: ${share}`
+      })
+      .join('; '),
+  table(scene) {
+    const spent = effort(scene.analysis.axis)
+    const within = (gap: number) =>
+      t('lab.results.withinGap', { gap: numbers.value.share.format(gap) })
+    return {
+      columns: [t('lab.results.columns.entry'), ...scene.map.target_gaps.map(within)],
+      rows: shownWith(scene, hasSteps).map(({ entry, series }) => [
+        series.label,
+        ...entry.running_times.map(({ successes, expected }) => {
+          const found = { count: successes, runs: entry.runs }
+          return expected === null
+            ? t('lab.results.of', { part: successes, whole: entry.runs })
+            : t('lab.results.hits', { ...found, effort: dash(expected, spent) })
+        }),
+      ]),
+    }
+  },
+}
+
+const hasSteps = ({ ecdf }: EntryAnalysis) => ecdf.length > 0
+
+/** From nothing solved at the left end on, to where the last run ended. */
+function stepsOf({ ecdf, total_effort }: EntryAnalysis, ends: Ends) {
+  const last = ecdf.at(-1)
+  const end = total_effort?.greatest ?? 0
+  const until = last && end > last.x ? [{ x: end, share: last.share }] : []
+  return [{ x: ends.first, share: 0 }, ...placed([...ecdf, ...until], ends)]
+}

@@ -1,0 +1,28 @@
+/** The laboratory: everything about experiments, in one part of the page that is fetched when somebody wants to compare. */
+import '../styles/lab.css'
+import { addLabWords } from '../i18n/lab'
+import { Lab } from './lab'
+import { openAddress, openLabDocument } from './opening'
+import { takeResults } from './own/files'
+
+export { showPublished } from './published/offer'
+export { compare } from './scripting'
+export { resultFile } from './state'
+export { openLabDocument }
+
+/** A file of somebody's own runs. */
+export async function takeOwnResults(name: string, bytes: Uint8Array): Promise<void> {
+  await openAddress()
+  await takeResults(name, bytes)
+}
+
+let ready: Promise<typeof Lab> | null = null
+
+/** The view itself, with its words; what the address or this tab holds is opened on the way. */
+export function fetchLab(): Promise<typeof Lab> {
+  ready ??= addLabWords().then(() => {
+    void openAddress()
+    return Lab
+  })
+  return ready
+}

@@ -1,0 +1,48 @@
+/** Experiments of this browser: which there are, and which one this tab had open. */
+import { t } from '../i18n/lab'
+import { notify, notifyError } from '../state'
+import { isTaken } from './alone'
+import { forgetStudy, keptStudies, keptStudy, putStudy } from './keep'
+import { keptList } from './signals'
+
+const TAB_KEY = 'formicarium.study'
+
+export async function refreshKept(): Promise<void> {
+  try {
+    keptList.value = await keptStudies()
+  } catch {
+    keptList.value = null
+  }
+}
+
+/** Takes a study off the shelf, with a way back; not while a tab is running it. */
+export async function removeKept(id: string): Promise<void> {
+  if (await isTaken(id)) {
+    notify('warning', t('lab.run.elsewhere'))
+    return
+  }
+  const found = await keptStudy(id)
+  await forgetStudy(id)
+  await refreshKept()
+  if (!found) return
+  const restore = () => void putStudy(found.study, found.runs).then(refreshKept).catch(notifyError)
+  notify('info', t('lab.kept.removed', { title: found.study.title }), {
+    action: { label: t('lab.kept.undo'), run: restore },
+  })
+}
+
+/** Private windows may refuse storage. */
+export function rememberInTab(id: string | null): void {
+  try {
+    if (id === null) sessionStorage.removeItem(TAB_KEY)
+    else sessionStorage.setItem(TAB_KEY, id)
+  } catch {}
+}
+
+export function recallInTab(): string | null {
+  try {
+    return sessionStorage.getItem(TAB_KEY)
+  } catch {
+    return null
+  }
+}

@@ -1,0 +1,110 @@
+/** Where somebody's own runs come in: beside the planners, or into an experiment that is open. */
+import { FileChartColumn, X } from 'lucide'
+import { useRef, useState } from 'preact/hooks'
+import { t } from '../../i18n/lab'
+import { Button, IconButton } from '../../ui/buttons'
+import { Select } from '../../ui/fields'
+import { FormError } from '../../ui/form_error'
+import { Icon } from '../../ui/icon'
+import {
+  asksForMap,
+  ownFiles,
+  type RefusedFile,
+  refusedFile,
+  removeOwnFile,
+  takeResultFiles,
+  takeResults,
+} from './files'
+
+interface Place {
+  id: string
+  name: string
+}
+
+/** `maps`: on which of them runs can be that name none. */
+export function OwnResults({ maps }: { maps: Place[] }) {
+  const picker = useRef<HTMLInputElement>(null)
+  return (
+    <div class="own-results">
+      <Button
+        icon={FileChartColumn}
+        label={t('lab.own.add')}
+        testId="own-add"
+        onClick={() => picker.current?.click()}
+      />
+      <p class="hint">{t('lab.own.hint')}</p>
+      <input
+        ref={picker}
+        type="file"
+        multiple
+        class="visually-hidden"
+        tabIndex={-1}
+        aria-label={t('lab.own.add')}
+        accept=".csv,.tsv,.txt,.dat,.tdat"
+        data-testid="own-file"
+        onChange={(event) => {
+          const files = [...(event.currentTarget.files ?? [])]
+          event.currentTarget.value = ''
+          void takeResultFiles(files)
+        }}
+      />
+      {refusedFile.value && (
+        <Refused key={refusedFile.value.name} file={refusedFile.value} maps={maps} />
+      )}
+    </div>
+  )
+}
+
+/** The files that wait for the comparison to start. */
+export function OwnFiles() {
+  if (ownFiles.value.length === 0) return null
+  return (
+    <ul class="draft-entries" aria-label={t('lab.own.files')}>
+      {ownFiles.value.map(({ key, name }) => (
+        <li key={key} class="own-file" data-testid="own-file-item">
+          <Icon icon={FileChartColumn} size={16} />
+          <strong>{name}</strong>
+          <span class="hint">{t('lab.own.compared')}</span>
+          <IconButton
+            icon={X}
+            label={t('lab.own.remove', { name })}
+            tone="quiet"
+            size={16}
+            onClick={() => removeOwnFile(key)}
+          />
+        </li>
+      ))}
+    </ul>
+  )
+}
+
+function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
+  if (asksForMap(file) && maps.length > 1) return <AskForMap file={file} maps={maps} />
+  return (
+    <div class="own-refused" data-testid="own-refused">
+      <strong>{file.name}</strong>
+      <FormError error={file.error} />
+    </div>
+  )
+}
+
+function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
+  const [chosen, choose] = useState(maps[0]?.id ?? '')
+  return (
+    <div class="own-map" data-testid="own-map">
+      <Select
+        label={t('lab.own.onWhich', { name: file.name })}
+        value={chosen}
+        options={maps.map((map) => ({ value: map.id, label: map.name }))}
+        onChange={choose}
+        testId="own-map-choice"
+      />
+      <Button
+        label={t('lab.own.join')}
+        tone="primary"
+        testId="own-join"
+        onClick={() => void takeResults(file.name, file.bytes, chosen)}
+      />
+    </div>
+  )
+}

@@ -1,0 +1,88 @@
+/** The results as files: the same bytes as the command line writes. */
+import { Copy, Download } from 'lucide'
+import { t } from '../../i18n/lab'
+import { announce, download, notify, notifyError } from '../../state'
+import { Button } from '../../ui/buttons'
+import { fileStem } from '../names'
+import { resultFile, study, timesFile } from '../state'
+import type { ResultFile } from './types'
+
+interface FileKind {
+  kind: Exclude<ResultFile, 'link'> | 'times'
+  ending: string
+  type: string
+  /** Text that goes into a document is copied rather than kept. */
+  copied?: true
+}
+
+const FILES: FileKind[] = [
+  { kind: 'csv', ending: 'csv', type: 'text/csv' },
+  { kind: 'json', ending: 'json', type: 'application/json' },
+  { kind: 'summary-csv', ending: 'summary.csv', type: 'text/csv' },
+  { kind: 'summary-json', ending: 'summary.json', type: 'application/json' },
+  { kind: 'summary-markdown', ending: 'summary.md', type: 'text/markdown', copied: true },
+  { kind: 'markdown', ending: 'md', type: 'text/markdown', copied: true },
+  { kind: 'latex', ending: 'tex', type: 'application/x-tex', copied: true },
+  { kind: 'tests', ending: 'tests.md', type: 'text/markdown', copied: true },
+  { kind: 'tests-csv', ending: 'tests.csv', type: 'text/csv' },
+  { kind: 'times', ending: 'times.csv', type: 'text/csv' },
+]
+
+export function FilesTab() {
+  return (
+    <>
+      <p class="hint">{t('lab.results.filesHint')}</p>
+      <ul class="result-files">
+        {FILES.map((file) => (
+          <FileRow key={file.kind} file={file} />
+        ))}
+      </ul>
+    </>
+  )
+}
+
+function FileRow({ file }: { file: FileKind }) {
+  const { kind, ending, type } = file
+  const name = `${fileStem(study.value?.title ?? '')}.${ending}`
+  const save = () =>
+    contents(kind)
+      .then((text) => download(name, text, type))
+      .catch(notifyError)
+  return (
+    <li data-testid={`file-row-${kind}`}>
+      <div class="file-words">
+        <strong>{t(`lab.results.files.${kind}`)}</strong>
+        <span class="hint">{t(`lab.results.filesAbout.${kind}`)}</span>
+        <code>{name}</code>
+      </div>
+      {file.copied && (
+        <Button
+          icon={Copy}
+          label={t('common.copy')}
+          tone="quiet"
+          testId={`copy-${kind}`}
+          onClick={() => copy(kind)}
+        />
+      )}
+      <Button
+        icon={Download}
+        label={t('lab.results.download')}
+        testId={`file-${kind}`}
+        onClick={save}
+      />
+    </li>
+  )
+}
+
+const contents = async (kind: FileKind['kind']) =>
+  kind === 'times' ? timesFile() : resultFile(kind)
+
+async function copy(kind: FileKind['kind']): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(await contents(kind))
+    announce(t('common.copied'))
+    notify('success', t('common.copied'))
+  } catch {
+    notify('warning', t('common.copyFailed'), { hint: t('lab.results.copyFailedHint') })
+  }
+}

@@ -1,0 +1,221 @@
+/** What publications report beside what came out here: numbers, and claims with their verdicts. */
+import { BookOpen } from 'lucide'
+import { numbers } from '../../i18n'
+import { t } from '../../i18n/lab'
+import { METHODOLOGY, showCard } from '../../papers/cards'
+import { Button } from '../../ui/buttons'
+import { Alert, dotColour, MapHead } from './choices'
+import { amount, dash, labelOf, measureWords, optimaOf, precise, range, share } from './format'
+import { Strip, stripScale } from './strip'
+import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from './types'
+import { measureNamed, whyWords } from './verdict_words'
+
+export function hasReported({ instances, verdicts }: Analysis): boolean {
+  return verdicts.length > 0 || instances.some((map) => reported(map).length > 0)
+}
+
+const reported = ({ entries }: MapAnalysis) =>
+  entries.flatMap((entry, index) =>
+    entry.published ? [{ entry, index, published: entry.published }] : [],
+  )
+
+type Reported = ReturnType<typeof reported>[number]
+
+export function ReportedTab({ analysis }: { analysis: Analysis }) {
+  const maps = analysis.instances.filter((map) => reported(map).length > 0)
+  return (
+    <>
+      <div class="result-choices">
+        <p class="hint">{t('lab.results.reportedHint')}</p>
+        <Button
+          icon={BookOpen}
+          label={t('lab.results.methodology')}
+          tone="quiet"
+          testId="open-methodology"
+          onClick={() => showCard(METHODOLOGY)}
+        />
+      </div>
+      {maps.map((map) => (
+        <ReportedMap key={map.id} map={map} />
+      ))}
+      {analysis.verdicts.length > 0 && <Verdicts analysis={analysis} />}
+    </>
+  )
+}
+
+function ReportedMap({ map }: { map: MapAnalysis }) {
+  const rows = reported(map)
+  const scale = stripScale(map)
+  const columns = [
+    'entry',
+    'published',
+    'ours',
+    'distribution',
+    'publishedTurns',
+    'publishedIterations',
+  ] as const
+  const caption = t('lab.results.tableOf', { what: map.name || map.id })
+  return (
+    <section class="reported-map" data-testid={`reported-${map.id}`}>
+      <MapHead map={map} />
+      {rows.flatMap((row) =>
+        warnings(row, map).map((words) => <Alert key={words} words={words} />),
+      )}
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
+      <section class="result-scroll" tabIndex={0} aria-label={caption}>
+        <table class="result-table">
+          <caption class="visually-hidden">{caption}</caption>
+          <thead>
+            <tr>
+              {columns.map((key) => (
+                <th key={key} scope="col" class={key === 'distribution' ? 'strip-head' : undefined}>
+                  {t(`lab.results.columns.${key}`, { measure: measureWords(map.measure) })}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row) => (
+              <ReportedRow key={row.entry.id} row={row} map={map} scale={scale} />
+            ))}
+          </tbody>
+        </table>
+      </section>
+    </section>
+  )
+}
+
+interface ReportedRowProps {
+  row: Reported
+  map: MapAnalysis
+  scale: ReturnType<typeof stripScale>
+}
+
+function ReportedRow({ row, map, scale }: ReportedRowProps) {
+  const { entry, index, published } = row
+  const write = amount(map.measure)
+  const against = (theirs: number | null, ours: number | null | undefined) =>
+    theirs === null
+      ? '–'
+      : t('lab.results.against', {
+          theirs: amount('turns')(theirs),
+          ours: dash(ours, amount('turns')),
+        })
+  return (
+    <tr>
+      <th scope="row" style={{ '--panel-colour': dotColour(entry, index) }}>
+        <span class="panel-dot" aria-hidden="true" />
+        {labelOf(entry)}
+      </th>
+      <td class={published.impossible ? 'impossible' : undefined}>
+        {dash(published.value, precise)}
+      </td>
+      <td>
+        {dash(entry.summary?.median, write)}
+        <span class="cell-small">{oursNote(entry, write)}</span>
+      </td>
+      <td class="strip-cell">
+        {entry.runs > 0 && (
+          <Strip entry={entry} index={index} scale={scale} optima={optimaOf(map)} />
+        )}
+        <span class="cell-small">{placeOf(row)}</span>
+      </td>
+      <td>{against(published.turns, entry.turns?.median)}</td>
+      <td>{against(published.iterations, entry.iteration_of_best?.median)}</td>
+    </tr>
+  )
+}
+
+function oursNote(
+  { summary, runs, with_path }: EntryAnalysis,
+  write: (value: number) => string,
+): string {
+  if (runs === 0) return t('lab.results.notRun')
+  if (!summary) return t('lab.results.noPath')
+  const quartiles = range(summary.lower, summary.upper, write)
+  return with_path < runs
+    ? `${quartiles} · ${t('lab.results.of', { part: with_path, whole: runs })}`
+    : quartiles
+}
+
+/** Where the published number lies among our runs. */
+function placeOf({ published }: Reported): string {
+  if (published.value === null || published.share_at_or_below === null) return ''
+  if (published.below_all) return t('lab.results.belowAll')
+  return t('lab.results.atOrBelow', { share: share(published.share_at_or_below) })
+}
+
+function warnings({ entry, published }: Reported, map: MapAnalysis): string[] {
+  const { value, optimum, impossible } = published
+  if (!impossible || value === null || optimum === null) return []
+  const write = amount(map.measure)
+  const words = { entry: entry.label, value: precise(value), optimum: write(optimum) }
+  return [t('lab.results.impossible', words)]
+}
+
+function Verdicts({ analysis }: { analysis: Analysis }) {
+  const caption = t('lab.results.claims')
+  const columns = ['claim', 'map', 'claimed', 'found', 'verdict'] as const
+  return (
+    <section class="reported-map">
+      <h3>{caption}</h3>
+      <p class="hint">{t('lab.results.sizesHint')}</p>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
+      <section class="result-scroll" tabIndex={0} aria-label={caption}>
+        <table class="result-table verdicts" data-testid="verdicts">
+          <caption class="visually-hidden">{caption}</caption>
+          <thead>
+            <tr>
+              {columns.map((key) => (
+                <th key={key} scope="col">
+                  {t(`lab.results.columns.${key}`)}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {analysis.verdicts.map((line) => (
+              <Verdict key={`${line.claim} ${line.instance}`} line={line} analysis={analysis} />
+            ))}
+          </tbody>
+        </table>
+      </section>
+    </section>
+  )
+}
+
+function Verdict({ line, analysis }: { line: VerdictLine; analysis: Analysis }) {
+  const map = analysis.instances.find(({ id }) => id === line.instance)
+  const label = (id: string) => map?.entries.find((entry) => entry.id === id)?.label ?? id
+  const { improved_value: to, baseline_value: from } = line
+  const values = from === null && to === null ? '' : `${dash(from, number)} → ${dash(to, number)}`
+  return (
+    <tr>
+      <th scope="row">
+        {line.says}
+        <span class="cell-small">
+          {t('lab.results.claimOf', {
+            improved: label(line.improved),
+            baseline: label(line.baseline),
+            measure: measureNamed(line.measure_name),
+          })}
+        </span>
+      </th>
+      <td>{map?.name || line.instance}</td>
+      <td>{dash(line.claimed, percent)}</td>
+      <td>
+        {dash(line.found, percent)}
+        {values && <span class="cell-small">{values}</span>}
+      </td>
+      <td>
+        <span class={`chip verdict-${line.verdict}`}>
+          {t(`lab.results.verdicts.${line.verdict}`)}
+        </span>
+        {line.why && <span class="cell-small verdict-why">{whyWords(line.why)}</span>}
+      </td>
+    </tr>
+  )
+}
+
+const percent = (value: number) => numbers.value.percent.format(value)
+const number = (value: number) => numbers.value.metres.format(value)

@@ -1,0 +1,64 @@
+/** What the runs of the open experiment say, in tabs. */
+import '../../styles/lab_results.css'
+import { computed, signal } from '@preact/signals'
+import { t } from '../../i18n/lab'
+import { FormError } from '../../ui/form_error'
+import { analysis, analysisError, progress, study } from '../signals'
+import { FiguresTab } from './figures_tab'
+import { FilesTab } from './files_tab'
+import { hasReported, ReportedTab } from './reported_tab'
+import { SummaryTab } from './summary_tab'
+import { TabPanel, Tabs } from './tabs'
+import { TestsTab } from './tests_tab'
+import type { Analysis } from './types'
+
+const TABS = ['summary', 'figures', 'tests', 'reported', 'files'] as const
+type Tab = (typeof TABS)[number]
+
+const chosen = signal<Tab>('summary')
+
+const BODIES = {
+  summary: SummaryTab,
+  figures: FiguresTab,
+  tests: TestsTab,
+  reported: ReportedTab,
+  files: FilesTab,
+}
+
+export function Results() {
+  const now = analysis.value
+  if (!study.value) return null
+  const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
+  const tab = tabs.includes(chosen.value) ? chosen.value : 'summary'
+  const Body = BODIES[tab]
+  return (
+    <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
+      <Tabs
+        label={t('lab.results.title')}
+        name="results"
+        tabs={tabs.map((id) => ({ id, label: t(`lab.results.tabs.${id}`) }))}
+        chosen={tab}
+        onChoose={(id) => {
+          chosen.value = id
+        }}
+      />
+      <TabPanel name="results" chosen={tab}>
+        {now && (begun.value || hasGiven(now)) ? <Body analysis={now} /> : <Nothing />}
+      </TabPanel>
+    </section>
+  )
+}
+
+/** Whether any run is done. The number of them changes more often than anything here should be drawn. */
+const begun = computed(() => progress.value.done > 0)
+
+/** Runs from elsewhere stand before any is done here. */
+const hasGiven = ({ instances }: Analysis) =>
+  instances.some(({ entries }) =>
+    entries.some(({ origin, runs }) => origin === 'results' && runs > 0),
+  )
+
+function Nothing() {
+  if (analysisError.value) return <FormError error={analysisError.value} />
+  return <p class="results-nothing">{t(begun.value ? 'common.working' : 'lab.results.nothing')}</p>
+}

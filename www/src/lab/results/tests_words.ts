@@ -1,0 +1,58 @@
+/** Tests of pairs read as comparisons, and what they allow to say. */
+import { numbers } from '../../i18n'
+import { t } from '../../i18n/lab'
+import { LEVEL } from '../figures/rank_groups'
+import { type Compared, compared, effectOf, type Kind } from './compared'
+import { chance, labelOf } from './format'
+import type { EntryAnalysis, MapAnalysis } from './types'
+
+/** Fewest runs that are tested (the engine's MIN_RUNS). */
+const FEWEST = 20
+
+/** What can be said, clearest first, and of which pairs nothing can. */
+export function sentences(map: MapAnalysis, kind: Kind): string[] {
+  const all = map.pairs.flatMap(({ first, second }) => {
+    const [a, b] = [map.entries[first], map.entries[second]]
+    const pair = compared(map, first, second, kind)
+    return a && b && pair ? [{ a, b, pair }] : []
+  })
+  if (all.length === 0) return [t('lab.results.onePlanner')]
+  const certain = all.filter(({ pair }) => pair.p !== null && pair.p < LEVEL)
+  const open = all.filter(({ pair }) => pair.p !== null && pair.p >= LEVEL)
+  const unpaired = all.filter(
+    ({ a, b, pair }) => pair.p === null && !pair.paired && enough(a) && enough(b),
+  )
+  const few = map.entries.filter((entry) => entry.runs > 0 && !enough(entry))
+  return [
+    ...certain.sort((x, y) => (x.pair.p ?? 1) - (y.pair.p ?? 1)).map(ahead),
+    ...(open.length > 0 ? [t('lab.results.noDifference', { pairs: listOf(open) })] : []),
+    ...(kind === 'wilcoxon' && unpaired.length > 0
+      ? [t('lab.results.unpaired', { pairs: listOf(unpaired) })]
+      : []),
+    ...(few.length > 0
+      ? [t('lab.results.tooFew', { least: FEWEST, entries: few.map(labelOf).join(', ') })]
+      : []),
+  ]
+}
+
+const enough = ({ runs }: EntryAnalysis) => runs >= FEWEST
+
+interface Both {
+  a: EntryAnalysis
+  b: EntryAnalysis
+  pair: Compared
+}
+
+function ahead({ a, b, pair }: Both): string {
+  const [winner, loser, better] = pair.better >= 0.5 ? [a, b, pair.better] : [b, a, 1 - pair.better]
+  const p = pair.p ?? 1
+  return t('lab.results.ahead', {
+    winner: labelOf(winner),
+    loser: labelOf(loser),
+    share: numbers.value.share.format(better),
+    effect: t(`lab.results.effects.${effectOf(better)}`),
+    p: p < 0.001 ? `p ${chance(p)}` : `p = ${chance(p)}`,
+  })
+}
+
+const listOf = (all: Both[]) => all.map(({ a, b }) => `${labelOf(a)} – ${labelOf(b)}`).join('; ')

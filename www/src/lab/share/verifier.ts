@@ -1,0 +1,115 @@
+/**
+ * Runs of a file once more, only to compare them: what the file brought stays as it is. Runs of a link need none of this: there are none
+ * to stay, they are simply run.
+ */
+import { signal } from '@preact/signals'
+import { notifyError } from '../../state'
+import type { KeptRun } from '../analyst'
+import { Pool, poolSize, type Work } from '../pool'
+import { checkRun, compareAgain, study } from '../state'
+import { Tasks } from '../tasks'
+
+export interface Verifying {
+  done: number
+  total: number
+  /** Runs that could not be done. */
+  failed: number
+  isRunning: boolean
+}
+
+/** Of the open study; null while nobody has asked for it. */
+export const verifying = signal<Verifying | null>(null)
+
+const COMPARE_MS = 500
+
+let job: Job | null = null
+
+/** Of each entry on each map the first `seeds` seeds; null: all. */
+export function verifyAgain(seeds: number | null): void {
+  const now = study.peek()
+  if (!now) return
+  stopVerifying()
+  job = new Job(now.id, now.document, new Tasks(now.question).inOrder(seeds ?? undefined))
+}
+
+export function stopVerifying(): void {
+  job?.end()
+  job = null
+}
+
+/** Another study has been opened. */
+export function forgetVerifying(): void {
+  stopVerifying()
+  verifying.value = null
+}
+
+class Job implements Work {
+  private readonly pool: Pool
+  private at = 0
+  private done_ = 0
+  private failed_ = 0
+  private ended = false
+  private timer = 0
+
+  constructor(
+    private readonly study: string,
+    document: string,
+    private readonly order: number[],
+  ) {
+    this.pool = new Pool(document, poolSize(order.length), this)
+    this.show()
+    this.pool.start()
+  }
+
+  end(): void {
+    this.ended = true
+    this.pool.terminate()
+    clearTimeout(this.timer)
+    this.show()
+    void this.compare()
+  }
+
+  next(): number | null {
+    return this.ended ? null : (this.order[this.at++] ?? null)
+  }
+
+  done(run: KeptRun): void {
+    if (this.study !== study.peek()?.id) {
+      this.end()
+      return
+    }
+    this.done_ += 1
+    checkRun(run)
+    this.show()
+    if (this.timer === 0) this.timer = window.setTimeout(() => void this.compare(), COMPARE_MS)
+  }
+
+  failed(_: number, error: unknown): void {
+    this.failed_ += 1
+    if (this.failed_ === 1) notifyError(error)
+    this.show()
+  }
+
+  rests(): void {
+    this.end()
+  }
+
+  private async compare(): Promise<void> {
+    try {
+      await compareAgain()
+    } catch (error) {
+      notifyError(error)
+    }
+    this.timer = 0
+  }
+
+  private show(): void {
+    if (this.study !== study.peek()?.id) return
+    verifying.value = {
+      done: this.done_,
+      total: this.order.length,
+      failed: this.failed_,
+      isRunning: !this.ended,
+    }
+  }
+}

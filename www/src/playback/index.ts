@@ -1,0 +1,15 @@
+/** Looking back at runs, into cells and at differences: one part of the page, fetched when somebody first looks. */
+import '../styles/playback.css'
+import { addPlaybackWords } from '../i18n/playback'
+import { CompareButton } from './compare_button'
+import { DifferencePanel } from './difference_panel'
+import { Inspector } from './inspector'
+import { PastChip, Scrubber } from './scrubber'
+
+const ready = addPlaybackWords()
+
+export const fetchScrubber = () => ready.then(() => Scrubber)
+export const fetchPastChip = () => ready.then(() => PastChip)
+export const fetchInspector = () => ready.then(() => Inspector)
+export const fetchDifference = () => ready.then(() => DifferencePanel)
+export const fetchCompareButton = () => ready.then(() => CompareButton)

@@ -1,0 +1,31 @@
+/** Looking back at the runs and into their cells: what is looked at. How that is done is fetched when somebody looks (playback/). */
+import { batch, signal } from '@preact/signals'
+import { client } from '../engine/clients'
+import type { Cell } from '../maps/edit'
+import { type Panel, type PanelLive, panels } from './store'
+
+/** The iteration that every panel shows; null for where the runs stand. */
+export const lookedAt = signal<number | null>(null)
+
+/** The cell whose moves are on show, in one panel; by slices at a level, null for the one at which there is most to tell. */
+export const inspected = signal<{ panelId: number; cell: Cell; level: number | null } | null>(null)
+
+/** Whether a panel of its own compares the pheromone of two others. */
+export const comparing = signal(false)
+
+/** What a panel shows: what it has reached or, looking back, what it had. */
+export function shownOf({ past, live }: Panel): PanelLive {
+  return past.value ?? live.value
+}
+
+/** Back to where the runs stand; the canvas of a run that has ended must be told. */
+export function leavePast(): void {
+  if (lookedAt.peek() === null) return
+  batch(() => {
+    lookedAt.value = null
+    for (const { id, past } of panels.peek()) {
+      past.value = null
+      void client(id)?.ask({ about: 'look', iteration: null })
+    }
+  })
+}

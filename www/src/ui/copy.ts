@@ -1,0 +1,13 @@
+/** Text for another program. */
+import { t } from '../i18n'
+import { announce, notify } from '../state'
+
+export async function copyText(text: string): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(text)
+    notify('success', t('common.copied'))
+    announce(t('common.copied'))
+  } catch {
+    notify('warning', t('common.copyFailed'), { hint: t('common.copyFailedHint') })
+  }
+}
