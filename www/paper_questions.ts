@@ -84,6 +84,10 @@ function documentOf(name: string): string {
   const question = questionOf(name)
   const maps = question.instances.map(({ map }) => mapOf(map))
   const instances = question.instances.map((one) => ({ ...one, map: basename(one.map) }))
-  const document = { format: 'formicarium/comparison@1', question: { ...question, instances }, maps }
+  const document = {
+    format: 'formicarium/comparison@1',
+    question: { ...question, instances },
+    maps,
+  }
   return JSON.stringify(document)
 }

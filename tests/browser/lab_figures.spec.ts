@@ -12,6 +12,16 @@ const AXES = {
   time: 'seconds',
 } as const
 
+/** What must stand at the axis of each. */
+const LABELS = [
+  ['values', 'path length (cells)'],
+  ['convergence', 'constructed paths'],
+  ['targets', 'solved (run, target) pairs'],
+  ['effort', 'constructed paths'],
+  ['gaps', 'gap to the exact optimum'],
+  ['ranks', 'mean rank (1 = best)'],
+] as const
+
 interface Svg {
   wellFormed: boolean
   width: number
@@ -108,38 +118,29 @@ test.describe('figures of results', () => {
     await expect.poll(() => drawn(results, 'convergence')).toBe(before)
   })
 
-  test('an SVG stands alone, on white or on dark', async ({ page }) => {
-    const results = new ResultsPage(page)
-    await results.show()
-    await results.figures()
-    const found = await results.picture('values').locator('.runs path').count()
-    for (const [ground, fill] of [
-      ['light', '#ffffff'],
-      ['dark', '#141c1a'],
-    ] as const) {
+  for (const [ground, fill] of [
+    ['light', '#ffffff'],
+    ['dark', '#141c1a'],
+  ] as const) {
+    test(`an SVG stands alone (${ground})`, async ({ page }) => {
+      const results = new ResultsPage(page)
+      await results.show()
+      await results.figures()
+      const found = await results.picture('values').locator('.runs path').count()
       await page.getByTestId(`ground-${ground}`).click()
-      for (const [id, label] of [
-        ['values', 'path length (cells)'],
-        ['convergence', 'constructed paths'],
-        ['targets', 'solved (run, target) pairs'],
-        ['effort', 'constructed paths'],
-        ['gaps', 'gap to the exact optimum'],
-        ['ranks', 'mean rank (1 = best)'],
-      ] as const) {
+      for (const [id, label] of LABELS) {
         const { name, bytes } = await results.downloaded(`figure-${id}-svg`)
-        expect(name).toBe(
-          id === 'ranks' ? 'rich-results-ranks.svg' : `rich-results-${id}-small.svg`,
-        )
+        const about = id === 'ranks' ? '' : '-small'
+        expect(name).toBe(`rich-results-${id}${about}.svg`)
         const svg = await parsed(page, bytes.toString('utf8'))
         expect(svg, id).toMatchObject({ wellFormed: true, outside: [], background: fill })
         expect(svg.texts).toContain(label)
-        expect(svg.texts.join(' ')).toContain(
-          `Rich results · ${id === 'ranks' ? '2 maps' : 'Small'}`,
-        )
+        const of = id === 'ranks' ? '2 maps' : 'Small'
+        expect(svg.texts.join(' ')).toContain(`Rich results · ${of}`)
         if (id === 'values') expect(svg.shapes.runs).toBe(found)
       }
-    }
-  })
+    })
+  }
 
   test('a PNG has twice the pixels of the SVG', async ({ page }) => {
     const results = new ResultsPage(page)

@@ -157,7 +157,10 @@ test.describe('an experiment as a link', () => {
       [address.slice(0, -40), 'damaged'],
       [`${address.slice(0, -60)}AAAAAAAA${address.slice(-52)}`, 'damaged'],
       [`${address.split('#')[0]}${PREFIX}${await seal(newer())}`, 'newest version'],
-      [await changed(address, (d) => Object.assign(d, { format: 'formicarium/comparison@9' })), '@9'],
+      [
+        await changed(address, (d) => Object.assign(d, { format: 'formicarium/comparison@9' })),
+        '@9',
+      ],
       [
         await changed(address, ({ question }) => {
           question.entries[0].planner = 'bee-system'

@@ -177,8 +177,17 @@ test.describe('tables of results', () => {
     }
     const runs = (await results.file('csv')).trim().split('\n')
     expect(runs).toHaveLength(1 + 2 * 4 * SEEDS)
-    expect(JSON.parse(await results.file('json')).format).toBe('formicarium/comparison@1')
     expect(await results.file('latex')).toContain('\\toprule')
+    const document = await results.file('json')
+    const again = await results.laboratory.script({ document })
+    expect(again.runs).toBe(2 * 3 * SEEDS)
+    expect((await results.file('csv')).trim().split('\n')).toEqual(runs)
+  })
+
+  test('times have a file of their own', async ({ page }) => {
+    const results = new ResultsPage(page)
+    await results.show()
+    await results.tab('files')
     const times = await results.downloaded('file-times')
     expect(times.name).toBe('rich-results.times.csv')
     const [head, ...timed] = times.bytes.toString('utf8').trim().split('\n')
