@@ -54,7 +54,7 @@ fn setting_of(experiment: &Experiment, analysis: &Analysis) -> String {
     let runs: usize = analysis.instances.iter().flat_map(|map| &map.entries).map(|e| e.runs).sum();
     let last = q.seeds.from.saturating_add(q.seeds.count.saturating_sub(1));
     let seeds = format!("seeds {} to {last} of every entry on every map, {runs} runs", q.seeds.from);
-    let budget = q.budget.map_or_else(String::new, |b| format!(", of {} {} at most each", b.amount, b.axis.words()));
+    let budget = q.budget.map_or_else(String::new, |b| format!(", of each at most {} {} count", b.amount, b.axis.words()));
     format!("engine version {}: {seeds}{budget}.", env!("CARGO_PKG_VERSION"))
 }
 
@@ -183,7 +183,7 @@ fn ours(e: &EntryAnalysis) -> String {
         known(e.iteration_of_best.as_ref().map(middle)),
         known(e.paths_to_best.map(|paths| short(paths.median))),
         known(e.turns.as_ref().map(middle)),
-        e.optimal,
+        if e.proven { e.optimal.to_string() } else { "–".into() },
     )
 }
 

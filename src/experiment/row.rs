@@ -51,7 +51,7 @@ pub struct Found {
     pub value: f64,
 }
 
-/// A better path than before. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
+/// A better path than before, by what the planner searches for: of one that refines its best path, the length after refinement may rise. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(from = "Numbers", into = "Numbers")]
 pub struct Improvement {

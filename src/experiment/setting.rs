@@ -10,6 +10,7 @@ use super::row::{Row, Task};
 use super::run::{Clock, Timed, build, run};
 use crate::digest::Digest;
 use crate::exact::{self, Reference};
+use crate::map::Moves;
 use crate::planner::Objective;
 use crate::scenario::Scenario;
 
@@ -133,6 +134,8 @@ impl Experiment {
     pub fn slack(&self, entry: usize, value: f64) -> f64 {
         const ROUNDED_ROOT: f64 = 1e-6;
         match self.printed.get(entry) {
+            // Whole numbers are all of a length by straight steps.
+            Some(&printed) if printed == 0.5 && self.maps.iter().all(|m| m.scenario.spec.movement.moves == Moves::Four) => 0.0,
             Some(&printed) if printed > 0.0 => printed + ROUNDED_ROOT * value.abs(),
             _ => 0.0,
         }

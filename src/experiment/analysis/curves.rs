@@ -17,7 +17,7 @@ const ECDF_POINTS: usize = 400;
 /// A value that is larger than its target by this part of it, or by less, has reached it: a rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Quartiles of the best so far, after some effort. A run without a path so far is infinitely long: null.
+/// Quartiles of what runs would have answered, after some effort. A run without a path so far is infinitely long: null.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct BandPoint {
@@ -88,9 +88,13 @@ struct Course {
 }
 
 impl Course {
-    /// None where the run found a path and does not tell when.
-    fn of(seen: Seen, axis: Axis) -> Option<Self> {
-        let (trace, end) = (&seen.row.trace, end(seen, axis));
+    /// None where the run found a path and does not tell when, and where it spends nothing on this axis. Of an effort beyond the budget only
+    /// what the budget allows counts: what the last iteration found does not, either.
+    fn of(seen: Seen, axis: Axis, most: f64) -> Option<Self> {
+        let (trace, end) = (&seen.row.trace, end(seen, axis).map(|end| end.min(most)));
+        if end == Some(0.0) && axis != Axis::Time {
+            return None;
+        }
         if seen.row.found.is_none() {
             return Some(Self { steps: Vec::new(), end });
         }
@@ -98,15 +102,16 @@ impl Course {
         steps.filter(|steps| !steps.is_empty()).map(|steps| Self { steps, end })
     }
 
-    /// The best value after some effort.
+    /// The value of what the run would have answered after some effort.
     fn value(&self, x: f64) -> f64 {
         let known = self.steps.partition_point(|step| step.0 <= x);
         known.checked_sub(1).and_then(|last| self.steps.get(last)).map_or(f64::INFINITY, |step| step.1)
     }
 
-    /// The effort until a target is reached.
+    /// The effort until a target is reached for good: a planner that chooses by length before refinement may give up a better answer.
     fn hit(&self, target: f64) -> Option<f64> {
-        self.steps.iter().find(|step| reaches(step.1, target)).map(|step| step.0)
+        let reaching = self.steps.iter().rev().take_while(|step| reaches(step.1, target));
+        reaching.last().map(|step| step.0)
     }
 
     /// The effort to the end, or as much of it as is known.
@@ -128,8 +133,9 @@ pub(super) struct Curves {
 }
 
 impl Curves {
-    pub(super) fn of(runs: &[Seen], axis: Axis, targets: &[f64]) -> Self {
-        let courses: Option<Vec<Course>> = runs.iter().map(|&seen| Course::of(seen, axis)).collect();
+    /// `most`: the budget on this axis; infinite without one.
+    pub(super) fn of(runs: &[Seen], axis: Axis, targets: &[f64], most: f64) -> Self {
+        let courses: Option<Vec<Course>> = runs.iter().map(|&seen| Course::of(seen, axis, most)).collect();
         let times = |(&target, gap)| running_time(runs, courses.as_deref(), target, gap);
         let running_times = targets.iter().zip(TARGET_GAPS).map(times).collect();
         let known = courses.as_deref().unwrap_or_default();
@@ -185,16 +191,11 @@ fn thinned(places: Vec<f64>, most: usize) -> Vec<f64> {
 }
 
 fn running_time(runs: &[Seen], courses: Option<&[Course]>, target: f64, gap: f64) -> RunningTime {
-    let reached = |seen: &&Seen| seen.row.found.is_some_and(|f| reaches(f.value, target)) || stepped(seen, target);
+    let reached = |seen: &&Seen| seen.row.found.is_some_and(|f| reaches(f.value, target));
     let successes = runs.iter().filter(reached).count();
     let spent = |course: &Course| course.hit(target).or(course.end);
     let total = courses.and_then(|courses| courses.iter().map(spent).sum::<Option<f64>>());
     RunningTime { target, gap, successes, expected: total.filter(|_| successes > 0).map(|total| total / successes as f64) }
-}
-
-/// Whether one of a run's improvements reaches a target.
-fn stepped(seen: &Seen, target: f64) -> bool {
-    seen.row.trace.iter().any(|step| reaches(step.value, target))
 }
 
 #[cfg(test)]
@@ -228,7 +229,7 @@ mod tests {
 
     fn curves(rows: &[Row]) -> Curves {
         let runs: Vec<Seen> = rows.iter().map(Seen::from).collect();
-        Curves::of(&runs, Axis::ConstructedPaths, &targets(10.0))
+        Curves::of(&runs, Axis::ConstructedPaths, &targets(10.0), f64::INFINITY)
     }
 
     #[test]
@@ -247,6 +248,28 @@ mod tests {
             curves(&[run(&[(10, 10.0)], 20), silent]).running_times[0],
             RunningTime { target: 12.0, gap: 0.2, successes: 1, expected: None }
         );
+    }
+
+    #[test]
+    fn an_answer_that_is_given_up_reaches_nothing() {
+        // Refined after each improvement: 10.1 at 20 is given up at 40 for 10.6, which stays.
+        let times = curves(&[run(&[(10, 11.5), (20, 10.1), (40, 10.6)], 100)]).running_times;
+        // Targets 12, 11, 10.5: for good at 10, at 20, never.
+        let expected: Vec<_> = times[..3].iter().map(|t| (t.successes, t.expected)).collect();
+        assert_eq!(expected, [(1, Some(10.0)), (1, Some(20.0)), (0, None)]);
+    }
+
+    #[test]
+    fn effort_counts_up_to_the_budget_and_only_where_there_is_any() {
+        let rows = [run(&[(10, 10.0)], 90), run(&[(10, 13.0)], 120)];
+        let runs: Vec<Seen> = rows.iter().map(Seen::from).collect();
+        let curves = Curves::of(&runs, Axis::ConstructedPaths, &targets(10.0), 100.0);
+        // (10 + 100) / 1: the second run's last iteration went beyond.
+        assert_eq!((curves.running_times[0].expected, curves.band.last().map(|p| p.x)), (Some(110.0), Some(100.0)));
+        let idle = [run(&[(0, 10.0)], 0)];
+        let runs: Vec<Seen> = idle.iter().map(Seen::from).collect();
+        let curves = Curves::of(&runs, Axis::ConstructedPaths, &targets(10.0), f64::INFINITY);
+        assert_eq!((curves.running_times[0].successes, curves.running_times[0].expected, curves.band.len()), (1, None, 0));
     }
 
     #[test]
@@ -296,7 +319,7 @@ mod tests {
         let unknown = Seen::from(&row);
         assert_eq!((to_best(unknown, Axis::Time), end(unknown, Axis::Time)), (None, None));
         assert_eq!(to_best(unknown, Axis::ConstructedPaths), Some(30.0));
-        assert!(Curves::of(&[unknown], Axis::Time, &targets(10.0)).band.is_empty());
+        assert!(Curves::of(&[unknown], Axis::Time, &targets(10.0), f64::INFINITY).band.is_empty());
     }
 
     #[test]

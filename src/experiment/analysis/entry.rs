@@ -62,7 +62,9 @@ pub struct EntryAnalysis {
     pub median_interval: Option<[f64; 2]>,
     /// The best value of a run by the entry's own objective.
     pub best: Option<f64>,
-    /// Runs that found the proven optimum of the entry's own objective.
+    /// Whether the optimum of the entry's own objective is proven.
+    pub proven: bool,
+    /// Runs that found it, where it is.
     pub optimal: usize,
     /// Runs with a better value than the proven optimum: their rules cannot have been the map's.
     pub impossible: usize,
@@ -136,6 +138,7 @@ impl About<'_> {
             mean_interval: mean,
             median_interval: median,
             best: runs.iter().filter_map(|seen| Some(seen.row.found?.value)).reduce(f64::min),
+            proven: map.reference(entry).is_proven(),
             optimal: runs.iter().filter(|seen| experiment.value(seen.row, Measure::Optimal) == Some(1.0)).count(),
             impossible: runs.iter().filter(|seen| experiment.impossible(seen.row)).count(),
             gap_counts: counts(&gaps, self.gap_edges),
@@ -164,7 +167,9 @@ impl About<'_> {
     fn told_curves(&self, entry: usize, runs: &[Seen]) -> Curves {
         let experiment = self.samples.experiment();
         let within: Vec<f64> = self.targets.iter().map(|&target| target + experiment.slack(entry, target)).collect();
-        let mut curves = Curves::of(runs, self.axis, &within);
+        let budget = experiment.question.budget.filter(|b| b.axis == self.axis);
+        let most = budget.map_or(f64::INFINITY, |b| b.amount as f64);
+        let mut curves = Curves::of(runs, self.axis, &within, most);
         curves.running_times.iter_mut().zip(self.targets).for_each(|(time, &target)| time.target = target);
         curves
     }

@@ -75,7 +75,7 @@ fn over_maps(out: &mut String, experiment: &Experiment, ranks: &Ranks) {
     let differ = ranks.pairs.iter().filter(|pair| pair.holm < 0.05);
     let told: Vec<String> =
         differ.map(|pair| format!("{} and {} (p = {})", label(pair.first), label(pair.second), probability(pair.holm))).collect();
-    let said = if told.is_empty() { "no two entries differ".into() } else { told.join("; ") };
+    let said = if told.is_empty() { "no two entries are shown to differ".into() } else { told.join("; ") };
     let _ = writeln!(out, "\nPost hoc, adjusted by Holm, at 5 %: {said}.");
 }
 

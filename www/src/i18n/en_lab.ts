@@ -45,7 +45,7 @@ export const enLab = {
     seedsFrom: 'from',
     seedsCount: 'Seeds for each planner and map',
     seedsFirst: 'First seed',
-    fewSeeds: 'Tests need more runs; 30 are usual.',
+    fewSeeds: 'Tests need 20 runs or more; 30 are usual.',
     budget: 'Budget of a run',
     budgets: {
       none: 'As each planner’s parameters say',

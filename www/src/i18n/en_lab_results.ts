@@ -53,6 +53,9 @@ export const enLabResults = {
     target: 'Target',
     targetOptimum: 'the optimum',
     withinGap: 'within {{gap}}',
+    targetValue: '{{target}}: {{value}}',
+    targetsShared:
+      'Gaps and “Optimal” go by the optimum of each entry’s own kind of path. Targets are the same for all entries, so that a shortest path by steps may miss one that a polyline reaches.',
     hits: '{{count}} of {{runs}}; {{effort}} expected',
     hitsShort: '{{part}} of {{whole}} runs',
     tableOf: '{{what}}: table',
@@ -180,7 +183,7 @@ export const enLabResults = {
       helps: 'it helps',
       harms: 'it harms',
       'not-shown': 'no difference shown',
-      'too-few': 'too few runs',
+      'too-few': 'fewer than 20 runs',
     },
     lostPaths: 'runs with a path: {{points}}',
     betterWithout: 'better without',
@@ -216,7 +219,7 @@ export const enLabResults = {
     belowAll: 'below every run here',
     atOrBelow: '{{share}} of the runs are at or below it',
     impossible:
-      '{{entry}}: the published {{value}} is shorter than the exact optimum {{optimum}} on this map under this rule of moving. No path can have it.',
+      '{{entry}}: the published {{value}} is below {{optimum}}, the exact optimum of our map under this rule of moving. No path here can have it: on the paper’s own map, or under another rule, one may.',
     stripOf: '{{count}} runs of {{entry}}',
     claims: 'Claims',
     sizesHint:
@@ -232,7 +235,7 @@ export const enLabResults = {
     whys: {
       notRun: 'one of the two cannot be run',
       noBaseline: 'the baseline finds no path in half of its runs or more',
-      fewRuns: 'too few runs to compare',
+      fewRuns: 'fewer than 30 runs to compare',
       noRoom: 'nearly all of the baseline’s runs are optimal already',
     },
     filesHint:

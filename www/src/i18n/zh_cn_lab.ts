@@ -45,7 +45,7 @@ export const zhCNLab: Shape<typeof enLab> = {
     seedsFrom: '起始',
     seedsCount: '每个规划器在每张地图上的种子数',
     seedsFirst: '第一个种子',
-    fewSeeds: '检验需要更多次运行；通常为 30 次。',
+    fewSeeds: '检验至少需要 20 次运行；通常为 30 次。',
     budget: '每次运行的预算',
     budgets: {
       none: '按各规划器自己的参数',

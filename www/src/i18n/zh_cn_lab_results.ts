@@ -54,6 +54,9 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     target: '目标',
     targetOptimum: '最优值',
     withinGap: '差距 {{gap}} 以内',
+    targetValue: '{{target}}：{{value}}',
+    targetsShared:
+      '差距与“最优”以各参评项自身路径类型的最优为准；目标则对所有参评项相同，因此逐格最短路径可能达不到折线可达的目标。',
     hits: '{{count}} / {{runs}}；期望 {{effort}}',
     hitsShort: '{{part}} / {{whole}} 次运行',
     tableOf: '{{what}}：表格',
@@ -175,7 +178,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
       helps: '有益',
       harms: '有害',
       'not-shown': '未显示差别',
-      'too-few': '运行太少',
+      'too-few': '运行少于 20 次',
     },
     lostPaths: '找到路径的运行：{{points}}',
     betterWithout: '去掉更好',
@@ -209,7 +212,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     belowAll: '低于此处所有运行',
     atOrBelow: '{{share}} 的运行不高于它',
     impossible:
-      '{{entry}}：报告值 {{value}} 短于此地图在此移动规则下的精确最优 {{optimum}}，没有路径能达到。',
+      '{{entry}}：报告值 {{value}} 低于我们的地图在此移动规则下的精确最优 {{optimum}}，此处没有路径能达到；在论文自己的地图上或按另一规则则有可能。',
     stripOf: '{{entry}} 的 {{count}} 次运行',
     claims: '主张',
     sizesHint:
@@ -225,7 +228,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     whys: {
       notRun: '两者之一无法运行',
       noBaseline: '基线有半数或更多运行未找到路径',
-      fewRuns: '运行太少，无法比较',
+      fewRuns: '可比较的运行少于 30 次',
       noRoom: '基线几乎所有运行已是最优',
     },
     filesHint: '与命令行写出的字节完全相同。时间取决于机器，因此单独成一个文件。',

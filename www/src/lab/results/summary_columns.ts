@@ -70,13 +70,17 @@ export function columnsOf({ analysis, map, target }: Table): Column[] {
 
 const quartiles = ({ lower, upper }: Summary, write: Write) => range(lower, upper, write)
 
+/** Of an entry that has no runs on the map, nothing. */
+const partOf = (part: number, whole: number) =>
+  whole > 0 ? t('lab.results.of', { part, whole }) : '–'
+
 /** Runs without a path stand first: nothing that follows says anything of them. */
 function found(): Column {
   return {
     id: 'found',
     better: 'higher',
     value: ({ with_path, runs }) => (runs > 0 ? with_path / runs : null),
-    text: ({ with_path, runs }) => t('lab.results.of', { part: with_path, whole: runs }),
+    text: ({ with_path, runs }) => partOf(with_path, runs),
     note: ({ runs, expected }) =>
       runs < expected ? t('lab.results.ofExpected', { expected }) : null,
     hint: ({ success_interval: interval, runs }) =>
@@ -117,8 +121,8 @@ function optimal(): Column {
   return {
     id: 'optimal',
     better: 'higher',
-    value: ({ optimal, runs }) => (runs > 0 ? optimal / runs : null),
-    text: ({ optimal, runs }) => t('lab.results.of', { part: optimal, whole: runs }),
+    value: ({ optimal, runs, proven }) => (proven && runs > 0 ? optimal / runs : null),
+    text: ({ optimal, runs, proven }) => (proven ? partOf(optimal, runs) : '–'),
   }
 }
 
@@ -131,7 +135,9 @@ function runningTime(target: number, spent: Write): Column {
     text: (e) => dash(at(e)?.expected, spent),
     note: (e) => {
       const time = at(e)
-      return time ? t('lab.results.hitsShort', { part: time.successes, whole: e.runs }) : null
+      return time && e.runs > 0
+        ? t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
+        : null
     },
   }
 }

@@ -6,7 +6,7 @@ import { bestOf } from '../../panels/metric_rows'
 import { Select } from '../../ui/fields'
 import { study } from '../signals'
 import { Alert, AxisChoice, dotColour, MapChoice, MapHead, shownMap } from './choices'
-import { labelOf, measureWords, optimaOf } from './format'
+import { amount, dash, labelOf, measureWords, optimaOf } from './format'
 import { type Column, type ColumnId, columnsOf, headOf, type Table } from './summary_columns'
 import type { Analysis, EntryAnalysis, MapAnalysis } from './types'
 
@@ -56,10 +56,13 @@ function TargetChoice({ map, target }: { map: MapAnalysis; target: number }) {
       value={String(target)}
       options={map.target_gaps.map((gap, i) => ({
         value: String(i),
-        label:
-          gap === 0
-            ? t('lab.results.targetOptimum')
-            : t('lab.results.withinGap', { gap: numbers.value.share.format(gap) }),
+        label: t('lab.results.targetValue', {
+          target:
+            gap === 0
+              ? t('lab.results.targetOptimum')
+              : t('lab.results.withinGap', { gap: numbers.value.share.format(gap) }),
+          value: dash(map.targets[i], amount(map.curve_measure)),
+        }),
       }))}
       onChange={(value) => {
         chosenTarget.value = Number(value)
@@ -213,6 +216,7 @@ function Footnotes({ map }: { map: MapAnalysis }) {
   const elsewhere = map.entries.some(({ origin }) => origin === 'results')
   const failed = map.entries.some(({ runs, with_path }) => with_path < runs)
   const wrong = map.entries.filter(({ impossible }) => impossible > 0)
+  const shared = map.targets.length > 0 && optimaOf(map, map.curve_measure).length > 1
   return (
     <>
       {wrong.map((entry) => (
@@ -223,6 +227,7 @@ function Footnotes({ map }: { map: MapAnalysis }) {
       ))}
       <ul class="footnotes">
         {failed && <li>{t('lab.results.failuresNote')}</li>}
+        {shared && <li>{t('lab.results.targetsShared')}</li>}
         {elsewhere && <li>{t('lab.results.fromElsewhere')}</li>}
       </ul>
     </>
