@@ -141,7 +141,7 @@ test.describe('tables of results', () => {
     const small = page.getByTestId('reported-small')
     const optimum = Number((await results.rows('small', 'exact'))[0]?.length).toFixed(2)
     await expect(page.getByTestId('impossible')).toHaveText(
-      `Trail limits: the published 5 is shorter than the exact optimum ${optimum} on this map under this rule of moving. No path can have it.`,
+      `Trail limits: the published 5 is below ${optimum}, the exact optimum of our map under this rule of moving. No path here can have it: on the paper’s own map, or under another rule, one may.`,
     )
     const found = lengths(await results.rows('small', 'limits'))
     await expect(small.getByRole('img', { name: /Trail limits/ }).locator('circle')).toHaveCount(

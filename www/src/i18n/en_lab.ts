@@ -70,6 +70,7 @@ export const enLab = {
     runCount_other: '{{count}} runs',
     run: 'Run {{runs}}',
     autoTitle: '{{what}} on {{where}}',
+    madeWay: 'The other planners made way for the ablation',
     ablationTitle: 'Ablation of {{planner}} on {{where}}',
     asks: 'Which planner finds the better paths, over all seeds?',
   },

@@ -53,7 +53,7 @@ export const enLabResults = {
     target: 'Target',
     targetOptimum: 'the optimum',
     withinGap: 'within {{gap}}',
-    targetValue: '{{target}}: {{value}}',
+    targetIs: '{{value}} or less',
     targetsShared:
       'Gaps and “Optimal” go by the optimum of each entry’s own kind of path. Targets are the same for all entries, so that a shortest path by steps may miss one that a polyline reaches.',
     hits: '{{count}} of {{runs}}; {{effort}} expected',
@@ -235,7 +235,7 @@ export const enLabResults = {
     whys: {
       notRun: 'one of the two cannot be run',
       noBaseline: 'the baseline finds no path in half of its runs or more',
-      fewRuns: 'fewer than 30 runs to compare',
+      fewRuns: 'too few runs to compare (30 are needed)',
       noRoom: 'nearly all of the baseline’s runs are optimal already',
     },
     filesHint:

@@ -66,6 +66,7 @@ export const zhCNLab: Shape<typeof enLab> = {
     runCount_other: '{{count}} 次运行',
     run: '开始 {{runs}}',
     autoTitle: '{{where}}上的{{what}}',
+    madeWay: '其他规划器已让位给消融实验',
     ablationTitle: '{{where}}上{{planner}}的消融实验',
     asks: '在所有种子上，哪个规划器找到更好的路径？',
   },

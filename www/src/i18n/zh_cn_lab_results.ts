@@ -54,7 +54,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     target: '目标',
     targetOptimum: '最优值',
     withinGap: '差距 {{gap}} 以内',
-    targetValue: '{{target}}：{{value}}',
+    targetIs: '{{value}} 或更小',
     targetsShared:
       '差距与“最优”以各参评项自身路径类型的最优为准；目标则对所有参评项相同，因此逐格最短路径可能达不到折线可达的目标。',
     hits: '{{count}} / {{runs}}；期望 {{effort}}',
@@ -228,7 +228,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     whys: {
       notRun: '两者之一无法运行',
       noBaseline: '基线有半数或更多运行未找到路径',
-      fewRuns: '可比较的运行少于 30 次',
+      fewRuns: '可比较的运行太少（需 30 次）',
       noRoom: '基线几乎所有运行已是最优',
     },
     filesHint: '与命令行写出的字节完全相同。时间取决于机器，因此单独成一个文件。',

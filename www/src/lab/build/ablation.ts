@@ -4,14 +4,14 @@ import { tools } from '../../engine/tools'
 import { engineText } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { plannerName } from '../../panels/planner_text'
-import { plannerEntry } from '../../state'
+import { notify, plannerEntry } from '../../state'
 import type { Contender } from '../document'
-import { type DraftEntry, setEntries } from './draft'
+import { ablated, type DraftEntry, entries as drafted, setEntries } from './draft'
 
 /** What the id of an entry without a component begins with. */
 const WITHOUT = 'without-'
 
-/** The entries of an ablation in the place of all others; the engine knows which components these values leave. */
+/** The entries of an ablation in the place of all others, with a way back to them; the engine knows which components these values leave. */
 export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {
   const known = plannerEntry(planner)
   if (!known) return
@@ -23,7 +23,12 @@ export async function ablate({ planner, preset, params }: DraftEntry): Promise<v
     label: labelOf(id, known) ?? label,
     id,
   }))
+  const [before, ofPlanner] = [drafted.peek(), ablated.peek()]
   setEntries(drafts, plannerName(known))
+  if (before.length > 1)
+    notify('info', t('lab.build.madeWay'), {
+      action: { label: t('lab.kept.undo'), run: () => setEntries(before, ofPlanner) },
+    })
 }
 
 /** In the reader's language. */

@@ -54,12 +54,15 @@ const SYMBOLS: SymbolName[] = [
   'hexagon',
   'cross',
 ]
+/** The race has so many colours; comparisons may have more entries. */
+const SLOTS = 6
+const MORE_COLOURS = ['#8c6d1f', '#6d7f8b', '#7a5bd0', '#a33b3b']
 const DASHES = [undefined, '7 3', '2 3', '10 3 2 3', '4 2', '12 4 2 4 2 4', '1 3 6 3'] as const
 
 export function seriesOf(index: number, label: string): Series {
   return {
     label,
-    colour: slotColour(index),
+    colour: MORE_COLOURS[index - SLOTS] ?? slotColour(index),
     dash: DASHES[index % DASHES.length],
     symbol: SYMBOLS[index % SYMBOLS.length] ?? 'circle',
   }

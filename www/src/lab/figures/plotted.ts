@@ -69,7 +69,8 @@ export function gridEffort(plot: Plot, { analysis, look, width, logarithmic }: S
     plot.gridX({ tickSpacing, stroke: look.line, strokeOpacity: 1 }),
     plot.axisX({
       ...LOW,
-      tickSpacing,
+      // Parts of a second are long numbers.
+      tickSpacing: logarithmic && analysis.axis === 'time' ? 110 : tickSpacing,
       color: look.muted,
       label: axisWords(analysis.axis),
       tickFormat: compact,

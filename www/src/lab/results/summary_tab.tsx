@@ -30,6 +30,13 @@ export function SummaryTab({ analysis }: { analysis: Analysis }) {
         <MapChoice analysis={analysis} />
         <AxisChoice />
         {map.targets.length > 0 && <TargetChoice map={map} target={target} />}
+        {map.targets.length > 0 && (
+          <span class="hint">
+            {t('lab.results.targetIs', {
+              value: dash(map.targets[target], amount(map.curve_measure)),
+            })}
+          </span>
+        )}
       </div>
       <MapHead map={map} />
       <p class="hint">{about(map)}</p>
@@ -56,13 +63,10 @@ function TargetChoice({ map, target }: { map: MapAnalysis; target: number }) {
       value={String(target)}
       options={map.target_gaps.map((gap, i) => ({
         value: String(i),
-        label: t('lab.results.targetValue', {
-          target:
-            gap === 0
-              ? t('lab.results.targetOptimum')
-              : t('lab.results.withinGap', { gap: numbers.value.share.format(gap) }),
-          value: dash(map.targets[i], amount(map.curve_measure)),
-        }),
+        label:
+          gap === 0
+            ? t('lab.results.targetOptimum')
+            : t('lab.results.withinGap', { gap: numbers.value.share.format(gap) }),
       }))}
       onChange={(value) => {
         chosenTarget.value = Number(value)
