@@ -6,10 +6,11 @@ import { t } from '../../i18n/lab'
 import { ParameterControl } from '../../panels/parameter_control'
 import { paramsInForce, presetOptions } from '../../panels/parameters'
 import { plannerName } from '../../panels/planner_text'
-import { notifyError, paramValue, plannerEntry, slotColour } from '../../state'
+import { notifyError, paramValue, plannerEntry } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
 import { FormError } from '../../ui/form_error'
+import { seriesOf } from '../figures/look'
 import { ablate } from './ablation'
 import { changeEntry, copyEntry, type DraftEntry, removeEntry } from './draft'
 import { whyNotHere } from './entries'
@@ -24,7 +25,7 @@ export function EntryRow({ entry, place }: { entry: DraftEntry; place: number })
   return (
     <li
       class="draft-entry"
-      style={{ '--panel-colour': slotColour(place) }}
+      style={{ '--panel-colour': seriesOf(place, '').colour }}
       data-testid={`entry-${place + 1}`}
     >
       <div class="entry-head">
