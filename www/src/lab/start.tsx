@@ -1,10 +1,10 @@
 /** Where an experiment begins: a new one, one of before, one of a paper, one from a file. */
 import { signal } from '@preact/signals'
 import { FolderOpen } from 'lucide'
-import { useRef } from 'preact/hooks'
 import { t } from '../i18n/lab'
 import { openFiles } from '../state'
 import { Button } from '../ui/buttons'
+import { useFilePicker } from '../ui/file_picker'
 import { FormError } from '../ui/form_error'
 import { Builder } from './build/builder'
 import { KeptList } from './kept_list'
@@ -31,7 +31,6 @@ export function Start() {
 const refused = signal<unknown>(null)
 
 function OpenFile() {
-  const picker = useRef<HTMLInputElement>(null)
   const open = async (file: File | undefined) => {
     refused.value = null
     if (!file) return
@@ -39,27 +38,20 @@ function OpenFile() {
       refused.value = error
     })
   }
+  const { pick, element } = useFilePicker({
+    label: t('lab.start.openFile'),
+    accept: '.json,.png',
+    testId: 'lab-file',
+    onFiles: ([file]) => void open(file),
+  })
   return (
     <section class="lab-card">
-      <input
-        ref={picker}
-        type="file"
-        class="visually-hidden"
-        tabIndex={-1}
-        aria-label={t('lab.start.openFile')}
-        accept=".json,.png"
-        data-testid="lab-file"
-        onChange={(event) => {
-          const { files } = event.currentTarget
-          void open(files?.[0])
-          event.currentTarget.value = ''
-        }}
-      />
+      {element}
       <Button
         icon={FolderOpen}
         label={t('lab.start.openFile')}
         testId="lab-open-file"
-        onClick={() => picker.current?.click()}
+        onClick={pick}
       />
       <p class="hint">{t('lab.start.openFileHint')}</p>
       {refused.value !== null && <FormError error={refused.value} />}

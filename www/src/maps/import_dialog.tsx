@@ -1,9 +1,10 @@
-import { useId, useRef, useState } from 'preact/hooks'
+import { useId, useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
 import { openFiles, openText } from '../state'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { closeDialog } from '../ui/dialogs'
+import { useFilePicker } from '../ui/file_picker'
 import { FormError } from '../ui/form_error'
 
 const FORMATS = ['map', 'scen', 'matrix', 'raster', 'json', 'link'] as const
@@ -11,11 +12,17 @@ const FORMATS = ['map', 'scen', 'matrix', 'raster', 'json', 'link'] as const
 const ENDINGS = '.map,.scen,.txt,.csv,.json,.asc,.tif,.tiff,.hgt,.png'
 
 export function ImportDialog() {
-  const picker = useRef<HTMLInputElement>(null)
   const [text, setText] = useState('')
   const textId = useId()
   const [error, setError] = useState<unknown>(null)
   const settle = (opening: Promise<void>) => opening.then(closeDialog, setError)
+  const { pick, element } = useFilePicker({
+    label: t('maps.chooseFiles'),
+    accept: ENDINGS,
+    multiple: true,
+    testId: 'import-file',
+    onFiles: (files) => settle(openFiles(files)),
+  })
   return (
     <Dialog
       title={t('maps.titles.import')}
@@ -31,18 +38,8 @@ export function ImportDialog() {
         />
       }
     >
-      <input
-        ref={picker}
-        type="file"
-        multiple
-        class="visually-hidden"
-        tabIndex={-1}
-        aria-label={t('maps.chooseFiles')}
-        accept={ENDINGS}
-        data-testid="import-file"
-        onChange={(event) => settle(openFiles(event.currentTarget.files ?? []))}
-      />
-      <button type="button" class="drop-target" onClick={() => picker.current?.click()}>
+      {element}
+      <button type="button" class="drop-target" onClick={pick}>
         <strong>{t('maps.chooseFiles')}</strong>
         <span class="hint">{t('maps.orDrop')}</span>
       </button>

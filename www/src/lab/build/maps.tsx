@@ -8,6 +8,7 @@ import { galleryName, mapName } from '../../maps/map_menu'
 import { notifyError } from '../../state'
 import { toScenario } from '../../state/files'
 import { IconButton } from '../../ui/buttons'
+import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuColumn, MenuHeading, MenuItem } from '../../ui/menu'
@@ -22,12 +23,18 @@ const GROUPS = [
 const ENDINGS = '.map,.txt,.csv,.json,.asc,.tif,.tiff,.hgt'
 
 export function Maps() {
-  const picker = useRef<HTMLInputElement>(null)
   const [error, setError] = useState<unknown>(null)
-  const open = (files: FileList | null) => {
+  const open = (files: File[]) => {
     setError(null)
     openMapFiles(files).catch(setError)
   }
+  const { pick, element } = useFilePicker({
+    label: t('lab.build.mapFile'),
+    accept: ENDINGS,
+    multiple: true,
+    testId: 'lab-map-file',
+    onFiles: open,
+  })
   return (
     <fieldset class="builder-part">
       <legend>{t('lab.build.maps')}</legend>
@@ -36,25 +43,12 @@ export function Maps() {
           <MapItem key={map.key} map={map} />
         ))}
         <li>
-          <AddMap pick={() => picker.current?.click()} />
+          <AddMap pick={pick} />
         </li>
       </ul>
       {maps.value.length === 0 && <p class="hint">{t('lab.build.noMaps')}</p>}
       {error !== null && <FormError error={error} />}
-      <input
-        ref={picker}
-        type="file"
-        multiple
-        class="visually-hidden"
-        tabIndex={-1}
-        aria-label={t('lab.build.mapFile')}
-        accept={ENDINGS}
-        data-testid="lab-map-file"
-        onChange={(event) => {
-          open(event.currentTarget.files)
-          event.currentTarget.value = ''
-        }}
-      />
+      {element}
     </fieldset>
   )
 }
@@ -167,8 +161,8 @@ function Group({ at }: { at: 0 | 1 | 2 }) {
 }
 
 /** Rasters of heights come as they are: whoever wants a part of one opens it in the other view. */
-async function openMapFiles(files: FileList | null): Promise<void> {
-  for (const file of files ?? []) {
+async function openMapFiles(files: File[]): Promise<void> {
+  for (const file of files) {
     const bytes = new Uint8Array(await file.arrayBuffer())
     const opened = toScenario(await tools.importMap(bytes, file.name), file.name)
     addMap(opened.spec.name || file.name, opened)

@@ -1,9 +1,10 @@
 /** Where somebody's own runs come in: beside the planners, or into an experiment that is open. */
 import { FileChartColumn, X } from 'lucide'
-import { useRef, useState } from 'preact/hooks'
+import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
+import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Icon } from '../../ui/icon'
 import {
@@ -23,31 +24,18 @@ interface Place {
 
 /** `maps`: on which of them runs can be that name none. */
 export function OwnResults({ maps }: { maps: Place[] }) {
-  const picker = useRef<HTMLInputElement>(null)
+  const { pick, element } = useFilePicker({
+    label: t('lab.own.add'),
+    accept: '.csv,.tsv,.txt,.dat,.tdat',
+    multiple: true,
+    testId: 'own-file',
+    onFiles: (files) => void takeResultFiles(files),
+  })
   return (
     <div class="own-results">
-      <Button
-        icon={FileChartColumn}
-        label={t('lab.own.add')}
-        testId="own-add"
-        onClick={() => picker.current?.click()}
-      />
+      <Button icon={FileChartColumn} label={t('lab.own.add')} testId="own-add" onClick={pick} />
       <p class="hint">{t('lab.own.hint')}</p>
-      <input
-        ref={picker}
-        type="file"
-        multiple
-        class="visually-hidden"
-        tabIndex={-1}
-        aria-label={t('lab.own.add')}
-        accept=".csv,.tsv,.txt,.dat,.tdat"
-        data-testid="own-file"
-        onChange={(event) => {
-          const files = [...(event.currentTarget.files ?? [])]
-          event.currentTarget.value = ''
-          void takeResultFiles(files)
-        }}
-      />
+      {element}
       {refusedFile.value && (
         <Refused key={refusedFile.value.name} file={refusedFile.value} maps={maps} />
       )}
