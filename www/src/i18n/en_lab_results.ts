@@ -159,9 +159,9 @@ export const enLabResults = {
     boxes:
       'One point a run. Whiskers reach the furthest runs within 1.5 interquartile ranges of the box.',
     impossibleNote:
-      'A published value below the exact optimum cannot be had on this map under this rule of moving.',
+      'A published value below the exact optimum cannot be had on our map under this rule of moving; on the paper’s own map it may.',
     convergenceNote:
-      'Median of the best path so far. Runs without a path yet count as infinitely long; a curve begins when half of them have one.',
+      'Median of what each run would have answered by then. Runs without a path yet count as infinitely long; a curve begins when half of them have one.',
     endsNote: 'Symbols stand where the longest run ended.',
     cut: 'Values above {{value}} are cut off.',
     solved: 'solved (run, target) pairs',

@@ -156,8 +156,10 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     },
     words: { median: '中位数 {{value}}', optimal: '{{runs}} 次中 {{optimal}} 次最优' },
     boxes: '每点为一次运行。须线延伸到距箱体 1.5 倍四分位距以内最远的运行。',
-    impossibleNote: '在此地图和此移动规则下，低于精确最优的报告值不可能出现。',
-    convergenceNote: '目前最优路径的中位数。尚无路径的运行视为无限长；半数运行有路径后曲线才开始。',
+    impossibleNote:
+      '在我们的地图和此移动规则下，低于精确最优的报告值不可能出现；在论文自己的地图上则可能。',
+    convergenceNote:
+      '各次运行若在此时停止所给答案的中位数。尚无路径的运行视为无限长；半数运行有路径后曲线才开始。',
     endsNote: '符号标出最长的运行结束之处。',
     cut: '大于 {{value}} 的值已截去。',
     solved: '已解决的（运行，目标）对',
