@@ -203,7 +203,10 @@ fn a_budget_can_be_set_from_outside() {
     let (code, said) = folder.compare(&["q.toml", "--out", "out", "--budget", "constructed-paths=5"]);
     assert_eq!(code, 0, "{said}");
     let page = folder.read("out/q.md");
-    assert!(page.contains("--budget constructed-paths=5`") && page.contains(", of each at most 5 constructed paths count."), "{page}");
+    assert!(
+        page.contains("--budget constructed-paths=5`") && page.contains(", of each at most 5 constructed paths count."),
+        "{page}"
+    );
     let csv = folder.read("out/q.csv");
     let paths = csv.lines().skip(1).filter(|l| l.starts_with("small,colony")).map(|l| l.split(',').nth(9).unwrap().to_owned());
     assert!(paths.clone().all(|n| n.is_empty() || n == "3") && paths.count() == 40, "{csv}");
