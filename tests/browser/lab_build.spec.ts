@@ -201,7 +201,7 @@ test('a file of the command line opens with its runs, and goes on where it was',
   await open.setInputFiles({
     name: 'newer.json',
     mimeType: 'application/json',
-    buffer: Buffer.from(result.files.json.replace('result@1', 'result@9')),
+    buffer: Buffer.from(result.files.json.replace('comparison@1', 'comparison@9')),
   })
   await expect(page.locator('.lab-side').getByRole('alert')).toBeVisible()
 })
