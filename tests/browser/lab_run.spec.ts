@@ -40,7 +40,7 @@ test.describe('a comparison', () => {
     await laboratory.open()
     await laboratory.compare('ant-system', 'ship')
     // Enough that a fast machine is still at work when the next button is pressed.
-    const runs = 2 * 800
+    const runs = 2 * 300
     await laboratory.seeds(runs / 2)
     await laboratory.run()
     await expect.poll(() => laboratory.done()).toBeGreaterThan(4)

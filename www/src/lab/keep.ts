@@ -23,9 +23,6 @@ interface Shelf extends DBSchema {
 }
 
 const NAME = 'formicarium.lab'
-/** One transaction for all runs of this time: a thousand small ones would hold up the page. */
-const BATCH_MS = 200
-
 let opening: Promise<IDBPDatabase<Shelf>> | null = null
 
 function shelf(): Promise<IDBPDatabase<Shelf>> {
@@ -49,10 +46,15 @@ function forget(): void {
   opening = null
 }
 
-/** The newest first. */
+/** The newest first. Of one that was broken off, its runs tell how far it got. */
 export async function keptStudies(): Promise<KeptStudy[]> {
-  const all = await (await shelf()).getAll('studies')
-  return all.sort((a, b) => b.created - a.created)
+  const database = await shelf()
+  const all = await database.getAll('studies')
+  const counted = all.map(async (study) => {
+    if (study.done >= study.total) return study
+    return { ...study, done: await database.count('rows', rowsOf(study.id)) }
+  })
+  return (await Promise.all(counted)).sort((a, b) => b.created - a.created)
 }
 
 export async function keptStudy(id: string): Promise<{ study: KeptStudy; runs: KeptRun[] } | null> {
@@ -76,10 +78,12 @@ export async function forgetStudy(id: string): Promise<void> {
 /** Every index of a study: arrays come after all numbers. */
 const rowsOf = (id: string) => IDBKeyRange.bound([id], [id, []])
 
-/** Writes down a study and its runs as they come. `trouble` is told when the browser refuses; nothing is written afterwards. */
+/**
+ * Writes down a study, and its runs as they come: at once, and those that come while others are being written all together after them. A
+ * tab may be closed at any moment. `trouble` is told when the browser refuses; nothing is written afterwards.
+ */
 export class Keeper {
   private waiting: KeptRun[] = []
-  private timer = 0
   private writing: Promise<void> = Promise.resolve()
   private refused = false
 
@@ -96,28 +100,32 @@ export class Keeper {
   keep(run: KeptRun): void {
     this.study.done += 1
     this.waiting.push(run)
-    if (this.timer === 0) this.timer = window.setTimeout(() => void this.flush(), BATCH_MS)
+    if (this.waiting.length === 1) this.next((runs) => putRuns(this.study.id, runs))
   }
 
-  /** Resolves when all that has been given is on the shelf. */
+  /** Resolves when all that has been given is on the shelf, and the study says so. */
   flush(): Promise<void> {
-    clearTimeout(this.timer)
-    this.timer = 0
-    const runs = this.waiting
-    this.waiting = []
-    this.writing = this.writing.then(() => this.write(runs, { ...this.study }))
+    return this.next((runs) => putStudy({ ...this.study }, runs))
+  }
+
+  private next(put: (runs: KeptRun[]) => Promise<void>): Promise<void> {
+    this.writing = this.writing.then(async () => {
+      const runs = this.waiting
+      this.waiting = []
+      if (!this.refused) await put(runs).catch((error: unknown) => this.refuse(error))
+    })
     return this.writing
   }
 
-  private async write(runs: KeptRun[], study: KeptStudy): Promise<void> {
-    if (this.refused) return
-    try {
-      await putStudy(study, runs)
-    } catch (error) {
-      this.refused = true
-      this.trouble(error)
-    }
+  private refuse(error: unknown): void {
+    this.refused = true
+    this.trouble(error)
   }
+}
+
+async function putRuns(study: string, runs: KeptRun[]): Promise<void> {
+  const change = (await shelf()).transaction('rows', 'readwrite')
+  await Promise.all([...runs.map((run) => change.store.put(run, [study, run.index])), change.done])
 }
 
 /** A study as it stands, and some of its runs. */
