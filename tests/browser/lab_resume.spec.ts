@@ -7,7 +7,7 @@ const ASKED = documentText({
     { id: 'ants', planner: 'ant-system' },
     { id: 'ranks', planner: 'rank-based-ant-system' },
   ],
-  seeds: 80,
+  seeds: 400,
   rows: Array.from({ length: 24 }, () => '.'.repeat(24)),
 })
 
@@ -39,9 +39,9 @@ test('a tab closed at any moment loses nothing that was done, and what follows i
   await item.getByTestId('kept-open').click()
   await expect.poll(() => second.phase()).toBe('paused')
   const kept = await second.done()
-  console.log(`${kept} of 160 runs were kept`)
+  console.log(`${kept} of 800 runs were kept`)
   expect(kept).toBeGreaterThan(0)
-  expect(kept).toBeLessThan(160)
+  expect(kept).toBeLessThan(800)
   expect(await second.words()).toContain(`${kept} from before`)
   await second.page.getByTestId('lab-go-on').click()
   await second.finished()
@@ -61,6 +61,6 @@ test('a reload in the middle opens the same comparison, paused', async ({ browse
   expect(await laboratory.done()).toBeGreaterThan(0)
   await page.getByTestId('lab-go-on').click()
   await laboratory.finished()
-  expect(await laboratory.done()).toBe(160)
+  expect(await laboratory.done()).toBe(800)
   await context.close()
 })

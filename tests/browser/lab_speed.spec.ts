@@ -35,7 +35,7 @@ test('100 seeds of one planner on one worker and on all', async ({ page }) => {
   await laboratory.open()
   await laboratory.on('aco-20x20')
   await laboratory.compare('ant-system')
-  await laboratory.set(1, 'iterations', 400)
+  await laboratory.set(1, 'iterations', 1600)
   await laboratory.seeds(100)
   await laboratory.run()
   await laboratory.finished(120_000)

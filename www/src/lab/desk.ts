@@ -6,9 +6,9 @@ import type { Analysis } from './results/types'
 import { axis } from './signals'
 
 /** Between two looks at runs that go on. */
-const LOOK_MS = 500
+const LOOK_MS = 1000
 /** A look takes at most this part of the analyst's time. */
-const MOST_OF_TIME = 1 / 4
+const MOST_OF_TIME = 1 / 10
 
 export interface Look {
   analysis: Analysis

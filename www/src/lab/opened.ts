@@ -36,7 +36,7 @@ export interface Open {
 }
 
 /** Numbers of a run bar need not come more often. */
-const SHOW_MS = 120
+const SHOW_MS = 500
 
 let open: Open | null = null
 let shown = 0
