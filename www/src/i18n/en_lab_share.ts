@@ -15,11 +15,6 @@ export const enLabShare = {
     carriesRuns_other:
       'Digests of {{count}} runs, not the runs themselves; file and picture carry these',
     carriesNoRuns: 'No runs yet: there is nothing to compare with',
-    link: 'Link to this experiment',
-    copy: 'Copy link',
-    file: 'Save as file',
-    picture: 'Save as picture',
-    private: '{{length}} characters. Everything is in the link itself; nothing is uploaded.',
     tooLong:
       'This experiment makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save it as a file or a picture instead: they carry the runs as well, and open here by drag and drop.',
     tooLarge:

@@ -12,11 +12,6 @@ export const zhCNLabShare: Shape<typeof enLabShare> = {
     carriesSeeds_other: '{{count}} 个种子',
     carriesRuns_other: '{{count}} 次运行的摘要，不含运行本身；文件和图片包含运行',
     carriesNoRuns: '还没有运行：没有可比对的内容',
-    link: '此实验的链接',
-    copy: '复制链接',
-    file: '存为文件',
-    picture: '存为图片',
-    private: '{{length}} 个字符。所有内容都在链接之中，不会上传任何数据。',
     tooLong:
       '此实验的链接长达 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改存为文件或图片：它们还包含运行结果，拖放到此处即可打开。',
     tooLarge: '此实验太大，无法放入链接。请改存为文件或图片：拖放到此处即可打开。',

@@ -16,7 +16,6 @@ import { open, seal } from './envelope'
 import { LinkError } from './error'
 import { documentOf, readDocument } from './experiment'
 
-export { LINK_LIMIT } from './envelope'
 export { LinkError } from './error'
 
 const PREFIX = '#x='
