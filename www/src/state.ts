@@ -1,7 +1,7 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './state/appearance'
 export * from './state/files'
-export { historyOf, latest, onReply } from './state/live'
+export { flushLive, historyOf, latest, onReply } from './state/live'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './state/looking'
 export {
   announce,

@@ -2,7 +2,7 @@
 import { computed, signal } from '@preact/signals'
 import { client } from '../engine/clients'
 import { addPlaybackWords, t } from '../i18n/playback'
-import { leavePast, lookedAt, notify, type Panel, panels, pause, phase } from '../state'
+import { flushLive, leavePast, lookedAt, notify, type Panel, panels, pause, phase } from '../state'
 
 void addPlaybackWords()
 
@@ -17,12 +17,15 @@ export const lastIteration = computed(() => {
 })
 
 export function lookBy(iterations: number): void {
+  flushLive()
   const from = lookedAt.peek() ?? lastIteration.peek()
   if (lookedAt.peek() !== null || iterations < 0) lookTo(from + iterations)
 }
 
 /** Shows an iteration in all panels; the last one is where the runs stand. What plays is held. */
 export function lookTo(iteration: number): void {
+  // Looking back begins at what has been reached, not at what happened to be on show.
+  flushLive()
   if (phase.peek() === 'running') pause()
   if (iteration >= lastIteration.peek()) {
     leavePast()

@@ -34,13 +34,15 @@ export function Menu({ label, face, testId, children, align = 'start', bare, onO
     style.maxHeight = `${innerHeight - top - 8}px`
     style.left = `${Math.max(8, Math.min(wanted, innerWidth - offsetWidth - 8))}px`
   }
+  // The browser takes the focus there as it opens the list; `toggle` comes later than the next key may.
+  const opening = () => items(list.current)[0]?.setAttribute('autofocus', '')
   const toggled = (event: Event) => {
     const open = (event as ToggleEvent).newState === 'open'
     button.current?.setAttribute('aria-expanded', String(open))
     if (!open) return
     onOpen?.()
     place()
-    items(list.current)[0]?.focus()
+    if (!list.current?.contains(document.activeElement)) items(list.current)[0]?.focus()
   }
   return (
     <>
@@ -65,6 +67,7 @@ export function Menu({ label, face, testId, children, align = 'start', bare, onO
         aria-label={label}
         class="menu"
         tabIndex={-1}
+        onBeforeToggle={opening}
         onToggle={toggled}
         onKeyDown={(event) => moveFocus(event, list.current)}
         onClick={() => list.current?.hidePopover()}
