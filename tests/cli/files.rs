@@ -1,0 +1,86 @@
+//! `catalog`, `convert`, `generate` and `bench-scen`.
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::folder::{Folder, MAP, SCEN};
+use super::schema;
+
+#[test]
+fn catalog_is_a_table_and_json() {
+    let folder = Folder::with_map("catalog");
+    folder.run(&["catalog"]).ends(0).says(&["ant-system · Ant System", "rho", "dijkstra", "--preset"]);
+    let all = folder.run(&["catalog", "--json"]).ends(0).json();
+    assert_eq!(schema::violations(&schema::load("catalog"), &all), Vec::<String>::new());
+    let one = folder.run(&["catalog", "astar", "--json"]).ends(0).json();
+    assert_eq!((one["planners"].as_array().unwrap().len(), &one["planners"][0]["id"]), (1, &"astar".into()));
+    folder.run(&["catalog", "bee"]).ends(2).says(&["there is no planner `bee`"]);
+}
+
+#[test]
+fn convert_goes_through_every_format_and_back() {
+    let folder = Folder::with_map("convert");
+    for (from, to) in [("small.map", "a.csv"), ("a.csv", "b.json"), ("b.json", "c.map")] {
+        folder.run(&["convert", from, to]).ends(0);
+    }
+    assert_eq!(folder.read("c.map"), MAP);
+    assert_eq!(folder.run(&["convert", "small.map", "-", "--as", "matrix"]).ends(0).out.lines().next(), Some("0,0,0,0,0"));
+    folder.run(&["convert", "small.map", "s.scen"]).ends(0);
+    assert_eq!(folder.read("s.scen"), "version 1\n1\tsmall.map\t5\t4\t0\t0\t4\t3\t7.00000000\n");
+    folder.run(&["convert", "small.map", "inverted.csv", "--invert"]).ends(0);
+    assert_eq!(folder.read("inverted.csv").lines().next(), Some("1,1,1,1,1"));
+    folder.write("ends.csv", "2,1\n1,3\n");
+    folder.run(&["convert", "ends.csv", "ends.json", "--invert"]).ends(0);
+    let ends: Value = serde_json::from_str(&folder.read("ends.json")).unwrap();
+    assert_eq!((&ends["map"]["rows"][0], &ends["goals"][0]["at"]), (&"..".into(), &serde_json::json!([1, 1])));
+    folder.run(&["convert", "ends.csv", "wall.scen"]).ends(2).says(&["no path leads from start to goal"]);
+}
+
+#[test]
+fn generate_repeats_itself_and_checks_its_arguments() {
+    let folder = Folder::with_map("generate");
+    let make = |seed| folder.run(&["generate", "cave", "--size", "40x30", "--seed", seed]).ends(0).out;
+    assert_eq!(make("1"), make("1"));
+    assert_ne!(make("1"), make("2"));
+    assert!(make("1").starts_with("type octile\nheight 30\nwidth 40\nmap\n"));
+    folder.run(&["generate", "maze", "--size", "9x9", "--out", "maze.csv"]).ends(0);
+    assert_eq!(folder.read("maze.csv").lines().count(), 9);
+    folder.run(&["generate", "random", "--size", "9x9", "--density", "0.95"]).ends(2).says(&["density = 0.95"]);
+    folder.run(&["generate", "random", "--size", "5000x9"]).ends(2).says(&["a map of 5000 × 9 cells"]);
+    folder.run(&["generate", "forest", "--size", "9x9"]).ends(2).says(&["random, maze, rooms, cave, fractal, hills"]);
+    folder.run(&["generate", "maze", "--size", "9"]).ends(2).says(&["40x30"]);
+}
+
+#[test]
+fn bench_scen_finds_the_map_and_names_what_does_not_fit() {
+    let folder = Folder::with_map("bench");
+    for planner in ["dijkstra", "astar"] {
+        folder.run(&["bench-scen", "small.map.scen", "--planner", planner]).ends(0).says(&["2 of 2 scenarios, 100.0 %"]);
+    }
+    let one = folder.run(&["bench-scen", "small.map.scen", "--sample", "1", "--seed", "3", "--format", "json"]).ends(0).json();
+    assert_eq!((&one["run"], &one["scenarios"], &one["matched"]), (&1.into(), &2.into(), &1.into()));
+
+    let bad = SCEN.replace("7.00000", "6.99990").replace("\t0\t3\t2\t2\t", "\t1\t1\t2\t2\t");
+    folder.write("bad.scen", &bad);
+    let said = [
+        "0 of 2",
+        "line 2: listed 6.9999, found 7.00000: the listed optimum is shorter",
+        "line 3: the start (1, 1) lies on a blocked cell",
+    ];
+    folder.run(&["bench-scen", "bad.scen"]).ends(1).says(&said);
+    folder.run(&["bench-scen", "small.map.scen", "--corner-rule", "one-free"]).ends(1).says(&["the listed optimum is longer"]);
+
+    folder.write("lost.scen", &SCEN.replace("small.map", "other.map"));
+    folder.run(&["bench-scen", "lost.scen"]).ends(2).says(&["`other.map` is not beside", "--map"]);
+    folder.run(&["bench-scen", "lost.scen", "--map", "small.map"]).ends(0);
+}
+
+#[test]
+fn help_has_examples() {
+    let folder = Folder::with_map("help");
+    folder.run(&["--help"]).ends(0).says(&["Examples:", "Exit codes"]);
+    for command in ["plan", "catalog", "convert", "check", "generate", "bench-scen"] {
+        folder.run(&[command, "--help"]).ends(0).says(&["Examples:", &format!("formicarium {command}")]);
+    }
+    assert!(Path::new(&folder.0).is_dir());
+}

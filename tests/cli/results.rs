@@ -1,0 +1,118 @@
+//! `compare` with results from elsewhere.
+use super::folder::{Folder, QUESTION};
+
+/// What somebody else's planner has found on the map `small`, whose optimum is 9.
+const MINE: &str = "algorithm,map,seed,length,turns,iterations\nmine,small,5,9.0,6,3\nmine,small,6,9.9,7,1\nmine,small,7,,,\nBad luck,small,5,8.5,2,1\n";
+
+#[test]
+fn results_from_elsewhere_stand_beside_ours() {
+    let folder = Folder::with_question("results");
+    folder.write("mine.csv", MINE);
+    let narrow = ["q.toml", "--out", "out", "--seeds", "3", "--results", "mine.csv"];
+    let (code, said) = folder.compare(&narrow);
+    assert_eq!(code, 0, "{said}");
+    let csv = folder.read("out/q.csv");
+    // Two maps, two entries that run, three seeds; four runs from elsewhere, after ours of the same map.
+    assert_eq!(csv.lines().count(), 1 + 2 * 2 * 3 + 4, "{csv}");
+    let mine: Vec<&str> = csv.lines().filter(|l| l.starts_with("small,mine,") || l.starts_with("small,bad-luck,")).collect();
+    assert_eq!(mine[0], "small,mine,5,complete,9.000000,6,,,3,,,length,9.000000,9.000000,true,0.000000,");
+    assert!(mine[1].starts_with("small,mine,6,complete,9.900000,7,,,1,,,length,9.900000,9.000000,true,0.100000,"), "{mine:?}");
+    assert_eq!(mine[2], "small,mine,7,budget-spent,,,,,,,,length,,9.000000,true,,");
+    // Shorter than the optimum: a negative gap, told and not hidden.
+    assert!(
+        mine[3].starts_with("small,bad-luck,5,complete,8.500000,2,,,1,,,length,8.500000,9.000000,true,-0.055556,"),
+        "{mine:?}"
+    );
+    let page = folder.read("out/q.md");
+    for wanted in ["| mine |  | results from mine.csv |", "--results mine.csv`", "| mine | – | 2 of 3 |"] {
+        assert!(page.contains(wanted), "`{wanted}` is not in\n{page}");
+    }
+    // The file that was written holds them, and ours come out of it again, bit for bit.
+    let (code, said) = folder.compare(&["out/q.json", "--out", "again"]);
+    assert!(code == 0 && said.contains("12 of 12 runs the same, bit for bit"), "{said}");
+    assert_eq!(folder.read("again/q.csv"), csv);
+    // Our own table is such a file.
+    let (code, said) = folder.compare(&["q.toml", "--out", "twice", "--seeds", "3", "--results", "out/q.csv"]);
+    assert_eq!(code, 0, "{said}");
+    let twice = folder.read("twice/q.csv");
+    assert_eq!(twice.lines().count(), 1 + 12 + 16);
+    let fields = |entry: &str| {
+        let line =
+            twice.lines().find(|l| l.starts_with(&format!("small,{entry},5,"))).unwrap_or_else(|| panic!("{entry}: {twice}"));
+        line.split(',').skip(3).take(13).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(fields("exact"), fields("exact-2"));
+}
+
+#[test]
+fn an_entry_may_take_its_runs_from_a_file_beside_the_question() {
+    let folder = Folder::with_question("entry-results");
+    std::fs::create_dir_all(folder.0.join("questions")).unwrap();
+    folder.write("mine.csv", MINE);
+    let entry = "\n[[entries]]\nid = \"mine\"\nlabel = \"My planner\"\nrole = \"other\"\nresults = \"mine.csv\"\n\n[[claims]]";
+    folder.write("q.toml", &QUESTION.replacen("\n[[claims]]", entry, 1));
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--seeds", "2"]);
+    assert_eq!(code, 0, "{said}");
+    let csv = folder.read("out/q.csv");
+    assert_eq!(csv.lines().filter(|l| l.contains(",mine,")).count(), 3, "{csv}");
+    assert!(!csv.contains("bad-luck"));
+    assert!(folder.read("out/q.md").contains("| My planner |  | results from mine.csv |"));
+    // Runs on a map that is not asked for are left out, not refused.
+    let (code, said) = folder.compare(&["q.toml", "--out", "wall", "--seeds", "2", "--only", "wall"]);
+    assert_eq!(code, 0, "{said}");
+    assert!(!folder.read("wall/q.csv").contains("mine"));
+    // A map that nobody knows is.
+    folder.write("mine.csv", &MINE.replace("small", "smell"));
+    let (code, said) = folder.compare(&["q.toml", "--out", "out"]);
+    assert!(code == 2 && said.contains("mine.csv: results.instance = smell") && said.contains("one of small, wall"), "{said}");
+    folder.write("mine.csv", "algorithm,length\nmine,9\nmine,9,8\n");
+    let (code, said) = folder.compare(&["q.toml", "--out", "out"]);
+    assert!(code == 2 && said.contains("mine.csv: line 3: 3 fields where the header has 2"), "{said}");
+    std::fs::remove_file(folder.0.join("mine.csv")).unwrap();
+    let (code, said) = folder.compare(&["q.toml", "--out", "out"]);
+    assert!(code == 2 && said.contains("cannot read mine.csv"), "{said}");
+}
+
+#[test]
+fn data_of_iohanalyzer_needs_the_map_that_it_does_not_name() {
+    let folder = Folder::with_question("ioh");
+    folder.write("acs.dat", "\"function evaluation\" \"best-so-far f(x)\"\n10 12.5\n40 9.0\n500 9\n");
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--seeds", "2", "--results", "acs.dat"]);
+    assert!(code == 2 && said.contains("the file does not say on which map its runs are"), "{said}");
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--seeds", "2", "--results", "small=acs.dat"]);
+    assert_eq!(code, 0, "{said}");
+    let csv = folder.read("out/q.csv");
+    assert!(csv.contains("\nsmall,acs,1,complete,9.000000,,,,,40,,length,9.000000,9.000000,true,0.000000,\n"), "{csv}");
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--results", "cave=acs.dat"]);
+    assert!(code == 2 && said.contains("instances = cave") && said.contains("small, wall"), "{said}");
+}
+
+#[test]
+fn a_comparison_with_results_goes_on_where_it_was() {
+    let folder = Folder::with_question("results-journal");
+    folder.write("mine.csv", MINE);
+    let args = ["q.toml", "--out", "out", "--seeds", "4", "--results", "mine.csv"];
+    assert_eq!(folder.compare(&args).0, 0);
+    // The journal of a process that was killed after two of its runs, made from the file that it would have written.
+    let whole: serde_json::Value = serde_json::from_str(&folder.read("out/q.json")).unwrap();
+    let digest = whole["recorded"]["experiment"].as_str().unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"experiment\":\"{digest}\"}}\n");
+    for row in &whole["rows"].as_array().unwrap()[..2] {
+        // Told apart from a run that is done again.
+        let row = row.to_string().replace("budget-spent", "stagnated");
+        journal += &(row + "\n");
+    }
+    std::fs::create_dir_all(folder.0.join("on")).unwrap();
+    folder.write("on/q.partial", &journal);
+    let on = ["q.toml", "--out", "on", "--seeds", "4", "--results", "mine.csv"];
+    assert_eq!(folder.compare(&on).0, 0);
+    let (one, other) = (folder.read("out/q.csv"), folder.read("on/q.csv"));
+    assert_eq!(one.replace("budget-spent", "stagnated"), other.replace("budget-spent", "stagnated"));
+    assert_eq!(other.lines().filter(|l| l.starts_with("small,colony") && l.contains(",stagnated,")).count(), 2, "{other}");
+    // Other results are another experiment: nothing of it is kept.
+    folder.write("mine.csv", &MINE.replace("9.9", "9.8"));
+    folder.write("on/q.partial", &journal);
+    assert_eq!(folder.compare(&on).0, 0);
+    assert!(!folder.read("on/q.csv").contains("stagnated"));
+}
