@@ -1,6 +1,7 @@
 /** Experiments and their runs, kept by the browser: a closed tab loses no more than what came in the last moment. */
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb'
 import type { KeptRun } from './analyst'
+import type { KeptDraft } from './build/keep_draft'
 
 /** What is kept of an experiment beside its runs. */
 export interface KeptStudy {
@@ -17,19 +18,26 @@ export interface KeptStudy {
   total: number
 }
 
+/** Drafts of tabs that were closed are of no use for long. */
+const DRAFT_MS = 7 * 24 * 3600 * 1000
+
 interface Shelf extends DBSchema {
   studies: { key: string; value: KeptStudy }
   rows: { key: [study: string, index: number]; value: KeptRun }
+  drafts: { key: string; value: KeptDraft; indexes: { changed: number } }
 }
 
 const NAME = 'formicarium.lab'
 let opening: Promise<IDBPDatabase<Shelf>> | null = null
 
 function shelf(): Promise<IDBPDatabase<Shelf>> {
-  opening ??= openDB<Shelf>(NAME, 1, {
-    upgrade(database) {
-      database.createObjectStore('studies', { keyPath: 'id' })
-      database.createObjectStore('rows')
+  opening ??= openDB<Shelf>(NAME, 2, {
+    upgrade(database, from) {
+      if (from < 1) {
+        database.createObjectStore('studies', { keyPath: 'id' })
+        database.createObjectStore('rows')
+      }
+      database.createObjectStore('drafts').createIndex('changed', 'changed')
     },
     // A newer version of the page in another tab must not wait for this one.
     blocking: () => forget(),
@@ -135,6 +143,22 @@ export async function putStudy(study: KeptStudy, runs: KeptRun[]): Promise<void>
   await Promise.all([
     change.objectStore('studies').put(study),
     ...runs.map((run) => rows.put(run, [study.id, run.index])),
+    change.done,
+  ])
+}
+
+export async function keptDraft(id: string): Promise<KeptDraft | null> {
+  return (await (await shelf()).get('drafts', id)) ?? null
+}
+
+/** Takes the place of what was kept of it, and makes room where others have been left. */
+export async function putDraft(id: string, draft: KeptDraft): Promise<void> {
+  const change = (await shelf()).transaction('drafts', 'readwrite')
+  const left = IDBKeyRange.upperBound(draft.changed - DRAFT_MS)
+  const old = await change.store.index('changed').getAllKeys(left)
+  await Promise.all([
+    ...old.map((key) => change.store.delete(key)),
+    change.store.put(draft, id),
     change.done,
   ])
 }

@@ -5,7 +5,8 @@ import { isTaken } from './alone'
 import { forgetStudy, keptStudies, keptStudy, putStudy } from './keep'
 import { keptList } from './signals'
 
-const TAB_KEY = 'formicarium.study'
+/** Which one this tab had open. */
+export const STUDY_IN_TAB = 'formicarium.study'
 
 export async function refreshKept(): Promise<void> {
   try {
@@ -32,16 +33,16 @@ export async function removeKept(id: string): Promise<void> {
 }
 
 /** Private windows may refuse storage. */
-export function rememberInTab(id: string | null): void {
+export function rememberInTab(key: string, id: string | null): void {
   try {
-    if (id === null) sessionStorage.removeItem(TAB_KEY)
-    else sessionStorage.setItem(TAB_KEY, id)
+    if (id === null) sessionStorage.removeItem(key)
+    else sessionStorage.setItem(key, id)
   } catch {}
 }
 
-export function recallInTab(): string | null {
+export function recallInTab(key: string): string | null {
   try {
-    return sessionStorage.getItem(TAB_KEY)
+    return sessionStorage.getItem(key)
   } catch {
     return null
   }

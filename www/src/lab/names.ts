@@ -17,4 +17,10 @@ export function uniqueId(wanted: string, taken: Iterable<string>): string {
   return id
 }
 
+/** Of something the browser keeps. `crypto.randomUUID` is for secure pages alone. */
+export function newId(): string {
+  const random = crypto.getRandomValues(new Uint32Array(2))
+  return `${Date.now().toString(36)}-${[...random].map((part) => part.toString(36)).join('')}`
+}
+
 const joined = (words: string) => words.replace(/^-+/, '').slice(0, LONGEST).replace(/-+$/, '')

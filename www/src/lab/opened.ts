@@ -7,7 +7,8 @@ import type { KeptRun } from './analyst'
 import { Desk } from './desk'
 import { documentOf, type LabDocument, textOf } from './document'
 import { Keeper, type KeptStudy, keptStudy } from './keep'
-import { refreshKept, rememberInTab } from './kept'
+import { refreshKept, rememberInTab, STUDY_IN_TAB } from './kept'
+import { newId } from './names'
 import { Runner } from './runner'
 import {
   analysis,
@@ -141,7 +142,7 @@ async function begin(
   kept.total = runner.progress.total
   if (isNew) for (const run of runs) keeper.keep(run)
   open = mine
-  rememberInTab(id)
+  rememberInTab(STUDY_IN_TAB, id)
   batch(() => {
     study.value = now
     analysis.value = null
@@ -209,7 +210,7 @@ export async function takeInFromOthers(mine: Open): Promise<void> {
 /** Nothing is open any more; what runs is stopped. */
 export function closeStudy(): void {
   leave()
-  rememberInTab(null)
+  rememberInTab(STUDY_IN_TAB, null)
   batch(() => {
     study.value = null
     phase.value = 'idle'
@@ -265,12 +266,6 @@ function firstOfEach(all: typeof failures.value): typeof failures.value {
 
 function withoutRows({ rows: _, ...document }: LabDocument): LabDocument {
   return document
-}
-
-/** `crypto.randomUUID` is for secure pages alone. */
-function newId(): string {
-  const random = crypto.getRandomValues(new Uint32Array(2))
-  return `${Date.now().toString(36)}-${[...random].map((part) => part.toString(36)).join('')}`
 }
 
 // Another axis is another look at the same runs.

@@ -1,6 +1,7 @@
 /** What the laboratory opens by itself: what the address carries, what this tab had open, what somebody hands in. */
 import { notifyError } from '../state'
 import { takeMapsThatCome } from './build/draft'
+import { keepDraft } from './build/keep_draft'
 import { openLabFragment } from './share/open'
 import { openDocument, refreshKept, reopenInTab } from './state'
 import { showProgressInTitle } from './tab_title'
@@ -23,6 +24,7 @@ async function openFirst(): Promise<void> {
   addEventListener('hashchange', () => void openLabFragment(location.hash).catch(notifyError))
   void refreshKept()
   takeMapsThatCome()
+  keepDraft()
   showProgressInTitle()
   try {
     if (!(await openLabFragment(location.hash))) await reopenInTab()

@@ -7,7 +7,7 @@ import { notify, notifyError } from '../state'
 import { takeAlone } from './alone'
 import type { KeptRun } from './analyst'
 import { forgetStudy, keptStudy } from './keep'
-import { recallInTab, refreshKept, removeKept } from './kept'
+import { recallInTab, refreshKept, removeKept, STUDY_IN_TAB } from './kept'
 import { fileStem } from './names'
 import {
   changed,
@@ -144,7 +144,7 @@ export async function compareAgain(): Promise<void> {
 
 /** What this tab had open before a reload. */
 export async function reopenInTab(): Promise<void> {
-  const id = recallInTab()
+  const id = recallInTab(STUDY_IN_TAB)
   if (id !== null && (await keptStudy(id).catch(() => null))) await openStudy(id)
 }
 

@@ -10,8 +10,9 @@ import { withOwnFiles } from '../own/files'
 import { startStudy } from '../state'
 import { BudgetFields } from './budget'
 import { compose } from './compose'
-import { entries, fillOnce, maps, refusal, runs, seeds, takeRace, title } from './draft'
+import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
 import { Entries } from './entries'
+import { fillOnce } from './keep_draft'
 import { titleOf } from './labels'
 import { Maps } from './maps'
 import { isShownElsewhere } from './refusals'
@@ -19,7 +20,7 @@ import { isShownElsewhere } from './refusals'
 export function Builder() {
   const ready = scenario.value !== null && catalog.value !== null
   useEffect(() => {
-    if (ready) fillOnce()
+    if (ready) void fillOnce()
   }, [ready])
   return (
     <section class="lab-card builder" aria-label={t('lab.build.title')} data-testid="builder">

@@ -44,12 +44,8 @@ export const refusal = signal<unknown>(null)
 let nextKey = 1
 let filled = false
 
-/** Maps and planners of the race, at first. */
-export function fillOnce(): void {
-  if (filled || !scenario.peek()) return
-  filled = true
-  takeRace()
-}
+/** Whether nothing is in it yet, and there is something to begin with. */
+export const waitsToBeFilled = () => !filled && scenario.peek() !== null
 
 /** A map that somebody drops or pastes while making a comparison belongs to it. */
 export function takeMapsThatCome(): void {
@@ -62,6 +58,7 @@ export function takeMapsThatCome(): void {
 /** The map and the planners that race now, with their values. */
 export function takeRace(): void {
   batch(() => {
+    filled = true
     maps.value = []
     addCurrentMap()
     entries.value = panels.peek().map(({ id, setup: { planner, preset, params } }) => ({
@@ -84,6 +81,22 @@ export interface Filling {
   seeds: { from: number; count: number }
   budget: Budget | null
   ablated: string | null
+  untilBudget?: boolean
+  title?: string | null
+}
+
+/** All of it as it stands; null while there is nothing in it. */
+export function drafted(): Required<Filling> | null {
+  const now = {
+    maps: maps.value,
+    entries: entries.value,
+    seeds: seeds.value,
+    budget: budget.value,
+    ablated: ablated.value,
+    untilBudget: untilBudget.value,
+    title: title.value,
+  }
+  return filled ? now : null
 }
 
 /** Something else altogether. */
@@ -94,9 +107,9 @@ export function fillWith(all: Filling): void {
     entries.value = all.entries.map((entry) => ({ ...entry, key: nextKey++ }))
     seeds.value = all.seeds
     budget.value = all.budget
-    untilBudget.value = false
+    untilBudget.value = all.untilBudget ?? false
     ablated.value = all.ablated
-    title.value = null
+    title.value = all.title ?? null
   })
 }
 

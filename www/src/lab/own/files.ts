@@ -49,6 +49,11 @@ export function removeOwnFile(key: number): void {
   ownFiles.value = ownFiles.peek().filter((file) => file.key !== key)
 }
 
+/** Files that were taken before. */
+export function takeOwnFiles(files: Omit<OwnFile, 'key'>[]): void {
+  ownFiles.value = files.map((file) => ({ ...file, key: nextKey++ }))
+}
+
 /** Whether all that is missing is on which map the runs are. */
 export const asksForMap = ({ error }: RefusedFile): boolean =>
   isEngineError(error) && error.field === 'results.instance'

@@ -1,0 +1,80 @@
+import { expect, type Page, test } from '@playwright/test'
+import type { LabDocument } from '../../www/src/lab/document'
+import { Laboratory } from './lab_page'
+
+interface Draft {
+  title: string | null
+  entries: { planner: string }[]
+  seeds: { from: number; count: number }
+  files: { name: string }[]
+}
+
+/** What the browser has kept so far, newest first. */
+function drafts(page: Page): Promise<Draft[]> {
+  return page.evaluate(async () => {
+    const of = <T>(request: IDBRequest<T>) =>
+      new Promise<T>((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result)
+        request.onerror = () => reject(request.error)
+      })
+    const database = await of(indexedDB.open('formicarium.lab'))
+    const all = await of(database.transaction('drafts').objectStore('drafts').getAll())
+    database.close()
+    return all.sort((a, b) => b.changed - a.changed)
+  })
+}
+
+test.describe('a comparison that is being put together', () => {
+  test('is there again after the page has been loaded anew', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.on('two-corridors', 'aco-20x20')
+    await laboratory.compare('ant-system', 'astar')
+    await laboratory.set(1, 'ants', 9)
+    await laboratory.seeds(7, 3)
+    await page.getByTestId('study-title').fill('Nine ants')
+    await page.getByTestId('own-file').setInputFiles({
+      name: 'mine.csv',
+      mimeType: 'text/csv',
+      buffer: Buffer.from('algorithm,map,seed,length\nmine,two-corridors,3,20\n'),
+    })
+    await expect(page.getByTestId('own-file-item')).toHaveCount(1)
+    await expect
+      .poll(() => drafts(page))
+      .toMatchObject([
+        { title: 'Nine ants', seeds: { from: 3, count: 7 }, files: [{ name: 'mine.csv' }] },
+      ])
+
+    await page.reload()
+    await laboratory.ready()
+    await expect(laboratory.entries).toHaveCount(2)
+    await expect(laboratory.maps).toHaveCount(2)
+    await expect(page.getByTestId('study-title')).toHaveValue('Nine ants')
+    await expect(page.getByTestId('own-file-item')).toHaveCount(1)
+    await laboratory.run()
+    await laboratory.finished()
+    const text = await page.evaluate(() => window.formicarium.resultFile('link'))
+    const { title, seeds, instances, entries } = (JSON.parse(text) as LabDocument).question
+    expect([title, seeds]).toEqual(['Nine ants', { from: 3, count: 7 }])
+    expect(instances.map(({ id }) => id)).toEqual(['two-corridors', 'classic-20-20'])
+    expect(entries).toMatchObject([
+      { planner: 'ant-system', set: { ants: 9 } },
+      { planner: 'astar' },
+      { label: 'mine' },
+    ])
+  })
+
+  test('belongs to its tab: another one begins with what races', async ({ page, context }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.compare('ship')
+    await laboratory.seeds(7)
+    await expect
+      .poll(() => drafts(page))
+      .toMatchObject([{ entries: [{ planner: 'ship' }], seeds: { count: 7 } }])
+    const other = new Laboratory(await context.newPage())
+    await other.openFromRace()
+    await expect(other.entries).toHaveCount(2)
+    await expect(other.page.getByTestId('seed-count')).toHaveValue('30')
+  })
+})
