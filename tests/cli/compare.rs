@@ -87,10 +87,11 @@ fn the_table_for_a_paper_is_whole_latex() {
         (count("\\begin{table}"), count("\\end{table}"), count("\\begin{tabular}"), count("\\end{tabular}")),
         (2, 2, 2, 2)
     );
+    assert_eq!((count("\n  \\resizebox{"), count("\\end{tabular}}\n")), (2, 2));
     assert_eq!((count("\\toprule"), count("\\midrule"), count("\\bottomrule"), count("\\caption{")), (2, 2, 2, 2));
     assert!(tex.contains("colony\\_1 \\& 50 \\% of \\{$\\eta$\\}") && tex.contains("seeds 5 to 44"), "{tex}");
     // Braces that are not escaped come in pairs, dollars too, and every row has as many fields as there are columns.
-    let bare = tex.replace("\\{", "").replace("\\}", "").replace("\\$", "");
+    let bare = tex.replace("\\\\", "\n").replace("\\{", "").replace("\\}", "").replace("\\$", "");
     assert_eq!(bare.matches('{').count(), bare.matches('}').count());
     assert!(bare.lines().all(|line| line.matches('$').count() % 2 == 0));
     let columns = tex.split("\\begin{tabular}{").nth(1).unwrap().find('}').unwrap();

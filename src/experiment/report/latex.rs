@@ -1,15 +1,15 @@
-//! The summary as tables for a paper: LaTeX with `booktabs`.
+//! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
 use super::table::{Cell, Printed, printed, sentence};
 use crate::experiment::analysis::Analysis;
 use crate::experiment::setting::Experiment;
 
-/// One table a map, its caption with everything that is needed to repeat it. Needs `\usepackage{booktabs}`; letters beyond Latin and Greek
-/// need XeLaTeX or LuaLaTeX.
+/// One table a map, its caption with everything that is needed to repeat it. A table that is wider than the text is shrunk to fit it.
+/// Letters beyond Latin and Greek need XeLaTeX or LuaLaTeX.
 pub fn latex(experiment: &Experiment, analysis: &Analysis, command: &str) -> String {
     let setting = super::setting_of(experiment, analysis);
     let title = &experiment.question.title;
-    let mut out = format!("% Made by `{command}`.\n% Needs \\usepackage{{booktabs}}.\n");
+    let mut out = format!("% Made by `{command}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n");
     for table in printed(experiment, analysis) {
         let rule = table.rule.replace('`', "");
         let caption = format!("{title}. {}: {rule}. {}. Formicarium, {setting}", table.name, sentence(&table.told));
@@ -18,17 +18,29 @@ pub fn latex(experiment: &Experiment, analysis: &Analysis, command: &str) -> Str
     out
 }
 
+/// As wide as what follows, or as the text where that is less.
+const FIT: &str = "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}";
+
 fn environment(table: &Printed, caption: &str) -> String {
     let columns = format!("l{}", "r".repeat(table.head.len().saturating_sub(1)));
     let row = |cells: Vec<String>| format!("    {} \\\\\n", cells.join(" & "));
-    let head = row(table.head.iter().map(|name| escape(name)).collect());
+    let head = row(table.head.iter().map(|name| in_two_lines(&escape(name))).collect());
     let body: String = table.rows.iter().map(|cells| row(cells.iter().map(field).collect())).collect();
     format!(
-        "\n\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\begin{{tabular}}{{{columns}}}\n    \\toprule\n{head}    \
-         \\midrule\n{body}    \\bottomrule\n  \\end{{tabular}}\n\\end{{table}}\n",
+        "\n\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\small\\setlength{{\\tabcolsep}}{{4pt}}%\n  {FIT}{{%\n  \
+         \\begin{{tabular}}{{{columns}}}\n    \\toprule\n{head}    \\midrule\n{body}    \\bottomrule\n  \\end{{tabular}}}}\n\\end{{table}}\n",
         escape(caption),
         table.id,
     )
+}
+
+/// Broken at the space nearest to its middle: names of columns are longer than what stands in them.
+fn in_two_lines(name: &str) -> String {
+    let off_centre = |at: &usize| at.abs_diff(name.len() / 2);
+    match name.match_indices(' ').map(|(at, _)| at).min_by_key(off_centre) {
+        Some(at) => format!("\\shortstack[r]{{{}\\\\{}}}", &name[..at], &name[at + 1..]),
+        None => name.to_owned(),
+    }
 }
 
 fn field(cell: &Cell) -> String {
@@ -97,6 +109,12 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_columns_are_broken_in_the_middle() {
+        assert_eq!(in_two_lines("best"), "best");
+        assert_eq!(in_two_lines("runs with a path"), "\\shortstack[r]{runs with\\\\a path}");
+    }
 
     #[test]
     fn letters_with_a_meaning_are_escaped() {
