@@ -1,5 +1,7 @@
 /** The laboratory: everything about experiments, in one part of the page that is fetched when somebody wants to compare. */
 import '../styles/lab.css'
+import '../styles/lab_build.css'
+import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { Lab } from './lab'
 import { openAddress, openLabDocument } from './opening'
