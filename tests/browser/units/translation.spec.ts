@@ -1,10 +1,18 @@
-import { readFileSync } from 'node:fs'
+import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Catalog } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
 import { zhCNEngine } from '../../../www/src/i18n/zh_cn_engine'
+import { zhCNQuestions } from '../../../www/src/i18n/zh_cn_questions'
+import { zhCNSources } from '../../../www/src/i18n/zh_cn_sources'
+import type { Question } from '../../../www/src/lab/document'
+import { Lab } from '../lab'
+import { Laboratory } from '../lab_page'
 
-const PKG = join(__dirname, '../../../pkg')
+const ROOT = join(__dirname, '../../..')
+const PKG = join(ROOT, 'pkg')
+const EXPERIMENTS = join(ROOT, 'experiments')
+const TOML = join(ROOT, 'www/node_modules/smol-toml/dist/index.js')
 
 /** What the whole engine offers, asked of the engine itself. */
 async function wholeCatalog(): Promise<Catalog> {
@@ -15,7 +23,7 @@ async function wholeCatalog(): Promise<Catalog> {
 
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
-  const { planners: named, params, options, presets, components, meanings } = zhCNEngine
+  const { planners: named, params, units, options, presets, components, meanings } = zhCNEngine
   const missing: string[] = []
   const look = (where: object, what: string, keys: string[]) => {
     for (const key of keys) if (!(key in where)) missing.push(`${what}.${key}`)
@@ -32,8 +40,9 @@ test('everything in the catalog has a Chinese name', async () => {
       'components',
       planner.components.map(({ id }) => id),
     )
-    for (const { key, kind } of planner.params) {
+    for (const { key, kind, unit } of planner.params) {
       look(params, 'params', [key])
+      if (unit) look(units, 'units', [unit])
       if (kind.type !== 'choice') continue
       const ids = kind.options.map(({ id }) => id)
       look(options, 'options', ids)
@@ -43,4 +52,99 @@ test('everything in the catalog has a Chinese name', async () => {
     }
   }
   expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn_engine.ts').toEqual([])
+})
+
+/** Texts that are not among the known ones, each once. */
+const unknown = (texts: (string | null | undefined)[], known: Record<string, string>) => [
+  ...new Set(texts.filter((text) => text && !Object.hasOwn(known, text))),
+]
+
+test('every source in the catalog, and what presets mean, has Chinese', async () => {
+  const { planners } = await wholeCatalog()
+  const texts = planners.flatMap(({ source, params, presets }) => [
+    source,
+    ...params.map((param) => param.source),
+    ...presets.flatMap((preset) => [preset.source, preset.meaning]),
+  ])
+  expect(texts.length).toBeGreaterThan(100)
+  expect(unknown(texts, zhCNSources), 'add these to www/src/i18n/zh_cn_sources.ts').toEqual([])
+  const said = new Set(texts)
+  const stale = Object.keys(zhCNSources).filter((text) => !said.has(text))
+  expect(stale, 'no longer in the catalog').toEqual([])
+})
+
+async function questions(): Promise<Question[]> {
+  const { parse } = await import(TOML)
+  const files = readdirSync(EXPERIMENTS).filter((file) => file.endsWith('.toml'))
+  return files.map((file) => parse(readFileSync(join(EXPERIMENTS, file), 'utf8')))
+}
+
+/** What the page shows of a question. */
+function textsOf({ title, paper, asks, instances, entries, claims = [] }: Question) {
+  const nameOf = (map: string) => JSON.parse(readFileSync(join(EXPERIMENTS, map), 'utf8')).name
+  return [
+    title,
+    paper,
+    asks,
+    ...instances.flatMap(({ map, note }) => [nameOf(map), note]),
+    ...entries.flatMap(({ label, missing }) => [label, missing]),
+    ...claims.map(({ says }) => says),
+  ]
+}
+
+test('every text of the papers’ questions has Chinese', async () => {
+  const all = await questions()
+  expect(all.length).toBeGreaterThan(5)
+  const texts = all.flatMap(textsOf)
+  expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn_questions.ts').toEqual([])
+  const said = new Set<string | null | undefined>(texts)
+  const stale = Object.keys(zhCNQuestions).filter((text) => !said.has(text))
+  expect(stale, 'no longer in experiments').toEqual([])
+})
+
+test.describe('on a Chinese page', () => {
+  test.use({ locale: 'zh-CN' })
+
+  test('sources of parameters are told in Chinese', async ({ page }) => {
+    await new Lab(page).open()
+    const alpha = page.locator('.parameter', { has: page.getByTestId('param-alpha') })
+    const source = alpha.locator('.source')
+    await expect(source).toContainText('Dorigo 与 Stützle 2004，框 3.1')
+    await page.getByTestId('language').click()
+    await page.getByTestId('language-en').click()
+    await expect(source).toContainText('Dorigo and Stützle 2004, box 3.1')
+  })
+
+  test('a paper’s question is told in Chinese, and its files are the same as ever', async ({
+    page,
+  }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await page.getByTestId('published-seeds-threshold').fill('1')
+    await page.getByTestId('published-run-threshold').click()
+    await laboratory.finished()
+    const title = page.getByTestId('run-bar').getByRole('heading')
+    await expect(title).toHaveText('自适应阈值蚁群算法与 ACO 和 ACOMSP')
+    await page.getByTestId('asked').locator('summary').click()
+    await expect(page.getByTestId('asked')).toContainText('我们的地图；代表论文的环境 II。')
+    await page.getByTestId('results-tab-reported').click()
+    const claim = page.getByTestId('verdicts').locator('tbody th').first()
+    await expect(claim).toContainText('路径更短')
+    const files = () =>
+      page.evaluate(() =>
+        Promise.all(
+          (['csv', 'markdown', 'latex'] as const).map((kind) =>
+            window.formicarium.resultFile(kind),
+          ),
+        ),
+      )
+    const inChinese = await files()
+    expect(inChinese.join()).toContain('Ant colony with an adaptive threshold against ACO')
+    expect(inChinese.join()).not.toMatch(/\p{Script=Han}/u)
+    await page.getByTestId('language').click()
+    await page.getByTestId('language-en').click()
+    await expect(title).toHaveText('Ant colony with an adaptive threshold against ACO and ACOMSP')
+    await expect(claim).toContainText('shorter paths')
+    expect(await files()).toEqual(inChinese)
+  })
 })

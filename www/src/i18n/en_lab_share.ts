@@ -94,31 +94,15 @@ export const enLabShare = {
     seconds: 'about {{count}} s here',
     minutes: 'about {{count}} min here',
     fewer: 'Claims are judged from {{count}} seeds on.',
-    questions: {
-      classics: {
-        title: 'The classics against Ant System',
-        asks: 'Do the successors of Ant System find shorter paths than it does, when each constructs 5,000 paths? A question of our own.',
-      },
-      fire: {
-        title: 'Fire-fighting robot with several fires',
-        asks: 'Do the weighted order and the pseudo-random proportional rule give tours of less weight R, with fewer turns and sooner?',
-      },
-      fireworks: {
-        title: 'Fireworks, ants, and ants after fireworks',
-        asks: 'Does the hybrid find shorter paths than its parts, and sooner?',
-      },
-      ship: {
-        title: 'Engine-room ACO against the basic ACO',
-        asks: 'Does it find shorter paths with fewer turns, in fewer iterations?',
-      },
-      terrain: {
-        title: 'Elitist potential-field ACO against its basic ACO and PSO',
-        asks: 'Does it find cheaper paths over ground than the basic colony and particle swarms, in fewer iterations?',
-      },
-      threshold: {
-        title: 'Ant colony with an adaptive threshold against ACO and ACOMSP',
-        asks: 'Does it find shorter paths than ACOMSP, and in the harder environment than ACO?',
-      },
+    asks: {
+      classics:
+        'Do the successors of Ant System find shorter paths than it does, when each constructs 5,000 paths? A question of our own.',
+      fire: 'Do the weighted order and the pseudo-random proportional rule give tours of less weight R, with fewer turns and sooner?',
+      fireworks: 'Does the hybrid find shorter paths than its parts, and sooner?',
+      ship: 'Does it find shorter paths with fewer turns, in fewer iterations?',
+      terrain:
+        'Does it find cheaper paths over ground than the basic colony and particle swarms, in fewer iterations?',
+      threshold: 'Does it find shorter paths than ACOMSP, and in the harder environment than ACO?',
     },
   },
 }

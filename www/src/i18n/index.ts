@@ -55,13 +55,14 @@ async function addChinese(): Promise<void> {
 /** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
 async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
-    const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }] = await Promise.all([
+    const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }, { zhCNSources }] = await Promise.all([
       import('./zh_cn'),
       import('./zh_cn_dialogs'),
       import('./zh_cn_engine'),
+      import('./zh_cn_sources'),
     ])
     i18next.addResourceBundle(choice, 'translation', zhCN)
-    i18next.addResourceBundle(choice, 'translation', zhCNDialogs, true)
+    i18next.addResourceBundle(choice, 'translation', { ...zhCNDialogs, texts: zhCNSources }, true)
     // The engine speaks English; what a dictionary has for its names and errors replaces that.
     i18next.addResourceBundle(choice, 'engine', zhCNEngine)
   }
@@ -88,6 +89,13 @@ export function t(key: TextKey, args?: Record<string, unknown>): string {
 /** The engine's own text, translated when the language's dictionary has it. */
 export function engineText(key: string, english: string, args?: Record<string, unknown>): string {
   return i18next.t(key, { lng: language.value, ns: 'engine', defaultValue: english, ...args })
+}
+
+/** Text that has no key, as sources in the catalog and questions of papers: by its English. What no dictionary has stays as it is. */
+export function translated(english: string): string {
+  const texts: Record<string, string> =
+    i18next.getResourceBundle(language.value, 'translation').texts ?? {}
+  return Object.hasOwn(texts, english) ? (texts[english] ?? english) : english
 }
 
 export const numbers = computed(() => ({

@@ -14,10 +14,11 @@ export const t = tOfPage as (key: LabKey, args?: Record<string, unknown>) => str
 export const addLabWords = () => addWords(english, fetchChinese)
 
 async function fetchChinese(): Promise<object> {
-  const [{ zhCNLab }, { zhCNLabResults }, { zhCNLabShare }] = await Promise.all([
+  const [{ zhCNLab }, { zhCNLabResults }, { zhCNLabShare }, { zhCNQuestions }] = await Promise.all([
     import('./zh_cn_lab'),
     import('./zh_cn_lab_results'),
     import('./zh_cn_lab_share'),
+    import('./zh_cn_questions'),
   ])
-  return { lab: { ...zhCNLab, ...zhCNLabResults, ...zhCNLabShare } }
+  return { lab: { ...zhCNLab, ...zhCNLabResults, ...zhCNLabShare }, texts: zhCNQuestions }
 }

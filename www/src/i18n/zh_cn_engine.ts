@@ -1,3 +1,5 @@
+import { zhCNComponents } from './zh_cn_components'
+
 /** Chinese for what the engine says: planners, parameters, options, errors and remarks by key. What is missing stays English. */
 export const zhCNEngine = {
   planners: {
@@ -212,6 +214,18 @@ export const zhCNEngine = {
     q0: '直接选最好的一步而不抽取的概率',
     xi: '局部挥发率：蚂蚁经过时，该步信息素中被 τ0 取代的部分',
   },
+  units: {
+    ants: '只蚂蚁',
+    iterations: '次迭代',
+    cells: '格',
+    'cells or levels': '格或层',
+    sparks: '个火花',
+    fireworks: '个烟花',
+    particles: '个粒子',
+    '× (width + height)': '× (宽 + 高)',
+    '× m': '× m',
+    '× x_max': '× x_max',
+  },
   options: {
     weight: '权重',
     length: '长度',
@@ -302,132 +316,7 @@ export const zhCNEngine = {
       proportional: '在所有步中轮盘赌，同蚂蚁系统',
     },
   },
-  components: {
-    'weighted-order': {
-      name: '按紧急程度定次序',
-      adds: '各目标的次序按所到目标的紧急程度加权（式 6–8）；去掉后：最短的次序；只有一个目标时没有次序',
-    },
-    'best-step': {
-      name: '多半走最好的一步',
-      adds: '蚂蚁以概率 r0 走路段上最好的一步（式 9）；去掉后：每一步都按概率抽取（式 3）',
-    },
-    'growing-pull': {
-      name: '自适应迭代权重 ω(t)',
-      adds: '目标与方向的权重随迭代增大（式 6）；去掉后：始终为其平均',
-    },
-    'goal-pull': {
-      name: '目标引力',
-      adds: 'η 在目标附近乘以 μ^f_a（式 7）；去掉后：没有这一因子，μ = 1',
-    },
-    direction: {
-      name: '方向角修正',
-      adds: 'η 乘以 d(i, E)^h，越正对目标的一步越大（式 7）；去掉后：没有这一因子',
-    },
-    'obstacle-density': {
-      name: '局部障碍密度',
-      adds: '周围障碍多处 η 按 exp(−γ·α_obs) 减小（式 7）；去掉后：γ = 0',
-    },
-    'extra-trail': {
-      name: '附加信息素 Δω*',
-      adds: '本代最优路径再增、最差路径再减一次（式 8）；去掉后：两个 k 都为 0',
-    },
-    'weighted-paths': {
-      name: '只看最优与最差路径',
-      adds: '只有全局最优、本代最优与本代最差路径改变信息素（式 9–11 与 14）；去掉后：到达的蚂蚁都留下信息素，同蚂蚁系统（式 12）',
-    },
-    'shifting-weights': {
-      name: '自适应路径权重',
-      adds: '这些路径的权重随迭代变化（式 10–11）；去掉后：始终为其平均',
-    },
-    'weakened-worst': {
-      name: '削弱最差路径',
-      adds: '本代最差路径失去信息素（式 8、9 与 11）；去掉后：不失去',
-    },
-    refinement: {
-      name: '路径优化',
-      adds: '最后按视线拉直最优路径（第 3.3 节）；去掉后：逐格保留',
-    },
-    elite: {
-      name: '精英策略',
-      adds: '最好的 5 % 蚂蚁按 (it/it_max)³ 再留一次信息素（式 10–11）；去掉后：每只蚂蚁一次（式 3–4）',
-    },
-    'two-colonies': {
-      name: '双向搜索',
-      adds: '一半蚂蚁从终点出发，相遇的两只把路相连（第 4.2 节）；去掉后：都从起点出发',
-    },
-    'field-trails': {
-      name: '势场初始化信息素',
-      adds: '势场给出初始信息素（式 12–14）；去掉后：处处为 τ0',
-    },
-    force: {
-      name: '势场力',
-      adds: '势场的力影响启发信息（第 4.5 节，第二个式 12）；去掉后：只看距离（式 2）',
-    },
-    'fading-force': {
-      name: '逐渐减弱的势场力',
-      adds: '势场力的权重为 ((it_max − it)/it_max)³，越来越小（第 4.5 节，第二个式 12）；去掉后：始终为满权重',
-    },
-    threshold: {
-      name: '自适应阈值 λ',
-      adds: '早期禁止概率超过阈值的步，阈值升至 1（式 6，第 5 步）；去掉后：每一步都按概率抽取（式 5）',
-    },
-    'shortest-path-reward': {
-      name: '最短路径奖励',
-      adds: '本代最短路径得到 Q2/L_min（式 10–12）；去掉后：蚂蚁只在走动时留下 Q1（式 7–9）',
-    },
-    'maximal-step': {
-      name: '最大转移概率',
-      adds: '每只蚂蚁都走概率最大的一步（第 1 节，其文献 13）；去掉后：每一步都按概率抽取（式 5）',
-    },
-    'seed-trail': {
-      name: '第一阶段的信息素',
-      adds: '第一阶段的最优路径先得到信息素（式 10）；去掉后：第一阶段照旧，处处为 τ0',
-    },
-    'cooled-radius': {
-      name: '退火半径',
-      adds: '爆炸半径按退火缩小（式 9 前一部分）；去掉后：保持不变（式 3）',
-    },
-    'weighted-mutation': {
-      name: '惯性权重变异',
-      adds: '变异的偏差带有逐渐减小的惯性权重（式 9 后一部分）；去掉后：权重为 1（式 5）',
-    },
-    'stepping-back': {
-      name: '回退机制',
-      adds: '陷入死胡同的蚂蚁回退（第 1.3.2 节，第 2 步）；去掉后：死亡',
-    },
-    elitists: {
-      name: '精英蚂蚁',
-      adds: '每次迭代中至今最优路径再留下 e 次信息素（式 3.6–3.7）；去掉后：e = 0，即蚂蚁系统',
-    },
-    ranking: {
-      name: '按名次留下信息素',
-      adds: '每次迭代只有最好的 w − 1 只蚂蚁留下信息素，名次越前越多（式 3.8）；去掉后：到达的蚂蚁都留下 Q/L（式 3.5）',
-    },
-    'best-so-far-deposit': {
-      name: '至今最优路径的信息素',
-      adds: '每次迭代中至今最优路径留下 w 次信息素（式 3.8）；去掉后：只有本次迭代的蚂蚁留下',
-    },
-    limits: {
-      name: '信息素上下限',
-      adds: '信息素保持在 τ_min 与 τ_max 之间（第 3.3.4 节）；去掉后：没有上下限',
-    },
-    'turns-of-the-best': {
-      name: '轮到至今最优路径',
-      adds: '每隔若干次迭代由至今最优路径代替本次最优留下信息素（式 3.9）；去掉后：只有本次迭代的最优路径',
-    },
-    restart: {
-      name: '重启',
-      adds: '多次迭代没有更短路径后所有信息素重新开始（第 3.3.4 节）；去掉后：从不；预算须大于 restart_after',
-    },
-    'greedy-choice': {
-      name: '多半走最好的一步 (q0)',
-      adds: '蚂蚁以概率 q0 走最好的一步（式 3.10）；去掉后：每一步都按概率抽取（式 3.2）',
-    },
-    'local-update': {
-      name: '局部更新',
-      adds: '蚂蚁每走一步都减弱该步的信息素（式 3.12）；去掉后：走动时不改变信息素',
-    },
-  },
+  components: zhCNComponents,
   grounds: {
     plane: '在平面上',
     surface: '在地形表面上',

@@ -7,6 +7,7 @@ import { Button } from '../ui/buttons'
 import { labelOfPlanner } from './build/labels'
 import { takeAsTemplate } from './build/template'
 import { OwnResults } from './own/own_results'
+import { shownStudy } from './shown'
 import { closeStudy, phase, runAgain, type Study, study } from './state'
 
 export function Asked() {
@@ -14,7 +15,7 @@ export function Asked() {
   if (!now) return null
   return (
     <section class="lab-card asked" aria-label={t('lab.run.asked')}>
-      <Question of={now} />
+      <Question />
       {phase.value !== 'running' && <Again of={now} />}
     </section>
   )
@@ -44,7 +45,9 @@ function Again({ of }: { of: Study }) {
   )
 }
 
-function Question({ of: now }: { of: Study }) {
+function Question() {
+  const now = shownStudy.value
+  if (!now) return null
   const { asks, paper, seeds, budget, instances, entries } = now.question
   const { whole } = numbers.value
   return (

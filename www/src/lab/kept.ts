@@ -1,4 +1,5 @@
 /** Experiments of this browser: which there are, and which one this tab had open. */
+import { translated } from '../i18n'
 import { t } from '../i18n/lab'
 import { notify, notifyError } from '../state'
 import { isTaken } from './alone'
@@ -27,7 +28,7 @@ export async function removeKept(id: string): Promise<void> {
   await refreshKept()
   if (!found) return
   const restore = () => void putStudy(found.study, found.runs).then(refreshKept).catch(notifyError)
-  notify('info', t('lab.kept.removed', { title: found.study.title }), {
+  notify('info', t('lab.kept.removed', { title: translated(found.study.title) }), {
     action: { label: t('lab.kept.undo'), run: restore },
   })
 }

@@ -1,7 +1,7 @@
 /** Experiments of this browser; those that were interrupted offer to go on. */
 import { FolderOpen, Play, Trash2 } from 'lucide'
 import { useEffect } from 'preact/hooks'
-import { language } from '../i18n'
+import { language, translated } from '../i18n'
 import { t } from '../i18n/lab'
 import { notifyError } from '../state'
 import { Button, IconButton } from '../ui/buttons'
@@ -33,7 +33,8 @@ export function KeptList() {
 }
 
 function KeptItem({ study }: { study: KeptStudy }) {
-  const { id, title, done, total, created } = study
+  const { id, done, total, created } = study
+  const title = translated(study.title)
   const isComplete = done >= total
   const open = () => openStudy(id)
   const resume = () => open().then(goOn)

@@ -1,6 +1,7 @@
 /** How far the runs are, and what one may do about it. */
 import { ArrowLeft, Pause, Play, Square, TriangleAlert } from 'lucide'
 import { useEffect, useRef } from 'preact/hooks'
+import { translated } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { t } from '../i18n/lab'
 import { announce, notifyError } from '../state'
@@ -38,7 +39,7 @@ export function RunBar() {
           onClick={() => (isRunning ? void cancel() : closeStudy())}
         />
         <h2 ref={heading} tabIndex={-1}>
-          {now.title}
+          {translated(now.title)}
         </h2>
         <div class="run-actions">
           <Actions />

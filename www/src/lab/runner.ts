@@ -1,5 +1,6 @@
 /** The open experiment at work: which runs are to be done, who does them, what has come of them. */
 import type { EngineError } from '@pkg/formicarium'
+import { translated } from '../i18n'
 import type { KeptRun } from './analyst'
 import type { Desk } from './desk'
 import { Estimate } from './estimate'
@@ -126,7 +127,7 @@ export class Runner implements Work {
     const { entries, seeds } = this.parts.study.question
     const able = entries.filter(({ planner }) => planner != null)
     const entry = able[this.tasks.pairOf(index) % able.length]
-    return `${entry?.label ?? ''} · ${seeds.from + this.tasks.seedOf(index)}`
+    return `${translated(entry?.label ?? '')} · ${seeds.from + this.tasks.seedOf(index)}`
   }
 
   private *left(): Iterable<number> {

@@ -2,6 +2,7 @@
 import type { ResultFile } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
+import { translated } from '../i18n'
 import { t } from '../i18n/lab'
 import { notify, notifyError } from '../state'
 import { takeAlone } from './alone'
@@ -107,7 +108,7 @@ export async function cancel(): Promise<void> {
   closeStudy()
   if (done === 0) await forgetStudy(id).catch(() => {})
   else
-    notify('info', t('lab.run.stopped', { title, count: done }), {
+    notify('info', t('lab.run.stopped', { title: translated(title), count: done }), {
       hint: t('lab.run.stoppedHint'),
       action: { label: t('lab.kept.open'), run: () => void openStudy(id).catch(notifyError) },
     })

@@ -1,7 +1,7 @@
 /** The control of one parameter: its kind and range come from the catalog. */
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import { engineText, t } from '../i18n'
+import { engineText, t, translated } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../messages'
 import { plannerEntry } from '../state'
@@ -26,13 +26,13 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
       <label class="parameter-name" for={id}>
         {spec.symbol && <i class="symbol">{spec.symbol}</i>}
         <span>{spec.key.replaceAll('_', ' ')}</span>
-        {spec.unit && spec.unit !== spec.key && <span class="unit">{spec.unit}</span>}
+        {spec.unit && spec.unit !== spec.key && <span class="unit">{unitWords(spec.unit)}</span>}
       </label>
       <Control spec={spec} value={value} error={error} onChange={onChange} id={id} />
       <p class="parameter-meaning" id={`${id}-meaning`}>
         {paramMeaning(spec)}
         {chosenMeaning(spec, value)}
-        {spec.source && <span class="source"> · {spec.source}</span>}
+        {spec.source && <span class="source"> · {translated(spec.source)}</span>}
         {changed && (
           <button type="button" class="link" onClick={() => onChange(spec.default)}>
             {t('parameters.back', { value: String(spec.default) })}
@@ -44,15 +44,21 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
   )
 }
 
+const unitWords = (unit: string) => engineText(`units.${unit}`, unit)
+
 /** What the option on show does; the others say so when they are chosen. */
 function chosenMeaning({ key, kind }: ParamSpec, value: Value): string {
   if (kind.type !== 'choice') return ''
   const option = kind.options.find(({ id }) => id === value)
-  // The name of a planner says it already.
-  if (!option || plannerEntry(option.id)) return ''
-  const meaning = engineText(`meanings.${key}.${option.id}`, option.meaning)
-  return t('parameters.option', { name: optionName(option.id), meaning })
+  const meaning = option && optionMeaning(key, option)
+  return meaning ? t('parameters.option', { name: optionName(option.id), meaning }) : ''
 }
+
+type Option = Extract<ParamKind, { type: 'choice' }>['options'][number]
+
+/** The name of a planner says it already. */
+const optionMeaning = (key: string, { id, meaning }: Option) =>
+  plannerEntry(id) ? undefined : engineText(`meanings.${key}.${id}`, meaning)
 
 function Control({ spec, value, error, onChange, id }: ParameterControlProps & { id: string }) {
   const describedBy = error ? `${id}-meaning ${id}-error` : `${id}-meaning`
@@ -80,7 +86,7 @@ function Control({ spec, value, error, onChange, id }: ParameterControlProps & {
         onChange={(event) => onChange(event.currentTarget.value)}
       >
         {kind.options.map((option) => (
-          <option key={option.id} value={option.id} title={option.meaning}>
+          <option key={option.id} value={option.id} title={optionMeaning(spec.key, option)}>
             {optionName(option.id)}
           </option>
         ))}

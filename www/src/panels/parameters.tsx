@@ -1,7 +1,7 @@
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
 import { ArrowUp, BookOpen } from 'lucide'
-import { t } from '../i18n'
+import { t, translated } from '../i18n'
 import type { ParamValues } from '../messages'
 import { cardOf, showCard } from '../papers/cards'
 import type { PanelSetup } from '../session'
@@ -178,7 +178,7 @@ function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string |
   const preset = props.presets.find(({ name }) => name === props.name)
   return preset ? (
     <p class="hint">
-      {preset.source}: {preset.meaning}
+      {translated(preset.source)}: {translated(preset.meaning)}
     </p>
   ) : null
 }

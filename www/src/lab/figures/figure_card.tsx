@@ -9,6 +9,7 @@ import { Button } from '../../ui/buttons'
 import { fileStem } from '../names'
 import { DataTable } from '../results/data_table'
 import type { Analysis, MapAnalysis } from '../results/types'
+import { shownStudy } from '../shown'
 import { phase, study } from '../signals'
 import { downloadPng, downloadSvg, figureFile } from './download'
 import type { Figure, Plot, Scene } from './figure'
@@ -141,7 +142,7 @@ function headingOf(figure: Figure, { map, analysis }: Scene) {
   const about = figure.overall
     ? t('lab.results.onMaps', { count: analysis.instances.length })
     : map.name
-  const parts = [study.value?.title ?? '', about, t('lab.results.runsEach', { count: runs })]
+  const parts = [shownStudy.value?.title ?? '', about, t('lab.results.runsEach', { count: runs })]
   return {
     title: t(`lab.results.figures.${figure.id}`),
     subtitle: parts.filter((part) => part !== '').join(' · '),

@@ -2,7 +2,7 @@
 import '../../styles/lab_share.css'
 import { BookOpen, Play } from 'lucide'
 import { useState } from 'preact/hooks'
-import { numbers } from '../../i18n'
+import { numbers, translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { showCard } from '../../papers/cards'
 import { galleryId, notifyError } from '../../state'
@@ -38,7 +38,7 @@ function Published({ question, here }: { question: PaperQuestion; here: boolean 
   const { id, maps, entries, runs, card } = question
   const [seeds, setSeeds] = useState(Math.min(LEAST_SEEDS, question.seeds))
   const [busy, setBusy] = useState(false)
-  const title = titleOf(question)
+  const title = translated(question.title)
   const run = async () => {
     setBusy(true)
     await documentFor(question, seeds)
@@ -137,11 +137,7 @@ function timeWords(seconds: number): string {
 
 type QuestionId = 'ship'
 
-/** In the reader's language; of a question that has no words there, its own. */
-function titleOf({ id, title }: PaperQuestion): string {
-  return t(`lab.published.questions.${id as QuestionId}.title`, { defaultValue: title })
-}
-
+/** In few words; of a question that has none here, where it comes from. */
 function asksOf({ id, paper }: PaperQuestion): string {
-  return t(`lab.published.questions.${id as QuestionId}.asks`, { defaultValue: paper })
+  return t(`lab.published.asks.${id as QuestionId}`, { defaultValue: translated(paper) })
 }

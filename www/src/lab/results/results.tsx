@@ -3,7 +3,8 @@ import '../../styles/lab_results.css'
 import { computed, signal } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { FormError } from '../../ui/form_error'
-import { analysis, analysisError, progress, study } from '../signals'
+import { shownAnalysis } from '../shown'
+import { analysisError, progress, study } from '../signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
 import { hasReported, ReportedTab } from './reported_tab'
@@ -26,7 +27,7 @@ const BODIES = {
 }
 
 export function Results() {
-  const now = analysis.value
+  const now = shownAnalysis.value
   if (!study.value) return null
   const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
   const tab = tabs.includes(chosen.value) ? chosen.value : 'summary'

@@ -4,7 +4,7 @@ import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { bestOf } from '../../panels/metric_rows'
 import { Select } from '../../ui/fields'
-import { study } from '../signals'
+import { shownStudy } from '../shown'
 import { Alert, AxisChoice, dotColour, MapChoice, MapHead, shownMap } from './choices'
 import { amount, dash, labelOf, measureWords, optimaOf } from './format'
 import { type Column, type ColumnId, columnsOf, headOf, type Table } from './summary_columns'
@@ -189,7 +189,7 @@ function Row({ entry, index, columns, best }: RowProps) {
 }
 
 const whyMissing = (id: string) =>
-  study.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
+  shownStudy.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
 
 function Cell({
   column,

@@ -6,7 +6,8 @@ import { FONT, LOOKS, type Look, seriesOf } from '../figures/look'
 import { shortened, wrapped } from '../figures/svg'
 import { amount, labelOf, measureWords, range } from '../results/format'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../results/types'
-import { analysis, progress, study } from '../state'
+import { shownAnalysis, shownStudy } from '../shown'
+import { progress, study } from '../state'
 import { withStudy } from './picture'
 
 const WIDTH = 1200
@@ -23,7 +24,7 @@ type Context = CanvasRenderingContext2D
 export async function resultCard(): Promise<Blob> {
   const canvas = document.createElement('canvas')
   canvas.width = WIDTH
-  canvas.height = heightOf(analysis.peek())
+  canvas.height = heightOf(shownAnalysis.peek())
   const context = canvas.getContext('2d')
   if (context) draw(context, canvas.height, LOOKS.light)
   const png = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'))
@@ -32,7 +33,7 @@ export async function resultCard(): Promise<Blob> {
 }
 
 const titleLines = () =>
-  wrapped(study.peek()?.title ?? '', WIDTH - 2 * EDGE, font(650, 34)).slice(0, 2)
+  wrapped(shownStudy.peek()?.title ?? '', WIDTH - 2 * EDGE, font(650, 34)).slice(0, 2)
 
 function heightOf(found: Analysis | null): number {
   const entries = Math.min(MOST_ENTRIES, found?.instances[0]?.entries.length ?? 0)
@@ -50,7 +51,7 @@ function draw(context: Context, height: number, look: Look): void {
     y += 42
   }
   write(context, subtitle(), EDGE, y, font(400, 20), look.muted)
-  const found = analysis.peek()
+  const found = shownAnalysis.peek()
   if (found) table(context, found, y + 52, look)
   rule(context, height - EDGE - 24, look)
   write(

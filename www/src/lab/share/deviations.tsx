@@ -1,7 +1,7 @@
 /** Differences in plain words, causes first, as the engine lists them. */
 import type { Deviation } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
-import { study } from '../state'
+import { shownStudy } from '../shown'
 
 /** Hundreds of entries differ for one cause: a few of each kind are enough. */
 const SHOWN_OF_KIND = 8
@@ -68,10 +68,10 @@ function bitsWords(one: Deviation & { kind: 'bits' }): string {
 }
 
 function namesOf({ entry, instance }: { entry: string; instance: string }) {
-  const now = study.peek()
+  const now = shownStudy.peek()
   const at = now?.question.instances.findIndex(({ id }) => id === instance) ?? -1
   return { entry: labelOf(entry), map: now?.maps[at]?.name || instance }
 }
 
 const labelOf = (entry: string) =>
-  study.peek()?.question.entries.find(({ id }) => id === entry)?.label ?? entry
+  shownStudy.peek()?.question.entries.find(({ id }) => id === entry)?.label ?? entry

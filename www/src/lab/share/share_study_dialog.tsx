@@ -3,6 +3,7 @@ import { t } from '../../i18n/lab'
 import { SendDialog, useLink } from '../../share/send_dialog'
 import { download } from '../../state'
 import { fileStem } from '../names'
+import { shownStudy } from '../shown'
 import { progress, resultFile, study } from '../state'
 import { resultCard } from './card'
 import { encodeDocument, PREFIX } from './link'
@@ -28,7 +29,7 @@ export function ShareStudyDialog({ onClose }: { onClose: () => void }) {
 
 /** What the link will bring along, so that nothing is shared unseen. */
 function Contents() {
-  const now = study.value
+  const now = shownStudy.value
   if (!now) return null
   const { instances, entries, seeds } = now.question
   const { done } = progress.value
