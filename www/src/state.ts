@@ -1,5 +1,6 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './state/appearance'
+export { slotColour } from './state/colours'
 export * from './state/files'
 export { flushLive, historyOf, latest, onReply } from './state/live'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './state/looking'

@@ -1,9 +1,10 @@
 import { expect, test } from '@playwright/test'
 import { endsOf, limitsOf, placed } from '../../../www/src/lab/figures/limits'
+import { LOOKS, seriesOf } from '../../../www/src/lab/figures/look'
 import { jitter, whiskers } from '../../../www/src/lab/figures/points'
 import { groups } from '../../../www/src/lab/figures/rank_groups'
-import { symbolPath } from '../../../www/src/lab/figures/symbols'
-import { compared, effectOf } from '../../../www/src/lab/results/compared'
+import { SYMBOLS, symbolPath } from '../../../www/src/lab/figures/symbols'
+import { compared, effectOf, shownEffect } from '../../../www/src/lab/results/compared'
 
 const pair = (first: number, second: number, holm: number) => ({ first, second, p: holm / 2, holm })
 const point = (x: number, lower: number | null, median: number | null, upper: number | null) => ({
@@ -12,6 +13,20 @@ const point = (x: number, lower: number | null, median: number | null, upper: nu
   median,
   upper,
 })
+
+/** As WCAG 2 defines it; 3 is asked for what is drawn. */
+function contrast(a: string, b: string): number {
+  const [dark = 0, light = 0] = [luminance(a), luminance(b)].sort((x, y) => x - y)
+  return (light + 0.05) / (dark + 0.05)
+}
+
+function luminance(colour: string): number {
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((at) => {
+    const share = Number.parseInt(colour.slice(at, at + 2), 16) / 255
+    return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4
+  })
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
 
 test.describe('figures of results', () => {
   test('bars join neighbours of which no two differ', () => {
@@ -108,17 +123,40 @@ test.describe('figures of results', () => {
     ])
   })
 
+  test('an effect has a name only where chance is ruled out', () => {
+    const pair = (better: number, p: number | null) => ({ better, p, paired: true })
+    expect(shownEffect(pair(0.8, 0.049))).toBe('large')
+    expect(shownEffect(pair(0.52, 0.01))).toBe('negligible')
+    // However far A is from ½; 5 % itself is not below 5 %, and without a test nothing is ruled out.
+    for (const p of [0.05, 0.4, null]) expect(shownEffect(pair(0.98, p))).toBe('unknown')
+  })
+
+  test('no two of forty entries look alike', () => {
+    const all = Array.from({ length: 40 }, (_, i) => seriesOf(i, `Entry ${i}`))
+    const looks = [
+      ['colour', 'symbol'],
+      ['colour', 'dash'],
+      // For who sees no colour, and on paper without any.
+      ['symbol', 'dash'],
+    ] as const
+    for (const [a, b] of looks)
+      expect(new Set(all.map((one) => `${one[a]} ${one[b]}`)).size, `${a}, ${b}`).toBe(40)
+    expect(new Set(all.map(({ colour }) => colour)).size).toBe(10)
+    // The first one's colour comes again, in other dashes.
+    expect(all[10]?.colour).toBe(all[0]?.colour)
+    expect(all[10]?.dash).not.toBe(all[0]?.dash)
+    // Diamonds are published numbers.
+    expect(all.map(({ symbol }) => symbol)).not.toContain('diamond')
+  })
+
+  test('every colour stands on white and on dark', () => {
+    for (let i = 0; i < 10; i++)
+      for (const { background } of Object.values(LOOKS))
+        expect(contrast(seriesOf(i, '').colour, background), `${i}`).toBeGreaterThanOrEqual(3)
+  })
+
   test('symbols are closed shapes about their middle', () => {
-    for (const name of [
-      'circle',
-      'square',
-      'triangle',
-      'falling',
-      'star',
-      'hexagon',
-      'cross',
-      'diamond',
-    ] as const) {
+    for (const name of [...SYMBOLS, 'diamond'] as const) {
       const path = symbolPath(name, 4)
       expect(path).toMatch(/^M.*Z$/)
       expect(path).not.toMatch(/NaN|undefined/)

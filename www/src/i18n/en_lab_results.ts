@@ -170,7 +170,8 @@ export const enLabResults = {
     effortNote:
       'Runs that found a path, until their best one. Whiskers reach the least and the greatest.',
     gapAxis: 'gap to the exact optimum',
-    gapsNote: 'Number of runs in each range; dashed bars are runs without a path.',
+    gapsNote: 'Number of runs in each range.',
+    gapsFailedNote: 'Dashed bars are runs without a path.',
     rankAxis: 'mean rank (1 = best)',
     ranksNote: 'Vertical bars join entries of which no two differ after Holm at 5 %.',
     friedman:
@@ -199,8 +200,14 @@ export const enLabResults = {
     beats: 'Row beats column',
     matrix: 'How likely a run of one entry beats a run of another',
     matrixHint:
-      'A of Vargha and Delaney: how likely a run of the row beats one of the column, ties half; 0.5 is no difference. p is adjusted by Holm over all pairs of the map; below {{level}} the cell is coloured.',
-    effects: { negligible: 'negligible', small: 'small', medium: 'medium', large: 'large' },
+      'A of Vargha and Delaney: how likely a run of the row beats one of the column, ties half; 0.5 is no difference. p is adjusted by Holm over all pairs of the map; below {{level}} the cell is coloured and the effect has a name. Elsewhere these runs do not show a difference, whatever A is.',
+    effects: {
+      negligible: 'negligible',
+      small: 'small',
+      medium: 'medium',
+      large: 'large',
+      unknown: 'cannot tell',
+    },
     untested: 'no test',
     ahead: '{{winner}} beats {{loser}} in {{share}} of comparisons: a {{effect}} effect ({{p}}).',
     noDifference: 'No difference can be told from chance: {{pairs}}.',
@@ -218,6 +225,9 @@ export const enLabResults = {
     against: '{{theirs}} (here {{ours}})',
     belowAll: 'below every run here',
     atOrBelow: '{{share}} of the runs are at or below it',
+    impossibleMany:
+      'Each of these published values is below the exact optimum of our map under our reading of the rule of moving (published < optimum). No path here can have it: on the paper’s own map, or under another rule, one may.',
+    impossibleItem: '{{entry}}: {{value}}\u00a0<\u00a0{{optimum}}',
     impossible:
       '{{entry}}: the published {{value}} is below {{optimum}}, the exact optimum of our map under this rule of moving. No path here can have it: on the paper’s own map, or under another rule, one may.',
     stripOf: '{{count}} runs of {{entry}}',
@@ -260,7 +270,7 @@ export const enLabResults = {
       'summary-json': 'The same for programs, with curves and tests.',
       markdown: 'What was asked, tables of every map, verdicts.',
       'summary-markdown': 'The numbers that papers print, for a README or a notebook.',
-      latex: 'The same for a paper; needs the booktabs package.',
+      latex: 'The same for a paper; needs the packages booktabs and graphicx.',
       tests: 'Wilcoxon, Mann–Whitney, A, Friedman.',
       'tests-csv': 'The same, one line a test.',
       times: 'Seconds of every run on this machine.',

@@ -167,7 +167,8 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     targetsKnownNote: '目标：每次运行与已知最好值的差距在 {{gaps}} 以内。',
     effortNote: '找到路径的运行，直到其最优路径。须线延伸到最小与最大。',
     gapAxis: '与精确最优的差距',
-    gapsNote: '各区间内的运行数；虚线柱为未找到路径的运行。',
+    gapsNote: '各区间内的运行数。',
+    gapsFailedNote: '虚线柱为未找到路径的运行。',
     rankAxis: '平均秩（1 为最好）',
     ranksNote: '竖线连接经 Holm 校正（5%）后两两无差别的参评项。',
     friedman:
@@ -194,8 +195,8 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     beats: '行优于列',
     matrix: '一个参评项的运行优于另一个的可能性',
     matrixHint:
-      'Vargha 与 Delaney 的 A：行的一次运行优于列的可能性，平局算一半；0.5 表示无差别。p 按该地图的所有配对作 Holm 校正；低于 {{level}} 时着色。',
-    effects: { negligible: '可忽略', small: '小', medium: '中', large: '大' },
+      'Vargha 与 Delaney 的 A：行的一次运行优于列的可能性，平局算一半；0.5 表示无差别。p 按该地图的所有配对作 Holm 校正；低于 {{level}} 时着色并注明效应大小，其余各格无论 A 为何值，这些运行都未显示差别。',
+    effects: { negligible: '可忽略', small: '小', medium: '中', large: '大', unknown: '无法判断' },
     untested: '无检验',
     ahead: '{{winner}} 在 {{share}} 的比较中优于 {{loser}}：效应{{effect}}（{{p}}）。',
     noDifference: '与偶然无法区分：{{pairs}}。',
@@ -213,6 +214,9 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     against: '{{theirs}}（此处 {{ours}}）',
     belowAll: '低于此处所有运行',
     atOrBelow: '{{share}} 的运行不高于它',
+    impossibleMany:
+      '下列报告值均低于我们的地图在我们所理解的移动规则下的精确最优（报告值 < 精确最优），此处没有路径能达到；在论文自己的地图上或按另一规则则有可能。',
+    impossibleItem: '{{entry}}：{{value}}\u00a0<\u00a0{{optimum}}',
     impossible:
       '{{entry}}：报告值 {{value}} 低于我们的地图在此移动规则下的精确最优 {{optimum}}，此处没有路径能达到；在论文自己的地图上或按另一规则则有可能。',
     stripOf: '{{entry}} 的 {{count}} 次运行',
@@ -254,7 +258,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
       'summary-json': '供程序使用，含曲线与检验。',
       markdown: '问题、每张地图的表格与判定。',
       'summary-markdown': '论文中常见的数字，用于 README 或笔记。',
-      latex: '同样内容，用于论文；需要 booktabs 宏包。',
+      latex: '同样内容，用于论文；需要 booktabs 和 graphicx 宏包。',
       tests: 'Wilcoxon、Mann–Whitney、A、Friedman。',
       'tests-csv': '同样内容，每行一个检验。',
       times: '此机器上每次运行的秒数。',

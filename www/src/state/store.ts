@@ -15,6 +15,7 @@ import type {
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
 import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../session'
+import { slotColour } from './colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
 export type Phase = 'editing' | 'running' | 'paused' | 'finished'
@@ -106,16 +107,6 @@ export function plannerEntry(id: string): CatalogEntry | undefined {
 
 export function panelById(id: number): Panel | undefined {
   return panels.value.find((panel) => panel.id === id)
-}
-
-/**
- * Colours by slot: Okabe and Ito's set, darkened where it must stand on white, so that neighbours
- * stay apart for colour-blind readers. The same values in both themes keep screenshots comparable.
- */
-const COLOURS = ['#d5580a', '#2f7ec7', '#0b8f69', '#b0508c', '#8a6d00', '#5b5fc7'] as const
-
-export function slotColour(slot: number): string {
-  return COLOURS[slot % COLOURS.length] ?? COLOURS[0]
 }
 
 export function panelColour(panelId: number): string {

@@ -8,8 +8,15 @@ import { notify, plannerEntry } from '../../state'
 import type { Contender } from '../document'
 import { ablated, type DraftEntry, entries as drafted, setEntries } from './draft'
 
-/** What the id of an entry without a component begins with. */
+/** What the id of an entry without a component begins with, and the id of the one that has all of them. */
 const WITHOUT = 'without-'
+const FULL = 'full'
+
+const lacksOne = ({ id }: DraftEntry) => id?.startsWith(WITHOUT) ?? false
+
+/** Whether it stands in an ablation: nothing more is to be taken out of it. */
+export const isOfAblation = (entry: DraftEntry) =>
+  lacksOne(entry) || (entry.id === FULL && drafted.value.some(lacksOne))
 
 /** The entries of an ablation in the place of all others, with a way back to them; the engine knows which components these values leave. */
 export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {

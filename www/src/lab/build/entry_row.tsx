@@ -11,7 +11,7 @@ import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
 import { FormError } from '../../ui/form_error'
 import { seriesOf } from '../figures/look'
-import { ablate } from './ablation'
+import { ablate, isOfAblation } from './ablation'
 import { changeEntry, copyEntry, type DraftEntry, removeEntry } from './draft'
 import { whyNotHere } from './entries'
 import { labelOf } from './labels'
@@ -46,7 +46,7 @@ export function EntryRow({ entry, place }: { entry: DraftEntry; place: number })
           <span class="entry-planner hint">{known ? plannerName(known) : entry.planner}</span>
         )}
         <span class="entry-tools">
-          {known && known.components.length > 0 && (
+          {known && known.components.length > 0 && !isOfAblation(entry) && (
             <span data-tip={t('lab.build.ablateHint')}>
               <Button
                 icon={Scissors}

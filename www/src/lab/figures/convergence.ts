@@ -46,7 +46,7 @@ export const convergence: Figure = {
       marks: [
         gridEffort(plot, scene),
         gridY(plot, scene, { label: measureWords(measure) }),
-        shown.map((each) => band(plot, each, ends, limits.most)),
+        shown.map((each) => band(plot, each, ends, limits.most, shade(shown.length))),
         optima.map((each) => optimum(plot, scene, each)),
         shown.map((each) => curve(plot, each, placed(each.entry.band, ends), 'median', ends)),
       ],
@@ -90,15 +90,18 @@ export const convergence: Figure = {
 
 const hasBand = ({ band }: EntryAnalysis) => band.some(({ lower }) => lower !== null)
 
+/** Of many bands on each other: curves must still stand out. */
+const shade = (bands: number) => Math.min(0.14, 0.8 / bands)
+
 /** Where less than three quarters of the runs have a path, the upper quartile is beyond every length. */
-function band(plot: Plot, { entry, series }: Shown, ends: Ends, most: number) {
+function band(plot: Plot, { entry, series }: Shown, ends: Ends, most: number, shade: number) {
   return plot.areaY(placed(entry.band, ends), {
     x: 'x',
     y1: 'lower',
     y2: ({ lower, upper }: BandPoint) => upper ?? (lower === null ? null : most),
     curve: 'step-after',
     fill: series.colour,
-    fillOpacity: 0.14,
+    fillOpacity: shade,
     clip: true,
     className: 'bands',
   })

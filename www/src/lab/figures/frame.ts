@@ -8,6 +8,8 @@ const PADDING = 16
 const LEGEND_FONT = `12px ${FONT}`
 const NOTE_FONT = `11.5px ${FONT}`
 const LEGEND_LINE = 20
+/** Pixels: the longest dashes, and the symbol that stands on their end. */
+const LINE = 36
 const NOTE_LINE = 16
 
 export interface Heading {
@@ -64,6 +66,9 @@ function title(body: Element, heading: Heading, width: number, look: Look): numb
   return top + NOTE_LINE * below.length + 12
 }
 
+/** Pixels from the left end of an item to its words. */
+const wordsAt = (item: LegendItem) => (item.kind === 'series' && item.line ? LINE + 14 : 28)
+
 /** In as many lines as it takes. Gives its height. */
 function legend(
   body: Element,
@@ -72,20 +77,24 @@ function legend(
   width: number,
   look: Look,
 ): number {
-  let [x, line] = [0, 0]
+  let [x, y] = [0, 0]
   for (const item of items) {
+    const start = wordsAt(item)
     const words = item.kind === 'series' ? item.series.label : item.label
-    const wide = 28 + widthOf(words, LEGEND_FONT) + 16
-    if (x > 0 && x + wide - 16 > width) [x, line] = [0, line + 1]
-    const group = element('g', { transform: `translate(${x} ${top + line * LEGEND_LINE + 10})` })
-    group.append(...sample(item, look), element('text', { x: 28, y: 4 }, words))
+    const lines = wrapped(words, width - start, LEGEND_FONT)
+    const wide = start + Math.max(0, ...lines.map((part) => widthOf(part, LEGEND_FONT)))
+    if (x > 0 && x + wide > width) [x, y] = [0, y + LEGEND_LINE]
+    const group = element('g', { transform: `translate(${x} ${top + y + 10})` })
+    const texts = lines.map((part, i) => element('text', { x: start, y: 4 + NOTE_LINE * i }, part))
+    group.append(...sample(item, look), ...texts)
     body.append(group)
-    x += wide
+    x += wide + 16
+    y += NOTE_LINE * (lines.length - 1)
   }
-  return items.length === 0 ? 0 : (line + 1) * LEGEND_LINE + 6
+  return items.length === 0 ? 0 : y + LEGEND_LINE + 6
 }
 
-/** 22 × 16 pixels about (11, 0). */
+/** 16 pixels high; 22 wide about (11, 0), or, of a series with a line, that line and the symbol at its end. */
 function sample(item: LegendItem, look: Look): SVGElement[] {
   const line = (attributes: Record<string, string | number | undefined>) =>
     element('path', {
@@ -99,8 +108,11 @@ function sample(item: LegendItem, look: Look): SVGElement[] {
     element('path', { d: symbolPath(name, 5), transform: 'translate(11 0)', ...attributes })
   if (item.kind === 'series') {
     const { colour, dash, symbol: name } = item.series
-    const dot = symbol(name, { fill: colour })
-    return item.line ? [line({ stroke: colour, 'stroke-dasharray': dash }), dot] : [dot]
+    if (!item.line) return [symbol(name, { fill: colour })]
+    return [
+      line({ d: `M0 0H${LINE}`, stroke: colour, 'stroke-dasharray': dash }),
+      symbol(name, { fill: colour, transform: `translate(${LINE} 0)` }),
+    ]
   }
   switch (item.mark) {
     case 'optimum':

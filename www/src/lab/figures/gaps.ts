@@ -2,14 +2,21 @@
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
+import { FONT } from './look'
 import { LOW, MARGIN, plotted } from './plotted'
 import { failures, rowScale, rowTexts } from './rows'
+import { widthOf } from './svg'
 
 /** Pixels. */
 const TALL = 92
 /** Parts of a row: where bars stand and how high the highest is. */
 const FOOT = 1
 const HIGHEST = 0.5
+/** Bins between the last one and the runs without a path: they are not on the scale. */
+const APART = 1
+const TICK_FONT = `11.5px ${FONT}`
+/** Pixels between the words of two ticks. */
+const BETWEEN = 10
 
 interface Bar {
   row: number
@@ -35,7 +42,8 @@ export const gaps: Figure = {
     const most = Math.max(1, ...bars.map(({ count }) => count))
     const heightOf = ({ count }: Bar) => (HIGHEST * count) / most
     const height = 4 + TALL * rows.length + MARGIN.bottom
-    const bins = map.gap_edges.length + 1
+    const failed = rows.some(({ entry }) => entry.with_path < entry.runs)
+    const bins = map.gap_edges.length + (failed ? APART + 1 : 0)
     const picture = plotted(plot, scene, height, {
       marginTop: 4,
       x: { domain: [0, bins] },
@@ -44,7 +52,7 @@ export const gaps: Figure = {
         plot.axisX({
           ...LOW,
           label: t('lab.results.gapAxis'),
-          ticks: ticksOf(scene),
+          ticks: ticksOf(scene, bins),
           color: look.muted,
           tickFormat: (place: number) => tickWords(place, scene),
         }),
@@ -85,7 +93,12 @@ export const gaps: Figure = {
         ),
       ],
     })
-    return { plot: picture, height, legend: [], notes: [t('lab.results.gapsNote')] }
+    return {
+      plot: picture,
+      height,
+      legend: [],
+      notes: [t('lab.results.gapsNote'), ...(failed ? [t('lab.results.gapsFailedNote')] : [])],
+    }
   },
   words: ({ map }) =>
     shownEntries(map)
@@ -121,7 +134,7 @@ function barsOf({ entry, series }: Shown, row: number): Bar[] {
   }))
   const failed = {
     row,
-    bin: entry.gap_counts.length,
+    bin: entry.gap_counts.length + APART,
     count: entry.runs - entry.with_path,
     colour: series.colour,
     hollow: true,
@@ -129,19 +142,20 @@ function barsOf({ entry, series }: Shown, row: number): Bar[] {
   return [...counted, failed]
 }
 
-/** Edges of bins; where bins are narrow, every second one. */
-function ticksOf({ map, width }: Scene): number[] {
-  const edges = map.gap_edges.length
-  const stride = Math.ceil(36 / (width / (edges + 1)))
-  const even = Array.from({ length: edges }, (_, i) => i).filter(
-    (i) => (edges - 1 - i) % stride === 0 && i < edges - 1,
-  )
-  return [...even, edges - 0.5, edges + 0.5]
+/** Edges of bins, back from the last one, as many as have room beside each other; then the runs without a path, if there are any. */
+function ticksOf(scene: Scene, bins: number): number[] {
+  const edges = scene.map.gap_edges.map((_, i) => i)
+  const widest = Math.max(...edges.map((i) => widthOf(tickWords(i, scene), TICK_FONT)))
+  const wide = (scene.width - MARGIN.left - MARGIN.right) / bins
+  const stride = Math.ceil((widest + BETWEEN) / wide)
+  const shown = edges.filter((i) => (edges.length - 1 - i) % stride === 0)
+  return bins > edges.length ? [...shown, bins - 0.5] : shown
 }
 
+/** The last bin has no upper end. */
 function tickWords(place: number, { map }: Scene): string {
-  const edges = map.gap_edges
-  if (place > edges.length) return t('lab.results.noPathShort')
-  if (place > edges.length - 1) return `≥ ${numbers.value.share.format(edges.at(-1) ?? 0)}`
-  return numbers.value.share.format(edges[place] ?? 0)
+  const [edge, last] = [map.gap_edges[place], map.gap_edges.length - 1]
+  if (edge === undefined) return t('lab.results.noPathShort')
+  const words = numbers.value.share.format(edge)
+  return place === last ? `≥ ${words}` : words
 }

@@ -2,8 +2,8 @@
  * What figures look like. They leave the page, where no style sheet follows them: so their colours are written here, the same as
  * styles/tokens.css has for the two themes.
  */
-import { slotColour } from '../../state'
-import type { SymbolName } from './symbols'
+import { COLOURS as OF_RACE } from '../../state/colours'
+import { SYMBOLS, type SymbolName } from './symbols'
 
 export type Ground = 'light' | 'dark'
 
@@ -44,26 +44,32 @@ export interface Series {
   symbol: SymbolName
 }
 
-/** Diamonds are kept for published numbers. */
-const SYMBOLS: SymbolName[] = [
-  'circle',
-  'square',
-  'triangle',
-  'falling',
-  'star',
-  'hexagon',
-  'cross',
-]
-/** The race has so many colours; comparisons may have more entries. */
-const SLOTS = 6
-const MORE_COLOURS = ['#8c6d1f', '#6d7f8b', '#7a5bd0', '#a33b3b']
-const DASHES = [undefined, '7 3', '2 3', '10 3 2 3', '4 2', '12 4 2 4 2 4', '1 3 6 3'] as const
+/** Comparisons may have more entries than the race; these stand on both grounds as well. */
+const COLOURS = [...OF_RACE, '#65757d', '#9a6cf0', '#6f9432', '#e0457b'] as const
 
+/** None repeats after more than 25 pixels: a legend shows the whole of it. */
+const DASHES = [
+  undefined,
+  '8 4',
+  '2 3',
+  '10 3 2 3',
+  '18 5',
+  '12 3 2 3 2 3',
+  '6 3 6 10',
+  '2 3 2 3 2 9',
+] as const
+
+/**
+ * Ten colours, eight dashes, seven symbols, each in its own turn: of the first forty entries no two have two of the three in common. So
+ * who sees no colour tells lines by dash and symbol, and the eleventh entry, of the first one's colour, has another dash and symbol.
+ */
 export function seriesOf(index: number, label: string): Series {
   return {
     label,
-    colour: MORE_COLOURS[index - SLOTS] ?? slotColour(index),
-    dash: DASHES[index % DASHES.length],
-    symbol: SYMBOLS[index % SYMBOLS.length] ?? 'circle',
+    colour: turn(COLOURS, index),
+    dash: turn(DASHES, index),
+    symbol: turn(SYMBOLS, index),
   }
 }
+
+const turn = <T>(all: readonly T[], index: number) => all[index % all.length] as T

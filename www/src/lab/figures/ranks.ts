@@ -14,6 +14,9 @@ import { plotSymbol } from './symbols'
 /** Pixels. */
 const TALL = 46
 const COLUMN = 14
+/** Of the numbers of ranks, two digits and what is between them. */
+const TICK = 24
+
 interface Ranked {
   entry: number
   label: string
@@ -48,6 +51,8 @@ export const ranks: Figure = {
     const bars = groups(order, all)
     const right = MARGIN.right + COLUMN * bars.length + (bars.length > 0 ? 6 : 0)
     const height = 4 + TALL * order.length + MARGIN.bottom
+    const apart = (width - MARGIN.left - right) / Math.max(1, order.length - 1)
+    const stride = Math.ceil(TICK / apart)
     const symbols = order.map(({ entry, label, mean, byMap }, i) => {
       const series = seriesOf(entry, label)
       const y = i + MIDDLE
@@ -80,7 +85,7 @@ export const ranks: Figure = {
       y: rowScale(order.length),
       marks: [
         plot.axisX({
-          ticks: order.map((_, i) => i + 1),
+          ticks: order.map((_, i) => i + 1).filter((_, i) => i % stride === 0),
           tickFormat: (d: number) => numbers.value.whole.format(d),
           ...LOW,
           label: t('lab.results.rankAxis'),

@@ -11,7 +11,7 @@ const LABEL_FONT = `600 12px ${FONT}`
 const ASIDE_FONT = `12px ${FONT}`
 
 /** Parts of a row's height, from above. */
-export const LABEL_AT = 0.22
+export const LABEL_AT = 0.2
 export const MIDDLE = 0.66
 export const HALF_BOX = 0.18
 
@@ -28,6 +28,9 @@ export function failures({ entry }: Shown): string {
   const failed = entry.runs - entry.with_path
   return failed === 0 ? '' : t('lab.results.failures', { count: failed, runs: entry.runs })
 }
+
+/** Around words that stand over lines: wide enough that no dot of a dotted one touches a letter. Pixels, half of them to be seen. */
+const HALO = 7
 
 /** Names and what is left out, in the corners of each row. */
 export function rowTexts(plot: Plot, scene: Scene, rows: RowText[]) {
@@ -55,7 +58,7 @@ export function rowTexts(plot: Plot, scene: Scene, rows: RowText[]) {
       fontSize: 12,
       fill: look.text,
       stroke: look.background,
-      strokeWidth: 4,
+      strokeWidth: HALO,
       className: 'row-labels',
     }),
     plot.text(fitted, {
@@ -66,7 +69,7 @@ export function rowTexts(plot: Plot, scene: Scene, rows: RowText[]) {
       fontSize: 12,
       fill: 'colour',
       stroke: look.background,
-      strokeWidth: 4,
+      strokeWidth: HALO,
       className: 'row-asides',
     }),
   ]

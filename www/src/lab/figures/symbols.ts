@@ -7,10 +7,15 @@ const star = Array.from({ length: 10 }, (_, i): Corner => {
   return [radius * Math.cos(angle), radius * Math.sin(angle)]
 })
 
-const hexagon = Array.from({ length: 6 }, (_, i): Corner => {
-  const angle = (Math.PI * i) / 3
-  return [1.1 * Math.cos(angle), 1.1 * Math.sin(angle)]
-})
+// biome-ignore format: one arm a line
+const cross: Corner[] = [
+  [-0.45, -1.3], [0.45, -1.3], [0.45, -0.45],
+  [1.3, -0.45], [1.3, 0.45], [0.45, 0.45],
+  [0.45, 1.3], [-0.45, 1.3], [-0.45, 0.45],
+  [-1.3, 0.45], [-1.3, -0.45], [-0.45, -0.45],
+]
+
+const saltire = cross.map(([x, y]): Corner => [(x - y) * Math.SQRT1_2, (x + y) * Math.SQRT1_2])
 
 const CORNERS = {
   square: [
@@ -35,18 +40,23 @@ const CORNERS = {
     [0, 1.45],
     [-1.15, 0],
   ],
-  // biome-ignore format: one arm a line
-  cross: [
-    [-0.45, -1.3], [0.45, -1.3], [0.45, -0.45],
-    [1.3, -0.45], [1.3, 0.45], [0.45, 0.45],
-    [0.45, 1.3], [-0.45, 1.3], [-0.45, 0.45],
-    [-1.3, 0.45], [-1.3, -0.45], [-0.45, -0.45],
-  ],
-  hexagon,
+  cross,
+  saltire,
   star,
 } as const satisfies Record<string, readonly Corner[]>
 
 export type SymbolName = 'circle' | keyof typeof CORNERS
+
+/** Of entries, in the order in which they are given out. Diamonds are kept for published numbers. */
+export const SYMBOLS = [
+  'circle',
+  'square',
+  'triangle',
+  'falling',
+  'star',
+  'saltire',
+  'cross',
+] as const satisfies SymbolName[]
 
 export function symbolPath(name: SymbolName, radius: number): string {
   if (name === 'circle')

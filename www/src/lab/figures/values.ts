@@ -21,8 +21,8 @@ import { plotSymbol } from './symbols'
 /** Room for the name of the line across all rows, and for each further one. Pixels. */
 const TOP = 22
 const LABEL_LINE = 15
-/** Part of a row by which equal values of different seeds are spread. */
-const SPREAD = 0.3
+/** Part of a row by which equal values of different seeds are spread: to just below its name. */
+const SPREAD = 0.28
 
 export const values: Figure = {
   id: 'values',

@@ -64,12 +64,27 @@ export function MapHead({ map }: { map: MapAnalysis }) {
 export const dotColour = ({ origin }: EntryAnalysis, index: number) =>
   origin === 'missing' ? 'var(--line-strong)' : seriesOf(index, '').colour
 
+interface AlertProps {
+  words: string
+  /** Of what it holds, where that is more than one thing. */
+  items?: string[]
+}
+
 /** What cannot be, in red. */
-export function Alert({ words }: { words: string }) {
+export function Alert({ words, items = [] }: AlertProps) {
   return (
-    <p class="result-impossible" data-testid="impossible">
+    <div class="result-impossible" data-testid="impossible">
       <Icon icon={CircleAlert} size={18} />
-      {words}
-    </p>
+      <div>
+        <p>{words}</p>
+        {items.length > 0 && (
+          <ul>
+            {items.map((item) => (
+              <li key={item}>{item}</li>
+            ))}
+          </ul>
+        )}
+      </div>
+    </div>
   )
 }

@@ -1,4 +1,5 @@
 /** A test of a pair, read from either side. */
+import { LEVEL } from '../figures/rank_groups'
 import type { MapAnalysis } from './types'
 
 export type Kind = 'wilcoxon' | 'mann-whitney'
@@ -27,8 +28,17 @@ export function compared(
   return { better, p, paired: pair.paired }
 }
 
+/** Whether chance is ruled out. */
+export const differ = ({ p }: Compared) => p !== null && p < LEVEL
+
+export type EffectSize = 'negligible' | 'small' | 'medium' | 'large'
+
+/** What may be said of a pair: however far A is from ½, there is no effect to speak of where chance may have put it there. */
+export const shownEffect = (pair: Compared): EffectSize | 'unknown' =>
+  differ(pair) ? effectOf(pair.better) : 'unknown'
+
 /** Words of Vargha and Delaney (2000) for how far A is from ½. */
-export function effectOf(better: number): 'negligible' | 'small' | 'medium' | 'large' {
+export function effectOf(better: number): EffectSize {
   const away = Math.abs(better - 0.5)
   if (away < 0.06) return 'negligible'
   if (away < 0.14) return 'small'

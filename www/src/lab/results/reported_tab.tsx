@@ -58,9 +58,7 @@ function ReportedMap({ map }: { map: MapAnalysis }) {
   return (
     <section class="reported-map" data-testid={`reported-${map.id}`}>
       <MapHead map={map} />
-      {rows.flatMap((row) =>
-        warnings(row, map).map((words) => <Alert key={words} words={words} />),
-      )}
+      <Impossible rows={rows} map={map} />
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
       <section class="result-scroll" tabIndex={0} aria-label={caption}>
         <table class="result-table">
@@ -145,12 +143,19 @@ function placeOf({ published }: Reported): string {
   return t('lab.results.atOrBelow', { share: share(published.share_at_or_below) })
 }
 
-function warnings({ entry, published }: Reported, map: MapAnalysis): string[] {
-  const { value, optimum, impossible } = published
-  if (!impossible || value === null || optimum === null) return []
+/** One box, however many published numbers cannot be. */
+function Impossible({ rows, map }: { rows: Reported[]; map: MapAnalysis }) {
   const write = amount(map.measure)
-  const words = { entry: entry.label, value: precise(value), optimum: write(optimum) }
-  return [t('lab.results.impossible', words)]
+  const all = rows.flatMap(({ entry, published: { value, optimum, impossible } }) =>
+    impossible && value !== null && optimum !== null
+      ? [{ entry: entry.label, value: precise(value), optimum: write(optimum) }]
+      : [],
+  )
+  const [first, ...others] = all
+  if (!first) return null
+  if (others.length === 0) return <Alert words={t('lab.results.impossible', first)} />
+  const items = all.map((one) => t('lab.results.impossibleItem', one))
+  return <Alert words={t('lab.results.impossibleMany')} items={items} />
 }
 
 function Verdicts({ analysis }: { analysis: Analysis }) {

@@ -6,7 +6,7 @@ import { Segmented } from '../../ui/fields'
 import { LEVEL } from '../figures/rank_groups'
 import { ranked } from '../figures/ranks'
 import { MapChoice, MapHead, shownMap } from './choices'
-import { type Compared, compared, effectOf, type Kind } from './compared'
+import { type Compared, compared, differ, type Kind, shownEffect } from './compared'
 import { DataTable } from './data_table'
 import { chance, labelOf, significant } from './format'
 import { sentences } from './tests_words'
@@ -99,15 +99,14 @@ function Matrix({ map }: { map: MapAnalysis }) {
 function MatrixCell({ pair }: { pair: Compared | null }) {
   if (!pair) return <td class="diagonal">–</td>
   const { better, p } = pair
-  const certain = p !== null && p < LEVEL
-  const leaning = certain && better !== 0.5 ? (better > 0.5 ? 'ahead' : 'behind') : 'even'
+  const leaning = differ(pair) && better !== 0.5 ? (better > 0.5 ? 'ahead' : 'behind') : 'even'
   return (
     <td
       class={`leaning-${leaning}`}
       style={{ '--size': Math.min(1, 2 * Math.abs(better - 0.5)).toFixed(2) }}
     >
       <span class="matrix-main">{numbers.value.length.format(better)}</span>
-      <span class="cell-small">{t(`lab.results.effects.${effectOf(better)}`)}</span>
+      <span class="cell-small">{t(`lab.results.effects.${shownEffect(pair)}`)}</span>
       <span class="cell-small">
         {p === null ? t('lab.results.untested') : `p ${p < 0.001 ? '' : '= '}${chance(p)}`}
       </span>

@@ -1,8 +1,7 @@
 /** Tests of pairs read as comparisons, and what they allow to say. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { LEVEL } from '../figures/rank_groups'
-import { type Compared, compared, effectOf, type Kind } from './compared'
+import { type Compared, compared, differ, effectOf, type Kind } from './compared'
 import { chance, labelOf } from './format'
 import type { EntryAnalysis, MapAnalysis } from './types'
 
@@ -17,8 +16,8 @@ export function sentences(map: MapAnalysis, kind: Kind): string[] {
     return a && b && pair ? [{ a, b, pair }] : []
   })
   if (all.length === 0) return [t('lab.results.onePlanner')]
-  const certain = all.filter(({ pair }) => pair.p !== null && pair.p < LEVEL)
-  const open = all.filter(({ pair }) => pair.p !== null && pair.p >= LEVEL)
+  const certain = all.filter(({ pair }) => differ(pair))
+  const open = all.filter(({ pair }) => pair.p !== null && !differ(pair))
   const unpaired = all.filter(
     ({ a, b, pair }) => pair.p === null && !pair.paired && enough(a) && enough(b),
   )
