@@ -52,6 +52,20 @@ test.describe('the papers’ questions', () => {
     })
   }
 
+  test('what a reader of the verdicts must know stands below them', async ({ page }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await page.getByTestId('published-seeds-ship').fill('1')
+    await page.getByTestId('published-run-ship').click()
+    await laboratory.finished(110_000)
+    await page.getByRole('tab', { name: /report/i }).click()
+    const notes = page.getByTestId('reservations').getByRole('listitem')
+    await expect(notes).toHaveText([
+      /^shorter paths, fewer turns\s*The refined path may take any angle/,
+      /^fewer iterations\s*Not independent: μ, ω, γ and k are not given/,
+    ])
+  })
+
   test('a map that stands for a paper’s leads to its question', async ({ page }) => {
     const lab = new Lab(page)
     await lab.open()

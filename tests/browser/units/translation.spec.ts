@@ -88,7 +88,7 @@ function textsOf({ title, paper, asks, instances, entries, claims = [] }: Questi
     asks,
     ...instances.flatMap(({ map, note }) => [nameOf(map), note]),
     ...entries.flatMap(({ label, missing }) => [label, missing]),
-    ...claims.map(({ says }) => says),
+    ...claims.flatMap(({ says, note }) => [says, note]),
   ]
 }
 

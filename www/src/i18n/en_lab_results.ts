@@ -232,6 +232,7 @@ export const enLabResults = {
       '{{entry}}: the published {{value}} is below {{optimum}}, the exact optimum of our map under this rule of moving. No path here can have it: on the paper’s own map, or under another rule, one may.',
     stripOf: '{{count}} runs of {{entry}}',
     claims: 'Claims',
+    reservations: 'What to know about these verdicts',
     sizesHint:
       'Sizes are parts of the baseline’s value, positive as the claim says. A claim is reproduced when the 95 % interval of the difference excludes 0 in its direction and at least half of the claimed size is there.',
     claimOf: '{{improved}} against {{baseline}}, {{measure}}',

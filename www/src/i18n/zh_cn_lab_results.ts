@@ -221,6 +221,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
       '{{entry}}：报告值 {{value}} 低于我们的地图在此移动规则下的精确最优 {{optimum}}，此处没有路径能达到；在论文自己的地图上或按另一规则则有可能。',
     stripOf: '{{entry}} 的 {{count}} 次运行',
     claims: '主张',
+    reservations: '关于这些判定须知',
     sizesHint:
       '大小为基线值的比例，与主张同向为正。差值的 95% 区间在主张方向上不含 0，且至少达到所称大小的一半，即为已复现。',
     claimOf: '{{improved}} 对比 {{baseline}}，{{measure}}',

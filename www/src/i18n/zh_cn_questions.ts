@@ -162,4 +162,16 @@ export const zhCNQuestions: Record<string, string> = {
   'ACOMSP converges faster': 'ACOMSP 收敛更快',
   'finds a path where there is one, more often (our question: the paper says that it finds a good one quickly, not how often)':
     '有路可走时更常找到路径（我们的问题：论文说它很快找到较优的路径，没有说多常）',
+
+  // What a reader of the verdicts must know.
+  "The refined path may take any angle, the baseline's may not: part of the difference is refinement, which would shorten the baseline's paths as well. The search is also compared by itself.":
+    '拉直后的路径可取任意角度，基线的路径不能：差别有一部分来自拉直，它同样会缩短基线的路径。搜索本身另作比较。',
+  'Not independent: μ, ω, γ and k are not given in the paper, and their values here were chosen because an earlier trial on public grids showed few iterations with them.':
+    '并非独立的检验：论文没有给出 μ、ω、γ 与 k，这里的取值是因为此前在公开栅格地图上的试验用它们迭代较少。',
+  'The paper gives one number of ants and two colonies; our default splits it, so that both algorithms construct 50 walks an iteration. Ants that meet stop half-way.':
+    '论文给出一个蚂蚁数和两队蚂蚁；我们的默认值将其平分，使两种算法每次迭代都构造 50 条路线。相遇的蚂蚁走到一半就停。',
+  "The paper says nothing of its swarm; ours clamps, lifts out of the ground and has the colony's budget.":
+    '论文没有说明其粒子群；我们的会截断越界的粒子、把路径抬出地面，并与蚁群预算相同。',
+  "Eq. 2 prints the step's length, the words before eq. 1 say distance to the goal; what is improved depends on it.":
+    '式 2 印的是步长，式 1 之前的文字说的是到终点的距离；改进与否取决于此。',
 }

@@ -40,7 +40,14 @@ export interface Question {
   budget?: Budget
   instances: Instance[]
   entries: Contender[]
-  claims?: { id: string; says: string }[]
+  claims?: Claim[]
+}
+
+export interface Claim {
+  id: string
+  says: string
+  /** What a reader of the verdict must know. */
+  note?: string
 }
 
 /** A map of the question: `formicarium/scenario@1`. */

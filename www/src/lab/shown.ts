@@ -4,7 +4,7 @@
  */
 import { computed } from '@preact/signals'
 import { translated } from '../i18n'
-import type { Contender, Instance, Question } from './document'
+import type { Claim, Contender, Instance, Question } from './document'
 import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from './results/types'
 import { analysis, type Study, study } from './signals'
 
@@ -27,7 +27,7 @@ function ofStudy({ id, title, question, maps }: Study): ShownStudy {
 }
 
 function ofQuestion(question: Question): Question {
-  const { title, paper, asks, instances, entries } = question
+  const { title, paper, asks, instances, entries, claims = [] } = question
   return {
     ...question,
     title: told(title),
@@ -37,6 +37,7 @@ function ofQuestion(question: Question): Question {
     entries: entries.map(
       (one): Contender => ({ ...one, label: told(one.label), missing: told(one.missing) }),
     ),
+    claims: claims.map((one): Claim => ({ ...one, says: told(one.says), note: told(one.note) })),
   }
 }
 

@@ -1,9 +1,10 @@
 /** What publications report beside what came out here: numbers, and claims with their verdicts. */
 import { BookOpen } from 'lucide'
-import { numbers } from '../../i18n'
+import { language, numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { METHODOLOGY, showCard } from '../../papers/cards'
 import { Button } from '../../ui/buttons'
+import { shownStudy } from '../shown'
 import { Alert, dotColour, MapHead } from './choices'
 import { amount, dash, labelOf, measureWords, optimaOf, precise, range, share } from './format'
 import { Strip, stripScale } from './strip'
@@ -185,9 +186,30 @@ function Verdicts({ analysis }: { analysis: Analysis }) {
           </tbody>
         </table>
       </section>
+      <Reservations />
     </section>
   )
 }
+
+/** What a reader of the verdicts must know, each once, with the claims that it is about. */
+function Reservations() {
+  const claims = shownStudy.value?.question.claims ?? []
+  const notes = [...new Set(claims.map(({ note }) => note ?? ''))].filter((note) => note !== '')
+  if (notes.length === 0) return null
+  return (
+    <ul class="reservations" aria-label={t('lab.results.reservations')} data-testid="reservations">
+      {notes.map((note) => (
+        <li key={note}>
+          <b>{inList(claims.filter((claim) => claim.note === note).map(({ says }) => says))}</b>
+          {note}
+        </li>
+      ))}
+    </ul>
+  )
+}
+
+const inList = (words: string[]) =>
+  new Intl.ListFormat(language.value, { type: 'unit', style: 'long' }).format(new Set(words))
 
 function Verdict({ line, analysis }: { line: VerdictLine; analysis: Analysis }) {
   const map = analysis.instances.find(({ id }) => id === line.instance)
