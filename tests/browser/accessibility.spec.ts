@@ -28,13 +28,13 @@ for (const scheme of ['light', 'dark'] as const) {
       await lab.menu('map-menu', item)
       await expect(page.locator('dialog')).toBeVisible()
       await expectClean(page, item)
-      await page.keyboard.press('Escape')
+      await lab.leaveDialog()
     }
     for (const button of ['share', 'help']) {
       await page.getByTestId(button).click()
       await expect(page.locator('dialog')).toBeVisible()
       await expectClean(page, button)
-      await page.keyboard.press('Escape')
+      await lab.leaveDialog()
     }
     await page.getByTestId('map-menu').click()
     await expectClean(page, 'menu')
@@ -51,7 +51,9 @@ test('everything can be reached and done with the keyboard alone', async ({ page
   await lab.open()
   await page.keyboard.press('Space')
   await expect(page.getByTestId('play')).toHaveAccessibleName(/play/i)
+  await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'paused')
   await page.keyboard.press('r')
+  await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
   await expect.poll(() => lab.antMoves()).toBe(0)
 
   await tabTo(page, 'map-menu')
@@ -65,18 +67,17 @@ test('everything can be reached and done with the keyboard alone', async ({ page
   await tabTo(page, 'stage')
   const walls = await lab.walls()
   for (const key of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key)
-  expect(await lab.walls()).not.toBe(walls)
+  await expect.poll(() => lab.walls()).not.toBe(walls)
 
   await tabTo(page, 'share')
   await page.keyboard.press('Enter')
   await expect(page.getByTestId('share-link')).toHaveValue(/#x=/)
-  await page.keyboard.press('Escape')
+  await lab.leaveDialog()
   await expect(page.getByTestId('share')).toBeFocused()
 
   await page.keyboard.press('?')
   await expect(page.getByTestId('help-dialog')).toBeVisible()
-  await page.keyboard.press('Escape')
-  await expect(page.getByTestId('help-dialog')).toBeHidden()
+  await lab.leaveDialog()
   await page.keyboard.press('End')
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,

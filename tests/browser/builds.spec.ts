@@ -1,4 +1,11 @@
-import { type Browser, type BrowserContext, expect, type Page, test } from '@playwright/test'
+import {
+  type Browser,
+  type BrowserContext,
+  expect,
+  type Page,
+  type Request,
+  test,
+} from '@playwright/test'
 import { freshLab, Lab } from './lab'
 
 /** A planner that the core of the engine does not have. */
@@ -24,6 +31,19 @@ async function holdWhole(context: BrowserContext, how: 'fail' | 'wait'): Promise
     return route.continue()
   })
   return pass
+}
+
+/** Resolves once `file` has been fetched, and nothing is on its way any more. To be called before the page is opened. */
+function fetched(page: Page, file: RegExp): () => Promise<void> {
+  const underWay = new Set<Request>()
+  let seen = false
+  page.on('request', (request) => underWay.add(request))
+  page.on('requestfailed', (request) => underWay.delete(request))
+  page.on('requestfinished', (request) => {
+    underWay.delete(request)
+    seen ||= file.test(request.url())
+  })
+  return () => expect.poll(() => seen && underWay.size === 0).toBe(true)
 }
 
 /** A link to a race of both kinds of planners, recorded after some iterations. */
@@ -63,6 +83,8 @@ test.describe('the planners of the whole engine', () => {
     expect((await lab.result(1)).planner).toBe(LATER)
     await planner.selectOption('ant-system')
     await expect.poll(async () => (await lab.result(1)).planner).toBe('ant-system')
+    await lab.ready()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
     await lab.seesMotion(1)
   })
 
@@ -117,19 +139,19 @@ test.describe('the planners of the whole engine', () => {
   })
 
   test('outlive the connection: sharing works, and what is missing is said', async ({ page }) => {
-    await new Lab(page).openAtRest()
+    const dialogs = fetched(page, /all_dialogs/)
+    const lab = new Lab(page)
+    await lab.openAtRest()
     await page.getByTestId('add-panel').click()
     await expect(page.getByTestId(`add-${LATER}`)).toBeVisible()
     await page.keyboard.press('Escape')
-    await page.waitForLoadState('networkidle')
+    await dialogs()
     await page.context().setOffline(true)
-    await page.getByTestId('share').click()
-    await expect(page.getByTestId('share-link')).toHaveValue(/#x=/)
-    await page.keyboard.press('Escape')
-    await new Lab(page).menu('map-menu', 'gallery-paper-ship-20')
+    expect(await lab.shareLink()).toContain('#x=')
+    await lab.menu('map-menu', 'gallery-paper-ship-20')
     await expect(page.getByText('This part of the page could not be fetched.')).toBeVisible()
     await page.context().setOffline(false)
-    await new Lab(page).menu('map-menu', 'gallery-paper-ship-20')
+    await lab.menu('map-menu', 'gallery-paper-ship-20')
     await expect(page.getByTestId('planner-1')).toHaveValue('ship')
   })
 

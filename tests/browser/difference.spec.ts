@@ -1,6 +1,14 @@
 import AxeBuilder from '@axe-core/playwright'
-import { expect, test } from '@playwright/test'
+import { expect, type Page, test } from '@playwright/test'
 import { Lab } from './lab'
+
+/** Opens the difference, and waits until there is one. */
+async function open(page: Page): Promise<void> {
+  await page.getByTestId('compare-trails').click()
+  await expect(page.getByTestId('difference')).toBeVisible()
+  await expect(page.getByTestId('difference-normalised')).toContainText('A ')
+  await expect(page.getByTestId('difference-empty')).toBeHidden()
+}
 
 test.describe('the difference of two trails', () => {
   test('is offered for two colonies, follows them, and tells both values of a cell', async ({
@@ -11,25 +19,31 @@ test.describe('the difference of two trails', () => {
     await expect(
       page.getByTestId('planner-1').locator('option[value="ant-colony-system"]'),
     ).toBeAttached()
+    // It comes with the same part of the page.
+    await expect(page.getByTestId('scrubber')).toBeVisible()
     await expect(page.getByTestId('compare-trails')).toBeHidden()
     await page.getByTestId('planner-2').selectOption('ant-colony-system')
     await lab.ready()
-    await page.getByTestId('compare-trails').click()
+    await open(page)
     const view = page.getByTestId('difference')
-    await expect(view).toBeVisible()
     await expect(view.getByTestId('difference-a')).toContainText('A: Ant System')
     await expect(view.getByTestId('difference-b')).toContainText('B: Ant Colony System')
 
     const canvas = page.getByTestId('stage-difference')
+    const values = view.getByTestId('difference-values')
+    // Trails are asked for a few times a second: those on show may be of iterations before.
+    const of = (iterations: string) => expect(values).toHaveAttribute('data-iterations', iterations)
+    await of('0,0')
+    await lab.frame()
     const before = await canvas.screenshot()
     await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+    await of('5,5')
     await expect.poll(async () => before.equals(await canvas.screenshot())).toBe(false)
     await expect(view.getByTestId('difference-normalised')).toContainText(
       /A [\d.E-]+–[\d.E-]+, B [\d.E-]+–[\d.E-]+/,
     )
     await canvas.focus()
     await page.keyboard.press('ArrowRight')
-    const values = view.getByTestId('difference-values')
     const { start } = (await lab.session()).scenario.spec
     await expect(values).toContainText(`(${start[0]}, ${start[1]})`)
     await expect(values).toContainText(/A .+ · B .+ · difference [+−-]?\d/)
@@ -37,8 +51,10 @@ test.describe('the difference of two trails', () => {
     // The scrubber takes it along; exchanging A and B turns the sign.
     const now = await values.innerText()
     await page.evaluate(() => window.formicarium.look(1))
+    await of('1,1')
     await expect.poll(() => values.innerText()).not.toBe(now)
     await page.getByTestId('back-to-now').click()
+    await of('5,5')
     await expect.poll(() => values.innerText()).toBe(now)
     const b = await view.getByTestId('difference-b').inputValue()
     await view.getByTestId('difference-a').selectOption(b)
@@ -56,8 +72,7 @@ test.describe('the difference of two trails', () => {
     await lab.openAtRest()
     await lab.menu('add-panel', 'add-ant-system')
     await lab.ready()
-    await page.getByTestId('compare-trails').click()
-    await expect(page.getByTestId('difference-empty')).toBeHidden()
+    await open(page)
     await page.getByTestId('remove-3').click()
     await expect(page.getByTestId('difference-empty')).toContainText('two planners')
   })
@@ -69,8 +84,7 @@ test.describe('the difference of two trails', () => {
       await lab.openAtRest()
       await lab.menu('add-panel', 'add-ant-system')
       await lab.ready()
-      await page.getByTestId('compare-trails').click()
-      await expect(page.getByTestId('difference-empty')).toBeHidden()
+      await open(page)
       const { violations } = await new AxeBuilder({ page }).analyze()
       expect(
         violations.filter(({ impact }) => impact === 'serious' || impact === 'critical'),

@@ -45,7 +45,7 @@ async function load(lab: Lab, at: Cell[], planners: string[]): Promise<void> {
       },
     } as unknown as { cells: number[]; session: Session; scenario: Session['scenario'] },
   )
-  await lab.ready().catch(() => {})
+  await lab.ready()
 }
 
 test.describe('several goals', () => {
@@ -54,10 +54,10 @@ test.describe('several goals', () => {
     await page.keyboard.press('a')
     await expect(page.getByTestId('tool-add-goal')).toHaveAttribute('aria-pressed', 'true')
     await click(lab, [10, 4])
+    await expect(page.getByTestId('goals')).toBeVisible()
     await click(lab, [20, 20])
     expect(await places(lab)).toEqual(['35,5', '10,4', '20,20'])
     expect((await goals(lab)).map(({ name }) => name)).toEqual(['A', 'B', 'C'])
-    await expect(page.getByTestId('goals')).toBeVisible()
     await expect(page.getByTestId('goal-count')).toHaveText('3 goals')
 
     await page.getByTestId('tool-wall').click()
@@ -195,12 +195,14 @@ test.describe('several goals', () => {
     await expect.poll(async () => (await lab.result(3)).summary?.iteration).toBe(1)
     // The map is drawn on all the same, and the way out is one press away.
     await page.keyboard.press('w')
-    await lab.seesMotion(1, () =>
-      lab.drag([
-        [20, 12],
-        [20, 16],
-      ]),
-    )
+    const before = await lab.picture()
+    await lab.drag([
+      [20, 12],
+      [20, 16],
+    ])
+    // Where the pointer is, there is a mark.
+    await page.mouse.move(0, 0)
+    await expect.poll(async () => before.equals(await lab.picture())).toBe(false)
     await page.getByTestId('panel-2').getByRole('button', { name: 'Use Exact tour' }).click()
     await expect(page.getByTestId('planner-2')).toHaveValue('tour-exact')
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'ready')
@@ -235,8 +237,7 @@ test.describe('several goals', () => {
     for (const at of (await goals(lab)).map((goal) => goal.at)) {
       expect(await lab.isWall(at)).toBe(false)
     }
-    await expect(page.getByTestId('optimum')).not.toHaveAttribute('data-value', 'Infinity')
-    await expect.poll(() => page.getByTestId('optimum').getAttribute('data-value')).not.toBe('')
+    await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /^[\d.]+$/)
     await lab.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('6')
     await page.getByTestId('resize-height').fill('6')
@@ -374,6 +375,7 @@ for (const scheme of ['light', 'dark'] as const) {
     await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
     await page.getByTestId('goal-area-2').fill('-1')
     await page.getByTestId('goal-area-2').press('Enter')
+    await expect(page.getByTestId('goals').getByRole('alert')).toBeVisible()
     await expect(page.getByTestId('legs')).toBeVisible()
     await expectClean(page)
     await page.getByTestId('add-panel').click()
@@ -393,6 +395,8 @@ test('on a phone goals are added by touch, and the table fits @phone', async ({ 
   const lab = new Lab(page)
   await lab.openAtRest()
   await page.getByTestId('tool-add-goal').tap()
+  // A tap becomes a click only after it has been told apart from other gestures.
+  await expect(page.getByTestId('tool-add-goal')).toHaveAttribute('aria-pressed', 'true')
   const { x, y } = await lab.pointOf([8, 2])
   await page.touchscreen.tap(x, y)
   await expect.poll(() => places(lab)).toEqual(['32,10', '8,2'])
@@ -406,5 +410,5 @@ test('on a phone goals are added by touch, and the table fits @phone', async ({ 
     .evaluate((table) => table.scrollWidth - table.clientWidth)
   expect(inside).toBeLessThanOrEqual(0)
   await page.getByTestId('goal-remove-2').tap()
-  expect(await places(lab)).toEqual(['32,10'])
+  await expect.poll(() => places(lab)).toEqual(['32,10'])
 })

@@ -98,6 +98,7 @@ test.describe('the moves of a cell', () => {
     await expect.poll(async () => (await lab.result(1)).summary !== null).toBe(true)
     await page.getByTestId('step-iteration').click()
     await expect.poll(async () => (await lab.result(1)).summary?.iteration).toBe(1)
+    await expect(page.getByTestId('goals')).toBeVisible()
     await page.getByTestId('tool-inspect').click()
     const from = await lab.pointOf(spec.start)
     await page.mouse.click(from.x, from.y)
@@ -128,6 +129,8 @@ test.describe('the moves of a cell', () => {
     const lab = new Lab(page)
     await lab.openAtRest()
     await page.getByTestId('tool-inspect').tap()
+    // A tap becomes a click only after it has been told apart from other gestures.
+    await expect(page.getByTestId('tool-inspect')).toHaveAttribute('aria-pressed', 'true')
     const { start } = (await lab.session()).scenario.spec
     const at = await lab.pointOf(start)
     await page.touchscreen.tap(at.x, at.y)

@@ -4,6 +4,7 @@ import type { Cell } from '../../www/src/maps/edit'
 import type { PanelResult, Scripting } from '../../www/src/scripting'
 import type { Session } from '../../www/src/session'
 import { placement } from '../../www/src/stage/view'
+import { drawn } from './workers'
 
 declare global {
   interface Window {
@@ -36,6 +37,9 @@ export class Lab {
     await this.open(address)
     await this.page.getByTestId('reset').click()
     await expect(this.page.getByTestId('play')).toHaveAccessibleName(/play/i)
+    await expect(this.page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
+    // A run that has not been loaded yet has no moves either.
+    await this.ready()
     await expect.poll(() => this.antMoves()).toBe(0)
   }
 
@@ -49,9 +53,22 @@ export class Lab {
     return result
   }
 
-  /** Does `cause`, if any, and waits until a panel's picture differs from what it was. */
+  /** A panel's picture once it rests: workers draw a moment after they have answered. */
+  async picture(place = 1): Promise<Buffer> {
+    await drawn(this.page)
+    let last = await this.stage(place).screenshot()
+    const rests = async () => {
+      const before = last
+      last = await this.stage(place).screenshot()
+      return before.equals(last)
+    }
+    await expect.poll(rests, { intervals: [200] }).toBe(true)
+    return last
+  }
+
+  /** Waits until a panel's picture differs from what it was; with a `cause`, from the one that was at rest before it. */
   async seesMotion(place = 1, cause?: () => Promise<unknown>): Promise<void> {
-    const before = await this.stage(place).screenshot()
+    const before = cause ? await this.picture(place) : await this.stage(place).screenshot()
     await cause?.()
     const changed = async () => !before.equals(await this.stage(place).screenshot())
     await expect.poll(changed, { intervals: [50] }).toBe(true)
@@ -104,6 +121,8 @@ export class Lab {
 
   /** The middle of a cell on the page, while the whole map is in view. */
   async pointOf(cell: Cell, place = 1): Promise<{ x: number; y: number }> {
+    // A map that is shown in another size hears of it with the next frame.
+    await this.frame()
     const box = await this.stage(place).boundingBox()
     const dpr = await this.page.evaluate(() => devicePixelRatio)
     if (!box) throw new Error('the stage is not on screen')
@@ -177,7 +196,7 @@ export class Lab {
     ])
     const chunks: Buffer[] = []
     for await (const chunk of await download.createReadStream()) chunks.push(Buffer.from(chunk))
-    await page.keyboard.press('Escape')
+    await this.leaveDialog()
     return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) }
   }
 
@@ -215,8 +234,14 @@ export class Lab {
     const field = this.page.getByTestId('share-link')
     await expect(field).toHaveValue(/#x=/)
     const link = await field.inputValue()
-    await this.page.keyboard.press('Escape')
+    await this.leaveDialog()
     return link
+  }
+
+  /** While a dialog is being left, which takes the browser a moment, keys are not the page's. */
+  async leaveDialog(): Promise<void> {
+    await this.page.keyboard.press('Escape')
+    await expect(this.page.locator('dialog')).toHaveCount(0)
   }
 
   async setSpeed(index: number): Promise<void> {

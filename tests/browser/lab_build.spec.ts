@@ -190,7 +190,7 @@ test('a file of the command line opens with its runs, and goes on where it was',
     buffer: Buffer.from(JSON.stringify(partly)),
   })
   await expect.poll(() => laboratory.phase()).toBe('paused')
-  expect(await laboratory.done()).toBe(3)
+  await expect.poll(() => laboratory.done()).toBe(3)
   await page.getByTestId('lab-go-on').click()
   await laboratory.finished()
   const again = await page.evaluate(() => window.formicarium.resultFile('csv'))

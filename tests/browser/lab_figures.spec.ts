@@ -80,8 +80,11 @@ test.describe('figures of results', () => {
     const optimum = Number(runs[2]?.[0]?.length).toFixed(2)
     await expect(results.picture('values')).toContainText(`exact optimum ${optimum}`)
     // Bars of gaps count the same runs.
-    const counts = await results.picture('gaps').locator('.counts text').allTextContents()
-    expect(counts.reduce((sum, text) => sum + Number(text), 0)).toBe(4 * SEEDS)
+    const counted = async () => {
+      const counts = await results.picture('gaps').locator('.counts text').allTextContents()
+      return counts.reduce((sum, text) => sum + Number(text), 0)
+    }
+    await expect.poll(counted).toBe(4 * SEEDS)
     // What is known of runs from elsewhere has no effort.
     await expect(results.picture('convergence')).toContainText('Effort not known: Theirs *.')
     await expect(results.picture('convergence').locator('.curves path')).toHaveCount(3)
@@ -209,13 +212,15 @@ test.describe('figures of results', () => {
     const wide = await results.picture('values').getAttribute('width')
     await page.setViewportSize({ width: 800, height: 900 })
     await expect(results.picture('values')).not.toHaveAttribute('width', wide ?? '')
-    const inside = await results
-      .figure('values')
-      .evaluate(
-        (card) =>
-          (card.querySelector('svg[role]')?.getBoundingClientRect().width ?? 0) <= card.clientWidth,
-      )
-    expect(inside).toBe(true)
+    const inside = () =>
+      results
+        .figure('values')
+        .evaluate(
+          (card) =>
+            (card.querySelector('svg[role]')?.getBoundingClientRect().width ?? Infinity) <=
+            card.clientWidth,
+        )
+    await expect.poll(inside).toBe(true)
   })
 
   test('an ablation shows what each component does', async ({ page }) => {

@@ -69,6 +69,7 @@ test('of several maps the one is asked for on which the runs are', async ({ page
   await lab.open()
   await lab.compare('astar')
   await lab.menu('lab-add-map', 'add-map-rooms')
+  await expect(lab.maps).toHaveCount(2)
   await give(page, 'mine.csv', MINE)
   await page.getByTestId('own-map').getByTestId('own-map-choice').selectOption({ index: 1 })
   await page.getByTestId('own-join').click()

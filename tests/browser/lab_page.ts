@@ -53,12 +53,15 @@ export class Laboratory {
     await this.menu('lab-add-planner', `lab-add-${planner}`)
   }
 
-  /** Exactly this built-in map. */
+  /** Exactly these built-in maps. */
   async on(...ids: string[]): Promise<void> {
     const remove = this.maps.getByRole('button')
     for (let left = await this.maps.count(); left > 0; left--) await remove.first().click()
-    for (const id of ids) await this.menu('lab-add-map', `add-map-${id}`)
-    await expect(this.maps).toHaveCount(ids.length)
+    for (const [before, id] of ids.entries()) {
+      await this.menu('lab-add-map', `add-map-${id}`)
+      // Some are generated: the next one must not overtake it.
+      await expect(this.maps).toHaveCount(before + 1)
+    }
   }
 
   async seeds(count: number, from = 1): Promise<void> {
@@ -103,13 +106,69 @@ export class Laboratory {
   }
 
   async words(): Promise<string> {
-    return (await this.page.getByTestId('run-words').textContent()) ?? ''
+    return (await this.runWords.textContent()) ?? ''
+  }
+
+  /** What the bar says of the runs. */
+  get runWords(): Locator {
+    return this.page.getByTestId('run-words')
+  }
+
+  /** Runs that the browser has written down, of all comparisons. A comparison must have begun. */
+  keptRuns(): Promise<number> {
+    return this.page.evaluate(async () => {
+      const of = <T>(request: IDBRequest<T>) =>
+        new Promise<T>((resolve, reject) => {
+          request.onsuccess = () => resolve(request.result)
+          request.onerror = () => reject(request.error)
+        })
+      const database = await of(indexedDB.open('formicarium.lab'))
+      const count = await of(database.transaction('rows').objectStore('rows').count())
+      database.close()
+      return count
+    })
   }
 
   /** By the scripting interface: with what result files say. */
   script(options: CompareOptions = {}): Promise<Comparison> {
     return this.page.evaluate((given) => window.formicarium.compare(given), options)
   }
+}
+
+declare global {
+  interface Window {
+    /** How many runs may begin, and those that would. */
+    runs: { free: number; held: (() => void)[] }
+  }
+}
+
+/**
+ * Lets so many runs begin and holds back all others, from the page's next opening on: so that there is something left to do when
+ * a test comes to it, however fast the machine is.
+ */
+export async function holdRunsAfter(page: Page, count: number): Promise<void> {
+  await page.addInitScript((free) => {
+    const runs = { free, held: [] as (() => void)[] }
+    window.runs = runs
+    const post = Worker.prototype.postMessage
+    Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
+      const go = () => Reflect.apply(post, this, [message, ...rest])
+      if ((message as { call?: string }).call !== 'run') go()
+      else if (runs.free > 0) {
+        runs.free--
+        go()
+      } else runs.held.push(go)
+    }
+  }, count)
+}
+
+/** Lets so many runs more begin; all, if nothing is said. */
+export async function letRuns(page: Page, count = Number.POSITIVE_INFINITY): Promise<void> {
+  await page.evaluate((free) => {
+    const begin = window.runs.held.splice(0, free)
+    window.runs.free = free - begin.length
+    for (const go of begin) go()
+  }, count)
 }
 
 interface Asked {

@@ -124,8 +124,15 @@ export class ResultsPage {
     await this.laboratory.open()
     await this.laboratory.script({ document })
     await this.laboratory.finished()
-    await expect(this.page.getByTestId('summary-table')).toBeVisible()
-    await expect(this.page.getByTestId('summary-table')).not.toContainText('…')
+    await this.told()
+  }
+
+  /** Waits until everything is said about runs that are done: about all of them, with the intervals that come last. */
+  async told(): Promise<void> {
+    const table = this.page.getByTestId('summary-table')
+    await expect(table).toBeVisible()
+    await expect(table).not.toContainText('planned')
+    await expect(table).not.toContainText('…')
   }
 
   async tab(id: 'summary' | 'figures' | 'tests' | 'reported' | 'files'): Promise<void> {

@@ -54,7 +54,7 @@ test.describe('tables of results', () => {
         .locator('tbody tr')
         .evaluateAll((rows) => rows.map((row) => row.getAttribute('data-testid')))
     const asked = ENTRIES.map((id) => `summary-${id}`)
-    expect(await order()).toEqual(asked)
+    await expect.poll(order).toEqual(asked)
     const head = page.getByTestId('sort-median')
     await head.click()
     await expect(page.locator('th[aria-sort="ascending"]')).toContainText('Median')
@@ -72,7 +72,7 @@ test.describe('tables of results', () => {
     await head.click()
     await expect(page.locator('th[aria-sort="descending"]')).toContainText('Median')
     await head.click()
-    expect(await order()).toEqual(asked)
+    await expect.poll(order).toEqual(asked)
   })
 
   test('another map, another effort, another target', async ({ page }) => {
@@ -83,6 +83,7 @@ test.describe('tables of results', () => {
     await results.axis('moves')
     await expect(effort).not.toHaveText(before ?? '')
     await expect(page.getByTestId('summary-table')).toContainText('ant moves and cell expansions')
+    await results.told()
     const reached = page.getByTestId('summary-weak').locator('[data-column="ert"] .cell-small')
     await page.getByTestId('results-target').selectOption({ index: 0 })
     const easy = Number.parseInt((await reached.textContent()) ?? '', 10)

@@ -1,6 +1,7 @@
 import { expect, test } from '@playwright/test'
 import { freshLab, Lab } from './lab'
 import { randomCells } from './units/sessions'
+import { drawn } from './workers'
 
 const SIDE = 512
 
@@ -28,13 +29,15 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
   await page.getByTestId('play').click()
   await lab.seesMotion()
   await page.locator('body').press('Space')
+  await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'paused')
   await lab.setSpeed(8)
   await page.locator('body').press('Space')
   await expect.poll(() => lab.antMoves(), { timeout: 30_000 }).toBeGreaterThan(0)
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,
   })
-  await page.locator('body').press('Space')
+  // Not by a key: it would begin anew where the ants have ended as well.
+  await page.evaluate(() => window.formicarium.pause())
 
   await page.getByTestId('share').click()
   await expect(page.getByTestId('share-too-long')).toContainText(/8,?000/)
@@ -70,6 +73,8 @@ test('an edit on a 512 × 512 map is shown within a frame or two', async ({ page
     [400, 300],
   ])
   await page.locator('body').press('Control+z')
+  await lab.ready()
+  await drawn(page)
   await page.getByTestId('play').click()
   await lab.seesMotion()
 })

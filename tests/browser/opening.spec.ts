@@ -1,6 +1,12 @@
 import { gzipSync } from 'node:zlib'
 import { expect, type Page, test } from '@playwright/test'
+import { unpack } from '../../www/src/share/codec'
+import { open } from '../../www/src/share/envelope'
 import { Lab } from './lab'
+import { countCalls, ticks } from './workers'
+
+/** A planner that only the whole engine has. */
+const LATER = 'option[value="max-min-ant-system"]'
 
 /** Opens the page and tells when ants took their first step, in milliseconds since 1970. */
 async function firstStep(page: Page): Promise<number> {
@@ -41,7 +47,10 @@ test.describe('opening', () => {
     page.on('console', (message) => {
       if (message.type() === 'error') complaints.push(message.text())
     })
-    await new Lab(page).open()
+    const lab = new Lab(page)
+    await lab.open()
+    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect(page.getByTestId('planner-1').locator(LATER)).toBeAttached()
     await page.waitForTimeout(1000)
     expect(complaints).toEqual([])
   })
@@ -55,18 +64,20 @@ test.describe('opening', () => {
     await expect
       .poll(async () => (await lab.result(1)).summary?.metrics?.length ?? 0)
       .toBeGreaterThan(0)
-    const [ants, search] = await lab.results()
+    await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /\d/)
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
+    const [ants, search] = await lab.results()
     expect(search?.summary?.metrics?.length).toBeCloseTo(optimum, 9)
     expect(ants?.summary?.metrics?.length ?? 0).toBeGreaterThanOrEqual(optimum - 1e-9)
   })
 
   test('under reduced motion it waits for the first key or click', async ({ page }) => {
+    await countCalls(page)
     await page.emulateMedia({ reducedMotion: 'reduce' })
     const lab = new Lab(page)
     await lab.open()
     await page.waitForTimeout(700)
-    expect(await lab.antMoves()).toBe(0)
+    expect(await ticks(page)).toBe(0)
     await page.keyboard.press('Shift')
     await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
   })
@@ -80,8 +91,9 @@ test.describe('opening', () => {
       arrived.push({ file, asked, bytes: gzipSync(body ?? '').length })
     })
     const walked = await firstStep(page)
-    const later = page.getByTestId('planner-1').locator('option[value="max-min-ant-system"]')
-    await expect(later).toBeAttached()
+    await expect(page.getByTestId('planner-1').locator(LATER)).toBeAttached()
+    const engines = () => arrived.map(({ file }) => file).filter((file) => file.endsWith('.wasm'))
+    await expect.poll(() => engines().length).toBeGreaterThan(1)
     await page.waitForTimeout(3000)
 
     const before = sizes(arrived.filter(({ asked }) => asked <= walked))
@@ -90,8 +102,7 @@ test.describe('opening', () => {
     for (const [file, bytes] of before) console.log(`  ${(bytes / 1024).toFixed(1)} KB ${file}`)
     expect(total(before)).toBeLessThan(195 * 1024)
     // Once before ants walk, once when the browser is idle: neither build of the engine comes twice.
-    const engines = arrived.map(({ file }) => file).filter((file) => file.endsWith('.wasm'))
-    expect([engines.length, new Set(engines).size]).toEqual([2, 2])
+    expect([engines().length, new Set(engines()).size]).toEqual([2, 2])
     expect([...before.keys()].filter((file) => file.endsWith('.wasm'))).toHaveLength(1)
   })
 })
@@ -109,6 +120,12 @@ const inWords = (files: Map<string, number>) =>
 
 test.describe('a reload', () => {
   const kept = (page: Page) => page.evaluate(() => sessionStorage.getItem('formicarium.session'))
+  /** How fast what was kept plays; undefined while nothing is kept. */
+  const keptSpeed = async (page: Page) => {
+    const [, fragment] = (await kept(page))?.split('#x=') ?? []
+    const noGenerator = () => Promise.reject(new Error('no generator here'))
+    return fragment && (await unpack(await open(fragment), noGenerator)).speed
+  }
 
   test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
 
@@ -129,7 +146,8 @@ test.describe('a reload', () => {
     await page.getByTestId('seed').press('Enter')
     await lab.setSpeed(1)
     const before = await lab.session()
-    await page.waitForTimeout(1500)
+    // All of it is written together, so what was changed last tells for the rest.
+    await expect.poll(() => keptSpeed(page)).toBe(1)
     await page.reload()
     await lab.ready()
     const after = await lab.session()
@@ -175,7 +193,8 @@ test.describe('a reload', () => {
   })
 
   test('something unreadable that was kept is passed over in silence', async ({ page }) => {
-    await page.evaluate(() => sessionStorage.setItem('formicarium.session', '#x=rubbish'))
+    // As the page opens: what is open now would be kept in its place.
+    await page.addInitScript(() => sessionStorage.setItem('formicarium.session', '#x=rubbish'))
     await page.reload()
     await new Lab(page).ready()
     await expect(page.getByTestId('toast-error')).toBeHidden()

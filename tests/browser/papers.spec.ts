@@ -4,6 +4,7 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 import { paperMaps } from '../../www/src/maps/paper_maps'
 import { Lab } from './lab'
+import { drawn } from './workers'
 
 const ROOT = join(__dirname, '../..')
 const CARDS = readdirSync(join(ROOT, 'docs/papers')).filter((name) => name.endsWith('.md'))
@@ -30,7 +31,7 @@ test.describe('scenarios of the papers', () => {
       const { width, height, start, goals } = JSON.parse(
         readFileSync(join(ROOT, 'experiments/maps', `${file}.json`), 'utf8'),
       )
-      await expect(page.getByTestId(`panel-${racers.length}`)).toBeVisible()
+      await expect(page.getByTestId(`gallery-${id}`)).toHaveAttribute('aria-checked', 'true')
       await lab.ready()
       const { scenario, panels } = await lab.session()
       expect(scenario.spec).toMatchObject({ width, height, start, goals })
@@ -74,7 +75,7 @@ test.describe('scenarios of the papers', () => {
       'astar',
     ])
     await page.keyboard.press('Control+z')
-    expect((await lab.session()).scenario.spec.width).toBe(36)
+    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(36)
   })
 })
 
@@ -137,7 +138,7 @@ test.describe('results by what they are measured by', () => {
       await expect(picker.locator(`option[value="${id}"]`)).toHaveAttribute('title', /\w{4}/)
     }
     await picker.selectOption('trail')
-    await lab.frame()
+    await drawn(page)
     await lab.seesMotion(1, () => picker.selectOption('seed-path'))
   })
 })
@@ -163,8 +164,9 @@ test.describe('paper cards', () => {
       const dialog = page.getByTestId('card-dialog')
       const headings = [...text.matchAll(/^#+ (.*)$/gm)].map(([, words]) => words ?? '')
       await expect(dialog.getByRole('heading').first()).toHaveText(plain(headings[0] ?? ''))
-      const shown = await dialog.locator('.card').getByRole('heading').allTextContents()
-      expect(shown).toEqual(headings.slice(1).map(plain))
+      await expect
+        .poll(() => dialog.locator('.card').getByRole('heading').allTextContents())
+        .toEqual(headings.slice(1).map(plain))
       const tables = text.match(/^\|[-:| ]+\|$/gm)?.length ?? 0
       await expect(dialog.locator('table')).toHaveCount(tables)
       // Every word of the first table's rows, in its place.

@@ -41,7 +41,9 @@ test('arena2.map with its .scen: the search finds the listed optimum', async ({ 
   const scen = read('arena2.map.scen')
   const lab = new Lab(page)
   await lab.openAtRest()
+  const before = (await lab.session()).scenario.spec.width
   await lab.importByButton('arena2.map', map)
+  await expect.poll(async () => (await lab.session()).scenario.spec.width).not.toBe(before)
   await lab.ready()
   await lab.importByButton('arena2.map.scen', scen)
   const row = 200

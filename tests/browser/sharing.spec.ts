@@ -76,6 +76,7 @@ test.describe('share links', () => {
   test('a generated map travels as its generator call', async ({ page, browser }) => {
     const lab = new Lab(page)
     await lab.menu('map-menu', 'gallery-random-100')
+    await expect(page.getByTestId('gallery-random-100')).toHaveAttribute('aria-checked', 'true')
     await lab.ready()
     await lab.drag([
       [50, 50],

@@ -18,9 +18,9 @@ test.describe('on a terrain', () => {
       [1, 2],
       [3, 2],
     ])
-    expect(await lab.walls()).toBe(6)
+    await expect.poll(() => lab.walls()).toBe(6)
     await lab.menu('map-menu', 'clear')
-    expect(await lab.walls()).toBe(3)
+    await expect.poll(() => lab.walls()).toBe(3)
     await page.getByTestId('map-menu').click()
     await expect(page.getByTestId('invert')).toHaveAttribute('aria-disabled', 'true')
   })

@@ -80,7 +80,9 @@ test.describe('rasters of heights', () => {
 
   test('a part can be marked by dragging', async ({ page }) => {
     await new Lab(page).paste(ASC)
-    const box = await page.getByTestId('raster-preview').boundingBox()
+    const preview = page.getByTestId('raster-preview')
+    await expect(preview).toBeVisible()
+    const box = await preview.boundingBox()
     if (!box) throw new Error('there is no picture')
     const at = (x: number, y: number) =>
       [box.x + (box.width * x) / 6, box.y + (box.height * y) / 5] as const
@@ -89,13 +91,16 @@ test.describe('rasters of heights', () => {
     await page.mouse.move(...at(2.5, 2))
     await page.mouse.move(...at(1.5, 0.5))
     await page.mouse.up()
-    const value = (field: string) => page.getByTestId(field).inputValue()
-    expect(await Promise.all(['crop-x', 'crop-y', 'crop-width', 'crop-height'].map(value))).toEqual(
-      ['1', '0', '4', '4'],
-    )
+    for (const [field, value] of [
+      ['crop-x', '1'],
+      ['crop-y', '0'],
+      ['crop-width', '4'],
+      ['crop-height', '4'],
+    ] as const)
+      await expect(page.getByTestId(field)).toHaveValue(value)
     await page.getByTestId('crop-whole').click()
     await expect(page.getByTestId('raster-crop')).toBeHidden()
-    expect(await value('crop-width')).toBe('6')
+    await expect(page.getByTestId('crop-width')).toHaveValue('6')
   })
 
   test('cells that are not square can be made so, and the extent stays', async ({ page }) => {
@@ -121,9 +126,11 @@ test.describe('rasters of heights', () => {
     await page.getByTestId('size-256').click()
     await page.getByTestId('size-square').click()
     await expect(page.getByTestId('size-height')).toHaveValue('256')
-    const width = Number(await page.getByTestId('size-width').inputValue())
+    const columns = async () => Number(await page.getByTestId('size-width').inputValue())
     // At 40° north a second of arc is shorter from west to east.
-    expect(width / 256).toBeCloseTo(Math.cos((40.5 * Math.PI) / 180), 1)
+    const share = Math.cos((40.5 * Math.PI) / 180)
+    await expect.poll(async () => (await columns()) / 256).toBeCloseTo(share, 1)
+    const width = await columns()
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden({ timeout: 30_000 })
     const { spec, heights } = await scenarioOf(lab)

@@ -4,7 +4,7 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
 import { freshLab, Lab } from './lab'
 import { ASC, KNOWN, OBLONG_ASC } from './rasters'
-import { dialog, expectHeights, openAsc, scenarioOf } from './terrain_lab'
+import { dialog, expectHeights, openAsc, openTerrain, scenarioOf, settledDown } from './terrain_lab'
 
 const DATA = process.env.FORMICARIUM_DATA
 
@@ -42,7 +42,7 @@ test.describe('terrains in links and files', () => {
     await page.getByTestId('generate-side-129').click()
     await page.getByTestId('generate').click()
     await expect(page.getByTestId('generate-dialog')).toBeHidden()
-    await lab.ready()
+    await settledDown(lab)
     const { spec, origin } = await scenarioOf(lab)
     expect([spec.width, spec.height, spec.resolution]).toEqual([129, 129, 30])
     expect(origin).toMatchObject({ generator: 'fractal', density: 0.7 })
@@ -141,6 +141,7 @@ test.describe('terrains made here', () => {
       .toEqual(['terrain-epf', 'terrain-aco', 'astar'])
     await lab.ready()
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /\d/)
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
     expect(optimum).toBeGreaterThan(60)
     for (const { summary } of await lab.results())
@@ -168,21 +169,18 @@ test.describe('terrains made here', () => {
   })
 
   test('the level of an end is changed by keys', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-terrain-slices')
-    await lab.ready()
+    const lab = await openTerrain(page, 'terrain-slices')
     const level = async () => (await scenarioOf(lab)).spec.terrain?.slices?.start_level ?? 0
     const before = await level()
     await lab.stage().focus()
     await page.keyboard.press('ArrowRight')
     await page.keyboard.press('PageUp')
     await page.keyboard.press('PageUp')
-    expect(await level()).toBe(before + 2)
+    await expect.poll(level).toBe(before + 2)
     await page.keyboard.press('PageDown')
-    expect(await level()).toBe(before + 1)
+    await expect.poll(level).toBe(before + 1)
     await page.keyboard.press('Control+z')
-    expect(await level()).toBe(before)
+    await expect.poll(level).toBe(before)
   })
 })
 
@@ -194,6 +192,7 @@ test('the same in Chinese, without a word of English', async ({ page }) => {
   await expect(page.getByTestId('terrain-open')).toContainText('打开 6 × 5 格')
   await page.getByTestId('crop-x').fill('9')
   await page.getByTestId('crop-x').press('Tab')
+  await expect(dialog(page).getByRole('alert')).toBeVisible()
   const words = async () =>
     (await page.locator('dialog').innerText())
       .replace(/ESRI ASCII|GeoTIFF|SRTM|CSV|MovingAI|MATLAB|NumPy|Formicarium|JSON|CSV/g, '')
@@ -258,6 +257,7 @@ for (const scheme of ['light', 'dark'] as const) {
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden()
     await lab.menu('map-menu', 'open-resize')
+    await expect(page.getByTestId('resize-dialog')).toBeVisible()
     await expectClean('surface')
     await page.getByTestId('model-slices').click()
     await expectClean('slices')
@@ -274,6 +274,7 @@ test('on a phone the dialog of a raster fits and can be used by touch @phone', a
   const lab = new Lab(page)
   await lab.openAtRest()
   await lab.paste(ASC)
+  await expect(dialog(page)).toBeVisible()
   const box = await dialog(page).boundingBox()
   expect((box?.x ?? -1) >= 0 && (box?.x ?? 0) + (box?.width ?? 999) <= 390).toBe(true)
   const wide = await dialog(page).evaluate((element) => element.scrollWidth - element.clientWidth)

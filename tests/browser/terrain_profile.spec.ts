@@ -2,6 +2,7 @@ import { expect, test } from '@playwright/test'
 import { profileOf } from '../../www/src/charts/profile_data'
 import { Ground } from '../../www/src/relief/ground'
 import { openTerrain } from './terrain_lab'
+import { drawn } from './workers'
 
 test.describe('the elevation profile', () => {
   for (const id of ['terrain-hills', 'terrain-slices'] as const) {
@@ -24,11 +25,15 @@ test.describe('the elevation profile', () => {
       })
       const { path, summary } = await lab.result(1)
       const terrain = summary?.metrics?.terrain
-      const label = (await page.getByTestId('profile').getAttribute('aria-label')) ?? ''
-      const told = /: ([\d.,]+) m long, ([\d.,]+) m up, ([\d.,]+) m down/.exec(label)
       const known = [summary?.metrics?.length_metres, terrain?.climb, terrain?.descent]
+      const told = async () => {
+        const label = (await page.getByTestId('profile').getAttribute('aria-label')) ?? ''
+        const [, ...all] = /: ([\d.,]+) m long, ([\d.,]+) m up, ([\d.,]+) m down/.exec(label) ?? []
+        return all.map((metres) => Number(metres.replaceAll(',', '')))
+      }
+      // Numbers come to the page a moment after the run has them.
       for (const [i, metres = Number.NaN] of known.entries())
-        expect(Number(told?.[i + 1]?.replaceAll(',', ''))).toBeCloseTo(metres, 1)
+        await expect.poll(async () => (await told())[i]).toBeCloseTo(metres, 1)
       if (id === 'terrain-slices') return
       const flat = Uint32Array.from((path ?? []).flat())
       const { altitudes } = profileOf(flat, new Float64Array(flat.length / 2), ground, false)
@@ -48,6 +53,8 @@ test.describe('the elevation profile', () => {
     await expect(page.getByTestId('chart-profile')).toBeFocused()
     await expect(page.getByTestId('chart-profile')).toHaveAttribute('aria-selected', 'true')
     const plot = page.getByTestId('profile').locator('.u-over')
+    await expect(plot).toBeVisible()
+    await drawn(page)
     await lab.seesMotion(1, () => plot.hover())
   })
 })

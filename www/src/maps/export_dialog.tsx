@@ -118,21 +118,20 @@ export function ExportDialog() {
   )
 }
 
-/** The file in the chosen format; null while it is being made. */
+/** The file in the chosen format; null while it is being made. What was made in another one is never taken for it. */
 function useExport(format: Format): string | Uint8Array | null {
-  const [content, setContent] = useState<string | Uint8Array | null>(null)
+  const [made, setMade] = useState<{ format: Format; content: string | Uint8Array } | null>(null)
   useEffect(() => {
     let current = true
-    setContent(null)
     make(format).then(
-      (made) => current && setContent(made),
+      (content) => current && setMade({ format, content }),
       (error) => current && notifyError(error),
     )
     return () => {
       current = false
     }
   }, [format])
-  return content
+  return made?.format === format ? made.content : null
 }
 
 function make(format: Format): Promise<string | Uint8Array> {

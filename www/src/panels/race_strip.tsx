@@ -28,15 +28,17 @@ const ReliefControls = lazily(async () => (await import('../relief/controls')).R
 
 const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
 
-/** What is being raced for, in one line, and how to look at it. */
+/** What is being raced for, in one line, and how to look at it. The target comes last: finding it out must not push a link away. */
 export function RaceStrip() {
   return (
     <section class="race-strip" aria-label={t('race.region')}>
       <p class="race-words">
-        {panels.value.length > 0 && <span>{t('race.what', { count: panels.value.length })}</span>}
-        <Target />
+        {panels.value.length > 0 && (
+          <span class="race-what">{t('race.what', { count: panels.value.length })}</span>
+        )}
         <GoalCount />
         <TerrainModel />
+        <Target />
       </p>
       <ScenarioRemarks />
       <span class="spacer" />

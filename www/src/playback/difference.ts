@@ -44,6 +44,8 @@ export interface Trails {
   a: Float32Array
   b: Float32Array
   ranges: [Range, Range]
+  /** How far the two runs were, or were looked at, when they were asked. */
+  iterations: [number, number]
 }
 
 export const trails = signal<Trails | null>(null)
@@ -87,14 +89,17 @@ export function keepComparing(): () => void {
 async function fetchTrails(): Promise<Trails | null> {
   const both = pair.peek()
   if (!both) return null
+  const iterations: Trails['iterations'] = [iterationOf(both[0]), iterationOf(both[1])]
   const [a, b] = await Promise.all(
     both.map(({ id }) => client(id)?.ask({ about: 'layer', layer: 'trail' }) ?? null),
   )
   if (!a || !b || a.length === 0 || a.length !== b.length) return null
   const cells = scenario.peek()?.cells
   if (cells?.length !== a.length) return null
-  return { a, b, ranges: [rangeOf(a, cells), rangeOf(b, cells)] }
+  return { a, b, ranges: [rangeOf(a, cells), rangeOf(b, cells)], iterations }
 }
+
+const iterationOf = ({ past, live }: Panel) => (past.peek() ?? live.peek()).summary?.iteration ?? 0
 
 function rangeOf(values: Float32Array, cells: Uint8Array): Range {
   let [weakest, strongest] = [Number.POSITIVE_INFINITY, 0]

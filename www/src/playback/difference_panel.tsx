@@ -147,7 +147,12 @@ function Legend({ cursor }: { cursor: Cursor | null }) {
             b: now.ranges.map(rangeWords)[1],
           })}
       </p>
-      <p class="values" data-testid="difference-values" role="status">
+      <p
+        class="values"
+        data-testid="difference-values"
+        data-iterations={now?.iterations.join()}
+        role="status"
+      >
         {valuesAt(cursor) ?? t('playback.difference.hint')}
       </p>
     </footer>

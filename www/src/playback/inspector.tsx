@@ -1,7 +1,7 @@
 /** Beside a cell: the moves of an ant on it, with pheromone, heuristic and probability; on the map they are arrows. */
 import { type ReadonlySignal, useSignal, useSignalEffect } from '@preact/signals'
 import { ChevronDown, ChevronUp, X } from 'lucide'
-import { useEffect, useRef } from 'preact/hooks'
+import { useLayoutEffect, useRef } from 'preact/hooks'
 import { client } from '../engine/clients'
 import { numbers } from '../i18n'
 import { type PlaybackKey, t } from '../i18n/playback'
@@ -130,7 +130,8 @@ function Card({ panelId, cell, size, children }: CardProps) {
     inspected.value = null
     document.querySelector<HTMLElement>(`[data-testid="stage-${panelId}"]`)?.focus()
   }
-  useEffect(() => {
+  // As soon as it can be seen: the next key may be there before the next frame.
+  useLayoutEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape' || event.defaultPrevented || openDialog.peek()) return
       if (event.target instanceof Element && event.target.closest('[role="menu"]')) return
