@@ -7,6 +7,7 @@ import {
   test,
 } from '@playwright/test'
 import { freshLab, Lab } from './lab'
+import { drawn } from './workers'
 
 /** A planner that the core of the engine does not have. */
 const LATER = 'max-min-ant-system'
@@ -84,7 +85,7 @@ test.describe('the planners of the whole engine', () => {
     await planner.selectOption('ant-system')
     await expect.poll(async () => (await lab.result(1)).planner).toBe('ant-system')
     await lab.ready()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await drawn(page)
     await lab.seesMotion(1)
   })
 

@@ -64,6 +64,24 @@ test.describe('a comparison that is being put together', () => {
     ])
   })
 
+  test('keeps planners that the page does not know until the whole engine is there', async ({
+    page,
+  }) => {
+    const laboratory = new Laboratory(page)
+    await laboratory.open()
+    await laboratory.compare('ship', 'max-min-ant-system')
+    const planners = async () => (await drafts(page))[0]?.entries.map(({ planner }) => planner)
+    await expect.poll(planners).toEqual(['ship', 'max-min-ant-system'])
+    await page.reload()
+    await laboratory.ready()
+    await expect(laboratory.entries).toHaveCount(2)
+    await expect(laboratory.entry(1).getByTestId('entry-label')).toHaveAttribute(
+      'placeholder',
+      'Engine-room ACO',
+    )
+    await expect.poll(planners).toEqual(['ship', 'max-min-ant-system'])
+  })
+
   test('belongs to its tab: another one begins with what races', async ({ page, context }) => {
     const laboratory = new Laboratory(page)
     await laboratory.open()

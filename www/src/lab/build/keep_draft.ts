@@ -1,11 +1,19 @@
 /** A comparison that is being put together outlives a reload of its tab; another tab begins with what races there. */
 import { effect } from '@preact/signals'
-import { plannerEntry } from '../../state'
+import { fetchRest, plannerEntry, rest } from '../../state'
 import { keptDraft, putDraft } from '../keep'
 import { recallInTab, rememberInTab } from '../kept'
 import { newId } from '../names'
 import { ownFiles, takeOwnFiles } from '../own/files'
-import { drafted, type Filling, fillWith, takeRace, waitsToBeFilled } from './draft'
+import {
+  drafted,
+  entries,
+  type Filling,
+  fillWith,
+  removeEntry,
+  takeRace,
+  waitsToBeFilled,
+} from './draft'
 
 /** Everything of it, as the browser keeps it. */
 export interface KeptDraft extends Filling {
@@ -25,9 +33,12 @@ export async function fillOnce(): Promise<void> {
   const kept = id === null ? null : await keptDraft(id).catch(() => null)
   if (!waitsToBeFilled()) return
   if (!kept) return takeRace()
-  // Another version of the page may not know a planner any more.
-  fillWith({ ...kept, entries: kept.entries.filter(({ planner }) => plannerEntry(planner)) })
+  fillWith(kept)
   takeOwnFiles(kept.files)
+  // Another version of the page may not know a planner any more; which ones it knows shows when all have come.
+  await fetchRest()
+  if (rest.peek() !== 'here') return
+  for (const { key, planner } of entries.peek()) if (!plannerEntry(planner)) removeEntry(key)
 }
 
 /** Writes down every change from now on. A browser that refuses loses what a reload would have brought back, and no more. */
