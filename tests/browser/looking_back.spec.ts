@@ -13,29 +13,14 @@ async function runs(page: Page, iterations: number): Promise<Lab> {
   return lab
 }
 
-/** A panel's picture once it rests: what a worker draws comes to the screen a moment after its answer has come to the page. */
-async function picture(lab: Lab): Promise<Buffer> {
-  let last = await lab.stage().screenshot()
-  let alike = 0
-  const rests = async () => {
-    await lab.page.waitForTimeout(150)
-    const now = await lab.stage().screenshot()
-    alike = now.equals(last) ? alike + 1 : 0
-    last = now
-    return alike
-  }
-  await expect.poll(rests).toBeGreaterThanOrEqual(3)
-  return last
-}
-
 test.describe('looking back', () => {
   test('an iteration comes back bit for bit, with picture, numbers and chart', async ({ page }) => {
     const lab = await runs(page, 4)
     const after4 = await digest(lab)
-    const picture4 = await picture(lab)
+    const picture4 = await lab.picture()
     await page.evaluate(() => window.formicarium.run({ iterations: 8 }))
     const after12 = await digest(lab)
-    const picture12 = await picture(lab)
+    const picture12 = await lab.picture()
     const length = page.getByTestId('metric-iterations-1')
     await expect(length).toHaveAttribute('data-value', '12')
 
@@ -45,12 +30,12 @@ test.describe('looking back', () => {
     await expect(length).toHaveAttribute('data-value', '4')
     await expect(page.getByTestId('numbers-of')).toContainText('4')
     await expect(page.getByTestId('iteration-1')).toContainText('4')
-    await expect.poll(async () => picture4.equals(await lab.stage().screenshot())).toBe(true)
+    await expect.poll(async () => picture4.equals(await lab.shot())).toBe(true)
 
     await page.getByTestId('back-to-now').click()
     await expect(looking(page)).toBeHidden()
     await expect.poll(() => digest(lab)).toBe(after12)
-    await expect.poll(async () => picture12.equals(await lab.stage().screenshot())).toBe(true)
+    await expect.poll(async () => picture12.equals(await lab.shot())).toBe(true)
   })
 
   test('keys go one iteration back and on, the slider all the way', async ({ page }) => {
