@@ -1,8 +1,9 @@
 import { expect, type Page, test } from '@playwright/test'
 import type { LabDocument } from '../../www/src/lab/document'
-import { Laboratory } from './lab_page'
+import { Laboratory, onShelf } from './lab_page'
 
 interface Draft {
+  changed: number
   title: string | null
   entries: { planner: string }[]
   seeds: { from: number; count: number }
@@ -10,18 +11,9 @@ interface Draft {
 }
 
 /** What the browser has kept so far, newest first. */
-function drafts(page: Page): Promise<Draft[]> {
-  return page.evaluate(async () => {
-    const of = <T>(request: IDBRequest<T>) =>
-      new Promise<T>((resolve, reject) => {
-        request.onsuccess = () => resolve(request.result)
-        request.onerror = () => reject(request.error)
-      })
-    const database = await of(indexedDB.open('formicarium.lab'))
-    const all = await of(database.transaction('drafts').objectStore('drafts').getAll())
-    database.close()
-    return all.sort((a, b) => b.changed - a.changed)
-  })
+async function drafts(page: Page): Promise<Draft[]> {
+  const all = await onShelf<Draft[]>(page, 'drafts', 'getAll')
+  return all.sort((a, b) => b.changed - a.changed)
 }
 
 test.describe('a comparison that is being put together', () => {

@@ -116,23 +116,32 @@ export class Laboratory {
 
   /** Runs that the browser has written down, of all comparisons. A comparison must have begun. */
   keptRuns(): Promise<number> {
-    return this.page.evaluate(async () => {
-      const of = <T>(request: IDBRequest<T>) =>
-        new Promise<T>((resolve, reject) => {
-          request.onsuccess = () => resolve(request.result)
-          request.onerror = () => reject(request.error)
-        })
-      const database = await of(indexedDB.open('formicarium.lab'))
-      const count = await of(database.transaction('rows').objectStore('rows').count())
-      database.close()
-      return count
-    })
+    return onShelf(this.page, 'rows', 'count')
   }
 
   /** By the scripting interface: with what result files say. */
   script(options: CompareOptions = {}): Promise<Comparison> {
     return this.page.evaluate((given) => window.formicarium.compare(given), options)
   }
+}
+
+/** What the browser keeps for the laboratory: of what a store has, the number or all. */
+export function onShelf<T>(page: Page, store: 'rows' | 'drafts', what: 'count' | 'getAll') {
+  return page.evaluate(
+    async ([store, what]): Promise<T> => {
+      const of = <T>(request: IDBRequest<T>) =>
+        new Promise<T>((resolve, reject) => {
+          request.onsuccess = () => resolve(request.result)
+          request.onerror = () => reject(request.error)
+        })
+      const database = await of(indexedDB.open('formicarium.lab'))
+      const asked: unknown = database.transaction(store).objectStore(store)[what]()
+      const found = await of(asked as IDBRequest<T>)
+      database.close()
+      return found
+    },
+    [store, what] as const,
+  )
 }
 
 declare global {
