@@ -18,7 +18,7 @@ import { documentOf, readDocument } from './experiment'
 
 export { LinkError } from './error'
 
-const PREFIX = '#x='
+export const PREFIX = '#x='
 const BLOCKED = '@'
 const FREE = '.'
 

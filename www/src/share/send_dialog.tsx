@@ -17,12 +17,12 @@ const TOO_LARGE = 'too large'
 /** An address, that there can be none, or null while it is being made. */
 export type Link = string | typeof TOO_LARGE | null
 
-/** The address that ends with what is made, of one moment: runs may go on behind the dialog. */
-export function useLink(prefix: string, make: () => Promise<string>): Link {
+/** The address that ends with what is made, of one moment: runs may go on behind the dialog. Null: there is nothing to be made yet. */
+export function useLink(prefix: string, make: (() => Promise<string>) | null): Link {
   const [link, setLink] = useState<Link>(null)
   useEffect(() => {
     const page = location.href.replace(/#.*$/, '')
-    make().then(
+    make?.().then(
       (text) => setLink(`${page}${prefix}${text}`),
       (error) => {
         if (error instanceof LinkError) setLink(TOO_LARGE)

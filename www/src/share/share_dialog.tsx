@@ -12,14 +12,14 @@ import {
   plannerEntry,
 } from '../state'
 import { closeDialog } from '../ui/dialogs'
-import { encodeSession } from './link'
+import { encodeSession, PREFIX } from './link'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
 export function ShareDialog() {
   // Runs may go on behind the dialog: what it says and what the link carries are of one moment.
   const [session] = useState(currentSession)
   const [expanded] = useState(expandedCells)
-  const link = useLink('#x=', async () => (session ? encodeSession(session) : ''))
+  const link = useLink(PREFIX, session && (() => encodeSession(session)))
   return (
     <SendDialog
       title={t('share.title')}

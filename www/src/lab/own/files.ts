@@ -2,6 +2,7 @@
 import { batch, signal } from '@preact/signals'
 import { isEngineError } from '../../engine/errors'
 import { tools } from '../../engine/tools'
+import { compose } from '../build/compose'
 import { joinResults, phase } from '../state'
 
 /** A file of somebody's own runs that belongs to the comparison that is being put together. */
@@ -68,7 +69,6 @@ export async function withOwnFiles(document: string): Promise<string> {
 
 /** What does not fit is refused now, not when the runs are to start. */
 async function addToDraft(file: Omit<OwnFile, 'key'>): Promise<void> {
-  const { compose } = await import('../build/compose')
   await tools.joinResults(await compose(), file.bytes, file.name, file.instance)
   batch(() => {
     ownFiles.value = [...ownFiles.peek(), { ...file, key: nextKey++ }]
