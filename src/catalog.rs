@@ -11,7 +11,7 @@ use crate::aco::{
 use crate::error::ParamError;
 use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 use crate::swarm;
 
@@ -21,7 +21,7 @@ const OPENING: bool = true;
 const MORE: bool = cfg!(feature = "whole");
 
 /// The planners in the order in which people meet them, each with the builds that have it.
-const LIST: &[(bool, &Entry)] = &[
+const LIST: &[(bool, &PlannerEntry)] = &[
     (OPENING, &ant_system::ENTRY),
     (MORE, &elitist_ant_system::ENTRY),
     (MORE, &rank_based_ant_system::ENTRY),
@@ -49,7 +49,7 @@ const LIST: &[(bool, &Entry)] = &[
 ];
 
 /// Every planner of this build, in the list's order. The linker drops the others: nothing else mentions them.
-pub static CATALOG: &[&Entry] = &const {
+pub static CATALOG: &[&PlannerEntry] = &const {
     let mut built = [LIST[0].1; count()];
     let (mut row, mut next) = (0, 0);
     while row < LIST.len() {
@@ -75,7 +75,7 @@ const fn count() -> usize {
 ///
 /// # Errors
 /// [`ParamError::UnknownPlanner`] with all known ids.
-pub fn find(id: &str) -> Result<&'static Entry, ParamError> {
+pub fn find(id: &str) -> Result<&'static PlannerEntry, ParamError> {
     CATALOG.iter().copied().find(|e| e.id == id).ok_or_else(|| ParamError::UnknownPlanner {
         id: id.into(),
         known: CATALOG.iter().map(|e| e.id).collect::<Vec<_>>().join(", "),
@@ -131,7 +131,7 @@ fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
 
 /// # Errors
 /// [`ParamError::Ground`] where the planner does not know how one moves in the scenario.
-fn check_ground(entry: &Entry, scenario: &Scenario) -> Result<(), ParamError> {
+fn check_ground(entry: &PlannerEntry, scenario: &Scenario) -> Result<(), ParamError> {
     let ground = Ground::of(scenario);
     if entry.grounds.contains(&ground) {
         return Ok(());
@@ -141,12 +141,12 @@ fn check_ground(entry: &Entry, scenario: &Scenario) -> Result<(), ParamError> {
     Err(ParamError::Ground { planner: entry.id.into(), ground: words, id, others: able.join(", ") })
 }
 
-fn too_many_goals(entry: &Entry, got: usize) -> ParamError {
+fn too_many_goals(entry: &PlannerEntry, got: usize) -> ParamError {
     let able = CATALOG.iter().filter(|e| e.max_goals as usize >= got).map(|e| e.id);
     ParamError::TooManyGoals { planner: entry.id.into(), most: entry.max_goals, got, others: able.collect::<Vec<_>>().join(", ") }
 }
 
-fn preset_values(entry: &Entry, name: &str) -> Result<Values, ParamError> {
+fn preset_values(entry: &PlannerEntry, name: &str) -> Result<Values, ParamError> {
     entry.presets.iter().find(|p| p.name == name).map(|p| p.values()).ok_or_else(|| ParamError::UnknownPreset {
         planner: entry.id.into(),
         name: name.into(),
@@ -232,7 +232,7 @@ pub fn catalog() -> Catalog {
     };
     let component =
         |c: &Component| ComponentEntry { id: c.id.into(), name: c.name.into(), adds: c.adds.into(), without: c.values() };
-    let entry = |e: &&Entry| CatalogEntry {
+    let entry = |e: &&PlannerEntry| CatalogEntry {
         id: e.id.into(),
         name: e.name.into(),
         family: e.family,

@@ -6,7 +6,7 @@
 //! turns a planner's id, its [`params`] and a seed into a [`planner::Planner`], which advances by moves or iterations and tells
 //! its best path, history, effort and layers. [`metrics`] measures a path, [`path::audit`] checks it, [`digest`] sums a run up in
 //! 64 bits. [`aco`] holds the colonies, [`swarm`] fireworks and particles, [`exact`] the searches with a proof, [`formats`] the files.
-//! [`experiment`] runs many seeds and judges what a publication claims.
+//! [`comparison`] runs many seeds and judges what a publication claims.
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
 //! agree natively and in every browser. `wasm/` is the whole browser boundary, `main.rs` and `cli/` the command line.
@@ -15,10 +15,10 @@
 
 pub mod aco;
 pub mod catalog;
+pub mod comparison;
 pub mod digest;
 pub mod error;
 pub mod exact;
-pub mod experiment;
 pub mod formats;
 pub mod map;
 pub mod metrics;

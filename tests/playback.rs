@@ -12,7 +12,7 @@ use formicarium::catalog::{self, CATALOG};
 use formicarium::map::Movement;
 use formicarium::params::{Value, Values};
 use formicarium::planner::playback::Playback;
-use formicarium::planner::{Entry, Granularity, Planner};
+use formicarium::planner::{Granularity, Planner, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 /// Counts the bytes that this thread holds.
@@ -47,7 +47,7 @@ unsafe impl GlobalAlloc for Scales {
 #[global_allocator]
 static SCALES: Scales = Scales;
 
-fn built(entry: &Entry, scenario: &Arc<Scenario>, numbers: &[(&str, f64)]) -> Box<dyn Planner> {
+fn built(entry: &PlannerEntry, scenario: &Arc<Scenario>, numbers: &[(&str, f64)]) -> Box<dyn Planner> {
     let known = |key: &str| (entry.specs)().iter().any(|s| s.key == key);
     let values: Values =
         numbers.iter().filter(|(key, _)| known(key)).map(|&(key, v)| (key.to_string(), Value::Number(v))).collect();

@@ -71,7 +71,7 @@ pub struct Colony<V> {
 }
 
 impl<V: Variant + 'static> Colony<V> {
-    /// A colony of the planner with this id; `run` tells repeated runs of one experiment apart.
+    /// A colony of the planner with this id; `run` tells repeated runs of one comparison apart.
     pub fn new(scenario: Arc<Scenario>, variant: V, planner: &str, seed: u32, run: u32) -> Self {
         let settings = variant.settings();
         let (width, height) = (scenario.grid.width(), scenario.grid.height());

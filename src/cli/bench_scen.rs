@@ -8,7 +8,7 @@ use formicarium::catalog;
 use formicarium::formats::{self, ScenFile, ScenLine, misfit};
 use formicarium::map::{CornerRule, Grid, Movement, Point};
 use formicarium::params::Values;
-use formicarium::planner::{Entry, Family, Objective};
+use formicarium::planner::{Family, Objective, PlannerEntry};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
 use rand::Rng;
@@ -77,7 +77,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     Ok(Outcome { text, fine: bench.misfits.is_empty() })
 }
 
-fn exact(id: &str) -> Result<&'static Entry, CliError> {
+fn exact(id: &str) -> Result<&'static PlannerEntry, CliError> {
     let entry = catalog::find(id)?;
     if proves_length(entry) {
         return Ok(entry);
@@ -88,7 +88,7 @@ fn exact(id: &str) -> Result<&'static Entry, CliError> {
 }
 
 /// Whether a planner's result is the shortest path of steps, proven: what a `.scen` lists.
-fn proves_length(entry: &Entry) -> bool {
+fn proves_length(entry: &PlannerEntry) -> bool {
     let ends = (Point::new(0, 0), Point::new(1, 0));
     let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
     let planner = smallest.and_then(|scenario| catalog::build(&Arc::new(scenario), entry.id, None, &Values::new(), 1).ok());
@@ -153,7 +153,7 @@ struct Bench {
 }
 
 impl Bench {
-    fn new(args: &Args, map: &Path, entry: &'static Entry, scenarios: usize) -> Self {
+    fn new(args: &Args, map: &Path, entry: &'static PlannerEntry, scenarios: usize) -> Self {
         Self {
             format: "formicarium/bench-scen@1",
             scen: args.scen.display().to_string(),
@@ -172,7 +172,7 @@ impl Bench {
     }
 
     /// Runs one line. The scenario is moved from line to line, because the moves of the map are the same for all.
-    fn run(&mut self, entry: &Entry, scenario: &mut Arc<Scenario>, line: &ScenLine) -> Result<(), CliError> {
+    fn run(&mut self, entry: &PlannerEntry, scenario: &mut Arc<Scenario>, line: &ScenLine) -> Result<(), CliError> {
         self.run += 1;
         if let Some(notice) = misfit(line, &scenario.grid) {
             self.add(line, &notice.kind, notice.message, None);
@@ -211,7 +211,7 @@ impl Bench {
         self.misfits.push(Misfit { line: line.line, kind: kind.into(), message, listed: line.optimal, found });
     }
 
-    fn text(&self, entry: &Entry, scenario: &Scenario) -> String {
+    fn text(&self, entry: &PlannerEntry, scenario: &Scenario) -> String {
         let (grid, name) = (&scenario.grid, entry.name);
         let rule = input::rule_id(self.corner_rule);
         let mut out = format!("{name} on {} ({} × {}, {rule})\n\n", self.scen, grid.width(), grid.height());

@@ -7,9 +7,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use formicarium::experiment::report::{self, Reports, ResultFile};
-use formicarium::experiment::{
-    Budget, Deviation, Experiment, Intervals, Row, Samples, Seen, Task, Verification, analysis, document, effects,
+use formicarium::comparison::report::{self, Reports, ResultFile};
+use formicarium::comparison::{
+    Budget, Comparison, Deviation, Intervals, Row, Samples, Seen, Task, Verification, analysis, document, effects,
 };
 use formicarium::params::Value;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -96,24 +96,24 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let (experiment, before) = load(args)?;
+    let (comparison, before) = load(args)?;
     let name = args.name();
-    let (mut journal, kept) = Journal::open(args.out.join(&name).with_extension("partial"), &experiment)?;
-    let done = run_all(args, &experiment, &mut journal, kept)?;
-    let rows = experiment.all_rows(&done);
-    let analysis = analysis::whole(&Samples::new(&experiment, rows.iter().map(Seen::from)), &mut Intervals::default());
-    let mut said = format!("{}: {}\n", experiment.question.title, text::count(rows.len() as u64, "run", "runs"));
-    said += &report::verdicts(&experiment, &analysis.comparisons);
-    said += &report::components(&experiment, &effects(&experiment, &rows));
-    let (command, document) = (command(args), |with_rows| document::write(&experiment, &done, with_rows));
-    let reports = Reports { experiment: &experiment, rows: &rows, analysis: &analysis, command: &command, document: &document };
+    let (mut journal, kept) = Journal::open(args.out.join(&name).with_extension("partial"), &comparison)?;
+    let done = run_all(args, &comparison, &mut journal, kept)?;
+    let rows = comparison.all_rows(&done);
+    let analysis = analysis::whole(&Samples::new(&comparison, rows.iter().map(Seen::from)), &mut Intervals::default());
+    let mut said = format!("{}: {}\n", comparison.question.title, text::count(rows.len() as u64, "run", "runs"));
+    said += &report::verdicts(&comparison, &analysis.judged);
+    said += &report::components(&comparison, &effects(&comparison, &rows));
+    let (command, document) = (command(args), |with_rows| document::write(&comparison, &done, with_rows));
+    let reports = Reports { comparison: &comparison, rows: &rows, analysis: &analysis, command: &command, document: &document };
     for (ending, file) in &args.files {
         let path = args.out.join(&name).with_extension(ending);
         replace(&path, &reports.contents(*file))?;
         said += &format!("wrote {}\n", path.display());
     }
     journal.close()?;
-    let verification = before.map(|before| before.verify(&experiment, &done));
+    let verification = before.map(|before| before.verify(&comparison, &done));
     let fine = !verification.as_ref().is_some_and(|v| v.refuted);
     said += &verification.map_or_else(String::new, |v| verified(&v));
     Ok(Outcome { text: said, fine })
@@ -145,8 +145,8 @@ fn jobs(args: &Args) -> usize {
 }
 
 /// Does every run that is not kept from before; rows in the order of the tasks, whoever finishes first.
-fn run_all(args: &Args, experiment: &Experiment, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
-    let all = experiment.tasks();
+fn run_all(args: &Args, comparison: &Comparison, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
+    let all = comparison.tasks();
     let mut rows: Vec<Option<Row>> = vec![None; all.len()];
     let mut place = |row: Row| {
         if let Ok(place) = all.binary_search(&row.task) {
@@ -164,7 +164,7 @@ fn run_all(args: &Args, experiment: &Experiment, journal: &mut Journal, kept: Ve
             scope.spawn(move || {
                 let take = || tasks.get(next.fetch_add(1, Ordering::Relaxed));
                 // A closed channel: an error has ended the whole.
-                while take().is_some_and(|&task| sender.send(experiment.run(task, &mut || 0.0)).is_ok()) {}
+                while take().is_some_and(|&task| sender.send(comparison.run(task, &mut || 0.0)).is_ok()) {}
             });
         }
         drop(sender);

@@ -1,13 +1,13 @@
 //! The journal of a comparison: every finished run, written down at once, so that a comparison that was broken off goes on where it was.
 //!
-//! First a line that says which experiment it belongs to, then one line of JSON a run, in the order in which they finished. A line counts
+//! First a line that says which comparison it belongs to, then one line of JSON a run, in the order in which they finished. A line counts
 //! once its end is there; what a killed process has left of a line is cut off. The journal goes when the results stand.
 
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use formicarium::experiment::{Experiment, Row};
+use formicarium::comparison::{Comparison, Row};
 
 use super::error::CliError;
 
@@ -18,10 +18,10 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Opens the journal beside a comparison's results and gives the runs that it holds. One of another experiment, engine version or
+    /// Opens the journal beside a comparison's results and gives the runs that it holds. One of another comparison, engine version or
     /// format is begun anew.
-    pub fn open(path: PathBuf, experiment: &Experiment) -> Result<(Self, Vec<Row>), CliError> {
-        let head = head(experiment);
+    pub fn open(path: PathBuf, comparison: &Comparison) -> Result<(Self, Vec<Row>), CliError> {
+        let head = head(comparison);
         let kept = std::fs::read(&path).unwrap_or_default();
         let (rows, length) = read(&kept, &head);
         let journal = begin(&path, &head, length).map_err(|error| failure(&path, error))?;
@@ -46,8 +46,8 @@ fn failure(path: &Path, error: std::io::Error) -> CliError {
 }
 
 /// What the first line says.
-fn head(experiment: &Experiment) -> String {
-    let (version, digest) = (env!("CARGO_PKG_VERSION"), experiment.digest().hex());
+fn head(comparison: &Comparison) -> String {
+    let (version, digest) = (env!("CARGO_PKG_VERSION"), comparison.digest().hex());
     format!(r#"{{"format":"formicarium/journal@1","engine":"{version}","experiment":"{digest}"}}"#) + "\n"
 }
 

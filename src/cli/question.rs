@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use formicarium::error::{Error, FormatError};
-use formicarium::experiment::{
-    Budget, Experiment, Instance, Question, QuestionError, Record, Row, Seeds, Verification, ablation, document, given,
+use formicarium::comparison::{
+    Budget, Comparison, Instance, Question, QuestionError, Record, Row, Seeds, Verification, ablation, document, given,
 };
-use formicarium::formats::{OwnResults, import_results};
+use formicarium::error::{Error, FormatError};
+use formicarium::formats::{ImportedResults, import_results};
 use formicarium::scenario::Scenario;
 
 use super::compare::Args;
@@ -22,18 +22,18 @@ pub struct Before {
 
 impl Before {
     /// Whether they come out again.
-    pub fn verify(&self, experiment: &Experiment, done: &[Row]) -> Verification {
-        self.record.verify(experiment, &self.rows, done)
+    pub fn verify(&self, comparison: &Comparison, done: &[Row]) -> Verification {
+        self.record.verify(comparison, &self.rows, done)
     }
 }
 
 /// The question with its maps and the results from elsewhere, and what was recorded of it.
-pub fn load(args: &Args) -> Result<(Experiment, Option<Before>), CliError> {
-    let (experiment, recorded) = asked(args)?;
-    Ok((joined(args, experiment)?, recorded))
+pub fn load(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
+    let (comparison, recorded) = asked(args)?;
+    Ok((joined(args, comparison)?, recorded))
 }
 
-fn asked(args: &Args) -> Result<(Experiment, Option<Before>), CliError> {
+fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
     let mut left_out = Vec::new();
     let mut question = match (&args.ablate, &args.question) {
         (Some(planner), _) => components(args, planner).map_err(|e| in_question(args, e))?,
@@ -48,26 +48,26 @@ fn asked(args: &Args) -> Result<(Experiment, Option<Before>), CliError> {
     question.instances.iter_mut().for_each(|i| i.map = file_name(Path::new(&i.map)));
     let files: Vec<Option<PathBuf>> = question.entries.iter().map(|e| e.results.as_ref().map(PathBuf::from)).collect();
     question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = file_name(Path::new(file)));
-    let mut experiment = Experiment::new(question, scenarios).map_err(|e| in_question(args, e))?;
+    let mut comparison = Comparison::new(question, scenarios).map_err(|e| in_question(args, e))?;
     for (entry, file) in files.iter().enumerate().filter_map(|(entry, file)| Some((entry, file.as_ref()?))) {
         let mut results = results(file)?;
         results.leave_out(&left_out);
-        experiment = given::fill(experiment, entry, &results).map_err(|e| in_results(file, e))?;
+        comparison = given::fill(comparison, entry, &results).map_err(|e| in_results(file, e))?;
     }
-    Ok((experiment, None))
+    Ok((comparison, None))
 }
 
 /// With the entries of `--results`.
-fn joined(args: &Args, mut experiment: Experiment) -> Result<Experiment, CliError> {
+fn joined(args: &Args, mut comparison: Comparison) -> Result<Comparison, CliError> {
     for (instance, file) in &args.results {
-        let place = instance.as_ref().map(|id| experiment.question.place(id)).transpose().map_err(|e| in_question(args, e))?;
-        experiment = given::join(experiment, &results(file)?, place).map_err(|e| in_results(file, e))?;
+        let place = instance.as_ref().map(|id| comparison.question.place(id)).transpose().map_err(|e| in_question(args, e))?;
+        comparison = given::join(comparison, &results(file)?, place).map_err(|e| in_results(file, e))?;
     }
-    Ok(experiment)
+    Ok(comparison)
 }
 
 /// Reads results from elsewhere.
-fn results(file: &Path) -> Result<OwnResults, CliError> {
+fn results(file: &Path) -> Result<ImportedResults, CliError> {
     let results = input::in_file(file, |bytes, name| Ok(import_results(bytes, name)?))?;
     text::notes(&results.notices);
     Ok(results)
@@ -120,8 +120,8 @@ fn plain(name: &str) -> String {
     if id.is_empty() { "map".into() } else { id }
 }
 
-/// An experiment that was written before, its maps in it.
-fn reopen(args: &Args, file: &Path) -> Result<(Experiment, Option<Before>), CliError> {
+/// A comparison that was written before, its maps in it.
+fn reopen(args: &Args, file: &Path) -> Result<(Comparison, Option<Before>), CliError> {
     let map = |(id, map): &(Option<String>, PathBuf)| id.clone().unwrap_or_else(|| map.display().to_string());
     if let Some(id) = args.only.first().cloned().or_else(|| args.map.first().map(map)) {
         let message = format!("`{id}` cannot be chosen or replaced: the file has its maps in it, and results on all of them");
@@ -133,13 +133,13 @@ fn reopen(args: &Args, file: &Path) -> Result<(Experiment, Option<Before>), CliE
     })?;
     let record = opened.record();
     let is_any = opened.recorded.is_some() || !opened.rows.is_empty();
-    let mut experiment = opened.experiment;
-    let budget = experiment.question.budget;
-    narrow(args, &mut experiment.question).map_err(|e| in_question(args, e))?;
+    let mut comparison = opened.comparison;
+    let budget = comparison.question.budget;
+    narrow(args, &mut comparison.question).map_err(|e| in_question(args, e))?;
     // Under another budget other runs are asked for: there is nothing to compare them with.
-    let is_same = experiment.question.budget == budget;
+    let is_same = comparison.question.budget == budget;
     let before = (is_any && is_same).then_some(Before { record, rows: opened.rows });
-    Ok((experiment, before))
+    Ok((comparison, before))
 }
 
 fn file_name(path: &Path) -> String {

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::experiment::QuestionError;
+use crate::comparison::QuestionError;
 
 pub use format::FormatError;
 pub use param::ParamError;

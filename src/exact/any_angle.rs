@@ -19,7 +19,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Point};
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status, held};
+use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 /// Largest map in cells, free or not: 64 × 64.
@@ -98,7 +98,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// The any-angle optimum in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "any-angle",
     name: "Any-angle optimum",
     family: Family::Exact,

@@ -12,7 +12,7 @@ use super::search::{Estimate, Search};
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Moves, Point, Relief, step_length};
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
@@ -79,7 +79,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// A* in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "astar",
     name: "A*",
     family: Family::Exact,

@@ -8,7 +8,7 @@ use super::astar::Distance;
 use super::search::Search;
 use crate::error::ParamError;
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
@@ -17,7 +17,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// Dijkstra in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "dijkstra",
     name: "Dijkstra",
     family: Family::Exact,

@@ -25,7 +25,7 @@ use crate::map::Cell;
 use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::path::Path;
-use crate::planner::{Entry, Ground, Objective};
+use crate::planner::{Ground, Objective, PlannerEntry};
 use crate::scenario::Scenario;
 
 /// The yardstick of an objective on a scenario: the value of the best result there is, in cells.
@@ -125,7 +125,7 @@ fn polyline(scenario: &Arc<Scenario>) -> Reference {
 }
 
 /// The path of a search without parameters; none where it refuses the map or does not know how one moves there.
-fn solved(scenario: &Arc<Scenario>, entry: &Entry) -> Option<Path> {
+fn solved(scenario: &Arc<Scenario>, entry: &PlannerEntry) -> Option<Path> {
     if !entry.grounds.contains(&Ground::of(scenario)) {
         return None;
     }

@@ -8,7 +8,9 @@ use std::sync::Arc;
 use crate::error::ParamError;
 use crate::map::{Cell, Slices, Way};
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
+use crate::planner::{
+    Family, Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, held,
+};
 use crate::scenario::Scenario;
 
 /// Predecessor of a place that nothing leads to.
@@ -147,7 +149,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// Dynamic programming over slices in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "slices-exact",
     name: "Slices, exact",
     family: Family::Exact,

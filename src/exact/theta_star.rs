@@ -15,7 +15,7 @@ use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status};
+use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
 /// The rules of Theta*.
@@ -57,7 +57,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// Theta* in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "theta-star",
     name: "Theta*",
     family: Family::Search,

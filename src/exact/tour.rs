@@ -13,7 +13,7 @@ use crate::map::Cell;
 use crate::params::{Params, Values};
 use crate::path::Path;
 use crate::planner::{
-    Effort, Entry, Family, Granularity, Ground, Layer, Objective, Planner, Progress, Record, Solution, Status, nested,
+    Effort, Family, Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested,
 };
 use crate::scenario::Scenario;
 use crate::{choice, params};
@@ -180,7 +180,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// The exact tour in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "tour-exact",
     name: "Exact tour",
     family: Family::Exact,

@@ -14,7 +14,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, step_length};
 use crate::metrics::TURN_WEIGHT;
 use crate::params::{Values, check_keys};
-use crate::planner::{Entry, Family, Ground, Layer, Objective, Planner, Status, held};
+use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 /// A cell's state at the start, which no step led to.
@@ -88,7 +88,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 }
 
 /// The turn-aware search in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "turn-aware",
     name: "Turn-aware A*",
     family: Family::Exact,

@@ -23,12 +23,12 @@ use crate::map::{Grid, Point, Window};
 use crate::scenario::{Goal, ScenarioSpec, TerrainMoves};
 
 pub use path_list::{path_kind, read_path, read_places};
-pub use results::{OwnEntry, OwnResults, OwnRun, OwnStep, import_results};
+pub use results::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 
 /// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `esri-ascii`, `height-table`, `geotiff`, `srtm`, `scenario`,
-/// `experiment`, `comparison`, `results`, `unknown`.
+/// `session`, `comparison`, `results`, `unknown`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -49,8 +49,8 @@ pub enum Kind {
     Srtm,
     /// A scenario with its map, as JSON.
     Scenario,
-    /// An experiment, as JSON.
-    Experiment,
+    /// A race as it is shared (`formicarium/experiment@1`), as JSON.
+    Session,
     /// Many runs with their question and maps, as JSON.
     Comparison,
     /// Runs from elsewhere, as a table or a data file of IOHanalyzer.
@@ -233,7 +233,7 @@ fn sniff_json(text: &str) -> Kind {
     let place = |word| format.find(word).unwrap_or(usize::MAX);
     let named = [
         (place("formicarium/scenario@"), Kind::Scenario),
-        (place("formicarium/experiment@"), Kind::Experiment),
+        (place("formicarium/experiment@"), Kind::Session),
         (place("formicarium/comparison@"), Kind::Comparison),
         // Of a single run: the reader of comparisons says so.
         (place("formicarium/result@"), Kind::Comparison),
@@ -261,8 +261,8 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
         Kind::Matrix => table(&text, name)?,
         Kind::Scenario => scenario(&text)?,
         Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
-        Kind::Experiment => return Err(FormatError::NotAMap { found: "an experiment" }.into()),
-        Kind::Comparison => return Err(FormatError::NotAMap { found: "the results of an experiment" }.into()),
+        Kind::Session => return Err(FormatError::NotAMap { found: "a session" }.into()),
+        Kind::Comparison => return Err(FormatError::NotAMap { found: "a comparison" }.into()),
         Kind::Results => return Err(FormatError::NotAMap { found: "a table of results" }.into()),
         // An object without a format: the error names what is missing.
         _ if text.trim_start().starts_with('{') => scenario(&text)?,

@@ -124,8 +124,8 @@ fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
         Kind::MovingaiMap => "a map without heights",
         Kind::MovingaiScen => "a list of MovingAI scenarios",
         Kind::Scenario => "a scenario",
-        Kind::Experiment => "an experiment",
-        Kind::Comparison => "the results of an experiment",
+        Kind::Session => "a session",
+        Kind::Comparison => "a comparison",
         Kind::Results => "a table of results",
         Kind::Unknown => "of no known format",
     };

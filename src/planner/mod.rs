@@ -283,7 +283,7 @@ impl Component {
 
 /// A planner in the catalog: its file's only export that others need.
 #[derive(Debug, Clone, Copy)]
-pub struct Entry {
+pub struct PlannerEntry {
     /// Stable id in links, files and records.
     pub id: &'static str,
     /// Name for people.

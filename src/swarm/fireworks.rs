@@ -33,7 +33,7 @@ use crate::aco::Reading;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
@@ -269,7 +269,7 @@ pub const WEIGHTED_MUTATION: Component = Component {
 };
 
 /// The fireworks algorithm in the catalog.
-pub const FWA: Entry = Entry {
+pub const FWA: PlannerEntry = PlannerEntry {
     id: "fwa",
     name: "Fireworks",
     family: Family::Swarm,
@@ -285,7 +285,7 @@ pub const FWA: Entry = Entry {
 };
 
 /// The improved fireworks algorithm in the catalog.
-pub const IFWA: Entry = Entry {
+pub const IFWA: PlannerEntry = PlannerEntry {
     id: "ifwa",
     name: "Improved fireworks",
     family: Family::Swarm,

@@ -22,7 +22,7 @@ use std::sync::Arc;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 
 use super::decode::DecodeRows;
@@ -72,7 +72,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
 }
 
 /// The particle swarm in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "pso",
     name: "Particle swarm",
     family: Family::Swarm,

@@ -4,7 +4,7 @@
 //! what a page may send.
 
 #[cfg(feature = "whole")]
-mod experiment;
+mod comparison;
 #[cfg(feature = "whole")]
 mod ground;
 #[cfg(feature = "whole")]
@@ -28,7 +28,7 @@ use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
-pub use experiment::{Experiment, ablation};
+pub use comparison::{Comparison, ablation};
 #[cfg(feature = "whole")]
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]

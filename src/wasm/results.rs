@@ -1,12 +1,12 @@
-//! Results from elsewhere: looked at, and joined to an experiment's document.
+//! Results from elsewhere: looked at, and joined to a comparison's document.
 
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::{Answer, object, throw};
+use crate::comparison::{document, given};
 use crate::error::Notice;
-use crate::experiment::{document, given};
 use crate::formats::import_results;
 
 /// What a file of results holds.
@@ -35,7 +35,7 @@ pub struct SurveyedEntry {
 #[wasm_bindgen]
 pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
     let results = import_results(bytes, name).map_err(throw)?;
-    let entry = |e: &crate::formats::OwnEntry| SurveyedEntry {
+    let entry = |e: &crate::formats::ImportedEntry| SurveyedEntry {
         label: e.label.clone(),
         runs: e.runs.len() as u32,
         with_path: e.runs.iter().filter(|run| !run.steps.is_empty()).count() as u32,
@@ -51,7 +51,7 @@ pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
 pub fn join_results(document: &str, bytes: &[u8], name: &str, instance: Option<String>) -> Answer<String> {
     let opened = document::open(document).map_err(throw)?;
     let results = import_results(bytes, name).map_err(throw)?;
-    let place = instance.map(|id| opened.experiment.question.place(&id)).transpose().map_err(throw)?;
-    let experiment = given::join(opened.experiment, &results, place).map_err(throw)?;
-    Ok(document::write(&experiment, &opened.rows, true))
+    let place = instance.map(|id| opened.comparison.question.place(&id)).transpose().map_err(throw)?;
+    let comparison = given::join(opened.comparison, &results, place).map_err(throw)?;
+    Ok(document::write(&comparison, &opened.rows, true))
 }

@@ -1,4 +1,4 @@
-//! `compare` of a written experiment: run again and verified.
+//! `compare` of a written comparison: run again and verified.
 use super::folder::Folder;
 
 #[test]

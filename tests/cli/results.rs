@@ -97,7 +97,7 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     let whole: serde_json::Value = serde_json::from_str(&folder.read("out/q.json")).unwrap();
     let digest = whole["recorded"]["experiment"].as_str().unwrap();
     let version = env!("CARGO_PKG_VERSION");
-    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"experiment\":\"{digest}\"}}\n");
+    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"comparison\":\"{digest}\"}}\n");
     for row in &whole["rows"].as_array().unwrap()[..2] {
         // Told apart from a run that is done again.
         let row = row.to_string().replace("budget-spent", "stagnated");
@@ -110,7 +110,7 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     let (one, other) = (folder.read("out/q.csv"), folder.read("on/q.csv"));
     assert_eq!(one.replace("budget-spent", "stagnated"), other.replace("budget-spent", "stagnated"));
     assert_eq!(other.lines().filter(|l| l.starts_with("small,colony") && l.contains(",stagnated,")).count(), 2, "{other}");
-    // Other results are another experiment: nothing of it is kept.
+    // Other results are another comparison: nothing of it is kept.
     folder.write("mine.csv", &MINE.replace("9.9", "9.8"));
     folder.write("on/q.partial", &journal);
     assert_eq!(folder.compare(&on).0, 0);

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use formicarium::catalog::{self, CATALOG};
 use formicarium::map::{Measure, Movement};
 use formicarium::params::{Value, Values};
-use formicarium::planner::{Component, Entry};
+use formicarium::planner::{Component, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 use super::common::{drawn, random, tours};
 use super::{takes, terrains};
 
-fn with_components() -> impl Iterator<Item = (&'static Entry, &'static Component)> {
+fn with_components() -> impl Iterator<Item = (&'static PlannerEntry, &'static Component)> {
     CATALOG.iter().flat_map(|entry| entry.components.iter().map(move |component| (*entry, component)))
 }
 
@@ -25,7 +25,7 @@ fn maps() -> Vec<Arc<Scenario>> {
     [random(24, 0.25, 3, movement), traps, slices].into_iter().chain(several).collect()
 }
 
-fn digest(scenario: &Arc<Scenario>, entry: &Entry, values: Values) -> String {
+fn digest(scenario: &Arc<Scenario>, entry: &PlannerEntry, values: Values) -> String {
     let mut all: Values = [("ants", 30.0), ("iterations", 300.0), ("seed_iterations", 20.0)]
         .into_iter()
         .filter(|(key, _)| (entry.specs)().iter().any(|s| s.key == *key))

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use formicarium::catalog::{self, CATALOG};
 use formicarium::error::ParamError;
 use formicarium::map::{Grid, Measure, Movement, Point};
-use formicarium::planner::{Entry, Ground, Status};
+use formicarium::planner::{Ground, PlannerEntry, Status};
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 
 use super::common::{drawn, movements};
@@ -112,7 +112,7 @@ fn start_on_the_goal_is_a_path_of_length_zero_on_every_ground() {
 
 #[test]
 fn the_scenarios_of_these_tests_cover_every_ground_and_can_be_solved() {
-    let covered = |entry: &Entry, ground| scenarios().iter().any(|(_, s)| Ground::of(s) == ground && takes(entry, s));
+    let covered = |entry: &PlannerEntry, ground| scenarios().iter().any(|(_, s)| Ground::of(s) == ground && takes(entry, s));
     for entry in CATALOG {
         assert!(entry.grounds.iter().all(|&ground| covered(entry, ground)), "{}", entry.id);
     }

@@ -19,11 +19,11 @@ use std::sync::Arc;
 use common::{gallery, movements};
 use formicarium::catalog::{self, CATALOG};
 use formicarium::params::{Value, Values};
-use formicarium::planner::{Entry, Ground, Planner};
+use formicarium::planner::{Ground, Planner, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 /// A budget that keeps the tests short, where the planner has one.
-fn short(entry: &Entry) -> Values {
+fn short(entry: &PlannerEntry) -> Values {
     let has = |key: &str| (entry.specs)().iter().any(|s| s.key == key);
     let mut values = Values::new();
     for (key, value) in [("iterations", 12.0), ("seed_iterations", 6.0), ("ants", 10.0), ("particles", 10.0)] {
@@ -34,12 +34,12 @@ fn short(entry: &Entry) -> Values {
     values
 }
 
-fn planner(entry: &Entry, scenario: &Arc<Scenario>, seed: u32) -> Box<dyn Planner> {
+fn planner(entry: &PlannerEntry, scenario: &Arc<Scenario>, seed: u32) -> Box<dyn Planner> {
     catalog::build(scenario, entry.id, None, &short(entry), seed).expect("valid parameters")
 }
 
 /// Whether a planner plans there at all.
-fn takes(entry: &Entry, scenario: &Scenario) -> bool {
+fn takes(entry: &PlannerEntry, scenario: &Scenario) -> bool {
     scenario.goals.len() <= entry.max_goals as usize && entry.grounds.contains(&Ground::of(scenario))
 }
 
@@ -53,7 +53,7 @@ fn scenarios() -> Vec<(String, Arc<Scenario>)> {
 }
 
 /// Calls `check` for every planner on every scenario that it takes, under every movement.
-fn everywhere(check: impl Fn(&Entry, &str, &Arc<Scenario>)) {
+fn everywhere(check: impl Fn(&PlannerEntry, &str, &Arc<Scenario>)) {
     let all = scenarios();
     for entry in CATALOG {
         for (name, scenario) in all.iter().filter(|(_, s)| takes(entry, s)) {

@@ -6,14 +6,14 @@ use formicarium::catalog::{self, CATALOG};
 use formicarium::error::ParamError;
 use formicarium::map::{Measure, Movement};
 use formicarium::params::{ParamKind, ParamSpec, Value, Values};
-use formicarium::planner::{Entry, Granularity, Layer};
+use formicarium::planner::{Granularity, Layer, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 use super::common::{random, with_goals};
 use super::{short, takes, terrains};
 
 /// A scenario of every ground that the planner knows.
-fn one_of_each(entry: &Entry) -> Vec<Arc<Scenario>> {
+fn one_of_each(entry: &PlannerEntry) -> Vec<Arc<Scenario>> {
     let plane = random(12, 0.2, 1, Movement::default());
     let both = [plane.spec.goals[0].at, plane.spec.start].map(|p| (p.x, p.y));
     let hilly = |movement| terrains::hilly(12, 12, 1, 6.0, movement, 90.0);

@@ -1,6 +1,6 @@
 //! A whole comparison as JSON, and its schema.
 
-use formicarium::experiment::{Experiment, Question, Row, Task, document};
+use formicarium::comparison::{Comparison, Question, Row, Task, document};
 use formicarium::formats::{Kind, sniff};
 use formicarium::map::{Grid, Point};
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::schema::{load, violations};
 
 /// A plane and a surface with a hole in its data; a colony, a search, what cannot be run, and a claim.
-fn experiment() -> Experiment {
+fn comparison() -> Comparison {
     let question: Question = serde_json::from_value(json!({
         "format": "formicarium/question@1", "title": "Everything – 全部", "asks": "Does all of it come back?",
         "seeds": { "from": 4_294_967_294u32, "count": 2 }, "budget": { "axis": "moves", "amount": 5000 },
@@ -25,7 +25,7 @@ fn experiment() -> Experiment {
     }))
     .unwrap();
     let walls = [0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0];
-    Experiment::new(question, vec![plane(&walls), hill(&walls)]).unwrap()
+    Comparison::new(question, vec![plane(&walls), hill(&walls)]).unwrap()
 }
 
 fn plane(walls: &[u8]) -> std::sync::Arc<Scenario> {
@@ -43,14 +43,14 @@ fn hill(walls: &[u8]) -> std::sync::Arc<Scenario> {
     Scenario::new(grid, spec).unwrap().into()
 }
 
-fn run_all(experiment: &Experiment) -> Vec<Row> {
-    let run = |task: Task| experiment.run(task, &mut || 0.0).unwrap().row;
-    experiment.tasks().into_iter().map(run).collect()
+fn run_all(comparison: &Comparison) -> Vec<Row> {
+    let run = |task: Task| comparison.run(task, &mut || 0.0).unwrap().row;
+    comparison.tasks().into_iter().map(run).collect()
 }
 
 #[test]
 fn a_comparison_comes_out_as_it_went_in() {
-    let first = experiment();
+    let first = comparison();
     let rows = run_all(&first);
     // Two maps, two entries that run, the last two seeds there are.
     assert_eq!(rows.len(), 8);
@@ -60,18 +60,18 @@ fn a_comparison_comes_out_as_it_went_in() {
         assert_eq!(sniff(text.as_bytes(), "anything"), Kind::Comparison);
         let again = document::open(&text).unwrap();
         assert_eq!(again.rows, if with_rows { some } else { &[] });
-        assert_eq!(again.experiment.digest().hex(), first.digest().hex());
-        assert_eq!(document::write_as(&again.experiment, &again.rows, true, again.recorded.as_ref()), text);
+        assert_eq!(again.comparison.digest().hex(), first.digest().hex());
+        assert_eq!(document::write_as(&again.comparison, &again.rows, true, again.recorded.as_ref()), text);
     }
     // What was opened runs as what was written.
     let again = document::open(&document::write(&first, &[], true)).unwrap();
-    assert_eq!(run_all(&again.experiment), rows);
+    assert_eq!(run_all(&again.comparison), rows);
 }
 
 #[test]
 fn every_comparison_fits_the_schema() {
     let schema = load("comparison");
-    let e = experiment();
+    let e = comparison();
     let rows = run_all(&e);
     for text in [document::write(&e, &rows, true), document::write(&e, &[], true)] {
         let written: Value = serde_json::from_str(&text).unwrap();
@@ -115,7 +115,7 @@ fn every_committed_question_fits_the_schema() {
 
 #[test]
 fn no_spoilt_byte_makes_it_panic() {
-    let e = experiment();
+    let e = comparison();
     let text = document::write(&e, &run_all(&e), true);
     for at in (0..text.len()).step_by(61) {
         for byte in [b'"', b'9', b'-', b'{'] {
@@ -123,7 +123,7 @@ fn no_spoilt_byte_makes_it_panic() {
             spoilt[at] = byte;
             let Ok(spoilt) = String::from_utf8(spoilt) else { continue };
             if let Ok(opened) = document::open(&spoilt) {
-                opened.record().verify(&opened.experiment, &opened.rows, &opened.rows);
+                opened.record().verify(&opened.comparison, &opened.rows, &opened.rows);
             }
         }
         let _ = document::open(&text[..text.floor_char_boundary(at)]);

@@ -1,11 +1,11 @@
 //! Results from elsewhere: tables in every spelling, data files of IOHanalyzer, and what is refused.
 
+use formicarium::comparison::Spent;
 use formicarium::error::ErrorReport;
-use formicarium::experiment::Spent;
-use formicarium::formats::{Kind, OwnResults, OwnRun, import_results, sniff};
+use formicarium::formats::{ImportedResults, ImportedRun, Kind, import_results, sniff};
 use formicarium::planner::Status;
 
-fn results(text: &str) -> OwnResults {
+fn results(text: &str) -> ImportedResults {
     import_results(text.as_bytes(), "runs/my planner.csv").unwrap_or_else(|e| panic!("{text:?}: {e}"))
 }
 
@@ -17,8 +17,8 @@ fn refused(text: &str) -> ErrorReport {
 }
 
 /// Entry, instance, seed and length of every run.
-fn told(results: &OwnResults) -> Vec<(String, String, u32, Option<f64>)> {
-    let of = |label: &str, run: &OwnRun| {
+fn told(results: &ImportedResults) -> Vec<(String, String, u32, Option<f64>)> {
+    let of = |label: &str, run: &ImportedRun| {
         let instance = run.instance.map_or_else(String::new, |i| results.instances[i].clone());
         let best = run.steps.last().and_then(|s| s.length.or(s.value));
         (label.to_owned(), instance, run.seed, best)
@@ -97,7 +97,7 @@ fn effort_is_of_the_best_path_or_of_the_whole_run() {
 
 #[test]
 fn our_own_table_is_read_back() {
-    let header = formicarium::experiment::report::HEADER;
+    let header = formicarium::comparison::report::HEADER;
     let text = format!(
         "{header}\nship,basic,1,budget-spent,34.727922,19,39.273506,,10,500,180474,length,34.727922,33.899495,true,0.024438,8701\n\
          ship,basic,2,no-path,,,,,,,500,length,,33.899495,true,,0afb\n"

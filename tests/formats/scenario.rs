@@ -160,8 +160,8 @@ fn other_versions_and_other_files_are_refused() {
 fn sniffing_tells_scenario_from_experiment() {
     assert_eq!(sniff(FULL.as_bytes(), "a.map"), Kind::Scenario);
     assert_eq!(sniff(&FULL.as_bytes()[..80], ""), Kind::Scenario);
-    let experiment = format!("{{\"format\": \"formicarium/experiment@1\", \"scenario\": {FULL}}}");
-    assert_eq!(sniff(experiment.as_bytes(), ""), Kind::Experiment);
+    let session = format!("{{\"format\": \"formicarium/experiment@1\", \"scenario\": {FULL}}}");
+    assert_eq!(sniff(session.as_bytes(), ""), Kind::Session);
 }
 
 #[test]

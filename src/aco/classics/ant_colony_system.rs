@@ -29,7 +29,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -114,7 +114,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
 }
 
 /// Ant Colony System in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "ant-colony-system",
     name: "Ant Colony System",
     family: Family::AntColony,

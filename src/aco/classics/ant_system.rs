@@ -26,7 +26,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 
 params! {
@@ -125,7 +125,7 @@ const PRESETS: &[Preset] = &[
 ];
 
 /// Ant System in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "ant-system",
     name: "Ant System",
     family: Family::AntColony,

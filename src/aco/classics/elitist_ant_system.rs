@@ -25,7 +25,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 params! {
@@ -89,7 +89,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
 }
 
 /// Elitist Ant System in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "elitist-ant-system",
     name: "Elitist Ant System",
     family: Family::AntColony,

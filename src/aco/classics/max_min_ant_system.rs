@@ -34,7 +34,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Solution};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Solution};
 use crate::scenario::Scenario;
 
 params! {
@@ -166,7 +166,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
 }
 
 /// MAX–MIN Ant System in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "max-min-ant-system",
     name: "MAX–MIN Ant System",
     family: Family::AntColony,

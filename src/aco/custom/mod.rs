@@ -35,7 +35,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Values, check_keys};
 use crate::path::Refinement;
-use crate::planner::{Entry, Family, Ground, Layer, Planner};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 
@@ -184,7 +184,7 @@ impl Parts<'_> {
 }
 
 /// The composer in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "custom",
     name: "Build your own ant",
     family: Family::AntColony,

@@ -44,7 +44,7 @@ use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{choice, params};
@@ -232,7 +232,7 @@ const COMPONENTS: &[Component] = &[
 ];
 
 /// The fire-fighting planner in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "fire",
     name: "Multi-fire ACO",
     family: Family::AntColony,

@@ -49,7 +49,7 @@ use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 use crate::swarm::decode::DecodeRows;
 use crate::swarm::fireworks::{self, AnnealingRows, COOLED_RADIUS, FireworkRows, WEIGHTED_MUTATION};
@@ -215,7 +215,7 @@ const STEPPING_BACK: Component = Component {
 };
 
 /// The hybrid of fireworks and ants in the catalog.
-pub const FWA_ACO: Entry = Entry {
+pub const FWA_ACO: PlannerEntry = PlannerEntry {
     id: "fwa-aco",
     name: "Fireworks, then ants",
     family: Family::AntColony,
@@ -240,7 +240,7 @@ pub const FWA_ACO: Entry = Entry {
 };
 
 /// The hybrid of particles and ants in the catalog.
-pub const PSO_ACO: Entry = Entry {
+pub const PSO_ACO: PlannerEntry = PlannerEntry {
     id: "pso-aco",
     name: "Particles, then ants",
     family: Family::AntColony,

@@ -50,7 +50,7 @@ use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 use crate::{choice, params};
 
@@ -400,7 +400,7 @@ pub const COMPONENTS: &[Component] = &[
 ];
 
 /// The engine-room planner in the catalog.
-pub const ENTRY: Entry = Entry {
+pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "ship",
     name: "Engine-room ACO",
     family: Family::AntColony,

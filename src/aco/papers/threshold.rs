@@ -53,7 +53,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -287,7 +287,7 @@ fn build_acomsp(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<
 }
 
 /// ACOST in the catalog.
-pub const ACOST: Entry = Entry {
+pub const ACOST: PlannerEntry = PlannerEntry {
     id: "acost",
     name: "Adaptive-threshold ACO",
     family: Family::AntColony,
@@ -331,7 +331,7 @@ pub const ACOST: Entry = Entry {
 };
 
 /// ACOMSP in the catalog.
-pub const ACOMSP: Entry = Entry {
+pub const ACOMSP: PlannerEntry = PlannerEntry {
     id: "acomsp",
     name: "Maximum-probability ACO",
     family: Family::AntColony,

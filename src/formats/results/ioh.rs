@@ -5,10 +5,11 @@
 //! (IOHexperimenter 0.3) write `evaluations raw_y` and what else was asked for.
 
 use super::{
-    MAX_ROWS, OwnEntry, OwnResults, OwnRun, OwnStep, cell, counted, ended, file_name, label, measured, plain, too_many_rows,
+    ImportedEntry, ImportedResults, ImportedRun, ImportedStep, MAX_ROWS, cell, counted, ended, file_name, label, measured, plain,
+    too_many_rows,
 };
+use crate::comparison::Spent;
 use crate::error::{FormatError, Notice};
-use crate::experiment::Spent;
 use crate::formats::text::{lines, quote};
 
 /// Names of the first column.
@@ -79,22 +80,22 @@ fn names(line: &str) -> Vec<String> {
 ///
 /// # Errors
 /// [`FormatError`] with the line at fault.
-pub(super) fn read(text: &str, name: &str) -> Result<OwnResults, FormatError> {
+pub(super) fn read(text: &str, name: &str) -> Result<ImportedResults, FormatError> {
     let mut file = File::default();
     for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
         file.take(number, line)?;
     }
     let label = label("", name);
     let notices = file.notices();
-    let runs = file.runs.into_iter().map(|run| OwnRun { status: ended(&run.steps), ..run }).collect();
-    let entries = vec![OwnEntry { id: plain(&label), label, runs }];
-    Ok(OwnResults { file: file_name(name), instances: Vec::new(), entries, notices })
+    let runs = file.runs.into_iter().map(|run| ImportedRun { status: ended(&run.steps), ..run }).collect();
+    let entries = vec![ImportedEntry { id: plain(&label), label, runs }];
+    Ok(ImportedResults { file: file_name(name), instances: Vec::new(), entries, notices })
 }
 
 /// A file on its way in.
 #[derive(Default)]
 struct File {
-    runs: Vec<OwnRun>,
+    runs: Vec<ImportedRun>,
     header: Option<Header>,
     rows: usize,
     /// Records with too few fields.
@@ -115,7 +116,7 @@ impl File {
             self.header = Some(header?);
             let seed = u32::try_from(self.runs.len() + 1).unwrap_or(u32::MAX);
             let status = ended(&[]);
-            self.runs.push(OwnRun { instance: None, seed, status, effort: Spent::default(), steps: Vec::new() });
+            self.runs.push(ImportedRun { instance: None, seed, status, effort: Spent::default(), steps: Vec::new() });
             return Ok(());
         }
         self.record(number, line)
@@ -143,7 +144,7 @@ impl File {
         }
         if number.is_some_and(|now| best.is_none_or(|before| now < before)) {
             let spent = Spent { constructed_paths: Some(count), ..Spent::default() };
-            run.steps.push(OwnStep { value: number, spent, ..OwnStep::default() });
+            run.steps.push(ImportedStep { value: number, spent, ..ImportedStep::default() });
         }
         Ok(())
     }

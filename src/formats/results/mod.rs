@@ -1,7 +1,7 @@
 //! Results of runs that were made elsewhere: what somebody's own planner has found, to be compared with what is run here.
 //!
 //! [`import_results`] reads tables with a header (`table`) and the data files of IOHanalyzer (`ioh`). Nothing here knows which maps the
-//! runs belong to: [`crate::experiment::given`] joins them to a question. docs/formats.md lists the columns.
+//! runs belong to: [`crate::comparison::given`] joins them to a question. docs/formats.md lists the columns.
 
 mod columns;
 mod ioh;
@@ -9,8 +9,8 @@ mod run;
 mod table;
 
 use super::text::{self, quote, stem};
+use crate::comparison::Spent;
 use crate::error::{FormatError, Notice};
-use crate::experiment::Spent;
 use crate::planner::Status;
 
 /// Most lines of a file.
@@ -33,32 +33,32 @@ const MAX_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// The runs of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OwnResults {
+pub struct ImportedResults {
     /// The file's name without folders.
     pub file: String,
     /// The names of maps that stand in the file, in their order; empty where it names none.
     pub instances: Vec<String>,
     /// Whose runs they are, in the order of the file; at least one.
-    pub entries: Vec<OwnEntry>,
+    pub entries: Vec<ImportedEntry>,
     /// What was assumed or left out.
     pub notices: Vec<Notice>,
 }
 
 /// The runs of one algorithm.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OwnEntry {
+pub struct ImportedEntry {
     /// Its name made plain: small letters, digits, `-`. May be the same for two of them.
     pub id: String,
     /// Its name as it stands in the file, or the file's without ending.
     pub label: String,
     /// Its runs, in the order of the file.
-    pub runs: Vec<OwnRun>,
+    pub runs: Vec<ImportedRun>,
 }
 
 /// One run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OwnRun {
-    /// Which of [`OwnResults::instances`] it is on; none where the file does not say.
+pub struct ImportedRun {
+    /// Which of [`ImportedResults::instances`] it is on; none where the file does not say.
     pub instance: Option<usize>,
     /// Its seed; where the file does not say, runs are counted from 1.
     pub seed: u32,
@@ -67,12 +67,12 @@ pub struct OwnRun {
     /// What it had spent when it ended, as far as that is known.
     pub effort: Spent,
     /// Its improvements in the order in which they came, the last one its result; empty for a run without a path.
-    pub steps: Vec<OwnStep>,
+    pub steps: Vec<ImportedStep>,
 }
 
 /// A path that a run has found.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OwnStep {
+pub struct ImportedStep {
     /// Its length in cells.
     pub length: Option<f64>,
     /// Its value by whatever it was searched for: on terrains by slices the cost. One of length and value is always there.
@@ -87,7 +87,7 @@ pub struct OwnStep {
     pub spent: Spent,
 }
 
-impl OwnStep {
+impl ImportedStep {
     /// What it is compared by: on terrains by slices its value, elsewhere its length, or the only number there is. None where the cost by
     /// slices is asked for and a length is all that is known.
     pub fn compared(&self, by_slices: bool) -> Option<f64> {
@@ -101,7 +101,7 @@ impl OwnStep {
     }
 }
 
-impl OwnResults {
+impl ImportedResults {
     /// Number of runs of all entries.
     pub fn runs(&self) -> usize {
         self.entries.iter().map(|e| e.runs.len()).sum()
@@ -132,7 +132,7 @@ impl OwnResults {
 /// # Errors
 /// [`FormatError`] with the line, the column and the value at fault, for more than a million lines or a hundred entries, and for what is no
 /// text of at most 64 MiB.
-pub fn import_results(bytes: &[u8], name: &str) -> Result<OwnResults, FormatError> {
+pub fn import_results(bytes: &[u8], name: &str) -> Result<ImportedResults, FormatError> {
     let text = text::decode(bytes)?;
     let text = text.trim_end_matches('\u{1a}');
     // A lone CR ends lines as well; the readers below know LF and CRLF.
@@ -177,7 +177,7 @@ fn plain(label: &str) -> String {
 }
 
 /// How a run ended that does not say so.
-fn ended(steps: &[OwnStep]) -> Status {
+fn ended(steps: &[ImportedStep]) -> Status {
     if steps.is_empty() { Status::BudgetSpent } else { Status::Complete }
 }
 

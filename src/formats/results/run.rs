@@ -1,14 +1,14 @@
 //! A run of a table on its way in: its lines become its improvements and its effort.
 
 use super::columns::{Column, Columns};
-use super::{OwnRun, ended};
-use crate::experiment::Spent;
+use super::{ImportedRun, ended};
+use crate::comparison::Spent;
 use crate::planner::Status;
 
 /// A run of which not all lines may have been read.
 pub(super) struct Run {
     /// As far as it is known.
-    pub run: OwnRun,
+    pub run: ImportedRun,
     /// How it ended, if a line says so.
     pub status: Option<Status>,
     /// What the last line says of its effort.
@@ -22,7 +22,7 @@ pub(super) struct Run {
 impl Run {
     /// A run of one line: what it says of moves and expansions is of the whole run, and so are `iterations` and `evaluations` where the
     /// effort up to the best path has columns of its own, or where there is no path.
-    pub fn of_one_line(self, columns: &Columns) -> OwnRun {
+    pub fn of_one_line(self, columns: &Columns) -> ImportedRun {
         let Self { mut run, status, last, to_best: [best_iteration, best_paths], counted: [iterations, evaluations] } = self;
         let (own_iterations, own_paths) = (columns.has(Column::IterationOfBest), columns.has(Column::PathsToBest));
         let no_path = run.steps.is_empty();
@@ -43,9 +43,9 @@ impl Run {
     }
 
     /// A run of one line an improvement: the last line tells what was spent when it ended.
-    pub fn of_improvements(self) -> OwnRun {
+    pub fn of_improvements(self) -> ImportedRun {
         let Self { run, status, last, .. } = self;
-        OwnRun { effort: last, status: status.unwrap_or_else(|| ended(&run.steps)), ..run }
+        ImportedRun { effort: last, status: status.unwrap_or_else(|| ended(&run.steps)), ..run }
     }
 }
 

@@ -7,11 +7,12 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use super::columns::{self, Column, Columns};
 use super::run::{Run, goes_back};
 use super::{
-    MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, OwnEntry, OwnResults, OwnRun, OwnStep, cell, counted, file_name, label, measured, plain,
+    ImportedEntry, ImportedResults, ImportedRun, ImportedStep, MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, cell, counted, file_name,
+    label, measured, plain,
 };
 use super::{quote, too_many_rows};
+use crate::comparison::Spent;
 use crate::error::{FormatError, Notice};
-use crate::experiment::Spent;
 use crate::formats::text::lines;
 use crate::planner::Status;
 
@@ -19,7 +20,7 @@ use crate::planner::Status;
 ///
 /// # Errors
 /// [`FormatError`] with the line at fault.
-pub(super) fn read(text: &str, name: &str) -> Result<OwnResults, FormatError> {
+pub(super) fn read(text: &str, name: &str) -> Result<ImportedResults, FormatError> {
     let separator = columns::separator(columns::header(text).unwrap_or(""));
     let mut reader = ReaderBuilder::new();
     let reader = reader.delimiter(separator).trim(Trim::All).flexible(true).comment(Some(b'#')).has_headers(false);
@@ -99,7 +100,7 @@ impl Table<'_> {
         let to_best = [self.count(record, Column::IterationOfBest)?, self.count(record, Column::PathsToBest)?];
         let counted = [self.count(record, Column::Iterations)?, self.count(record, Column::Evaluations)?];
         let status = self.status(record);
-        let run = OwnRun { instance, seed, status: Status::Complete, effort: Spent::default(), steps };
+        let run = ImportedRun { instance, seed, status: Status::Complete, effort: Spent::default(), steps };
         let runs = &mut self.entries[entry].1;
         self.places.insert((entry, instance, seed), runs.len());
         runs.push(Run { run, status, last, to_best, counted });
@@ -194,12 +195,12 @@ impl Table<'_> {
     }
 
     /// The path of a line; none for a run that has none (yet).
-    fn step(&self, record: &StringRecord, spent: Spent) -> Result<Option<OwnStep>, FormatError> {
+    fn step(&self, record: &StringRecord, spent: Spent) -> Result<Option<ImportedStep>, FormatError> {
         let number = |column| self.number(record, column);
         let (length, value) = (number(Column::Length)?, number(Column::Value)?);
         let turns = self.count(record, Column::Turns)?.map(|t| u32::try_from(t).unwrap_or(u32::MAX));
         let (turn_index, weight) = (number(Column::TurnIndex)?, number(Column::Weight)?);
-        let step = OwnStep { length, value, turns, turn_index, weight, spent };
+        let step = ImportedStep { length, value, turns, turn_index, weight, spent };
         Ok((length.is_some() || value.is_some()).then_some(step))
     }
 
@@ -243,20 +244,20 @@ impl Table<'_> {
         read.map_err(|expected| cell(line_of(self.text, record), self.name(column), text, expected))
     }
 
-    fn finish(mut self) -> Result<OwnResults, FormatError> {
+    fn finish(mut self) -> Result<ImportedResults, FormatError> {
         if self.rows == 0 {
             return Err(FormatError::syntax(0, "the file has no line below its header", "one line a run"));
         }
         let by_line = self.repeated == 0;
         let entries = std::mem::take(&mut self.entries).into_iter();
         let finished = |run: Run| if by_line { run.of_one_line(&self.columns) } else { run.of_improvements() };
-        let entry = |(label, runs): (String, Vec<Run>)| OwnEntry {
+        let entry = |(label, runs): (String, Vec<Run>)| ImportedEntry {
             id: plain(&label),
             label,
             runs: runs.into_iter().map(finished).collect(),
         };
         let entries = entries.map(entry).collect();
-        Ok(OwnResults { file: file_name(self.file), entries, notices: self.notices(), instances: self.instances })
+        Ok(ImportedResults { file: file_name(self.file), entries, notices: self.notices(), instances: self.instances })
     }
 
     fn notices(&self) -> Vec<Notice> {

@@ -6,7 +6,7 @@ import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
 import { labelOfPlanner } from './build/labels'
 import { takeAsTemplate } from './build/template'
-import { OwnResults } from './own/own_results'
+import { ImportedResults } from './own/own_results'
 import { shownStudy } from './shown'
 import { closeStudy, phase, runAgain, type Study, study } from './state'
 
@@ -91,7 +91,7 @@ function Question() {
           ))}
         </ul>
       </div>
-      <OwnResults
+      <ImportedResults
         maps={now.question.instances.map(({ id }, at) => ({ id, name: now.maps[at]?.name || id }))}
       />
     </details>

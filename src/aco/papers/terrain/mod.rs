@@ -57,7 +57,7 @@ use space::{Layered, Surface};
 
 use crate::error::ParamError;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Entry, Family, Ground, Layer, Planner, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 
 /// The colony in the scenario's space.
@@ -86,7 +86,7 @@ const TABLE_1: &[(&str, f64)] =
     &[("ants", 50.0), ("iterations", 100.0), ("alpha", 1.0), ("beta", 7.0), ("q0", 0.8), ("local_rho", 0.1), ("rho", 0.2)];
 
 /// The paper's basic ACO in the catalog.
-pub const ACO: Entry = Entry {
+pub const ACO: PlannerEntry = PlannerEntry {
     id: "terrain-aco",
     name: "Terrain ACO",
     family: Family::AntColony,
@@ -151,7 +151,7 @@ pub const COMPONENTS: &[Component] = &[
 ];
 
 /// The paper's own method in the catalog.
-pub const EPF: Entry = Entry {
+pub const EPF: PlannerEntry = PlannerEntry {
     id: "terrain-epf",
     name: "Elitist potential-field ACO",
     family: Family::AntColony,

@@ -6,7 +6,7 @@ import { FAMILIES, plannerName, plannerSummary, whyNot } from '../../panels/plan
 import { catalog, fetchRest, rest } from '../../state'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
-import { OwnFiles, OwnResults } from '../own/own_results'
+import { OwnFiles, ImportedResults } from '../own/own_results'
 import { instanceIds } from './compose'
 import { addEntry, entries, maps } from './draft'
 import { EntryRow } from './entry_row'
@@ -24,7 +24,7 @@ export function Entries() {
       <OwnFiles />
       <div class="add-entries">
         <AddEntry />
-        <OwnResults maps={places()} />
+        <ImportedResults maps={places()} />
       </div>
     </fieldset>
   )

@@ -23,7 +23,7 @@ interface Place {
 }
 
 /** `maps`: on which of them runs can be that name none. */
-export function OwnResults({ maps }: { maps: Place[] }) {
+export function ImportedResults({ maps }: { maps: Place[] }) {
   const { pick, element } = useFilePicker({
     label: t('lab.own.add'),
     accept: '.csv,.tsv,.txt,.dat,.tdat',

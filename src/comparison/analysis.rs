@@ -1,0 +1,170 @@
+//! Everything that is said about the runs of a comparison, as numbers: what the page draws and what reports print. Every statistic with its
+//! formula and source stands in docs/methodology.md.
+//!
+//! Partial results are fine: whatever is known so far is told. A run without a path is never left out of what can tell of it: it is
+//! infinitely long, which is null here.
+
+mod curves;
+mod entry;
+mod intervals;
+mod pairs;
+mod published;
+mod ranks;
+pub(super) mod samples;
+mod verdicts;
+
+use serde::Serialize;
+
+use super::claims::{JudgedClaim, judge};
+use super::question::{Axis, Measure};
+use super::setting::{Map, Yardstick};
+use crate::planner::Objective;
+
+#[cfg(test)]
+mod tests;
+
+pub use curves::{BandPoint, EcdfPoint, RunningTime};
+pub use entry::{EntryAnalysis, Origin};
+pub use intervals::Intervals;
+pub use pairs::Pair;
+pub use published::PublishedAnalysis;
+pub use ranks::{RankPair, Ranks};
+pub use samples::{Samples, Seen};
+pub use verdicts::{VerdictKind, VerdictLine};
+
+/// What the runs of a comparison say.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct Analysis {
+    /// What effort is counted in.
+    pub axis: Axis,
+    /// The maps, in the order of the question.
+    pub instances: Vec<MapAnalysis>,
+    /// All entries over all maps; null where there is one map or one entry.
+    pub ranks: Option<Ranks>,
+    /// What became of the claims; none where no intervals were asked for.
+    pub verdicts: Vec<VerdictLine>,
+    /// What the verdicts follow from.
+    #[serde(skip)]
+    pub judged: Vec<JudgedClaim>,
+}
+
+/// What the runs on one map say.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct MapAnalysis {
+    /// Id of the instance.
+    pub id: String,
+    /// The map's name, or the id.
+    pub name: String,
+    /// What it stands for, and whose it is.
+    pub note: String,
+    /// What paths are compared by: their length, by slices their cost.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "RunMeasure"))]
+    pub measure: Measure,
+    /// Its name in tables.
+    pub measure_name: String,
+    /// The best there is, by each objective of an entry.
+    pub references: Vec<Yardstick>,
+    /// What curves, targets and running times are about: the measure, or where no planner of the map minimises it, what the first one does.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "RunMeasure"))]
+    pub curve_measure: Measure,
+    /// Its name in tables.
+    pub curve_name: String,
+    /// Values to be reached, easiest first: the best known value times 1 + each of `target_gaps`. None where no value is known.
+    pub targets: Vec<f64>,
+    /// Relative distances of the targets from the best known value.
+    pub target_gaps: Vec<f64>,
+    /// Where the bins of `gap_counts` begin; each ends where the next one begins, the last one never.
+    pub gap_edges: Vec<f64>,
+    /// One for each entry of the question.
+    pub entries: Vec<EntryAnalysis>,
+    /// Every two entries that have runs here.
+    pub pairs: Vec<Pair>,
+}
+
+/// Relative distances of the targets from the best known value.
+pub const TARGET_GAPS: [f64; 6] = [0.2, 0.1, 0.05, 0.02, 0.01, 0.0];
+
+/// What all runs so far say, those from elsewhere among them. Intervals and verdicts take long, and are told where there is a place to keep
+/// them.
+pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Intervals>) -> Analysis {
+    let comparison = samples.comparison();
+    let instances = (0..comparison.maps.len()).map(|map| on_map(samples, map, axis, intervals.as_deref_mut())).collect();
+    let judged = intervals.map_or_else(Vec::new, |intervals| judge(samples, intervals));
+    let verdicts = judged.iter().filter_map(|c| verdicts::line(&comparison.question, c)).collect();
+    Analysis { axis, instances, ranks: ranks::over_maps(samples), verdicts, judged }
+}
+
+fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mut Intervals>) -> MapAnalysis {
+    let comparison = samples.comparison();
+    let (map, instance) = (&comparison.maps[index], &comparison.question.instances[index]);
+    let curve_measure = curve_measure(map, comparison.question.entries.len());
+    let targets = best_known(samples, index, curve_measure).map_or_else(Vec::new, curves::targets);
+    let gap_edges = entry::gap_edges(samples, index);
+    let about = entry::About { samples, map: index, axis, curve_measure, targets: &targets, gap_edges: &gap_edges };
+    let entry = |entry| about.entry(entry, intervals.as_deref_mut());
+    let entries = (0..comparison.question.entries.len()).map(entry).collect();
+    let named = !map.scenario.spec.name.is_empty();
+    MapAnalysis {
+        id: instance.id.clone(),
+        name: if named { map.scenario.spec.name.clone() } else { instance.id.clone() },
+        note: instance.note.clone(),
+        measure: map.measure(),
+        measure_name: map.measure().name().into(),
+        references: map.yardsticks().to_vec(),
+        curve_measure,
+        curve_name: curve_measure.name().into(),
+        target_gaps: if targets.is_empty() { Vec::new() } else { TARGET_GAPS.to_vec() },
+        targets,
+        gap_edges,
+        entries,
+        pairs: pairs::all(samples, index),
+    }
+}
+
+/// What an objective is about: two of them can be about the same, over different paths.
+pub(super) fn measure_of(objective: Objective) -> Measure {
+    match objective {
+        Objective::Length | Objective::PolylineLength | Objective::TourLength => Measure::Length,
+        Objective::SliceCost => Measure::Cost,
+        Objective::TurnIndex => Measure::TurnIndex,
+        Objective::TourWeight => Measure::Weight,
+    }
+}
+
+fn curve_measure(map: &Map, entries: usize) -> Measure {
+    let mut all = (0..entries).filter_map(|entry| map.objective(entry)).map(measure_of);
+    let first = all.next();
+    if first.is_none_or(|m| m == map.measure()) || all.any(|m| m == map.measure()) {
+        map.measure()
+    } else {
+        first.unwrap_or(map.measure())
+    }
+}
+
+/// The best value by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
+fn best_known(samples: &Samples, index: usize, measure: Measure) -> Option<f64> {
+    let map = &samples.comparison().maps[index];
+    let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| measure_of(y.objective) == measure).collect();
+    let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
+    if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
+        known
+    } else {
+        best_of_runs(samples, index, measure, known)
+    }
+}
+
+fn best_of_runs(samples: &Samples, index: usize, measure: Measure, known: Option<f64>) -> Option<f64> {
+    let map = &samples.comparison().maps[index];
+    let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| measure_of(o) == measure);
+    let entries = (0..samples.comparison().question.entries.len()).filter(of_measure);
+    let values = entries.flat_map(|entry| samples.of(index, entry)).filter_map(|seen| Some(seen.row.found?.value));
+    values.chain(known).reduce(f64::min)
+}
+
+/// What result files are made from: intervals and all, with effort counted as the budget counts it, else in constructed paths.
+pub fn whole(samples: &Samples, intervals: &mut Intervals) -> Analysis {
+    let budget = samples.comparison().question.budget;
+    analyse(samples, budget.map_or(Axis::ConstructedPaths, |b| b.axis), Some(intervals))
+}

@@ -1,0 +1,95 @@
+//! The runs of a comparison by map and entry, each sample in the order of its seeds.
+
+use crate::comparison::question::Measure;
+use crate::comparison::row::Row;
+use crate::comparison::run::Timed;
+use crate::comparison::setting::Comparison;
+
+/// A run, and when its improvements came.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen<'a> {
+    /// The run.
+    pub row: &'a Row,
+    /// As [`Timed::seconds`]; empty where nobody has looked at a clock.
+    pub seconds: &'a [f64],
+}
+
+impl<'a> From<&'a Row> for Seen<'a> {
+    fn from(row: &'a Row) -> Self {
+        Self { row, seconds: &[] }
+    }
+}
+
+impl<'a> From<&'a Timed> for Seen<'a> {
+    fn from(timed: &'a Timed) -> Self {
+        Self { row: &timed.row, seconds: &timed.seconds }
+    }
+}
+
+/// All runs that are known.
+#[derive(Debug)]
+pub struct Samples<'a> {
+    comparison: &'a Comparison,
+    /// By instance and entry.
+    runs: Vec<Vec<Vec<Seen<'a>>>>,
+}
+
+impl<'a> Samples<'a> {
+    /// Sorts runs; those from elsewhere must be among them ([`Comparison::given`]). Runs of no entry or map are left out.
+    pub fn new(comparison: &'a Comparison, runs: impl IntoIterator<Item = Seen<'a>>) -> Self {
+        let mut sorted = vec![vec![Vec::new(); comparison.question.entries.len()]; comparison.maps.len()];
+        for seen in runs {
+            let task = seen.row.task;
+            if let Some(sample) = sorted.get_mut(task.instance).and_then(|entries| entries.get_mut(task.entry)) {
+                sample.push(seen);
+            }
+        }
+        sorted.iter_mut().flatten().for_each(|sample| sample.sort_by_key(|seen| seen.row.task.seed));
+        Self { comparison, runs: sorted }
+    }
+
+    /// What was asked, with its maps.
+    pub fn comparison(&self) -> &'a Comparison {
+        self.comparison
+    }
+
+    /// The runs of an entry on a map, by seed.
+    pub fn of(&self, instance: usize, entry: usize) -> &[Seen<'a>] {
+        self.runs.get(instance).and_then(|entries| entries.get(entry)).map_or(&[], Vec::as_slice)
+    }
+
+    /// A measure of these runs by seed, infinite for those without a path; runs that do not tell it are left out.
+    pub fn values(&self, instance: usize, entry: usize, measure: Measure) -> Vec<(u32, f64)> {
+        let value = |seen: &Seen| Some((seen.row.task.seed, self.comparison.value(seen.row, measure)?));
+        self.of(instance, entry).iter().filter_map(value).collect()
+    }
+}
+
+/// The values of the seeds that both samples have.
+pub fn paired(first: &[(u32, f64)], second: &[(u32, f64)]) -> Vec<(f64, f64)> {
+    let mut rest = second.iter().peekable();
+    let pair = |&(seed, value): &(u32, f64)| {
+        while rest.next_if(|other| other.0 < seed).is_some() {}
+        rest.next_if(|other| other.0 == seed).map(|other| (value, other.1))
+    };
+    first.iter().filter_map(pair).collect()
+}
+
+/// Values without their seeds.
+pub fn plain(sample: &[(u32, f64)]) -> Vec<f64> {
+    sample.iter().map(|&(_, value)| value).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_have_one_seed() {
+        let first = [(1, 10.0), (2, 20.0), (4, 40.0), (9, 90.0)];
+        let second = [(2, 21.0), (3, 31.0), (4, 41.0), (7, 71.0)];
+        assert_eq!(paired(&first, &second), [(20.0, 21.0), (40.0, 41.0)]);
+        assert_eq!(paired(&first, &[]), []);
+        assert_eq!(paired(&[(5, 1.0), (5, 2.0)], &[(5, 3.0)]), [(1.0, 3.0)]);
+    }
+}

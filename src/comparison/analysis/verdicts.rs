@@ -1,0 +1,115 @@
+//! What became of the claims, for a table.
+
+use serde::Serialize;
+
+use crate::comparison::claims::{JudgedClaim, Verdict};
+use crate::comparison::question::{Direction, Question, Statistic};
+use crate::comparison::statistics::Difference;
+
+/// What became of a claim on one map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum VerdictKind {
+    /// The claimed direction, and at least half of the claimed size.
+    Reproduced,
+    /// The claimed direction, but less than half of the size.
+    Partly,
+    /// No difference is certain enough.
+    Not,
+    /// The other direction.
+    Opposite,
+    /// There is nothing to compare.
+    CannotTell,
+}
+
+/// A claim on one map. Lengths in cells.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct VerdictLine {
+    /// Its id.
+    pub claim: String,
+    /// The claim in words.
+    pub says: String,
+    /// What a reader of the verdict must know.
+    pub note: String,
+    /// Id of the instance.
+    pub instance: String,
+    /// Id of the entry that is said to differ.
+    pub improved: String,
+    /// Id of the entry that it is compared with.
+    pub baseline: String,
+    /// Name of what is compared.
+    pub measure_name: String,
+    /// Whether that is a share of runs, from 0 to 1.
+    pub is_share: bool,
+    /// Which way it is said to differ.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"less\" | \"more\""))]
+    pub direction: Direction,
+    /// What stands for all runs and decides.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"median\" | \"mean\""))]
+    pub statistic: Statistic,
+    /// By which part of the baseline's value they are said to differ, positive as the claim says; null where no size is claimed.
+    pub claimed: Option<f64>,
+    /// By which part they differ.
+    pub found: Option<f64>,
+    /// What stands for the baseline's runs; null where half of them or more found no path.
+    pub baseline_value: Option<f64>,
+    /// What stands for the improved entry's runs; null where half of them or more found no path.
+    pub improved_value: Option<f64>,
+    /// Improved − baseline of the medians; null where an end of it is infinite.
+    pub medians: Option<Difference>,
+    /// Improved − baseline of the means over the pairs that both found a path.
+    pub means: Option<Difference>,
+    /// How likely a run of the improved entry is the better one, as the claim counts better; ties half.
+    pub better: Option<f64>,
+    /// Pairs of runs with the same seed.
+    pub pairs: usize,
+    /// What follows.
+    pub verdict: VerdictKind,
+    /// Why nothing can be told; empty where something can.
+    pub why: String,
+}
+
+/// A comparison for a table.
+pub(super) fn line(question: &Question, c: &JudgedClaim) -> Option<VerdictLine> {
+    let (claim, instance) = (question.claims.get(c.claim)?, question.instances.get(c.instance)?);
+    let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
+    let (verdict, why) = kind(c.verdict);
+    Some(VerdictLine {
+        claim: claim.id.clone(),
+        says: claim.says.clone(),
+        note: claim.note.clone(),
+        instance: instance.id.clone(),
+        improved: claim.improved.clone(),
+        baseline: claim.baseline.clone(),
+        measure_name: claim.measure.name().into(),
+        is_share: claim.measure.is_share(),
+        direction: claim.direction,
+        statistic: c.statistic,
+        claimed: c.claimed,
+        found: c.size(claim.direction),
+        baseline_value: finite(c.baseline),
+        improved_value: finite(c.improved),
+        medians: c.medians.filter(is_finite),
+        means: c.means.filter(is_finite),
+        better: c.better,
+        pairs: c.pairs,
+        verdict,
+        why: why.into(),
+    })
+}
+
+fn is_finite(d: &Difference) -> bool {
+    d.value.is_finite() && d.low.is_finite() && d.high.is_finite()
+}
+
+fn kind(verdict: Verdict) -> (VerdictKind, &'static str) {
+    match verdict {
+        Verdict::Reproduced => (VerdictKind::Reproduced, ""),
+        Verdict::Partly => (VerdictKind::Partly, ""),
+        Verdict::Not => (VerdictKind::Not, ""),
+        Verdict::Opposite => (VerdictKind::Opposite, ""),
+        Verdict::CannotTell(why) => (VerdictKind::CannotTell, why),
+    }
+}

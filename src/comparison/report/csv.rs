@@ -1,0 +1,71 @@
+//! One line a run.
+
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::comparison::question::Axis;
+use crate::comparison::row::{Found, Row};
+use crate::comparison::setting::Comparison;
+use crate::exact::Reference;
+
+/// The columns of [`csv`].
+pub const HEADER: &str = "instance,entry,seed,status,length,turns,turn_index,weight,iteration_of_best,paths_to_best,ant_moves,\
+                          objective,value,reference,proven,gap,digest";
+
+/// One line a run, lengths in cells with six decimals; empty fields where no path was found, or nothing is known.
+pub fn csv(comparison: &Comparison, rows: &[Row]) -> String {
+    let lines: String = rows.iter().map(|row| line(comparison, row) + "\n").collect();
+    format!("{HEADER}\n{lines}")
+}
+
+/// The line of one run.
+pub fn line(comparison: &Comparison, row: &Row) -> String {
+    let (question, task) = (&comparison.question, row.task);
+    let instance = question.instances.get(task.instance).map_or("", |i| &i.id);
+    let entry = question.entries.get(task.entry).map_or("", |e| &e.id);
+    let path = row.found.map_or_else(|| ",,,".into(), path_fields);
+    let best = row.found.and(row.trace.last()).map(|improvement| improvement.spent).unwrap_or_default();
+    let effort = [best.on(Axis::Iterations), best.on(Axis::ConstructedPaths), row.effort.on(Axis::AntMoves)].map(count).join(",");
+    let map = comparison.maps.get(task.instance);
+    let objective = map.and_then(|m| m.objective(task.entry)).map_or_else(String::new, id);
+    let reference = map.map_or(Reference::Unknown, |m| m.reference(task.entry));
+    let proven = matches!(reference, Reference::Proven { .. });
+    let [value, gap] = [row.found.map(|f| f.value), comparison.gap(row)].map(maybe);
+    let (seed, status, digest) = (task.seed, id(row.status), &row.digest);
+    let best = maybe(reference.value());
+    format!("{instance},{entry},{seed},{status},{path},{effort},{objective},{value},{best},{proven},{gap},{digest}")
+}
+
+/// Lines of equal columns, named by their fields.
+pub(super) fn of_lines(lines: impl IntoIterator<Item = impl Serialize>) -> String {
+    let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
+    // Writing plain data to memory cannot fail; were it to, the output would visibly end early.
+    let _ = lines.into_iter().try_for_each(|line| writer.serialize(line));
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+fn path_fields(f: Found) -> String {
+    let turns = count(f.turns.map(f64::from));
+    format!("{},{turns},{},{}", six(f.length), maybe(f.turn_index), maybe(f.weight))
+}
+
+fn count(v: Option<f64>) -> String {
+    v.map_or_else(String::new, |v| format!("{v}"))
+}
+
+fn maybe(v: Option<f64>) -> String {
+    v.map_or_else(String::new, six)
+}
+
+fn six(v: f64) -> String {
+    format!("{v:.6}")
+}
+
+/// As it stands in JSON.
+fn id(value: impl Serialize) -> String {
+    match serde_json::to_value(value) {
+        Ok(Value::String(id)) => id,
+        Ok(other) => other.to_string(),
+        Err(_) => String::new(),
+    }
+}

@@ -1,0 +1,128 @@
+//! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
+
+use super::table::{Cell, Printed, printed, sentence};
+use crate::comparison::analysis::Analysis;
+use crate::comparison::setting::Comparison;
+
+/// One table a map, its caption with everything that is needed to repeat it. A table that is wider than the text is shrunk to fit it.
+/// Letters beyond Latin and Greek need XeLaTeX or LuaLaTeX.
+pub fn latex(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
+    let setting = super::setting_of(comparison, analysis);
+    let title = &comparison.question.title;
+    let mut out = format!("% Made by `{command}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n");
+    for table in printed(comparison, analysis) {
+        let rule = table.rule.replace('`', "");
+        let caption = format!("{title}. {}: {rule}. {}. Formicarium, {setting}", table.name, sentence(&table.told));
+        out += &environment(&table, &caption);
+    }
+    out
+}
+
+/// As wide as what follows, or as the text where that is less.
+const FIT: &str = "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}";
+
+fn environment(table: &Printed, caption: &str) -> String {
+    let columns = format!("l{}", "r".repeat(table.head.len().saturating_sub(1)));
+    let row = |cells: Vec<String>| format!("    {} \\\\\n", cells.join(" & "));
+    let head = row(table.head.iter().map(|name| in_two_lines(&escape(name))).collect());
+    let body: String = table.rows.iter().map(|cells| row(cells.iter().map(field).collect())).collect();
+    format!(
+        "\n\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\small\\setlength{{\\tabcolsep}}{{4pt}}%\n  {FIT}{{%\n  \
+         \\begin{{tabular}}{{{columns}}}\n    \\toprule\n{head}    \\midrule\n{body}    \\bottomrule\n  \\end{{tabular}}}}\n\\end{{table}}\n",
+        escape(caption),
+        table.id,
+    )
+}
+
+/// Broken at the space nearest to its middle: names of columns are longer than what stands in them.
+fn in_two_lines(name: &str) -> String {
+    let off_centre = |at: &usize| at.abs_diff(name.len() / 2);
+    match name.match_indices(' ').map(|(at, _)| at).min_by_key(off_centre) {
+        Some(at) => format!("\\shortstack[r]{{{}\\\\{}}}", &name[..at], &name[at + 1..]),
+        None => name.to_owned(),
+    }
+}
+
+fn field(cell: &Cell) -> String {
+    let text = escape(&cell.text);
+    if cell.best { format!("\\textbf{{{text}}}") } else { text }
+}
+
+/// Letters that mean something to LaTeX, and those that its fonts do not have in text.
+fn escape(text: &str) -> String {
+    const MATHS: [(char, &str); 35] = [
+        ('−', "-"),
+        ('×', "\\times"),
+        ('±', "\\pm"),
+        ('≤', "\\leq"),
+        ('≥', "\\geq"),
+        ('∞', "\\infty"),
+        ('→', "\\to"),
+        ('√', "\\surd"),
+        ('Δ', "\\Delta"),
+        ('α', "\\alpha"),
+        ('β', "\\beta"),
+        ('γ', "\\gamma"),
+        ('δ', "\\delta"),
+        ('ε', "\\varepsilon"),
+        ('η', "\\eta"),
+        ('θ', "\\theta"),
+        ('κ', "\\kappa"),
+        ('λ', "\\lambda"),
+        ('μ', "\\mu"),
+        ('ξ', "\\xi"),
+        ('π', "\\pi"),
+        ('ρ', "\\rho"),
+        ('σ', "\\sigma"),
+        ('τ', "\\tau"),
+        ('φ', "\\varphi"),
+        ('χ', "\\chi"),
+        ('ψ', "\\psi"),
+        ('ω', "\\omega"),
+        ('Σ', "\\Sigma"),
+        ('Ω', "\\Omega"),
+        ('²', "^2"),
+        ('³', "^3"),
+        ('<', "<"),
+        ('>', ">"),
+        ('|', "|"),
+    ];
+    let mut out = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' | '%' | '$' | '#' | '_' | '{' | '}' => out.extend(['\\', letter]),
+            '\\' => out += "\\textbackslash{}",
+            '~' => out += "\\textasciitilde{}",
+            '^' => out += "\\textasciicircum{}",
+            '–' => out += "--",
+            '°' => out += "\\textdegree{}",
+            '\n' | '\r' | '\t' => out.push(' '),
+            _ => match MATHS.iter().find(|(known, _)| *known == letter) {
+                Some((_, maths)) => out += &format!("${maths}$"),
+                None => out.push(letter),
+            },
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_columns_are_broken_in_the_middle() {
+        assert_eq!(in_two_lines("best"), "best");
+        assert_eq!(in_two_lines("runs with a path"), "\\shortstack[r]{runs with\\\\a path}");
+    }
+
+    #[test]
+    fn letters_with_a_meaning_are_escaped() {
+        assert_eq!(
+            escape("a_b & 5 % {#1} \\ ~^ $x"),
+            "a\\_b \\& 5 \\% \\{\\#1\\} \\textbackslash{} \\textasciitilde{}\\textasciicircum{} \\$x"
+        );
+        assert_eq!(escape("η = 1/d, 20 × 20, ±0.1, 1–2, −3"), "$\\eta$ = 1/d, 20 $\\times$ 20, $\\pm$0.1, 1--2, $-$3");
+        assert_eq!(escape("蚁群\nx"), "蚁群 x");
+    }
+}

@@ -1,0 +1,172 @@
+//! What one run has come to: a row of the results.
+
+use serde::{Deserialize, Serialize};
+
+use super::question::{Axis, Measure};
+use crate::planner::{Effort, Status};
+
+/// One run that is to be done; tasks are in the order of the rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Task {
+    /// Which instance of the question.
+    pub instance: usize,
+    /// Which entry.
+    pub entry: usize,
+    /// Its seed.
+    pub seed: u32,
+}
+
+/// One run that is done. A run without a path is a row as well.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    /// What was run.
+    pub task: Task,
+    /// How it ended.
+    pub status: Status,
+    /// What it found.
+    pub found: Option<Found>,
+    /// What it has spent when it ended.
+    pub effort: Spent,
+    /// Every improvement of its best path that counts, in the order in which they came; may be empty for a run from elsewhere.
+    pub trace: Vec<Improvement>,
+    /// Digest over history and best path, 16 hexadecimal digits; empty for a run from elsewhere.
+    pub digest: String,
+}
+
+/// The path of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Found {
+    /// Its length in cells.
+    pub length: f64,
+    /// Its turns.
+    pub turns: Option<u32>,
+    /// V(d, r) in cells.
+    pub turn_index: Option<f64>,
+    /// Σ R in cells, of a tour by several goals.
+    pub weight: Option<f64>,
+    /// Its value by the planner's own objective, in cells.
+    pub value: f64,
+}
+
+/// A better path than before, by what the planner searches for: of one that refines its best path, the length after refinement may rise. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(from = "Numbers", into = "Numbers")]
+pub struct Improvement {
+    /// Its value by the planner's own objective, in cells.
+    pub value: f64,
+    /// The iteration that found it, and what had been spent when that one ended.
+    pub spent: Spent,
+}
+
+/// An effort, as far as it is known. In JSON `[iterations, constructed paths, ant moves, cell expansions]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(from = "[Option<u64>; 4]", into = "[Option<u64>; 4]")]
+pub struct Spent {
+    /// Finished iterations.
+    pub iterations: Option<u64>,
+    /// Walks begun and ended.
+    pub constructed_paths: Option<u64>,
+    /// Moves of ants.
+    pub ant_moves: Option<u64>,
+    /// Cells taken from the open list of a search.
+    pub cell_expansions: Option<u64>,
+}
+
+/// As they stand in JSON.
+type Numbers = (f64, Option<u64>, Option<u64>, Option<u64>, Option<u64>);
+
+impl From<Numbers> for Improvement {
+    fn from((value, iterations, constructed_paths, ant_moves, cell_expansions): Numbers) -> Self {
+        Self { value, spent: Spent { iterations, constructed_paths, ant_moves, cell_expansions } }
+    }
+}
+
+impl From<Improvement> for Numbers {
+    fn from(Improvement { value, spent: s }: Improvement) -> Self {
+        (value, s.iterations, s.constructed_paths, s.ant_moves, s.cell_expansions)
+    }
+}
+
+impl From<[Option<u64>; 4]> for Spent {
+    fn from([iterations, constructed_paths, ant_moves, cell_expansions]: [Option<u64>; 4]) -> Self {
+        Self { iterations, constructed_paths, ant_moves, cell_expansions }
+    }
+}
+
+impl From<Spent> for [Option<u64>; 4] {
+    fn from(s: Spent) -> Self {
+        [s.iterations, s.constructed_paths, s.ant_moves, s.cell_expansions]
+    }
+}
+
+impl From<Effort> for Spent {
+    fn from(effort: Effort) -> Self {
+        Self {
+            iterations: Some(effort.iterations.into()),
+            constructed_paths: Some(effort.constructed_paths),
+            ant_moves: Some(effort.ant_moves),
+            cell_expansions: Some(effort.cell_expansions),
+        }
+    }
+}
+
+impl Spent {
+    /// What it amounts to on an axis; none where that is not known, and by time.
+    pub fn on(&self, axis: Axis) -> Option<f64> {
+        let count = match axis {
+            Axis::Iterations => self.iterations,
+            Axis::ConstructedPaths => self.constructed_paths,
+            Axis::AntMoves => self.ant_moves,
+            Axis::CellExpansions => self.cell_expansions,
+            Axis::Moves => self.ant_moves.zip(self.cell_expansions).map(|(moves, expansions)| moves + expansions),
+            Axis::Time => None,
+        };
+        count.map(|n| n as f64)
+    }
+}
+
+impl Row {
+    /// A measure of the run, none where it is not known: a run from elsewhere may tell no turns. Without a path it is infinite, except for
+    /// shares, which are 0, and for ant moves. [`Measure::Optimal`] is [`super::Comparison::value`]'s to tell.
+    pub fn value(&self, measure: Measure) -> Option<f64> {
+        let of_path = |value: fn(&Found) -> Option<f64>| self.found.as_ref().map_or(Some(f64::INFINITY), value);
+        let to_best = |axis| match (&self.found, self.trace.last()) {
+            (None, _) => Some(f64::INFINITY),
+            (Some(_), last) => last?.spent.on(axis),
+        };
+        match measure {
+            Measure::Length => of_path(|f| Some(f.length)),
+            Measure::Cost => of_path(|f| Some(f.value)),
+            Measure::Turns => of_path(|f| f.turns.map(f64::from)),
+            Measure::TurnIndex => of_path(|f| f.turn_index),
+            Measure::Weight => of_path(|f| Some(f.weight.unwrap_or(f64::INFINITY))),
+            Measure::IterationOfBest => to_best(Axis::Iterations),
+            Measure::PathsToBest => to_best(Axis::ConstructedPaths),
+            Measure::AntMoves => self.effort.on(Axis::AntMoves),
+            Measure::Success => Some(f64::from(u8::from(self.found.is_some()))),
+            Measure::Optimal => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_is_itself_again_after_json() {
+        let spent = Spent { iterations: Some(3), constructed_paths: Some(60), ant_moves: None, cell_expansions: Some(0) };
+        let found = Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6 };
+        let task = Task { instance: 0, entry: 2, seed: 7 };
+        let trace = vec![Improvement { value: 0.1 + 0.2, spent }];
+        let row = Row { task, status: Status::BudgetSpent, found: Some(found), effort: spent, trace, digest: "00ff".into() };
+        let json = serde_json::to_string(&row).unwrap();
+        assert!(json.contains(r#""trace":[[0.30000000000000004,3,60,null,0]]"#), "{json}");
+        assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
+        assert_eq!((spent.on(Axis::ConstructedPaths), spent.on(Axis::Moves), spent.on(Axis::Time)), (Some(60.0), None, None));
+        assert_eq!((row.value(Measure::IterationOfBest), row.value(Measure::TurnIndex)), (Some(3.0), None));
+    }
+}

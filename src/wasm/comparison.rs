@@ -1,0 +1,201 @@
+//! Many runs: a comparison's tasks for a pool of workers, and what its rows say.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::*;
+
+use super::run::ParamInput;
+use super::{Answer, argument, object, throw};
+use crate::comparison::report::{Reports, ResultFile};
+use crate::comparison::{
+    self, Ablated, Analysis, Axis, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed, Verification, analyse, analysis,
+    document,
+};
+use crate::error::FormatError;
+
+/// `Measure` is what slices are measured by.
+#[wasm_bindgen(typescript_custom_section)]
+const RUN_MEASURE: &str = r#"
+/** What is measured on a run. */
+export type RunMeasure = "length" | "cost" | "turns" | "turn-index" | "weight" | "iteration-of-best" | "paths-to-best" | "ant-moves" | "success" | "optimal"
+"#;
+
+/// A run that is done.
+#[derive(Serialize, Tsify)]
+pub struct DoneRun {
+    /// Its place among the tasks.
+    pub index: u32,
+    /// Its row as one line of JSON: what a journal keeps, and what `keep` takes.
+    pub row: String,
+    /// Seconds from its beginning to each improvement, and to its end.
+    pub seconds: Vec<f64>,
+    /// Whether it has found a path.
+    pub found: bool,
+}
+
+/// The entries of a question that asks what each component of a planner does, as JSON: the full planner with these values, and the same
+/// without each component.
+#[wasm_bindgen]
+pub fn ablation(planner: &str, preset: Option<String>, set: Ts<ParamInput>) -> Answer<String> {
+    let ParamInput(set) = set.to_rust().map_err(|e| argument("set", &e.to_string()))?;
+    let entries = comparison::ablation::ablation(planner, preset.as_deref(), &set).map_err(throw)?;
+    Ok(serde_json::to_string(&entries).unwrap_or_default())
+}
+
+/// A question with its maps and the runs of it that are done.
+#[wasm_bindgen]
+pub struct Comparison {
+    inner: comparison::Comparison,
+    /// What the document told of runs.
+    record: Record,
+    tasks: Vec<Task>,
+    done: BTreeMap<usize, Timed>,
+    /// The runs among them that were not done in this browser, or had not been: as they came.
+    brought: BTreeMap<usize, Row>,
+    /// Runs that were done again, to be compared with those.
+    again: BTreeMap<usize, Row>,
+    /// Those of the runs as they were when somebody asked last.
+    intervals: Intervals,
+}
+
+#[wasm_bindgen]
+impl Comparison {
+    /// Opens a document (`formicarium/comparison@1`); the runs in it are kept.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str) -> Answer<Comparison> {
+        let opened = document::open(document).map_err(throw)?;
+        let (record, tasks) = (opened.record(), opened.comparison.tasks());
+        let place = |row: Row| Some((tasks.binary_search(&row.task).ok()?, Timed { row, seconds: Vec::new() }));
+        let done: BTreeMap<usize, Timed> = opened.rows.into_iter().filter_map(place).collect();
+        let brought = done.iter().map(|(&place, timed)| (place, timed.row.clone())).collect();
+        Ok(Comparison {
+            inner: opened.comparison,
+            record,
+            tasks,
+            done,
+            brought,
+            again: BTreeMap::new(),
+            intervals: Intervals::default(),
+        })
+    }
+
+    /// Number of runs that are to be done, the done ones among them.
+    pub fn tasks(&self) -> usize {
+        self.tasks.len()
+    }
+
+    /// The places of the tasks that are not done yet.
+    pub fn open_tasks(&self) -> Vec<u32> {
+        (0..self.tasks.len()).filter(|i| !self.done.contains_key(i)).map(|i| i as u32).collect()
+    }
+
+    /// The rows that are done, as lines of JSON in the order of the tasks.
+    pub fn rows(&self) -> Vec<String> {
+        self.done.values().map(|timed| line(&timed.row)).collect()
+    }
+
+    /// 16 hexadecimal digits over question and maps: comparisons with equal digests have equal runs, under one version of the engine.
+    pub fn digest(&self) -> String {
+        self.inner.digest().hex()
+    }
+
+    /// Does one run to its end; `now` tells seconds. It is not kept.
+    pub fn run(&self, index: usize, now: &js_sys::Function) -> Answer<Ts<DoneRun>> {
+        let task = *self.tasks.get(index).ok_or_else(|| argument("index", "there is no such run"))?;
+        let mut clock = || now.call0(&JsValue::NULL).ok().and_then(|t| t.as_f64()).unwrap_or(0.0);
+        let Timed { row, seconds } = self.inner.run(task, &mut clock).map_err(throw)?;
+        Ok(object(&DoneRun { index: index as u32, row: line(&row), found: row.found.is_some(), seconds }))
+    }
+
+    /// Takes in a run that is done, from any worker or from before; `seconds` as `run` tells them, empty for a run that somebody else has done.
+    pub fn keep(&mut self, row: &str, seconds: Vec<f64>) -> Answer<()> {
+        let (index, row) = self.placed(row)?;
+        if seconds.is_empty() {
+            self.brought.insert(index, row.clone());
+        }
+        self.done.insert(index, Timed { row, seconds });
+        Ok(())
+    }
+
+    /// Takes in a run that was done again, only to be compared: the one that somebody else has done stays.
+    pub fn check(&mut self, row: &str) -> Answer<()> {
+        let (index, row) = self.placed(row)?;
+        self.again.insert(index, row);
+        Ok(())
+    }
+
+    /// What the runs so far say, those from elsewhere among them, with effort counted on an axis. Bootstrap intervals and the verdicts that
+    /// follow from them take long, but only once for the same runs.
+    pub fn analysis(&mut self, axis: Ts<Axis>, intervals: bool) -> Answer<Ts<Analysis>> {
+        let axis = axis.to_rust().map_err(|e| argument("axis", &e.to_string()))?;
+        let runs = self.done.values().map(Seen::from).chain(self.inner.given.iter().map(Seen::from));
+        let samples = Samples::new(&self.inner, runs);
+        Ok(object(&analyse(&samples, axis, intervals.then_some(&mut self.intervals))))
+    }
+
+    /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made.
+    pub fn file(&mut self, file: Ts<ResultFile>, command: &str) -> Answer<String> {
+        let file = file.to_rust().map_err(|e| argument("file", &e.to_string()))?;
+        let done = self.done_rows();
+        let rows = self.inner.all_rows(&done);
+        let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
+        let recorded = self.recorded_now(&done);
+        let document = |with_rows| document::write_as(&self.inner, &done, with_rows, recorded.as_ref());
+        let reports = Reports { comparison: &self.inner, rows: &rows, analysis: &analysis, command, document: &document };
+        Ok(reports.contents(file))
+    }
+
+    /// What each component does, on each map, by the kept runs; empty where the question is no ablation. Infinite: half of the runs or more
+    /// found no path.
+    pub fn effects(&self) -> Vec<Ts<Ablated>> {
+        let rows = self.inner.all_rows(&self.done_rows());
+        comparison::effects(&self.inner, &rows).iter().map(object).collect()
+    }
+
+    /// What was recorded when the document was written; null where nothing had been run.
+    pub fn recorded(&self) -> Option<Ts<Recorded>> {
+        self.record.recorded().map(object)
+    }
+
+    /// How far runs that somebody else has done come out again in those done here: kept with their seconds, or checked. Null where nobody has
+    /// done any.
+    pub fn verify(&self) -> Option<Ts<Verification>> {
+        if self.record.recorded().is_none() && self.brought.is_empty() {
+            return None;
+        }
+        let then: Vec<Row> = self.brought.values().cloned().collect();
+        let own = self.done.values().filter(|timed| !timed.seconds.is_empty()).map(|timed| &timed.row);
+        let now: Vec<Row> = own.chain(self.again.values()).cloned().collect();
+        Some(object(&self.record.verify(&self.inner, &then, &now)))
+    }
+}
+
+impl Comparison {
+    /// A row of JSON, and its place among the tasks.
+    fn placed(&self, row: &str) -> Answer<(usize, Row)> {
+        let row: Row = serde_json::from_str(row).map_err(|e| throw(FormatError::syntax(1, e.to_string(), "a run's row")))?;
+        let index = self.tasks.binary_search(&row.task).map_err(|_| argument("row", "the comparison has no such run"))?;
+        Ok((index, row))
+    }
+
+    /// What is to be told about the runs: this engine's words, or those of whoever has done them, perhaps with another one.
+    fn recorded_now(&self, done: &[Row]) -> Option<Recorded> {
+        let then = self.record.recorded();
+        let foreign = self.done.values().filter(|timed| timed.seconds.is_empty()).count();
+        match then {
+            Some(then) if foreign == done.len() => Some(then.clone()),
+            Some(then) if foreign > 0 => Some(Recorded::of(&self.inner, done).with_runs_of(then)),
+            _ => (!done.is_empty()).then(|| Recorded::of(&self.inner, done)),
+        }
+    }
+
+    fn done_rows(&self) -> Vec<Row> {
+        self.done.values().map(|timed| timed.row.clone()).collect()
+    }
+}
+
+fn line(row: &Row) -> String {
+    serde_json::to_string(row).unwrap_or_default()
+}
