@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import type { Cell } from '../../www/src/maps/edit'
-import type { Session } from '../../www/src/session'
+import type { Cell } from '../../www/src/model/cell'
+import type { Session } from '../../www/src/model/session'
 import { freshLab, Lab } from './lab'
 
 /** The open field: 40 × 25 cells, start (4, 19), goal (35, 5). */

@@ -1,9 +1,9 @@
 /** The page as its readers use it: everything the specs do more than once. */
 import { type Browser, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
-import type { Cell } from '../../www/src/maps/edit'
-import type { PanelResult, Scripting } from '../../www/src/scripting'
-import type { Session } from '../../www/src/session'
-import { placement } from '../../www/src/stage/view'
+import type { PanelResult, Scripting } from '../../www/src/app/scripting'
+import type { Cell } from '../../www/src/model/cell'
+import type { Session } from '../../www/src/model/session'
+import { placement } from '../../www/src/model/viewpoint'
 import { drawn } from './workers'
 
 declare global {

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/lab/document'
+import type { LabDocument } from '../../www/src/model/comparison'
 import { Lab } from './lab'
 import { Laboratory } from './lab_page'
 

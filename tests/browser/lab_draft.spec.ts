@@ -1,5 +1,5 @@
 import { expect, type Page, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/lab/document'
+import type { LabDocument } from '../../www/src/model/comparison'
 import { Laboratory, onShelf } from './lab_page'
 
 interface Draft {

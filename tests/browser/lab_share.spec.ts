@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises'
 import AxeBuilder from '@axe-core/playwright'
 import { type Browser, type Download, expect, type Page, test } from '@playwright/test'
-import { decodeFragment, encodeDocument, PREFIX } from '../../www/src/lab/share/link'
+import { decodeFragment, encodeDocument, PREFIX } from '../../www/src/share/comparison_link'
 import { seal } from '../../www/src/share/envelope'
 import { textOfPng } from '../../www/src/share/png'
 import { Lab } from './lab'

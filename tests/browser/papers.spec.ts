@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import { paperMaps } from '../../www/src/maps/paper_maps'
+import { paperMaps } from '../../www/src/gallery/paper_maps'
 import { Lab } from './lab'
 import { drawn } from './workers'
 

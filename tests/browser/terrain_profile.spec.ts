@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test'
 import { profileOf } from '../../www/src/charts/profile_data'
-import { Ground } from '../../www/src/relief/ground'
+import { Ground } from '../../www/src/model/relief_ground'
 import { openTerrain } from './terrain_lab'
 import { drawn } from './workers'
 

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import type { Session } from '../../../www/src/session'
+import type { Session } from '../../../www/src/model/session'
 import { bitsOf } from '../../../www/src/share/bytes'
 import { MAX_BYTES, packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test'
-import { applyEditTo, lineCells } from '../../../www/src/maps/edit'
-import { createHistory } from '../../../www/src/stage/history'
+import { applyEditTo, lineCells } from '../../../www/src/model/edit'
+import { createHistory } from '../../../www/src/state/history'
 import { sessionOf } from './sessions'
 
 const blank = () => sessionOf(10, 6, new Uint8Array(60)).scenario

@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test'
-import { decodeFragment, encodeDocument, PREFIX } from '../../../www/src/lab/share/link'
 import { varint } from '../../../www/src/share/bytes'
 import { withChecksum } from '../../../www/src/share/codec'
+import { decodeFragment, encodeDocument, PREFIX } from '../../../www/src/share/comparison_link'
 import { seal } from '../../../www/src/share/envelope'
 import { LinkError } from '../../../www/src/share/error'
 

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test'
+import { LOOKS, seriesOf } from '../../../www/src/lab/figures/figure_style'
 import { endsOf, limitsOf, placed } from '../../../www/src/lab/figures/limits'
-import { LOOKS, seriesOf } from '../../../www/src/lab/figures/look'
 import { jitter, whiskers } from '../../../www/src/lab/figures/points'
 import { groups } from '../../../www/src/lab/figures/rank_groups'
 import { SYMBOLS, symbolPath } from '../../../www/src/lab/figures/symbols'

@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test'
-import type { Question } from '../../../www/src/lab/document'
-import { Estimate } from '../../../www/src/lab/estimate'
-import { fileStem, uniqueId } from '../../../www/src/lab/names'
-import { Tasks } from '../../../www/src/lab/tasks'
+import { Estimate } from '../../../www/src/lab/run/estimate'
+import { Tasks } from '../../../www/src/lab/run/tasks'
+import { fileStem, uniqueId } from '../../../www/src/lab/store/names'
+import type { Question } from '../../../www/src/model/comparison'
 
 /** Two maps, three entries of which two can be run, three seeds: twelve runs in four pairs. */
 const question: Question = {

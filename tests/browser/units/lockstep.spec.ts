@@ -1,8 +1,8 @@
 import { expect, test } from '@playwright/test'
 import { planRound, type Standing } from '../../../www/src/engine/round'
-import { type Steppable, Stepper } from '../../../www/src/engine/stepper'
-import { SPEEDS, type Speed, type Sync } from '../../../www/src/session'
-import { Crowd } from '../../../www/src/stage/crowd'
+import { SPEEDS, type Speed, type Sync } from '../../../www/src/model/session'
+import { Crowd } from '../../../www/src/worker/crowd'
+import { type Steppable, Stepper } from '../../../www/src/worker/stepper'
 
 /** A run whose iterations take a fixed number of moves, on a clock that each move advances by `moveMs`. */
 class FakeRun implements Steppable {

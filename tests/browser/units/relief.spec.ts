@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test'
 import { nearest, profileOf } from '../../../www/src/charts/profile_data'
+import { Ground } from '../../../www/src/model/relief_ground'
 import { eye, orbit, resetEye, shiftEye, turned } from '../../../www/src/relief/eye'
-import { Ground } from '../../../www/src/relief/ground'
 import { terrainOf } from './sessions'
 
 const groundOf = (width: number, heights: number[], unit = 1) => {

@@ -1,5 +1,5 @@
 /** Sessions to encode, without the engine. */
-import type { Origin, Session } from '../../../www/src/session'
+import type { Origin, Session } from '../../../www/src/model/session'
 import type { Ground } from '../../../www/src/share/codec'
 
 export function sessionOf(width: number, height: number, cells?: Uint8Array): Session {

@@ -1,7 +1,7 @@
 import type { Survey } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
-import { applyEditTo, type Edit, refusalOf } from '../../../www/src/maps/edit'
-import { hillShade } from '../../../www/src/maps/hill_shade'
+import { applyEditTo, type Edit, refusalOf } from '../../../www/src/model/edit'
+import { hillShade } from '../../../www/src/model/hill_shade'
 import {
   cellOf,
   cropBetween,
@@ -9,7 +9,8 @@ import {
   sizeOf,
   suggested,
   wholeOf,
-} from '../../../www/src/maps/raster_part'
+} from '../../../www/src/model/raster_part'
+import type { Scenario } from '../../../www/src/model/session'
 import {
   fittingRules,
   groundAt,
@@ -17,8 +18,7 @@ import {
   liftEnds,
   lowestLevel,
   shiftLevel,
-} from '../../../www/src/maps/terrain'
-import type { Scenario } from '../../../www/src/session'
+} from '../../../www/src/model/terrain'
 import { terrainOf } from './sessions'
 
 const NO = Number.NaN

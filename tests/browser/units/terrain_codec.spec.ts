@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import type { Session } from '../../../www/src/session'
+import type { Session } from '../../../www/src/model/session'
 import { joined, Reader } from '../../../www/src/share/bytes'
 import { packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'

@@ -8,7 +8,7 @@ import {
   toMap,
   type Viewpoint,
   zoomAt,
-} from '../../../www/src/stage/view'
+} from '../../../www/src/model/viewpoint'
 
 const WHOLE: Viewpoint = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 const map = { width: 36, height: 22 }

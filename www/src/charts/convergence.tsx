@@ -2,9 +2,6 @@ import { effect, signal, useComputed } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
-import { referenceValue } from '../panels/gap'
-import { objectiveWord } from '../panels/objective_words'
-import { panelTitle } from '../panels/planner_text'
 import {
   liveTick,
   lookedAt,
@@ -15,6 +12,9 @@ import {
   slotColour,
   theme,
 } from '../state'
+import { referenceValue } from '../words/gap_words'
+import { objectiveWord } from '../words/objective_words'
+import { panelTitle } from '../words/planner_words'
 import { curvesOf } from './curves'
 import type { PlotStyle } from './plot'
 

@@ -1,7 +1,8 @@
 /** The histories of all panels on one axis of iterations, thinned to what a screen can show. */
-import { isSearch } from '../panels/planner_text'
+
 import { historyOf, type Panel } from '../state'
 import type { HistoryRows } from '../state/history_rows'
+import { isSearch } from '../words/planner_words'
 
 /** Columns of a history row (see messages.ts). */
 const ITERATION = 0

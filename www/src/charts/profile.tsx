@@ -3,10 +3,10 @@ import { computed, effect, useComputed } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
-import { panelTitle } from '../panels/planner_text'
 import { ground } from '../relief/terrain_now'
 import { marked } from '../stage/marked'
 import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
+import { panelTitle } from '../words/planner_words'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 
 /** Curves need not move faster than a reader can follow. */

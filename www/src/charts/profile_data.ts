@@ -1,6 +1,6 @@
 /** A path over a terrain as distances and altitudes. */
-import type { Cell } from '../maps/edit'
-import type { Ground } from '../relief/ground'
+import type { Cell } from '../model/cell'
+import type { Ground } from '../model/relief_ground'
 
 export interface Profile {
   /** Metres along the path as the map has it, without ups and downs. */

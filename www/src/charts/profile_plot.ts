@@ -1,7 +1,7 @@
 /** uPlot, set up for elevation profiles in the page's colours. */
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
-import { chartLook } from './look'
+import { chartLook } from './chart_style'
 import type { Profile } from './profile_data'
 
 export interface Line {

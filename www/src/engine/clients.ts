@@ -1,5 +1,5 @@
 /** The panel clients by panel id: made when first needed, gone when the panel is removed. */
-import type { PanelReply } from '../messages'
+import type { PanelReply } from '../model/messages'
 import { PanelClient } from './panel_client'
 
 const clients = new Map<number, PanelClient>()

@@ -1,8 +1,8 @@
 /** Fetches and compiles each build of the engine once (see builds.ts); workers receive the compiled module and only instantiate it. */
 import coreUrl from '@pkg/core/formicarium_bg.wasm?url'
 import wholeUrl from '@pkg/formicarium_bg.wasm?url'
+import { unreachable } from '../model/errors'
 import type { Build } from './builds'
-import { unreachable } from './errors'
 
 /** The compiled module of a build. */
 export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {

@@ -2,6 +2,8 @@
  * The page's side of one panel's worker. It owns the canvas, because a canvas can be handed to a worker only once: whoever
  * shows the panel mounts this element, however often the page is rendered anew.
  */
+
+import { toEngineError } from '../model/errors'
 import type {
   Answers,
   Frame,
@@ -12,9 +14,8 @@ import type {
   RunSetup,
   Target,
   View,
-} from '../messages'
+} from '../model/messages'
 import { type Build, buildFor } from './builds'
-import { toEngineError } from './errors'
 import { modules } from './load'
 import { newWorker } from './workers'
 

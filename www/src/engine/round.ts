@@ -2,8 +2,8 @@
  * What every panel does next. Playing goes in rounds: each panel gets one target, and the next round is planned when all have
  * reached theirs. That alone keeps panels in step, whatever they count.
  */
-import type { Frame, Target } from '../messages'
-import type { Speed, Sync } from '../session'
+import type { Frame, Target } from '../model/messages'
+import type { Speed, Sync } from '../model/session'
 
 /** What planning needs to know of one running panel. */
 export interface Standing {

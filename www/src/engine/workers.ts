@@ -1,7 +1,8 @@
 /** A new worker on a build of the engine; its first message says whether it is a panel or a set of tools (serve.ts). */
+
+import CoreWorker from '../worker/core.worker?worker'
+import WholeWorker from '../worker/whole.worker?worker'
 import type { Build } from './builds'
-import CoreWorker from './core.worker?worker'
-import WholeWorker from './whole.worker?worker'
 
 export function newWorker(build: Build): Worker {
   return build === 'core' ? new CoreWorker() : new WholeWorker()

@@ -1,6 +1,6 @@
 /** `t` for dialogs: whoever imports it brings their English along. */
 import { addEnglish, type KeyOf, type TextKey, t as tOfPage } from '.'
-import { enDialogs } from './en_dialogs'
+import { enDialogs } from './en/dialogs'
 
 addEnglish(enDialogs)
 

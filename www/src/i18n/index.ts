@@ -1,8 +1,8 @@
 /** Text in the reader's language. `t` reads a signal, so components that call it follow a change of language. */
 import { computed, effect, signal } from '@preact/signals'
 import i18next from 'i18next'
-import { en } from './en'
-import { enEngine } from './en_engine'
+import { enEngine } from './en/engine'
+import { en } from './en/page'
 
 export const LANGUAGES = { en: 'English', 'zh-CN': '简体中文' } as const
 export type Language = keyof typeof LANGUAGES
@@ -56,10 +56,10 @@ async function addChinese(): Promise<void> {
 async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
     const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }, { zhCNSources }] = await Promise.all([
-      import('./zh_cn'),
-      import('./zh_cn_dialogs'),
-      import('./zh_cn_engine'),
-      import('./zh_cn_sources'),
+      import('./zh_cn/page'),
+      import('./zh_cn/dialogs'),
+      import('./zh_cn/engine'),
+      import('./zh_cn/sources'),
     ])
     i18next.addResourceBundle(choice, 'translation', zhCN)
     i18next.addResourceBundle(choice, 'translation', { ...zhCNDialogs, texts: zhCNSources }, true)

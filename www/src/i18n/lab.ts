@@ -1,8 +1,8 @@
 /** `t` for the laboratory, whose words are fetched with it. */
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
-import { enLab } from './en_lab'
-import { enLabResults } from './en_lab_results'
-import { enLabShare } from './en_lab_share'
+import { enLab } from './en/lab'
+import { enLabResults } from './en/lab_results'
+import { enLabShare } from './en/lab_share'
 
 const english = { lab: { ...enLab, ...enLabResults, ...enLabShare } }
 
@@ -15,10 +15,10 @@ export const addLabWords = () => addWords(english, fetchChinese)
 
 async function fetchChinese(): Promise<object> {
   const [{ zhCNLab }, { zhCNLabResults }, { zhCNLabShare }, { zhCNQuestions }] = await Promise.all([
-    import('./zh_cn_lab'),
-    import('./zh_cn_lab_results'),
-    import('./zh_cn_lab_share'),
-    import('./zh_cn_questions'),
+    import('./zh_cn/lab'),
+    import('./zh_cn/lab_results'),
+    import('./zh_cn/lab_share'),
+    import('./zh_cn/questions'),
   ])
   return { lab: { ...zhCNLab, ...zhCNLabResults, ...zhCNLabShare }, texts: zhCNQuestions }
 }

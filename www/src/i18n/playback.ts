@@ -1,6 +1,6 @@
 /** `t` for looking back at runs and into cells, whose words are fetched with it. */
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
-import { enPlayback } from './en_playback'
+import { enPlayback } from './en/playback'
 
 const english = { playback: enPlayback }
 
@@ -12,5 +12,5 @@ export const t = tOfPage as (key: PlaybackKey, args?: Record<string, unknown>) =
 export const addPlaybackWords = () => addWords(english, fetchChinese)
 
 async function fetchChinese(): Promise<object> {
-  return { playback: (await import('./zh_cn_playback')).zhCNPlayback }
+  return { playback: (await import('./zh_cn/playback')).zhCNPlayback }
 }

@@ -1,19 +1,19 @@
-/** The laboratory: everything about experiments, in one part of the page that is fetched when somebody wants to compare. */
+/** The laboratory: everything about comparisons, in one part of the page that is fetched when somebody wants to compare. */
 import '../styles/lab.css'
 import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
-import { Lab } from './lab'
-import { openAddress, openLabDocument } from './opening'
-import { takeResults } from './own/files'
+import { takeResults } from './build/take_results'
+import { Lab } from './view/lab'
+import { openAddress, openLabDocument } from './view/opening'
 
-export { showPublished } from './published/offer'
+export { resultFile } from './run/actions'
 export { compare } from './scripting'
-export { resultFile } from './state'
+export { showPublished } from './view/published_offer'
 export { openLabDocument }
 
 /** A file of somebody's own runs. */
-export async function takeOwnResults(name: string, bytes: Uint8Array): Promise<void> {
+export async function takeImportedResults(name: string, bytes: Uint8Array): Promise<void> {
   await openAddress()
   await takeResults(name, bytes)
 }

@@ -3,8 +3,8 @@ import { effect } from '@preact/signals'
 import { showView } from '../state'
 import { compose } from './build/compose'
 import { seeds, takeRace } from './build/draft'
-import { openAddress } from './opening'
-import { phase, progress, resultFile, startStudy } from './state'
+import { phase, progress, resultFile, startStudy } from './run/actions'
+import { openAddress } from './view/opening'
 
 export interface CompareOptions {
   /** A `formicarium/comparison@1` document, as text; the map and the planners that race now, if none is given. */

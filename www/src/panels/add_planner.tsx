@@ -1,13 +1,13 @@
 import type { CatalogEntry } from '@pkg/formicarium'
 import { BookOpen, Plus, RotateCw } from 'lucide'
 import { t } from '../i18n'
-import { cardOf, showCard } from '../papers/cards'
-import { MAX_PANELS } from '../session'
+import { MAX_PANELS } from '../model/session'
 import { addPanel, catalog, fetchRest, fetchUnasked, panels, rest } from '../state'
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
-import { FAMILIES, plannerName, plannerSummary, whyNot } from './planner_text'
+import { cardOf, showCard } from '../words/paper_cards'
+import { FAMILIES, plannerName, plannerSummary, whyNot } from '../words/planner_words'
 
 /** More would be a wall of buttons. */
 const MOST_BUTTONS = 8

@@ -2,8 +2,8 @@
 import { effect, untracked } from '@preact/signals'
 import { numbers, t } from '../i18n'
 import { announce, type Panel, panels, phase } from '../state'
-import { panelGap } from './gap'
-import { panelTitle } from './planner_text'
+import { panelGap } from '../words/gap_words'
+import { panelTitle } from '../words/planner_words'
 
 export function announceResults(): void {
   effect(() => {

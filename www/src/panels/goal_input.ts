@@ -1,7 +1,7 @@
 /** Reads what is typed into the table of goals. Refusals have the engine's kinds, so that they read as the engine's own. */
 import type { EngineError, Goal, ScenarioSpec } from '@pkg/formicarium'
-import type { Cell } from '../maps/edit'
-import { goalWeight } from '../maps/goals'
+import type { Cell } from '../model/cell'
+import { goalWeight } from '../model/goals'
 
 type Quantity = 'area' | 'strength' | 'danger'
 

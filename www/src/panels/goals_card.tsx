@@ -5,13 +5,13 @@ import { MapPinPlus, X } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { numbers, t } from '../i18n'
 import { describeError } from '../i18n/errors'
-import { goalName, goalWeight } from '../maps/goals'
-import { MAX_GOALS } from '../session'
+import { goalName, goalWeight } from '../model/goals'
+import { MAX_GOALS } from '../model/session'
 import { activeGoal, applyEdit, goalsShown, scenario, tool } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { bringIntoSight } from '../ui/sight'
 import { placeError, quantityError, readPlace } from './goal_input'
-import { GOALS_ID, goalsSought } from './goals'
+import { GOALS_ID, goalsSought } from './goals_shown'
 
 const QUANTITIES = ['area', 'strength', 'danger'] as const
 const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const

@@ -1,6 +1,6 @@
 /** A tour leg by leg: what was planned, what is walked, and what it weighs. */
 import { numbers, t } from '../i18n'
-import { goalName, goalWeight } from '../maps/goals'
+import { goalName, goalWeight } from '../model/goals'
 import { type Panel, panelById, scenario, shownOf } from '../state'
 
 export default function Legs({ panel }: { panel: Panel }) {

@@ -1,5 +1,5 @@
 import { numbers, t } from '../i18n'
-import { goalName } from '../maps/goals'
+import { goalName } from '../model/goals'
 import {
   type Panel,
   panels,
@@ -9,10 +9,10 @@ import {
   shownOf,
   slotColour,
 } from '../state'
-import { panelGap } from './gap'
-import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from './metric_rows'
-import { objectiveWord } from './objective_words'
-import { panelTitle } from './planner_text'
+import { panelGap } from '../words/gap_words'
+import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from '../words/metric_rows'
+import { objectiveWord } from '../words/objective_words'
+import { panelTitle } from '../words/planner_words'
 
 /** Every panel's numbers side by side; the better one of a row stands out. */
 export function MetricsTable() {

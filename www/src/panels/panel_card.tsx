@@ -3,7 +3,7 @@ import { useComputed } from '@preact/signals'
 import { LoaderCircle, SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
-import { Stage } from '../stage/Stage'
+import { Stage } from '../stage/stage'
 import {
   catalog,
   layer,
@@ -21,8 +21,8 @@ import {
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
+import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from '../words/planner_words'
 import { cardId, showParameters } from './parameters'
-import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from './planner_text'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 

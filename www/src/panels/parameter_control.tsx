@@ -3,9 +3,9 @@ import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import { engineText, t, translated } from '../i18n'
 import { describeError } from '../i18n/errors'
-import type { ParamValues } from '../messages'
+import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
-import { optionName, paramMeaning } from './planner_text'
+import { optionName, paramMeaning } from '../words/planner_words'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]

@@ -2,9 +2,8 @@ import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
 import { ArrowUp, BookOpen } from 'lucide'
 import { t, translated } from '../i18n'
-import type { ParamValues } from '../messages'
-import { cardOf, showCard } from '../papers/cards'
-import type { PanelSetup } from '../session'
+import type { ParamValues } from '../model/messages'
+import type { PanelSetup } from '../model/session'
 import {
   type Panel,
   panelById,
@@ -20,8 +19,9 @@ import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
 import { bringIntoSight } from '../ui/sight'
+import { cardOf, showCard } from '../words/paper_cards'
+import { panelTitle, plannerSummary, presetName } from '../words/planner_words'
 import { ParameterControl } from './parameter_control'
-import { panelTitle, plannerSummary, presetName } from './planner_text'
 
 const SECTION_ID = 'parameters'
 

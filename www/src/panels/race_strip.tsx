@@ -2,7 +2,6 @@ import type { Layer, Objective, ScenarioSpec, SliceRules } from '@pkg/formicariu
 import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import { fitWholeMap, onTerrain, zoomView } from '../relief/mode'
 import {
   layer,
   objectives,
@@ -15,14 +14,15 @@ import {
   showAnts,
   showPath,
 } from '../state'
+import { show } from '../state/dialogs'
+import { fitWholeMap, onTerrain, zoomView } from '../state/relief'
 import { IconButton } from '../ui/buttons'
-import { show } from '../ui/dialogs'
 import { Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
+import { referenceValue } from '../words/gap_words'
+import { objectiveWord } from '../words/objective_words'
 import { AddPlannerMenu } from './add_planner'
-import { referenceValue } from './gap'
-import { showGoals } from './goals'
-import { objectiveWord } from './objective_words'
+import { showGoals } from './goals_shown'
 
 const ReliefControls = lazily(async () => (await import('../relief/controls')).ReliefControls)
 

@@ -1,9 +1,9 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, type TextKey, t } from '../i18n'
 import { type Panel, referenceOf, shownOf } from '../state'
-import { panelGap } from './gap'
-import { type ObjectiveWord, objectiveWord } from './objective_words'
-import { isSearch, panelTitle } from './planner_text'
+import { panelGap } from '../words/gap_words'
+import { type ObjectiveWord, objectiveWord } from '../words/objective_words'
+import { isSearch, panelTitle } from '../words/planner_words'
 
 /** The panel's result at a glance: how far from the best there is, how long, how far it has come. */
 export function Readout({ panel, place }: { panel: Panel; place: number }) {

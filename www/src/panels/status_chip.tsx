@@ -3,8 +3,8 @@ import { BadgeCheck, TriangleAlert } from 'lucide'
 import { t } from '../i18n'
 import { type Panel, type Phase, phase, shownOf, type Verification } from '../state'
 import { Icon } from '../ui/icon'
-import { objectiveWord } from './objective_words'
-import { isSearch } from './planner_text'
+import { objectiveWord } from '../words/objective_words'
+import { isSearch } from '../words/planner_words'
 import { OTHER_VALUES } from './readout'
 
 type StatusWord =

@@ -1,5 +1,5 @@
 /** Paints a difference of trails: one pixel a cell, a diverging scale between two hues that colour-blind readers tell apart. */
-import type { Scenario } from '../session'
+import type { Scenario } from '../model/session'
 import { differenceAt, type Trails } from './difference'
 
 type Rgb = [number, number, number]

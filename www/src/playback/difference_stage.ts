@@ -1,11 +1,9 @@
 /** The difference's canvas on the page's own thread: seen from where all maps are seen, shifted and zoomed like them, never edited. */
 import type { ReadonlySignal, Signal } from '@preact/signals'
-import { type Cell, isInside, sameCell } from '../maps/edit'
-import type { Scenario } from '../session'
-import { drawMarksAt, markRadius } from '../stage/draw_marks'
-import { MapHold } from '../stage/hold'
-import { ARROWS, STRIDE, shiftCursor } from '../stage/keyboard'
-import { type CanvasSize, type Cursor, place } from '../stage/look'
+import { drawMarksAt, markRadius } from '../drawing/draw_marks'
+import type { Cell } from '../model/cell'
+import { isInside, sameCell } from '../model/edit'
+import type { Scenario } from '../model/session'
 import {
   fitView,
   type Placement,
@@ -15,7 +13,10 @@ import {
   viewpoint,
   zoomAt,
   zoomBy,
-} from '../stage/view'
+} from '../model/viewpoint'
+import { MapHold } from '../stage/hold'
+import { ARROWS, STRIDE, shiftCursor } from '../stage/keyboard'
+import { type CanvasSize, type Cursor, place } from '../stage/panel_view'
 import { scenario, theme } from '../state'
 import { type Trails, trails } from './difference'
 import { paintDifference } from './difference_map'

@@ -5,10 +5,10 @@ import { useLayoutEffect, useRef } from 'preact/hooks'
 import { client } from '../engine/clients'
 import { numbers } from '../i18n'
 import { type PlaybackKey, t } from '../i18n/playback'
-import { type Cell, isBlocked, isInside } from '../maps/edit'
-import { goalIndexAt } from '../maps/goals'
-import { panelTitle } from '../panels/planner_text'
-import { type CanvasSize, place } from '../stage/look'
+import type { Cell } from '../model/cell'
+import { isBlocked, isInside } from '../model/edit'
+import { goalIndexAt } from '../model/goals'
+import { type CanvasSize, place } from '../stage/panel_view'
 import {
   inspected,
   liveTick,
@@ -19,8 +19,9 @@ import {
   shownOf,
   tool,
 } from '../state'
+import { openDialog } from '../state/dialogs'
 import { IconButton } from '../ui/buttons'
-import { openDialog } from '../ui/dialogs'
+import { panelTitle } from '../words/planner_words'
 import { MoveArrows } from './move_arrows'
 import { MoveTable } from './move_table'
 import { byDirection, coloniesOf, type Move, movesOf } from './moves'

@@ -1,6 +1,6 @@
 /** The moves of a cell as arrows on the flat map, the wider the likelier. */
-import type { Cell } from '../maps/edit'
-import { type CanvasSize, place } from '../stage/look'
+import type { Cell } from '../model/cell'
+import { type CanvasSize, place } from '../stage/panel_view'
 import { panelColour } from '../state'
 import type { Move } from './moves'
 

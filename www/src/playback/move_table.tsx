@@ -1,7 +1,7 @@
 /** The moves of a cell as a table, clockwise from the north. */
 import { language } from '../i18n'
 import { t } from '../i18n/playback'
-import type { Cell } from '../maps/edit'
+import type { Cell } from '../model/cell'
 import { headingOf, type Move } from './moves'
 
 interface MoveTableProps {

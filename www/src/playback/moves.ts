@@ -1,5 +1,5 @@
 /** What an ant weighs on a cell, as rows to be read and drawn. */
-import type { Answers } from '../messages'
+import type { Answers } from '../model/messages'
 
 export interface Move {
   /** Which of the planner's colonies: the leg of a tour, of two teams 1 for the one from the goal. */

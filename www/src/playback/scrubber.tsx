@@ -7,7 +7,7 @@ import { t } from '../i18n/playback'
 import { leavePast, lookedAt, panels, phase } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
-import { lastIteration, lookBy, lookTo, recomputing } from './look'
+import { lastIteration, lookBy, lookTo, recomputing } from './look_back'
 
 const MIB = 1024 * 1024
 

@@ -16,8 +16,8 @@ import {
 import { Line2 } from 'three/examples/jsm/lines/Line2.js'
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
-import type { View } from '../messages'
-import type { Ground } from './ground'
+import type { View } from '../model/messages'
+import type { Ground } from '../model/relief_ground'
 import type { Lattice } from './mesh'
 
 const HALO = { light: '#ffffff', dark: '#0c0e14' }

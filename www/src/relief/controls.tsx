@@ -2,8 +2,8 @@
 import { Mountain } from 'lucide'
 import { useId } from 'preact/hooks'
 import { numbers, t } from '../i18n'
+import { inRelief, showContours, showRelief } from '../state/relief'
 import { IconButton } from '../ui/buttons'
-import { inRelief, showContours, showRelief } from './mode'
 import { chooseStretch, stretch, stretches } from './terrain_now'
 
 export function ReliefControls() {

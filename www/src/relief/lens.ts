@@ -1,7 +1,7 @@
 /** One panel's camera: where it stands for the shared eye, what it sees where. */
 import { PerspectiveCamera, Vector3 } from 'three'
+import type { Ground, Vector } from '../model/relief_ground'
 import type { Eye } from './eye'
-import type { Ground, Vector } from './ground'
 
 const FIELD_OF_VIEW = 28
 /** Part of the picture that the whole map may take: marks at its corners are larger than the corners. */

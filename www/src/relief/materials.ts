@@ -1,7 +1,7 @@
 /** What the ground is made of: the panel's picture in the light of the north-west, with contour lines. */
 import { Color, DoubleSide, MeshBasicMaterial, MeshLambertMaterial } from 'three'
-import type { View } from '../messages'
-import type { Ground } from './ground'
+import type { View } from '../model/messages'
+import type { Ground } from '../model/relief_ground'
 
 const LINES = { light: '#4e3a22', dark: '#f0e6d0' }
 const LINE_STRENGTH = { light: 0.5, dark: 0.2 }

@@ -1,6 +1,6 @@
 /** The ground as triangles: a lattice of at most so many places a side, with walls down to a plinth around it. */
 import { BufferAttribute, BufferGeometry } from 'three'
-import type { Ground } from './ground'
+import type { Ground } from '../model/relief_ground'
 
 /** Larger maps are drawn at every so-manyth cell: a screen shows no more, and a slow machine can still turn them. */
 export const MOST_PLACES = 257

@@ -1,11 +1,11 @@
 /** What is drawn flat over the ground: start, goals, the cell cursor. Where a hill hides a mark, it is faint. */
 
-import { goalName } from '../maps/goals'
-import type { Scenario } from '../session'
-import { drawMarksAt, type MarkPlaces } from '../stage/draw_marks'
-import type { Cursor } from '../stage/look'
+import { drawMarksAt, type MarkPlaces } from '../drawing/draw_marks'
+import { goalName } from '../model/goals'
+import type { Ground, Vector } from '../model/relief_ground'
+import type { Scenario } from '../model/session'
+import type { Cursor } from '../stage/panel_view'
 import { theme } from '../state'
-import type { Ground, Vector } from './ground'
 import type { Lens } from './lens'
 
 const CURSOR = {

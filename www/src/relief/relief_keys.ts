@@ -4,10 +4,10 @@
  */
 import type { Signal } from '@preact/signals'
 import { t } from '../i18n'
-import type { Cell } from '../maps/edit'
-import type { Scenario } from '../session'
+import type { Cell } from '../model/cell'
+import type { Scenario } from '../model/session'
 import { ARROWS, handleAtCursor, handleInspection, STRIDE, shiftCursor } from '../stage/keyboard'
-import type { Cursor } from '../stage/look'
+import type { Cursor } from '../stage/panel_view'
 import { announce, scenario } from '../state'
 import { orbit, resetEye, shiftEye, turned, zoomEye } from './eye'
 import { placesEnds } from './relief_pointer'

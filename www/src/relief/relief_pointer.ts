@@ -4,12 +4,12 @@
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
-import type { Cell } from '../maps/edit'
+import type { Cell } from '../model/cell'
 import { type Brush, brushFor, newGesture, stroke } from '../stage/brush'
-import type { CanvasSize, Cursor } from '../stage/look'
+import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { activeGoal, applyEdit, notify, refuseMoreGoals, scenario, tool } from '../state'
+import { showRelief } from '../state/relief'
 import { orbit, resetEye, shiftEye, zoomEye } from './eye'
-import { showRelief } from './mode'
 import { endsOf, markSize } from './overlay'
 import type { ReliefView } from './relief_view'
 

@@ -12,9 +12,9 @@ import {
   Texture,
   WebGLRenderer,
 } from 'three'
-import type { View } from '../messages'
+import type { View } from '../model/messages'
+import type { Ground } from '../model/relief_ground'
 import type { Content } from './content'
-import type { Ground } from './ground'
 import type { Lens } from './lens'
 import { groundMaterial, plinthColour, plinthMaterial } from './materials'
 import { groundMesh, Lattice, plinthMesh } from './mesh'

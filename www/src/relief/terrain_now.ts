@@ -1,7 +1,7 @@
 /** The present terrain's surface, and how much it is exaggerated: one for all panels. */
 import { computed, signal } from '@preact/signals'
+import { Ground } from '../model/relief_ground'
 import { scenario } from '../state'
-import { Ground } from './ground'
 
 /** What the reader has chosen; null as long as the map chooses. */
 const chosen = signal<{ heights: Float32Array; times: number } | null>(null)

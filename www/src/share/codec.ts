@@ -12,12 +12,12 @@
  *
  * Planes are written as version 1. A terrain is version 2, so that a page that knows no heights says so instead of showing a plane.
  */
-import type { Origin, Scenario, Session } from '../session'
+import type { Origin, Scenario, Session } from '../model/session'
 import { bitsOf, joined, Reader, readBits, varint } from './bytes'
-import { fieldsOf, invalid, oneOf } from './check'
+import { fieldsOf, invalid, oneOf } from './checks'
 import { damaged, LinkError } from './error'
-import { type Described, documentOf, MAX_SIDE, readDocument } from './experiment'
 import { packHeights, unpackHeights } from './heights'
+import { type Described, documentOf, MAX_SIDE, readDocument } from './session_document'
 
 /** What a map consists of, whoever made it. */
 export type Ground = Pick<Scenario, 'cells' | 'heights'>

@@ -1,9 +1,9 @@
 /** Sessions as links and as experiment files. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { heightsOf } from '../maps/heights'
-import type { Session } from '../session'
-import { type Fields, fieldsOf, invalid, list, real, text } from './check'
+import { heightsOf } from '../model/height_bytes'
+import type { Session } from '../model/session'
+import { type Fields, fieldsOf, invalid, list, real, text } from './checks'
 import {
   blockedWithoutData,
   type Generate,
@@ -14,7 +14,7 @@ import {
 } from './codec'
 import { open, seal } from './envelope'
 import { LinkError } from './error'
-import { documentOf, readDocument } from './experiment'
+import { documentOf, readDocument } from './session_document'
 
 export { LinkError } from './error'
 

@@ -1,7 +1,8 @@
 /** What a tool does to the cell under it: one rule for pointer, touch and keys. */
-import { type Cell, type Edit, isBlocked, sameCell } from '../maps/edit'
-import { goalIndexAt } from '../maps/goals'
-import { MAX_GOALS, type Scenario } from '../session'
+import type { Cell } from '../model/cell'
+import { type Edit, isBlocked, sameCell } from '../model/edit'
+import { goalIndexAt } from '../model/goals'
+import { MAX_GOALS, type Scenario } from '../model/session'
 import type { Tool } from '../state'
 
 /** One drag, or one key press: decided at its first cell, kept to its end. */

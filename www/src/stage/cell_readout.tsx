@@ -2,8 +2,8 @@
 import type { ReadonlySignal } from '@preact/signals'
 import { t } from '../i18n'
 import { scenario } from '../state'
-import { heightWords } from './heights'
-import type { Cursor } from './look'
+import { heightWords } from '../words/height_words'
+import type { Cursor } from './panel_view'
 
 export function CellReadout({ cursor }: { cursor: ReadonlySignal<Cursor | null> }) {
   const now = scenario.value

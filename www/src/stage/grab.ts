@@ -1,9 +1,10 @@
 /** Finds the start or goal marker under a point: they can be dragged with any tool, even when a cell is smaller than its marker. */
-import type { Cell } from '../maps/edit'
-import type { Scenario } from '../session'
+
+import { markRadius } from '../drawing/draw_marks'
+import type { Cell } from '../model/cell'
+import type { Scenario } from '../model/session'
+import type { Placement, Point } from '../model/viewpoint'
 import type { Brush } from './brush'
-import { markRadius } from './draw_marks'
-import type { Placement, Point } from './view'
 
 export interface Grabbed {
   brush: Exclude<Brush, { kind: 'wall' }>

@@ -1,6 +1,7 @@
 /** Pointers that hold the map itself: one shifts it, two shift and zoom it. */
+
+import { type Point, panBy, type Size, viewpoint, zoomAt } from '../model/viewpoint'
 import { scenario } from '../state'
-import { type Point, panBy, type Size, viewpoint, zoomAt } from './view'
 
 export class MapHold {
   private readonly points = new Map<number, Point>()

@@ -1,9 +1,19 @@
 /** Which cell of which panel is looked into. What there is to see is fetched with the first look. */
-import type { Cell } from '../maps/edit'
-import { inspected } from '../state'
-import { lazily } from '../ui/lazily'
 
-export const Inspector = lazily(async () => (await import('../playback')).fetchInspector())
+import type { Signal } from '@preact/signals'
+import type { Cell } from '../model/cell'
+import { inspected } from '../state'
+import { lazyParts } from '../state/lazy_parts'
+import { lazily } from '../ui/lazily'
+import type { CanvasSize } from './panel_view'
+
+interface Looking {
+  panelId: number
+  /** Null where nothing can be drawn over the map. */
+  size: Signal<CanvasSize> | null
+}
+
+export const Inspector = lazily<Looking>(() => lazyParts.inspector())
 
 /** Looks into cells of one panel. */
 export const inspector = (panelId: number) => (cell: Cell) => {

@@ -4,9 +4,11 @@
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
-import { type Cell, isBlocked, sameCell } from '../maps/edit'
-import { goalIndexAt, goalName } from '../maps/goals'
-import type { Scenario } from '../session'
+import type { Cell } from '../model/cell'
+import { isBlocked, sameCell } from '../model/edit'
+import { goalIndexAt, goalName } from '../model/goals'
+import type { Scenario } from '../model/session'
+import { fitView, panBy, reveal, type Size, viewpoint, zoomBy } from '../model/viewpoint'
 import {
   activeGoal,
   announce,
@@ -16,10 +18,9 @@ import {
   scenario,
   tool,
 } from '../state'
+import { heightWords } from '../words/height_words'
 import { brushFor, newGesture, stroke } from './brush'
-import { heightWords } from './heights'
-import type { Cursor } from './look'
-import { fitView, panBy, reveal, type Size, viewpoint, zoomBy } from './view'
+import type { Cursor } from './panel_view'
 
 export const ARROWS: Record<string, Cell> = {
   ArrowLeft: [-1, 0],

@@ -1,7 +1,7 @@
 /** A place on a panel's map that something beside the map points at, as the elevation profile does. */
 import { signal } from '@preact/signals'
-import type { Cell } from '../maps/edit'
-import type { Cursor } from './look'
+import type { Cell } from '../model/cell'
+import type { Cursor } from './panel_view'
 
 /** By panel id. */
 export const marked = signal<ReadonlyMap<number, Cell>>(new Map())

@@ -1,6 +1,6 @@
 /** What a stage needs to know of its element, and how often it tells its worker. */
 import { effect } from '@preact/signals'
-import type { CanvasSize } from './look'
+import type { CanvasSize } from './panel_view'
 
 /** Reports the element's size in device pixels, now and whenever it or the pixel ratio changes. */
 export function measure(element: HTMLElement, report: (size: CanvasSize) => void): () => void {

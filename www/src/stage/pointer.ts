@@ -3,13 +3,14 @@
  * the wheel and pinching zoom. Moves are gathered and applied once a frame, joined by lines so that fast drags leave no holes.
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
-import { type Cell, isInside, sameCell } from '../maps/edit'
+import type { Cell } from '../model/cell'
+import { isInside, sameCell } from '../model/edit'
+import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
 import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { type Brush, brushFor, newGesture, stroke } from './brush'
 import { type Grabbed, grabbed } from './grab'
 import { MapHold } from './hold'
-import { type CanvasSize, type Cursor, place } from './look'
-import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from './view'
+import { type CanvasSize, type Cursor, place } from './panel_view'
 
 interface Drawing {
   pointerId: number

@@ -2,12 +2,14 @@
 
 import type { EngineError, ExportFormat, Imported, Kind, ScenLine } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
-import { type TerrainPart, tools } from '../engine/tools'
+import { tools } from '../engine/tools'
 import { t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import { heightsOf } from '../maps/heights'
-import { liftEnds } from '../maps/terrain'
-import { goalAt, type Scenario, type Session } from '../session'
+import { heightsOf } from '../model/height_bytes'
+import { goalAt, type Scenario, type Session } from '../model/session'
+import { liftEnds } from '../model/terrain'
+import type { TerrainPart } from '../model/tool_calls'
+import { lazyParts } from './lazy_parts'
 import { notify, notifyError } from './notices'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
@@ -45,7 +47,7 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
     return openText(await textOfPng(bytes))
   }
   const kind = await tools.sniff(bytes, name)
-  if (kind === 'experiment') await openExperiment(bytes)
+  if (kind === 'session') await openExperiment(bytes)
   else if (kind === 'comparison') await openInLab(new TextDecoder().decode(bytes))
   else if (kind === 'results') await takeInLab(bytes, name)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
@@ -58,7 +60,7 @@ export async function openText(text: string, opening: Opening = {}): Promise<voi
   // A file may well mention a link.
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
-    const { decodeFragment } = await import('../lab/share/link')
+    const { decodeFragment } = await import('../share/comparison_link')
     await openInLab(await decodeFragment(fragment))
   } else if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
   else await openFile(new TextEncoder().encode(text), t('maps.pastedName'), opening)
@@ -88,16 +90,16 @@ async function openExperiment(bytes: Uint8Array): Promise<void> {
 
 /** A comparison of many runs. */
 async function openInLab(text: string): Promise<void> {
-  const { openLabDocument } = await import('../lab')
+  const { openLabDocument } = await lazyParts.lab()
   showView('lab')
   await openLabDocument(text)
 }
 
 /** Runs that were made elsewhere. */
 async function takeInLab(bytes: Uint8Array, name: string): Promise<void> {
-  const { takeOwnResults } = await import('../lab')
+  const { takeImportedResults } = await lazyParts.lab()
   showView('lab')
-  await takeOwnResults(name, bytes)
+  await takeImportedResults(name, bytes)
 }
 
 /** PNG, as its first bytes say. */

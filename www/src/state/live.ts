@@ -3,7 +3,7 @@
  * canvases move every frame in their workers, numbers need not.
  */
 import { batch } from '@preact/signals'
-import type { PanelReply } from '../messages'
+import type { PanelReply } from '../model/messages'
 import { HistoryRows } from './history_rows'
 import { blankLive, liveTick, type PanelLive, panelById } from './store'
 

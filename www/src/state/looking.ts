@@ -1,7 +1,7 @@
 /** Looking back at the runs and into their cells: what is looked at. How that is done is fetched when somebody looks (playback/). */
 import { batch, signal } from '@preact/signals'
 import { client } from '../engine/clients'
-import type { Cell } from '../maps/edit'
+import type { Cell } from '../model/cell'
 import { type Panel, type PanelLive, panels } from './store'
 
 /** The iteration that every panel shows; null for where the runs stand. */

@@ -1,10 +1,10 @@
 /** Keeps the engine's remarks, and what results are compared with, in step with the scenario and the panels' objectives. */
 import type { Notice, Objective, Reference } from '@pkg/formicarium'
 import { computed, effect } from '@preact/signals'
-import { toEngineError } from '../engine/errors'
 import { tools } from '../engine/tools'
-import { question } from '../maps/goals'
-import type { Scenario } from '../session'
+import { toEngineError } from '../model/errors'
+import { question } from '../model/goals'
+import type { Scenario } from '../model/session'
 import { type Panel, panels, references, scenario, scenarioNotices } from './store'
 
 /** Long enough that a drag does not ask for every cell it crosses. */

@@ -2,8 +2,8 @@
 
 import type { ParamSpec } from '@pkg/formicarium'
 import { batch, signal } from '@preact/signals'
-import type { ParamValues } from '../messages'
-import { MAX_PANELS, type PanelSetup } from '../session'
+import type { ParamValues } from '../model/messages'
+import { MAX_PANELS, type PanelSetup } from '../model/session'
 import { dropRun, reset, restart } from './runs'
 import {
   blankLive,

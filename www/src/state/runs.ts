@@ -1,11 +1,10 @@
 /** The state machine of the runs: editing → running ⇄ paused → finished, and back to editing by any change. */
 import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
-import type { RunSetup } from '../messages'
-import type { Scenario } from '../session'
+import type { RunSetup } from '../model/messages'
+import type { Scenario } from '../model/session'
 import { clearLive, flushLive, forget, onReply } from './live'
 import { leavePast } from './looking'
-import { fetchRest } from './rest'
 import {
   liveTick,
   type Panel,
@@ -17,6 +16,7 @@ import {
   speed,
   sync,
 } from './store'
+import { fetchRest } from './whole_engine'
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),

@@ -2,23 +2,24 @@
 
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
+import { type GalleryEntry, gallery } from '../gallery/gallery'
+import type { Racer } from '../gallery/paper_maps'
 import { t } from '../i18n'
-import { applyEditTo, type Edit, refusalOf } from '../maps/edit'
-import { type GalleryEntry, gallery } from '../maps/gallery'
-import { askSame, takenCells } from '../maps/goals'
-import { heightsOf } from '../maps/heights'
-import type { Racer } from '../maps/paper_maps'
-import { settleGoals } from '../maps/settle'
-import { plainTerrain } from '../maps/terrain'
-import { MAX_GOALS, type Origin, type Scenario } from '../session'
-import { createHistory } from '../stage/history'
-import { fitView } from '../stage/view'
+import { applyEditTo, type Edit, refusalOf } from '../model/edit'
+import { askSame, takenCells } from '../model/goals'
+import { heightsOf } from '../model/height_bytes'
+import { MAX_GOALS, type Origin, type Scenario } from '../model/session'
+import { settleGoals } from '../model/settle'
+import { plainTerrain } from '../model/terrain'
+import { fitView } from '../model/viewpoint'
+import { createHistory } from './history'
+import { lazyParts } from './lazy_parts'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
-import { fetchRest } from './rest'
 import { pause, play, reset, restart } from './runs'
 import { suitSpeed } from './speed'
 import { activeGoal, galleryId, panels, phase, plannerEntry, rest, scenario, tool } from './store'
+import { fetchRest } from './whole_engine'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
@@ -133,7 +134,10 @@ export async function openGallery(id: string): Promise<void> {
 /** What the paper reports can be asked again, over many runs. */
 function offerQuestion(): void {
   const run = () =>
-    void import('../lab').then(({ showPublished }) => showPublished()).catch(notifyError)
+    void lazyParts
+      .lab()
+      .then(({ showPublished }) => showPublished())
+      .catch(notifyError)
   notify('info', t('notices.paperReported'), {
     action: { label: t('notices.paperReproduced'), run },
   })

@@ -1,5 +1,5 @@
 /** How fast the runs play: as the reader says; until then, fast enough for the map on show. */
-import { ITERATION_SPEED, type Scenario } from '../session'
+import { ITERATION_SPEED, type Scenario } from '../model/session'
 import { speed } from './store'
 
 /** On a larger map ants that walk cell by cell take minutes to arrive. */

@@ -1,14 +1,14 @@
 /** From an empty page to a running one. */
 
 import { effect, untracked } from '@preact/signals'
-import { toEngineError } from '../engine/errors'
 import { tools } from '../engine/tools'
-import { keepSession, openKept } from './keep'
+import { toEngineError } from '../model/errors'
+import { keepSession, openKept } from './keep_session'
 import { watchScenario } from './optimum'
-import { fetchRestWhenIdle } from './rest'
 import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
 import { catalog, engineVersion, rest, startError } from './store'
 import { followAddress } from './view'
+import { fetchRestWhenIdle } from './whole_engine'
 
 let watching = false
 

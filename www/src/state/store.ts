@@ -14,7 +14,7 @@ import type {
   RunSummary,
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
-import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../session'
+import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../model/session'
 import { slotColour } from './colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */

@@ -1,7 +1,8 @@
 /** Rasters of heights: looked at first, then opened as a whole or in part. */
 import type { Imported, Survey } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
-import { type TerrainPart, tools } from '../engine/tools'
+import { tools } from '../engine/tools'
+import type { TerrainPart } from '../model/tool_calls'
 
 export interface TerrainFile {
   name: string

@@ -1,6 +1,6 @@
 import { BrickWall, CircleDot, Compass, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
 import { t } from '../i18n'
-import { goalName } from '../maps/goals'
+import { goalName } from '../model/goals'
 import { activeGoal, canRedo, canUndo, redo, scenario, type Tool, tool, undo } from '../state'
 import { IconButton } from '../ui/buttons'
 

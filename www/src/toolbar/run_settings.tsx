@@ -1,7 +1,7 @@
 import { Dices } from 'lucide'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import type { Sync } from '../session'
+import type { Sync } from '../model/session'
 import { notifyError, seed, setSeed, sync } from '../state'
 import { IconButton } from '../ui/buttons'
 import { NumberField, Select } from '../ui/fields'

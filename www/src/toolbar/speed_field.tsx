@@ -1,6 +1,6 @@
 import { useId } from 'preact/hooks'
 import { t } from '../i18n'
-import { SPEEDS } from '../session'
+import { SPEEDS } from '../model/session'
 import { chooseSpeed, speed } from '../state'
 
 export function SpeedField() {

@@ -1,9 +1,9 @@
 /** How many runs, and what each may spend. */
 import { useId } from 'preact/hooks'
 import { t } from '../../i18n/lab'
+import type { Budget } from '../../model/comparison'
 import { NumberField, Select } from '../../ui/fields'
 import { FormError } from '../../ui/form_error'
-import type { Budget } from '../document'
 import { budget, change, MAX_SEEDS, seeds, untilBudget } from './draft'
 import { refusalOf } from './refusals'
 

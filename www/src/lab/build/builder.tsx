@@ -6,8 +6,8 @@ import { t } from '../../i18n/lab'
 import { catalog, rest, scenario } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
-import { withOwnFiles } from '../own/files'
-import { startStudy } from '../state'
+import { startStudy } from '../run/actions'
+import { withImportedFiles } from '../store/imported_files'
 import { BudgetFields } from './budget'
 import { compose } from './compose'
 import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
@@ -75,7 +75,7 @@ function StartBar() {
     setBusy(true)
     refusal.value = null
     try {
-      await startStudy(await withOwnFiles(await compose()))
+      await startStudy(await withImportedFiles(await compose()))
     } catch (error) {
       refusal.value = error
     }

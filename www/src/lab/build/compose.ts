@@ -1,8 +1,6 @@
 /** From what was put together to the document that is run. */
 import { tools } from '../../engine/tools'
 import { t } from '../../i18n/lab'
-import type { ParamValues } from '../../messages'
-import { plannerEntry } from '../../state'
 import {
   type Contender,
   type LabDocument,
@@ -11,9 +9,12 @@ import {
   type Question,
   RESULT_FORMAT,
   textOf,
-} from '../document'
-import { uniqueId } from '../names'
-import { budget, type DraftEntry, entries, maps, seeds, untilBudget } from './draft'
+} from '../../model/comparison'
+import type { DraftEntry } from '../../model/draft'
+import type { ParamValues } from '../../model/messages'
+import { plannerEntry } from '../../state'
+import { uniqueId } from '../store/names'
+import { budget, entries, maps, seeds, untilBudget } from './draft'
 import { idsOf, labelOf, titleOf } from './labels'
 
 export async function compose(): Promise<string> {

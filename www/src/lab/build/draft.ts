@@ -1,29 +1,11 @@
 /** What is going to be asked, while it is being put together. */
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
-import { mapName } from '../../maps/map_menu'
-import type { ParamValues } from '../../messages'
-import { namesakeMark, plannerName } from '../../panels/planner_text'
-import type { Scenario } from '../../session'
+import type { Budget } from '../../model/comparison'
+import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
+import type { Scenario } from '../../model/session'
 import { panels, plannerEntry, scenario, view } from '../../state'
-import type { Budget } from '../document'
-
-export interface DraftMap {
-  key: number
-  name: string
-  scenario: Scenario
-}
-
-export interface DraftEntry {
-  key: number
-  planner: string
-  preset: string | null
-  /** Only the values that differ from the catalog's defaults. */
-  params: ParamValues
-  /** As the reader wrote it; null: by its planner. */
-  label: string | null
-  /** Of an ablation: which entry it is. */
-  id: string | null
-}
+import { mapName } from '../../words/map_names'
+import { namesakeMark, plannerName } from '../../words/planner_words'
 
 export const MAX_SEEDS = 100_000
 const USUAL_SEEDS = 30
@@ -73,16 +55,6 @@ export function takeRace(): void {
     title.value = null
     refusal.value = null
   })
-}
-
-export interface Filling {
-  maps: Omit<DraftMap, 'key'>[]
-  entries: Omit<DraftEntry, 'key'>[]
-  seeds: { from: number; count: number }
-  budget: Budget | null
-  ablated: string | null
-  untilBudget?: boolean
-  title?: string | null
 }
 
 /** All of it as it stands; null while there is nothing in it. */

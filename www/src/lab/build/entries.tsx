@@ -2,14 +2,15 @@
 import type { CatalogEntry } from '@pkg/formicarium'
 import { Plus, RotateCw } from 'lucide'
 import { t } from '../../i18n/lab'
-import { FAMILIES, plannerName, plannerSummary, whyNot } from '../../panels/planner_text'
 import { catalog, fetchRest, rest } from '../../state'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
-import { OwnFiles, ImportedResults } from '../own/own_results'
+import { FAMILIES, plannerName, plannerSummary } from '../../words/planner_words'
 import { instanceIds } from './compose'
 import { addEntry, entries, maps } from './draft'
 import { EntryRow } from './entry_row'
+import { ImportedFiles, ImportedResults } from './imported_results'
+import { whyNotHere } from './why_not'
 
 export function Entries() {
   return (
@@ -21,7 +22,7 @@ export function Entries() {
         ))}
       </ul>
       {entries.value.length === 0 && <p class="hint">{t('lab.build.noPlanners')}</p>}
-      <OwnFiles />
+      <ImportedFiles />
       <div class="add-entries">
         <AddEntry />
         <ImportedResults maps={places()} />
@@ -83,13 +84,4 @@ function Family({ of, heading }: { of: CatalogEntry[]; heading: string }) {
       ))}
     </>
   )
-}
-
-/** Why a planner cannot run on all of the maps. */
-export function whyNotHere(entry: CatalogEntry): string | null {
-  for (const { name, scenario } of maps.value) {
-    const why = whyNot(entry, scenario.spec)
-    if (why !== null) return maps.value.length > 1 ? t('lab.build.onMap', { map: name, why }) : why
-  }
-  return null
 }

@@ -1,26 +1,11 @@
 /** A comparison that is being put together outlives a reload of its tab; another tab begins with what races there. */
 import { effect } from '@preact/signals'
 import { fetchRest, plannerEntry, rest } from '../../state'
-import { keptDraft, putDraft } from '../keep'
-import { recallInTab, rememberInTab } from '../kept'
-import { newId } from '../names'
-import { ownFiles, takeOwnFiles } from '../own/files'
-import {
-  drafted,
-  entries,
-  type Filling,
-  fillWith,
-  removeEntry,
-  takeRace,
-  waitsToBeFilled,
-} from './draft'
-
-/** Everything of it, as the browser keeps it. */
-export interface KeptDraft extends Filling {
-  files: ReturnType<typeof ownFiles.peek>
-  /** Milliseconds since 1970. */
-  changed: number
-}
+import { importedFiles, takeImportedFiles } from '../store/imported_files'
+import { recallInTab, rememberInTab } from '../store/kept'
+import { newId } from '../store/names'
+import { keptDraft, putDraft } from '../store/shelf'
+import { drafted, entries, fillWith, removeEntry, takeRace, waitsToBeFilled } from './draft'
 
 /** Typing comes in bursts. */
 const CALM_MS = 250
@@ -34,7 +19,7 @@ export async function fillOnce(): Promise<void> {
   if (!waitsToBeFilled()) return
   if (!kept) return takeRace()
   fillWith(kept)
-  takeOwnFiles(kept.files)
+  takeImportedFiles(kept.files)
   // Another version of the page may not know a planner any more; which ones it knows shows when all have come.
   await fetchRest()
   if (rest.peek() !== 'here') return
@@ -46,7 +31,7 @@ export function keepDraft(): void {
   let timer = 0
   effect(() => {
     const draft = drafted()
-    const files = ownFiles.value
+    const files = importedFiles.value
     if (!draft) return
     clearTimeout(timer)
     timer = window.setTimeout(() => {

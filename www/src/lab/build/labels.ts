@@ -1,9 +1,10 @@
 /** What entries and the whole are called, unless the reader calls them otherwise. */
 import { t } from '../../i18n/lab'
-import { plannerName, presetName } from '../../panels/planner_text'
+import type { DraftEntry } from '../../model/draft'
 import { plannerEntry } from '../../state'
-import { uniqueId } from '../names'
-import { ablated, type DraftEntry, entries, maps, title } from './draft'
+import { plannerName, presetName } from '../../words/planner_words'
+import { uniqueId } from '../store/names'
+import { ablated, entries, maps, title } from './draft'
 
 /** Its planner, and its preset or values in brackets. */
 export function labelOf(entry: DraftEntry): string {

@@ -2,9 +2,9 @@
 import { Map as MapIcon, Plus, Upload, X } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import { tools } from '../../engine/tools'
+import { gallery } from '../../gallery/gallery'
 import { t } from '../../i18n/lab'
-import { gallery } from '../../maps/gallery'
-import { galleryName, mapName } from '../../maps/map_menu'
+import type { DraftMap } from '../../model/draft'
 import { notifyError } from '../../state'
 import { toScenario } from '../../state/files'
 import { IconButton } from '../../ui/buttons'
@@ -12,7 +12,8 @@ import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuColumn, MenuHeading, MenuItem } from '../../ui/menu'
-import { addCurrentMap, addMap, type DraftMap, maps, removeMap } from './draft'
+import { galleryName, mapName } from '../../words/map_names'
+import { addCurrentMap, addMap, maps, removeMap } from './draft'
 
 const GROUPS = [
   ['ready', 'maps.gallery'],

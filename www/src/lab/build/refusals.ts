@@ -1,7 +1,8 @@
 /** Where the engine's refusal of an experiment is shown: at the field that it names. */
 import type { EngineError } from '@pkg/formicarium'
-import { isEngineError } from '../../engine/errors'
-import { type DraftEntry, entries, refusal } from './draft'
+import type { DraftEntry } from '../../model/draft'
+import { isEngineError } from '../../model/errors'
+import { entries, refusal } from './draft'
 import { idsOf } from './labels'
 
 /** The refusal, if it is about this field or one below it. */

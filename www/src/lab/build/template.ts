@@ -1,9 +1,10 @@
 /** An experiment as the beginning of another one: its maps, planners, values, seeds and budget, to be changed. */
 import { tools } from '../../engine/tools'
+import type { Contender, MapOfQuestion, Question } from '../../model/comparison'
+import type { DraftEntry } from '../../model/draft'
 import { toScenario } from '../../state/files'
-import type { Contender, MapOfQuestion, Question } from '../document'
-import type { Study } from '../signals'
-import { type DraftEntry, fillWith } from './draft'
+import type { Study } from '../store/signals'
+import { fillWith } from './draft'
 import { usualLabel } from './labels'
 
 export async function takeAsTemplate({ question, maps }: Study): Promise<void> {

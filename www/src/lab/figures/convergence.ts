@@ -1,7 +1,7 @@
 /** How good the best path is by then: the median of the runs, and their quartiles. */
 import { t } from '../../i18n/lab'
-import { amount, dash, type ExactOptimum, effort, measureWords, optimaOf } from '../results/format'
-import type { BandPoint, EntryAnalysis } from '../results/types'
+import type { BandPoint, EntryAnalysis } from '../../model/analysis'
+import { amount, dash, type ExactOptimum, effort, measureWords, optimaOf } from '../words/numbers'
 import {
   curve,
   curveColumns,

@@ -1,7 +1,7 @@
 /** What curves over effort have in common: how they are drawn, what they leave out. */
 import { t } from '../../i18n/lab'
-import { axisWords } from '../results/format'
-import type { EntryAnalysis } from '../results/types'
+import type { EntryAnalysis } from '../../model/analysis'
+import { axisWords } from '../words/numbers'
 import {
   type Drawing,
   type LegendItem,

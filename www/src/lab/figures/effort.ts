@@ -1,7 +1,7 @@
 /** What it takes each entry to find its best path. */
 import { t } from '../../i18n/lab'
-import { axisWords, dash, effort as effortOf } from '../results/format'
-import type { Summary } from '../results/types'
+import type { Summary } from '../../model/analysis'
+import { axisWords, dash, effort as effortOf } from '../words/numbers'
 import { type Box, boxMarks } from './boxes'
 import { timeNote } from './curves'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'

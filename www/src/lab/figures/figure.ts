@@ -1,8 +1,8 @@
 /** What a figure is: something that can be drawn, read as a table, and said in a few words. */
 import type { LabKey } from '../../i18n/lab'
-import { labelOf } from '../results/format'
-import type { Analysis, EntryAnalysis, MapAnalysis } from '../results/types'
-import { type Look, type Series, seriesOf } from './look'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import { labelOf } from '../words/numbers'
+import { type Look, type Series, seriesOf } from './figure_style'
 
 export type Plot = typeof import('./library')
 

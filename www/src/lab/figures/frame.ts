@@ -1,6 +1,6 @@
 /** Title, legend, plot and notes as one picture that stands alone. */
 import type { Drawing, LegendItem } from './figure'
-import { FONT, type Look } from './look'
+import { FONT, type Look } from './figure_style'
 import { element, widthOf, wrapped } from './svg'
 import { type SymbolName, symbolPath } from './symbols'
 

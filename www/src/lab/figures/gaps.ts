@@ -2,7 +2,7 @@
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
-import { FONT } from './look'
+import { FONT } from './figure_style'
 import { LOW, MARGIN, plotted } from './plotted'
 import { failures, rowScale, rowTexts } from './rows'
 import { widthOf } from './svg'

@@ -1,5 +1,5 @@
 /** Which part of curves over effort is shown. */
-import type { BandPoint } from '../results/types'
+import type { BandPoint } from '../../model/analysis'
 
 /** Where curves begin and end. */
 export interface Ends {

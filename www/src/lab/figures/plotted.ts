@@ -1,9 +1,9 @@
 /** Calls the plotting library and takes out what only a page could resolve, so that the picture stands alone. */
 import type { PlotOptions } from '@observablehq/plot'
 import { numbers } from '../../i18n'
-import { axisWords, compact } from '../results/format'
+import { axisWords, compact } from '../words/numbers'
 import type { Plot, Scene } from './figure'
-import { FONT, type Look } from './look'
+import { FONT, type Look } from './figure_style'
 import { element } from './svg'
 
 /** Sizes of a plot's parts in pixels. */

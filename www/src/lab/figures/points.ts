@@ -1,5 +1,5 @@
 /** Where the points of a distribution stand, and how far its whiskers reach. */
-import type { Summary } from '../results/types'
+import type { Summary } from '../../model/analysis'
 
 /** Tukey's rule. */
 const WHISKER = 1.5

@@ -1,5 +1,5 @@
 /** Who does not differ from whom. */
-import type { Ranks } from '../results/types'
+import type { Ranks } from '../../model/analysis'
 
 /** From this p on a difference may be chance. */
 export const LEVEL = 0.05

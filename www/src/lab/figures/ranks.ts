@@ -1,10 +1,10 @@
 /** Mean ranks over all maps, as Demšar (2006) draws them, with Holm's correction in place of one critical difference. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { chance, significant } from '../results/format'
-import type { Ranks } from '../results/types'
+import type { Ranks } from '../../model/analysis'
+import { chance, significant } from '../words/numbers'
 import type { Figure, Scene } from './figure'
-import { seriesOf } from './look'
+import { seriesOf } from './figure_style'
 import { LOW, MARGIN, plotted } from './plotted'
 import { jitter } from './points'
 import { groups } from './rank_groups'

@@ -1,7 +1,7 @@
 /** Figures with one row an entry: its name above its values, so that names may be long and the values have the whole width. */
 import { t } from '../../i18n/lab'
 import type { Plot, Scene, Shown } from './figure'
-import { FONT } from './look'
+import { FONT } from './figure_style'
 import { MARGIN } from './plotted'
 import { shortened, widthOf } from './svg'
 

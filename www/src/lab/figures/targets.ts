@@ -1,8 +1,8 @@
 /** How many (run, target) pairs are solved by then: an empirical distribution of running times over several targets. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { dash, effort, optimaOf } from '../results/format'
-import type { EntryAnalysis } from '../results/types'
+import type { EntryAnalysis } from '../../model/analysis'
+import { dash, effort, optimaOf } from '../words/numbers'
 import { curve, finished, heightOf, LEFT, missingCurves, shownWith, TOP } from './curves'
 import type { Figure } from './figure'
 import { type Ends, endsOf, placed } from './limits'

@@ -1,7 +1,7 @@
 /** Every run's value, with its quartiles: the exact optimum and what is published stand in the same scale. */
 import { t } from '../../i18n/lab'
-import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../results/format'
-import type { EntryAnalysis, Summary } from '../results/types'
+import type { EntryAnalysis, Summary } from '../../model/analysis'
+import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
 import { type Box, boxMarks } from './boxes'
 import {
   type Drawing,
@@ -12,7 +12,7 @@ import {
   type Shown,
   shownEntries,
 } from './figure'
-import { seriesOf } from './look'
+import { seriesOf } from './figure_style'
 import { DOTTED, gridX, MARGIN, POINT_RADIUS, plotted } from './plotted'
 import { jitter, whiskers } from './points'
 import { failures, MIDDLE, ROW, rowScale, rowTexts } from './rows'

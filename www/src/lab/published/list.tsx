@@ -4,11 +4,11 @@ import { BookOpen, Play } from 'lucide'
 import { useState } from 'preact/hooks'
 import { numbers, translated } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { showCard } from '../../papers/cards'
 import { galleryId, notifyError } from '../../state'
 import { IconButton } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
-import { startStudy } from '../state'
+import { showCard } from '../../words/paper_cards'
+import { startStudy } from '../run/actions'
 import { documentFor, type PaperQuestion, questionOfMap, questions, secondsFor } from './questions'
 
 /** Below so many a verdict cannot be given (docs/methodology.md). */

@@ -1,8 +1,8 @@
 /** What papers claim, as questions that can be run here: the same as experiments/*.toml ask on the command line. */
 import all from 'virtual:paper-questions'
-import { paperMaps } from '../../maps/paper_maps'
-import { type LabDocument, textOf } from '../document'
-import { poolSize } from '../pool'
+import { paperMaps } from '../../gallery/paper_maps'
+import { type LabDocument, textOf } from '../../model/comparison'
+import { poolSize } from '../run/pool'
 
 export interface PaperQuestion {
   /** The name of its file. */

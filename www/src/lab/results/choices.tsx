@@ -2,11 +2,11 @@
 import { signal } from '@preact/signals'
 import { CircleAlert } from 'lucide'
 import { t } from '../../i18n/lab'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Labelled, Segmented, Select } from '../../ui/fields'
 import { Icon } from '../../ui/icon'
-import { seriesOf } from '../figures/look'
-import { AXES, axis } from '../signals'
-import type { Analysis, EntryAnalysis, MapAnalysis } from './types'
+import { seriesOf } from '../figures/figure_style'
+import { AXES, axis } from '../store/signals'
 
 const chosenMap = signal<string | null>(null)
 

@@ -1,6 +1,7 @@
 /** A test of a pair, read from either side. */
+
+import type { MapAnalysis } from '../../model/analysis'
 import { LEVEL } from '../figures/rank_groups'
-import type { MapAnalysis } from './types'
 
 export type Kind = 'wilcoxon' | 'mann-whitney'
 

@@ -2,14 +2,14 @@
 import { signal } from '@preact/signals'
 import { useEffect } from 'preact/hooks'
 import { t } from '../../i18n/lab'
+import type { Analysis } from '../../model/analysis'
 import { notifyError } from '../../state'
 import { Labelled, Segmented } from '../../ui/fields'
 import type { Plot } from '../figures/figure'
 import { FigureCard } from '../figures/figure_card'
+import type { Ground } from '../figures/figure_style'
 import { figuresOf } from '../figures/list'
-import type { Ground } from '../figures/look'
 import { AxisChoice, MapChoice, shownMap } from './choices'
-import type { Analysis } from './types'
 
 const library = signal<Plot | null>(null)
 const logarithmic = signal(true)

@@ -1,11 +1,11 @@
 /** The results as files: the same bytes as the command line writes. */
 import { Copy, Download } from 'lucide'
 import { t } from '../../i18n/lab'
+import type { ResultFile } from '../../model/analysis'
 import { announce, download, notify, notifyError } from '../../state'
 import { Button } from '../../ui/buttons'
-import { fileStem } from '../names'
-import { resultFile, study, timesFile } from '../state'
-import type { ResultFile } from './types'
+import { resultFile, study, timesFile } from '../run/actions'
+import { fileStem } from '../store/names'
 
 interface FileKind {
   kind: Exclude<ResultFile, 'link'> | 'times'

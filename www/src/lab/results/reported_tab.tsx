@@ -2,14 +2,23 @@
 import { BookOpen } from 'lucide'
 import { language, numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { METHODOLOGY, showCard } from '../../papers/cards'
+import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
 import { Button } from '../../ui/buttons'
-import { shownStudy } from '../shown'
+import { METHODOLOGY, showCard } from '../../words/paper_cards'
+import { shownStudy } from '../store/translated'
+import {
+  amount,
+  dash,
+  labelOf,
+  measureWords,
+  optimaOf,
+  precise,
+  range,
+  share,
+} from '../words/numbers'
+import { measureNamed, whyWords } from '../words/verdict_words'
 import { Alert, dotColour, MapHead } from './choices'
-import { amount, dash, labelOf, measureWords, optimaOf, precise, range, share } from './format'
 import { Strip, stripScale } from './strip'
-import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from './types'
-import { measureNamed, whyWords } from './verdict_words'
 
 export function hasReported({ instances, verdicts }: Analysis): boolean {
   return verdicts.length > 0 || instances.some((map) => reported(map).length > 0)

@@ -2,16 +2,16 @@
 import '../../styles/lab_results.css'
 import { computed, signal } from '@preact/signals'
 import { t } from '../../i18n/lab'
+import type { Analysis } from '../../model/analysis'
 import { FormError } from '../../ui/form_error'
-import { shownAnalysis } from '../shown'
-import { analysisError, progress, study } from '../signals'
+import { analysisError, progress, study } from '../store/signals'
+import { shownAnalysis } from '../store/translated'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
 import { hasReported, ReportedTab } from './reported_tab'
 import { SummaryTab } from './summary_tab'
 import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
-import type { Analysis } from './types'
 
 const TABS = ['summary', 'figures', 'tests', 'reported', 'files'] as const
 type Tab = (typeof TABS)[number]

@@ -1,10 +1,10 @@
 /** A distribution in one line of a table: a dot a run, the optimum, and the published number among them. */
 import { t } from '../../i18n/lab'
-import { seriesOf } from '../figures/look'
+import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import { seriesOf } from '../figures/figure_style'
 import { jitter } from '../figures/points'
 import { symbolPath } from '../figures/symbols'
-import { type ExactOptimum, optimaOf } from './format'
-import type { EntryAnalysis, MapAnalysis } from './types'
+import { type ExactOptimum, optimaOf } from '../words/numbers'
 
 const [WIDTH, HEIGHT, EDGE] = [220, 34, 8]
 

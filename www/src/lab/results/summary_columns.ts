@@ -1,8 +1,8 @@
 /** The columns of the summary: where each number comes from, how it is written, which way is better. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { amount, axisWords, dash, effort, measureWords, range, share } from './format'
-import type { Analysis, EntryAnalysis, MapAnalysis, Summary } from './types'
+import type { Analysis, EntryAnalysis, MapAnalysis, Summary } from '../../model/analysis'
+import { amount, axisWords, dash, effort, measureWords, range, share } from '../words/numbers'
 
 type Write = (value: number) => string
 

@@ -2,13 +2,13 @@
 import { signal } from '@preact/signals'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { bestOf } from '../../panels/metric_rows'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Select } from '../../ui/fields'
-import { shownStudy } from '../shown'
+import { bestOf } from '../../words/metric_rows'
+import { shownStudy } from '../store/translated'
+import { amount, dash, labelOf, measureWords, optimaOf } from '../words/numbers'
 import { Alert, AxisChoice, dotColour, MapChoice, MapHead, shownMap } from './choices'
-import { amount, dash, labelOf, measureWords, optimaOf } from './format'
 import { type Column, type ColumnId, columnsOf, headOf, type Table } from './summary_columns'
-import type { Analysis, EntryAnalysis, MapAnalysis } from './types'
 
 /** As the question has it, until a column is chosen. */
 const sorting = signal<{ column: ColumnId; descending: boolean } | null>(null)

@@ -2,15 +2,15 @@
 import { signal } from '@preact/signals'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import type { Analysis, MapAnalysis, Ranks } from '../../model/analysis'
 import { Segmented } from '../../ui/fields'
+import { DataTable } from '../figures/data_table'
 import { LEVEL } from '../figures/rank_groups'
 import { ranked } from '../figures/ranks'
+import { chance, labelOf, significant } from '../words/numbers'
 import { MapChoice, MapHead, shownMap } from './choices'
 import { type Compared, compared, differ, type Kind, shownEffect } from './compared'
-import { DataTable } from './data_table'
-import { chance, labelOf, significant } from './format'
 import { sentences } from './tests_words'
-import type { Analysis, MapAnalysis, Ranks } from './types'
 
 /** From so many on the approximation of Friedman's test is good (Demšar 2006). */
 const MANY_MAPS = 10

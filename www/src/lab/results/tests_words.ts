@@ -1,9 +1,9 @@
 /** Tests of pairs read as comparisons, and what they allow to say. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import { chance, labelOf } from '../words/numbers'
 import { type Compared, compared, differ, effectOf, type Kind } from './compared'
-import { chance, labelOf } from './format'
-import type { EntryAnalysis, MapAnalysis } from './types'
 
 /** Fewest runs that are tested (the engine's MIN_RUNS). */
 const FEWEST = 20

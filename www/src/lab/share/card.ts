@@ -1,13 +1,13 @@
 /** A picture that says what came out, for those who only look, with the experiment in it, for those who ask further. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { engineVersion } from '../../state'
-import { FONT, LOOKS, type Look, seriesOf } from '../figures/look'
+import { FONT, LOOKS, type Look, seriesOf } from '../figures/figure_style'
 import { shortened, wrapped } from '../figures/svg'
-import { amount, labelOf, measureWords, range } from '../results/format'
-import type { Analysis, EntryAnalysis, MapAnalysis } from '../results/types'
-import { shownAnalysis, shownStudy } from '../shown'
-import { progress, study } from '../state'
+import { progress, study } from '../run/actions'
+import { shownAnalysis, shownStudy } from '../store/translated'
+import { amount, labelOf, measureWords, range } from '../words/numbers'
 import { withStudy } from './picture'
 
 const WIDTH = 1200

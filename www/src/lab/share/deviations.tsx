@@ -1,7 +1,7 @@
 /** Differences in plain words, causes first, as the engine lists them. */
 import type { Deviation } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
-import { shownStudy } from '../shown'
+import { shownStudy } from '../store/translated'
 
 /** Hundreds of entries differ for one cause: a few of each kind are enough. */
 const SHOWN_OF_KIND = 8
@@ -26,7 +26,7 @@ function OfKind({ kind, all }: { kind: Kind; all: Deviation[] }) {
       {all.slice(0, SHOWN_OF_KIND).map((one, at) => (
         <li key={at} data-kind={kind}>
           {wordsOf(one)}
-          {'recorded' in one && (kind === 'bits' || kind === 'experiment') && (
+          {'recorded' in one && (kind === 'bits' || kind === 'comparison') && (
             <span class="hint">
               {t('lab.verify.digests', { recorded: one.recorded, now: one.now })}
             </span>
@@ -42,8 +42,8 @@ function wordsOf(one: Deviation): string {
   switch (one.kind) {
     case 'version':
       return t('lab.verify.version', { recorded: one.recorded, now: one.now })
-    case 'experiment':
-      return t('lab.verify.experiment')
+    case 'comparison':
+      return t('lab.verify.comparison')
     case 'parameter':
       return parameterWords(one)
     case 'edited':

@@ -1,6 +1,7 @@
-/** Opens an experiment that a link carries. */
-import { openDocument } from '../state'
-import { decodeFragment, PREFIX } from './link'
+/** Opens a comparison that a link carries. */
+
+import { decodeFragment, PREFIX } from '../../share/comparison_link'
+import { openDocument } from '../run/actions'
 
 /** False when the address carries none. Throws a LinkError, or the engine's error, when what it carries cannot be opened. */
 export async function openLabFragment(hash: string): Promise<boolean> {

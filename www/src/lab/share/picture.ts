@@ -1,6 +1,6 @@
 /** Pictures that carry the open study: dropped on the page, it is there again. */
 import { pngWith } from '../../share/png'
-import { resultFile } from '../state'
+import { resultFile } from '../run/actions'
 
 /** Beyond so many characters of runs, a picture carries their digests alone, as a link does. */
 const MOST_TEXT = 32 * 1024 * 1024

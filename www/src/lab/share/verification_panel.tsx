@@ -6,7 +6,7 @@ import { t } from '../../i18n/lab'
 import { notifyError } from '../../state'
 import { Button } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
-import { goOn, phase, study, verification } from '../state'
+import { goOn, phase, study, verification } from '../run/actions'
 import { Deviations } from './deviations'
 import { forgetVerifying, stopVerifying, verifyAgain, verifying } from './verifier'
 

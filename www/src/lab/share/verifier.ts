@@ -3,11 +3,11 @@
  * to stay, they are simply run.
  */
 import { signal } from '@preact/signals'
+import type { KeptRun } from '../../model/comparison_calls'
 import { notifyError } from '../../state'
-import type { KeptRun } from '../analyst'
-import { Pool, poolSize, type Work } from '../pool'
-import { checkRun, compareAgain, study } from '../state'
-import { Tasks } from '../tasks'
+import { checkRun, compareAgain, study } from '../run/actions'
+import { Pool, poolSize, type Work } from '../run/pool'
+import { Tasks } from '../run/tasks'
 
 export interface Verifying {
   done: number

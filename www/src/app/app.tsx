@@ -1,0 +1,92 @@
+import { LoaderCircle, TriangleAlert } from 'lucide'
+import { Dialogs } from '../dialogs/dialog_switch'
+import { t } from '../i18n'
+import { describeError } from '../i18n/errors'
+import { Dock } from '../panels/dock'
+import { PanelGrid } from '../panels/panel_grid'
+import { RaceStrip } from '../panels/race_strip'
+import { catalog, showView, startError, startPage, view } from '../state'
+import { ScrubberPlace } from '../toolbar/scrubber_place'
+import { Toolbar } from '../toolbar/toolbar'
+import { Button } from '../ui/buttons'
+import { Icon } from '../ui/icon'
+import { lazily } from '../ui/lazily'
+import { Toasts } from '../ui/toasts'
+import { DropVeil } from './drop'
+import { Header } from './header'
+import { Welcome } from './welcome'
+
+/** Experiments: fetched with their words when somebody wants to compare. */
+const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
+
+/** There is nothing to show; the way there stays open. */
+function leaveLab(error: unknown): never {
+  showView('race')
+  throw error
+}
+
+export function App() {
+  return (
+    <div class="app">
+      <Header />
+      <Body />
+      <Dialogs />
+      <Toasts />
+      <DropVeil />
+    </div>
+  )
+}
+
+function Body() {
+  if (startError.value) return <StartFailed />
+  if (!catalog.value) return <Loading />
+  return (
+    <>
+      {view.value === 'lab' && <Lab />}
+      <Race hidden={view.value === 'lab'} />
+    </>
+  )
+}
+
+/** Hidden rather than gone: canvases whose drawing has been handed to workers do not come back. */
+function Race({ hidden }: { hidden: boolean }) {
+  return (
+    <main class="page" hidden={hidden}>
+      <Toolbar />
+      <div class="content">
+        <Welcome />
+        <RaceStrip />
+        <ScrubberPlace />
+        <PanelGrid />
+        <Dock />
+      </div>
+      <p id="stage-help" class="visually-hidden">
+        {t('stage.help')}
+      </p>
+    </main>
+  )
+}
+
+function Loading() {
+  return (
+    <main class="empty" data-testid="loading">
+      <span class="spinner">
+        <Icon icon={LoaderCircle} size={32} />
+      </span>
+      <p role="status">{t('app.loading')}</p>
+    </main>
+  )
+}
+
+function StartFailed() {
+  const { message } = describeError(startError.value)
+  return (
+    <main class="empty" data-testid="start-failed">
+      <Icon icon={TriangleAlert} size={36} />
+      <h2>{t('app.failed')}</h2>
+      <p role="alert">{t('app.failedHint')}</p>
+      <Button label={t('app.retry')} tone="primary" onClick={() => startPage()} />
+      <p class="hint">{message}</p>
+    </main>
+  )
+}

@@ -1,0 +1,123 @@
+import { ChartColumn, CircleQuestionMark, Eye, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
+import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
+import {
+  notifyError,
+  scenario,
+  setTheme,
+  showView,
+  type ThemeChoice,
+  theme,
+  themeChoice,
+  view,
+} from '../state'
+import { show } from '../state/dialogs'
+import { Button, IconButton } from '../ui/buttons'
+import { Icon } from '../ui/icon'
+import { Menu, MenuItem } from '../ui/menu'
+import { MapMenu } from './map_menu'
+import { Mark } from './mark'
+
+export function Header() {
+  const started = scenario.value !== null
+  const ready = started && view.value === 'race'
+  return (
+    <header class="header">
+      <h1 class="brand">
+        <Mark />
+        <span>Formicarium</span>
+      </h1>
+      {started && <ViewSwitch />}
+      {ready && <MapMenu />}
+      <span class="spacer" />
+      {ready && (
+        <Button
+          label={t('header.share')}
+          icon={Share2}
+          tone="primary"
+          testId="share"
+          onClick={() => show('share')}
+        />
+      )}
+      <ThemeMenu />
+      <LanguageMenu />
+      <IconButton
+        icon={CircleQuestionMark}
+        label={t('header.help')}
+        keys="?"
+        testId="help"
+        onClick={() => show('help')}
+      />
+    </header>
+  )
+}
+
+const VIEWS = { race: Eye, lab: ChartColumn } as const
+
+/** Names where there is room for them, pictures on a phone. */
+function ViewSwitch() {
+  return (
+    <fieldset class="segmented view-choice">
+      <legend class="visually-hidden">{t('header.view')}</legend>
+      {(['race', 'lab'] as const).map((each) => (
+        <button
+          key={each}
+          type="button"
+          class="segment"
+          aria-pressed={view.value === each}
+          data-testid={`view-${each}`}
+          onClick={() => showView(each)}
+        >
+          <Icon icon={VIEWS[each]} size={16} />
+          <span>{t(`header.views.${each}`)}</span>
+        </button>
+      ))}
+    </fieldset>
+  )
+}
+
+const THEME_ICONS = { system: Monitor, light: Sun, dark: Moon } as const
+
+function ThemeMenu() {
+  return (
+    <Menu
+      label={t('header.theme')}
+      face={<Icon icon={THEME_ICONS[theme.value]} />}
+      testId="theme"
+      align="end"
+      bare
+    >
+      {(Object.keys(THEME_ICONS) as ThemeChoice[]).map((choice) => (
+        <MenuItem
+          key={choice}
+          icon={THEME_ICONS[choice]}
+          label={t(`header.themes.${choice}`)}
+          testId={`theme-${choice}`}
+          checked={themeChoice.value === choice}
+          onClick={() => setTheme(choice)}
+        />
+      ))}
+    </Menu>
+  )
+}
+
+function LanguageMenu() {
+  return (
+    <Menu
+      label={t('header.language')}
+      face={<Icon icon={Languages} />}
+      testId="language"
+      align="end"
+      bare
+    >
+      {(Object.keys(LANGUAGES) as Language[]).map((choice) => (
+        <MenuItem
+          key={choice}
+          label={LANGUAGES[choice]}
+          testId={`language-${choice}`}
+          checked={language.value === choice}
+          onClick={() => setLanguage(choice).catch(notifyError)}
+        />
+      ))}
+    </Menu>
+  )
+}

@@ -1,0 +1,8 @@
+/** Where the parts of the page are that lower layers ask for (state/lazy_parts.ts). */
+import { nameLazyParts } from '../state/lazy_parts'
+
+nameLazyParts({
+  lab: () => import('../lab'),
+  relief: () => import('../relief/relief_stage'),
+  inspector: async () => (await import('../playback')).fetchInspector(),
+})

@@ -1,0 +1,24 @@
+/** Every dialog, in one part of the page that is fetched when the first of them is opened. */
+import type { JSX } from 'preact'
+import type { DialogName } from '../state/dialogs'
+import { CardDialog } from './card_dialog'
+import { ExportDialog } from './export_dialog'
+import { GenerateDialog } from './generate_dialog'
+import { HelpDialog } from './help_dialog'
+import { ImportDialog } from './import_dialog'
+import { ResizeDialog } from './resize_dialog'
+import { ScenDialog } from './scen_dialog'
+import { ShareDialog } from './share_dialog'
+import { TerrainDialog } from './terrain_dialog'
+
+export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
+  share: ShareDialog,
+  import: ImportDialog,
+  export: ExportDialog,
+  generate: GenerateDialog,
+  resize: ResizeDialog,
+  help: HelpDialog,
+  paper: CardDialog,
+}
+
+export { ScenDialog, TerrainDialog }

@@ -1,0 +1,31 @@
+import { effect, signal } from '@preact/signals'
+import { notifyError, rest, scenChoice, terrainFile } from '../state'
+import { closeDialog, openDialog } from '../state/dialogs'
+
+const fetched = signal<typeof import('./all_dialogs') | null>(null)
+
+// Fetched when one is asked for, else with the rest of the engine, so that sharing and saving outlive the connection.
+effect(() => {
+  const asked = openDialog.value || scenChoice.value || terrainFile.value
+  if (fetched.value || (!asked && rest.value !== 'here')) return
+  import('./all_dialogs').then(
+    (dialogs) => {
+      fetched.value = dialogs
+    },
+    (error) => {
+      if (!asked) return
+      closeDialog()
+      notifyError(error)
+    },
+  )
+})
+
+/** The dialog that is open, if any. */
+export function Dialogs() {
+  const dialogs = fetched.value
+  if (!dialogs) return null
+  if (scenChoice.value) return <dialogs.ScenDialog choice={scenChoice.value} />
+  if (terrainFile.value) return <dialogs.TerrainDialog file={terrainFile.value} />
+  const Open = openDialog.value && dialogs.DIALOGS[openDialog.value]
+  return Open ? <Open /> : null
+}

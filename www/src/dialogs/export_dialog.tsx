@@ -1,0 +1,140 @@
+import type { ExportFormat } from '@pkg/formicarium'
+import { Copy, Download } from 'lucide'
+import { useEffect, useState } from 'preact/hooks'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
+import {
+  download,
+  exportExperiment,
+  exportGeotiff,
+  exportMap,
+  fileStem,
+  notifyError,
+  scenario,
+} from '../state'
+import { closeDialog } from '../state/dialogs'
+import { Button } from '../ui/buttons'
+import { copyText } from '../ui/copy'
+import { Dialog } from '../ui/dialog'
+import { Segmented } from '../ui/fields'
+
+type Format = ExportFormat | 'geotiff' | 'experiment'
+
+const EXTENSIONS: Record<Format, string> = {
+  'movingai-map': '.map',
+  'movingai-scen': '.scen',
+  matrix: '.txt',
+  'esri-ascii': '.asc',
+  'height-table': '.csv',
+  geotiff: '.tif',
+  scenario: '.scenario.json',
+  experiment: '.experiment.json',
+}
+/** Of maps without heights, in the order of a reader's likely wish. */
+const PLANAR: Format[] = ['movingai-map', 'movingai-scen', 'matrix', 'scenario', 'experiment']
+/** Of terrains: those that keep the heights stand first. */
+const OF_TERRAINS: Format[] = [
+  'esri-ascii',
+  'height-table',
+  'geotiff',
+  'scenario',
+  'experiment',
+  'movingai-map',
+  'movingai-scen',
+  'matrix',
+]
+/** They have cells only. */
+const FLATTENING: Format[] = ['movingai-map', 'movingai-scen', 'matrix']
+const TYPES: Partial<Record<Format, string>> = { geotiff: 'image/tiff', 'height-table': 'text/csv' }
+/** A preview is for recognising the format, not for reading a large map. */
+const PREVIEW_CHARACTERS = 4000
+
+export function ExportDialog() {
+  const onTerrain = scenario.value?.heights != null
+  const formats = onTerrain ? OF_TERRAINS : PLANAR
+  const [format, setFormat] = useState<Format>(formats[0] ?? 'scenario')
+  const content = useExport(format)
+  const text = typeof content === 'string' ? content : null
+  const name = fileStem() + EXTENSIONS[format]
+  return (
+    <Dialog
+      title={t('maps.titles.export')}
+      onClose={closeDialog}
+      testId="export-dialog"
+      wide
+      actions={
+        <>
+          <Button
+            icon={Copy}
+            label={t('common.copy')}
+            testId="export-copy"
+            disabled={!text}
+            onClick={() => copyText(text ?? '')}
+          />
+          <Button
+            icon={Download}
+            label={t('maps.download', { name })}
+            tone="primary"
+            testId="export-download"
+            disabled={!content?.length}
+            onClick={() => download(name, content ?? '', TYPES[format])}
+          />
+        </>
+      }
+    >
+      <Segmented
+        label={t('maps.format')}
+        value={format}
+        options={formats.map((id) => ({
+          value: id,
+          label: t(`maps.exports.${id}.name`),
+          testId: `export-${id}`,
+        }))}
+        onChange={setFormat}
+      />
+      <p class="hint">{t(`maps.exports.${format}.note`)}</p>
+      {onTerrain && FLATTENING.includes(format) && (
+        <p class="banner" data-testid="export-flattens">
+          {t('maps.exportFlattens')}
+        </p>
+      )}
+      {content instanceof Uint8Array ? (
+        <p class="hint" data-testid="export-bytes">
+          {t('maps.exportBinary', { bytes: numbers.value.whole.format(content.length) })}
+        </p>
+      ) : (
+        <textarea
+          class="input preview"
+          readOnly
+          rows={14}
+          wrap="off"
+          spellcheck={false}
+          aria-label={t('maps.preview')}
+          data-testid="export-preview"
+          value={text === null ? t('common.working') : text.slice(0, PREVIEW_CHARACTERS)}
+        />
+      )}
+    </Dialog>
+  )
+}
+
+/** The file in the chosen format; null while it is being made. What was made in another one is never taken for it. */
+function useExport(format: Format): string | Uint8Array | null {
+  const [made, setMade] = useState<{ format: Format; content: string | Uint8Array } | null>(null)
+  useEffect(() => {
+    let current = true
+    make(format).then(
+      (content) => current && setMade({ format, content }),
+      (error) => current && notifyError(error),
+    )
+    return () => {
+      current = false
+    }
+  }, [format])
+  return made?.format === format ? made.content : null
+}
+
+function make(format: Format): Promise<string | Uint8Array> {
+  if (format === 'experiment') return exportExperiment()
+  return format === 'geotiff' ? exportGeotiff() : exportMap(format)
+}

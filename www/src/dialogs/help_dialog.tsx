@@ -1,0 +1,93 @@
+import { t } from '../i18n/dialogs'
+import { engineVersion } from '../state'
+import { closeDialog } from '../state/dialogs'
+import { Dialog } from '../ui/dialog'
+
+type KeyName =
+  | 'play'
+  | 'move'
+  | 'iteration'
+  | 'look'
+  | 'reset'
+  | 'end'
+  | 'undo'
+  | 'redo'
+  | 'tools'
+  | 'fit'
+  | 'relief'
+type StageKeyName =
+  | 'cursor'
+  | 'apply'
+  | 'remove'
+  | 'level'
+  | 'turn'
+  | 'pointer'
+  | 'zoom'
+  | 'pan'
+  | 'help'
+  | 'leave'
+
+const RUN_KEYS: [KeyName, string[]][] = [
+  ['play', ['Space']],
+  ['move', ['→']],
+  ['iteration', ['Shift →', ']']],
+  ['look', [',', '.']],
+  ['reset', ['R', 'Home']],
+  ['end', ['End']],
+  ['undo', ['Ctrl Z']],
+  ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
+  ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
+  ['fit', ['0']],
+  ['relief', ['3']],
+]
+
+const MAP_KEYS: [StageKeyName, string[]][] = [
+  ['cursor', ['←', '↑', '↓', '→']],
+  ['apply', ['Enter', 'X']],
+  ['remove', ['Delete']],
+  ['level', ['PgUp', 'PgDn']],
+  ['turn', ['←', 'Shift ←']],
+  ['pointer', []],
+  ['zoom', []],
+  ['pan', []],
+  ['help', ['?']],
+  ['leave', ['Esc']],
+]
+
+export function HelpDialog() {
+  return (
+    <Dialog title={t('help.title')} onClose={closeDialog} testId="help-dialog" wide>
+      <p>{t('help.about')}</p>
+      <ol class="help-steps">
+        <li>{t('help.step1')}</li>
+        <li>{t('help.step2')}</li>
+        <li>{t('help.step3')}</li>
+      </ol>
+      <div class="key-columns">
+        <KeyTable title={t('help.runKeys')} rows={RUN_KEYS} />
+        <KeyTable title={t('help.mapKeys')} rows={MAP_KEYS} />
+      </div>
+      <p class="hint">{t('help.scripting', { version: engineVersion.value })}</p>
+    </Dialog>
+  )
+}
+
+function KeyTable({ title, rows }: { title: string; rows: [KeyName | StageKeyName, string[]][] }) {
+  return (
+    <section>
+      <h3>{title}</h3>
+      <dl class="keys">
+        {rows.map(([name, keys]) => (
+          <div key={name}>
+            <dt>{t(`help.keys.${name}`)}</dt>
+            <dd>
+              {keys.map((key) => (
+                <kbd key={key}>{key}</kbd>
+              ))}
+            </dd>
+          </div>
+        ))}
+      </dl>
+    </section>
+  )
+}

@@ -1,0 +1,120 @@
+/** The dialog by which anything is handed on: as a link, as a file, or as a picture that carries it. */
+import { Copy, FileDown, ImageDown } from 'lucide'
+import type { ComponentChildren } from 'preact'
+import { useEffect, useState } from 'preact/hooks'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
+import { LINK_LIMIT } from '../share/envelope'
+import { LinkError } from '../share/error'
+import { notifyError } from '../state'
+import { Button } from '../ui/buttons'
+import { copyText } from '../ui/copy'
+import { Dialog } from '../ui/dialog'
+
+/** In the place of a link that cannot be. */
+const TOO_LARGE = 'too large'
+
+/** An address, that there can be none, or null while it is being made. */
+export type Link = string | typeof TOO_LARGE | null
+
+/** The address that ends with what is made, of one moment: runs may go on behind the dialog. Null: there is nothing to be made yet. */
+export function useLink(prefix: string, make: (() => Promise<string>) | null): Link {
+  const [link, setLink] = useState<Link>(null)
+  useEffect(() => {
+    const page = location.href.replace(/#.*$/, '')
+    make?.().then(
+      (text) => setLink(`${page}${prefix}${text}`),
+      (error) => {
+        if (error instanceof LinkError) setLink(TOO_LARGE)
+        else notifyError(error)
+      },
+    )
+  }, [])
+  return link
+}
+
+/** Whether many programs would cut it, or there is none. */
+export const isTooLong = (link: Link) =>
+  link === TOO_LARGE || (link !== null && link.length > LINK_LIMIT)
+
+interface SendDialogProps {
+  title: string
+  /** What whoever opens it gets. */
+  what: string
+  link: Link
+  /** What to do instead where it is too long to be sent, and where there is none. */
+  tooLong: (lengths: { length: string; limit: string }) => string
+  tooLarge: string
+  savePicture: () => Promise<void>
+  saveFile: () => Promise<void>
+  onClose: () => void
+  /** Begins the ids of all parts for tests. */
+  testId: string
+  /** What the link brings along, so that nothing is shared unseen. */
+  children: ComponentChildren
+}
+
+export function SendDialog(props: SendDialogProps) {
+  const { link, testId } = props
+  const tooLong = isTooLong(link)
+  return (
+    <Dialog
+      title={props.title}
+      onClose={props.onClose}
+      testId={`${testId}-dialog`}
+      actions={
+        <>
+          <Button
+            icon={ImageDown}
+            label={t('share.picture')}
+            testId={`${testId}-picture`}
+            disabled={link === null}
+            onClick={() => void props.savePicture().catch(notifyError)}
+          />
+          <Button
+            icon={FileDown}
+            label={t('share.file')}
+            tone={tooLong ? 'primary' : 'plain'}
+            testId={`${testId}-file`}
+            onClick={() => void props.saveFile().catch(notifyError)}
+          />
+          {!tooLong && (
+            <Button
+              icon={Copy}
+              label={t('share.copy')}
+              tone="primary"
+              testId={`${testId}-copy`}
+              disabled={link === null}
+              onClick={() => copyText(link ?? '')}
+            />
+          )}
+        </>
+      }
+    >
+      <p>{props.what}</p>
+      {props.children}
+      {tooLong ? (
+        <p class="banner" data-testid={`${testId}-too-long`}>
+          {link === TOO_LARGE ? props.tooLarge : props.tooLong(lengths(link))}
+        </p>
+      ) : (
+        <>
+          <input
+            class="input share-link"
+            readOnly
+            value={link ?? t('common.working')}
+            aria-label={t('share.link')}
+            data-testid={`${testId}-link`}
+            onFocus={(event) => event.currentTarget.select()}
+          />
+          <p class="hint">{t('share.private', { length: lengths(link).length })}</p>
+        </>
+      )}
+    </Dialog>
+  )
+}
+
+function lengths(link: Link): { length: string; limit: string } {
+  const { whole } = numbers.value
+  return { length: whole.format(link?.length ?? 0), limit: whole.format(LINK_LIMIT) }
+}

@@ -1,0 +1,92 @@
+import { useState } from 'preact/hooks'
+import { t } from '../i18n/dialogs'
+import type { PanelSetup, Session } from '../model/session'
+import { encodeSession, PREFIX } from '../share/link'
+import {
+  currentSession,
+  download,
+  exportExperiment,
+  fileStem,
+  latest,
+  panels,
+  plannerEntry,
+} from '../state'
+import { closeDialog } from '../state/dialogs'
+import { isSearch, plannerName } from '../words/planner_words'
+import { isTooLong, SendDialog, useLink } from './send_dialog'
+
+export function ShareDialog() {
+  // Runs may go on behind the dialog: what it says and what the link carries are of one moment.
+  const [session] = useState(currentSession)
+  const [expanded] = useState(expandedCells)
+  const link = useLink(PREFIX, session && (() => encodeSession(session)))
+  return (
+    <SendDialog
+      title={t('share.title')}
+      what={t('share.what')}
+      link={link}
+      tooLong={(lengths) => t('share.tooLong', lengths)}
+      tooLarge={t('share.tooLarge')}
+      savePicture={() => savePicture(isTooLong(link) ? null : link)}
+      saveFile={saveFile}
+      onClose={closeDialog}
+      testId="share"
+    >
+      {session && <Contents session={session} expanded={expanded} />}
+    </SendDialog>
+  )
+}
+
+/** What the link will bring back, so that nothing is shared unseen. */
+function Contents({ session, expanded }: { session: Session; expanded: (number | null)[] }) {
+  const { spec } = session.scenario
+  return (
+    <ul class="share-contents">
+      <li>
+        {t(spec.terrain ? 'share.terrain' : 'share.map', {
+          name: spec.name,
+          width: spec.width,
+          height: spec.height,
+        })}
+      </li>
+      {session.panels.map((panel, index) => (
+        <li key={index}>
+          {panelName(panel.planner)} · {resultWords(panel, expanded[index] ?? null)}
+        </li>
+      ))}
+      <li>{t('share.seed', { seed: session.seed })}</li>
+    </ul>
+  )
+}
+
+/** Colonies count iterations, searches the cells they have looked at: known when the run on show is the recorded one. */
+function resultWords({ planner, result }: PanelSetup, expanded: number | null): string {
+  if (!result) return t('share.noResult')
+  const { iterations, digest } = result
+  if (!isSearch(planner)) return t('share.result', { iterations, digest })
+  if (expanded === null) return t('share.resultRecorded', { digest })
+  return t('share.resultExact', { count: expanded, digest })
+}
+
+function expandedCells(): (number | null)[] {
+  return panels.peek().map(({ id }) => {
+    const { summary } = latest(id)
+    return summary && summary.iteration > 0 ? summary.effort.cell_expansions : null
+  })
+}
+
+function panelName(id: string): string {
+  const entry = plannerEntry(id)
+  return entry ? plannerName(entry) : id
+}
+
+/** The panels as they stand; inside the link, or what the file has where that is too long. */
+async function savePicture(link: string | null): Promise<void> {
+  const { racePicture } = await import('./race_picture')
+  const png = await racePicture(link ?? (await exportExperiment()))
+  download(`${fileStem()}.png`, png, 'image/png')
+}
+
+async function saveFile(): Promise<void> {
+  download(`${fileStem()}.experiment.json`, await exportExperiment(), 'application/json')
+}

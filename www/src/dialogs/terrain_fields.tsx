@@ -1,0 +1,148 @@
+/** How one moves on a terrain, as fields of a form: on its surface, or by slices above it. */
+import type { SliceRules, TerrainFields } from '@pkg/formicarium'
+import { t } from '../i18n/dialogs'
+import type { Scenario } from '../model/session'
+import { fittingRules, MAX_LEVELS, MAX_REACH } from '../model/terrain'
+import { Labelled, NumberField, Segmented } from '../ui/fields'
+
+interface ModelProps {
+  terrain: TerrainFields
+  /** Suggests the rules when slices are chosen. */
+  scenario: Scenario
+  onChange: (terrain: TerrainFields) => void
+}
+
+export function ModelField({ terrain, scenario, onChange }: ModelProps) {
+  const { vertical_unit, slices } = terrain
+  const model = slices ? 'slices' : 'surface'
+  return (
+    <>
+      <Labelled label={t('terrain.model')}>
+        <Segmented
+          label={t('terrain.model')}
+          value={model}
+          options={(['surface', 'slices'] as const).map((value) => ({
+            value,
+            label: t(`terrain.models.${value}`),
+            testId: `model-${value}`,
+          }))}
+          onChange={(value) => {
+            if (value === model) return
+            if (value === 'surface') onChange({ vertical_unit, max_slope: 90 })
+            else onChange({ vertical_unit, slices: fittingRules(scenario, vertical_unit) })
+          }}
+        />
+      </Labelled>
+      <p class="hint">{t(`terrain.notes.${model}`)}</p>
+    </>
+  )
+}
+
+interface FieldsProps {
+  terrain: TerrainFields
+  onChange: (terrain: TerrainFields) => void
+}
+
+export function SurfaceFields({ terrain, onChange }: FieldsProps) {
+  const slope = terrain.max_slope ?? 90
+  return (
+    <div class="field-row">
+      <NumberField
+        label={t('terrain.maxSlope')}
+        value={slope}
+        min={0}
+        max={90}
+        invalid={!(slope > 0 && slope <= 90)}
+        testId="max-slope"
+        onChange={(max_slope) => onChange({ ...terrain, max_slope })}
+      />
+    </div>
+  )
+}
+
+type Whole = 'levels' | 'start_level' | 'goal_level' | 'max_aside' | 'max_climb'
+
+export function SliceFields({
+  rules,
+  onChange,
+}: {
+  rules: SliceRules
+  onChange: (rules: SliceRules) => void
+}) {
+  const limits: Record<Whole, [least: number, most: number]> = {
+    levels: [1, MAX_LEVELS],
+    start_level: [1, rules.levels],
+    goal_level: [1, rules.levels],
+    max_aside: [0, MAX_REACH],
+    max_climb: [0, MAX_REACH],
+  }
+  const whole = (key: Whole) => {
+    const [min, max] = limits[key]
+    return (
+      <NumberField
+        key={key}
+        label={t(`terrain.slices.${key}`)}
+        value={rules[key]}
+        min={min}
+        max={max}
+        step={1}
+        invalid={!isWhole(rules[key], min, max)}
+        testId={`slices-${key}`}
+        onChange={(value) => onChange({ ...rules, [key]: value })}
+      />
+    )
+  }
+  return (
+    <>
+      <div class="field-row">
+        <NumberField
+          label={t('terrain.slices.level')}
+          value={rounded(rules.level)}
+          min={0}
+          max={1e6}
+          invalid={!(rules.level > 0)}
+          testId="slices-level"
+          onChange={(level) => onChange({ ...rules, level })}
+        />
+        {(['levels', 'start_level', 'goal_level'] as const).map(whole)}
+      </div>
+      <div class="field-row">{(['max_aside', 'max_climb'] as const).map(whole)}</div>
+      <Labelled label={t('terrain.measure')}>
+        <Segmented
+          label={t('terrain.measure')}
+          value={rules.measure}
+          options={(['cost', 'length'] as const).map((value) => ({
+            value,
+            label: t(`terrain.measures.${value}`),
+            testId: `measure-${value}`,
+          }))}
+          onChange={(measure) => onChange({ ...rules, measure })}
+        />
+      </Labelled>
+      <p class="hint">{t(`terrain.measureNotes.${rules.measure}`)}</p>
+    </>
+  )
+}
+
+/** What a form may hand on: the engine would refuse the rest, and by then the dialog is gone. */
+export function terrainFits({ vertical_unit, max_slope = 90, slices }: TerrainFields): boolean {
+  if (!(vertical_unit > 0 && vertical_unit <= 1e6)) return false
+  if (!slices) return max_slope > 0 && max_slope <= 90
+  const { level, levels, start_level, goal_level, max_aside, max_climb } = slices
+  return (
+    level > 0 &&
+    level <= 1e6 &&
+    isWhole(levels, 1, MAX_LEVELS) &&
+    [start_level, goal_level].every((n) => isWhole(n, 1, levels)) &&
+    [max_aside, max_climb].every((n) => isWhole(n, 0, MAX_REACH))
+  )
+}
+
+function isWhole(value: number, least: number, most: number): boolean {
+  return Number.isInteger(value) && value >= least && value <= most
+}
+
+/** Nobody reads a level's height any closer. */
+function rounded(level: number): number {
+  return Number(level.toPrecision(6))
+}

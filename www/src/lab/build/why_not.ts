@@ -1,0 +1,14 @@
+/** Which planners fit the maps of a comparison that is being put together. */
+import type { CatalogEntry } from '@pkg/formicarium'
+import { t } from '../../i18n/lab'
+import { whyNot } from '../../words/planner_words'
+import { maps } from './draft'
+
+/** Why a planner cannot run on all of the maps. */
+export function whyNotHere(entry: CatalogEntry): string | null {
+  for (const { name, scenario } of maps.value) {
+    const why = whyNot(entry, scenario.spec)
+    if (why !== null) return maps.value.length > 1 ? t('lab.build.onMap', { map: name, why }) : why
+  }
+  return null
+}

@@ -1,0 +1,52 @@
+/**
+ * What is asked and what came out as the page shows it: known texts, those of the papers' questions, in the reader's language. Files
+ * are made of the study itself, so they are the same in every language.
+ */
+import { computed } from '@preact/signals'
+import { translated } from '../../i18n'
+import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
+import type { Claim, Contender, Instance, Question } from '../../model/comparison'
+import { analysis, type Study, study } from './signals'
+
+type ShownStudy = Pick<Study, 'id' | 'title' | 'question' | 'maps'>
+
+export const shownStudy = computed(() => study.value && ofStudy(study.value))
+export const shownAnalysis = computed(() => analysis.value && ofAnalysis(analysis.value))
+
+/** Nothing stays nothing. */
+const told = <T extends string | null | undefined>(text: T) =>
+  (text ? translated(text) : text) as T | string
+
+function ofStudy({ id, title, question, maps }: Study): ShownStudy {
+  return {
+    id,
+    title: told(title),
+    question: ofQuestion(question),
+    maps: maps.map((map) => ({ ...map, name: told(map.name) })),
+  }
+}
+
+function ofQuestion(question: Question): Question {
+  const { title, paper, asks, instances, entries, claims = [] } = question
+  return {
+    ...question,
+    title: told(title),
+    paper: told(paper),
+    asks: told(asks),
+    instances: instances.map((one): Instance => ({ ...one, note: told(one.note) })),
+    entries: entries.map(
+      (one): Contender => ({ ...one, label: told(one.label), missing: told(one.missing) }),
+    ),
+    claims: claims.map((one): Claim => ({ ...one, says: told(one.says), note: told(one.note) })),
+  }
+}
+
+function ofAnalysis(of: Analysis): Analysis {
+  const verdicts = of.verdicts.map((line): VerdictLine => ({ ...line, says: told(line.says) }))
+  return { ...of, instances: of.instances.map(ofMap), verdicts }
+}
+
+function ofMap(map: MapAnalysis): MapAnalysis {
+  const entries = map.entries.map((one): EntryAnalysis => ({ ...one, label: told(one.label) }))
+  return { ...map, name: told(map.name), note: told(map.note), entries }
+}

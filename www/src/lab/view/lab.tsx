@@ -1,0 +1,32 @@
+/** The laboratory's view: where experiments are made, or the one that is open. */
+import { LoaderCircle } from 'lucide'
+import { useEffect } from 'preact/hooks'
+import { t } from '../../i18n/lab'
+import { fetchRest } from '../../state'
+import { Icon } from '../../ui/icon'
+import { phase, study } from '../run/actions'
+import { StudyView } from './comparison_view'
+import { Start } from './start'
+
+export function Lab() {
+  useEffect(() => {
+    // Every planner can be compared, not only those of a first visit.
+    void fetchRest()
+  }, [])
+  return (
+    <main class="page lab" data-testid="lab" data-phase={phase.value}>
+      {study.value ? <StudyView /> : phase.value === 'opening' ? <Opening /> : <Start />}
+    </main>
+  )
+}
+
+function Opening() {
+  return (
+    <div class="empty" data-testid="lab-opening">
+      <span class="spinner">
+        <Icon icon={LoaderCircle} size={32} />
+      </span>
+      <p role="status">{t('lab.start.opening')}</p>
+    </div>
+  )
+}

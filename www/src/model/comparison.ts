@@ -1,0 +1,76 @@
+/** An experiment as it is written down (docs/formats.md, `formicarium/comparison@1`), as far as the page looks into it. */
+import type { Axis, ScenarioSpec } from '@pkg/formicarium'
+import type { ParamValues } from './messages'
+
+export const QUESTION_FORMAT = 'formicarium/question@1'
+export const RESULT_FORMAT = 'formicarium/comparison@1'
+
+export interface Budget {
+  axis: Exclude<Axis, 'time'>
+  amount: number
+}
+
+export interface Instance {
+  /** Small letters, digits, `-`. */
+  id: string
+  map: string
+  note?: string
+}
+
+export interface Contender {
+  /** Small letters, digits, `-`. */
+  id: string
+  label: string
+  role: 'baseline' | 'improved' | 'other'
+  planner?: string | null
+  missing?: string | null
+  /** The file whose runs it stands for. */
+  results?: string | null
+  preset?: string | null
+  set?: ParamValues
+  published?: Record<string, Record<string, number | null>>
+}
+
+export interface Question {
+  format: typeof QUESTION_FORMAT
+  title: string
+  paper?: string
+  asks: string
+  seeds: { from: number; count: number }
+  budget?: Budget
+  instances: Instance[]
+  entries: Contender[]
+  claims?: Claim[]
+}
+
+export interface Claim {
+  id: string
+  says: string
+  /** What a reader of the verdict must know. */
+  note?: string
+}
+
+/** A map of the question: `formicarium/scenario@1`. */
+export type MapOfQuestion = ScenarioSpec & Record<string, unknown>
+
+export interface LabDocument {
+  format: typeof RESULT_FORMAT
+  question: Question
+  maps: MapOfQuestion[]
+  recorded?: { engine: string; experiment: string }
+  given?: unknown[]
+  rows?: unknown[]
+}
+
+export const textOf = (document: LabDocument): string => JSON.stringify(document)
+
+/** Of a document that the engine has accepted. */
+export const documentOf = (text: string): LabDocument => JSON.parse(text) as LabDocument
+
+/** What can be run; the others have their results from elsewhere, or none. */
+export const runnable = ({ entries }: Question): Contender[] =>
+  entries.filter(({ planner }) => planner != null)
+
+export function countRuns(question: Question): number {
+  return question.instances.length * runnable(question).length * question.seeds.count
+}

@@ -1,0 +1,74 @@
+/** What a tools worker can do, and how it is asked: the calls that belong to no panel. */
+import type {
+  Catalog,
+  EngineError,
+  ExportFormat,
+  Generated,
+  Imported,
+  Kind,
+  Notice,
+  Objective,
+  Reference,
+  RunSummary,
+  ScenarioSpec,
+  ScenFile,
+  Size,
+  Survey,
+  Window,
+} from '@pkg/formicarium'
+import type { ParamValues, RunSetup } from './messages'
+import type { Origin } from './session'
+
+/** What of a raster of heights is to be opened, and in how many cells; all of it as it is where nothing is said. */
+export interface TerrainPart {
+  crop?: Window
+  size?: Size
+}
+
+/** What only the whole engine's worker can do, as plain functions on its side. */
+export interface MapCalls {
+  importMap(bytes: Uint8Array, name: string): Imported
+  importScen(bytes: Uint8Array): ScenFile
+  sniff(bytes: Uint8Array, name: string): Kind
+  surveyTerrain(bytes: Uint8Array, name: string): Survey
+  importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
+  exportMap(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    format: ExportFormat,
+  ): string
+  exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
+  /** The entries of an ablation, as JSON. */
+  ablation(planner: string, preset: string | null, set: ParamValues): string
+  joinResults(document: string, bytes: Uint8Array, name: string, instance: string | null): string
+  generate(
+    kind: Origin['generator'],
+    width: number,
+    height: number,
+    seed: number,
+    density: number,
+  ): Generated
+}
+
+/** What every tools worker can do, as plain functions on its side. */
+export interface ToolCalls {
+  catalog(): Catalog
+  version(): string
+  check(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Notice[]
+  proposeSeed(): number
+  reference(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    objective: Objective,
+  ): Reference
+  repeat(setup: RunSetup, iterations: number): RunSummary
+}
+
+export type ToolRequest =
+  | { kind: 'init'; module: WebAssembly.Module }
+  | { kind: 'call'; id: number; call: string; args: unknown[] }
+export type ToolReply =
+  | { id: number; ok: true; value: unknown }
+  | { id: number; ok: false; error: EngineError }

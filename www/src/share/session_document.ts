@@ -1,0 +1,223 @@
+/**
+ * The experiment document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
+ * file carries it with the cells as rows of text (link.ts).
+ */
+import type { Movement, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
+import type { ParamValues } from '../model/messages'
+import {
+  MAX_GOALS,
+  MAX_PANELS,
+  type Origin,
+  type PanelSetup,
+  type RecordedResult,
+  type Session,
+  SPEEDS,
+} from '../model/session'
+import { MAX_LEVELS, MAX_REACH } from '../model/terrain'
+import { cell, type Fields, fieldsOf, integer, invalid, list, oneOf, real, text } from './checks'
+import { LinkError } from './error'
+
+export const FORMAT = 'formicarium/experiment@1'
+export const MAX_SIDE = 4096
+
+const SEED_MAX = 2 ** 32 - 1
+const SYNCS = ['moves', 'iterations', 'paths', 'time'] as const
+const LAYERS = [
+  'trail',
+  'visits',
+  'heuristic',
+  'cost',
+  'density',
+  'initial-trail',
+  'seed-path',
+  'priority',
+  'none',
+] as const
+const STATUSES = ['running', 'optimal', 'complete', 'stagnated', 'budget-spent', 'no-path'] as const
+const GENERATORS = ['random', 'maze', 'rooms', 'cave', 'fractal', 'hills'] as const
+const MEASURES = ['cost', 'length'] as const
+const CORNER_RULES = ['always', 'one-free', 'both-free'] as const
+
+/** A session whose cells travel beside it. */
+export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin: Origin | null }
+
+export function documentOf(session: Session, engine: string): Fields {
+  const { scenario, panels, seed, sync, speed, layer } = session
+  return {
+    format: FORMAT,
+    engine,
+    scenario: { ...scenario.spec, ...(scenario.origin && { origin: scenario.origin }) },
+    panels,
+    seed,
+    sync,
+    speed: SPEEDS[speed]?.id ?? 'move',
+    layer,
+  }
+}
+
+/** Reads a document; everything in it is checked, because links are made by anyone. */
+export function readDocument(value: unknown): Described {
+  const fields = fieldsOf(value, 'document')
+  checkFormat(fields.format)
+  const { origin, ...spec } = fieldsOf(fields.scenario, 'scenario')
+  return {
+    spec: readSpec(spec),
+    origin:
+      origin === undefined || origin === null
+        ? null
+        : readOrigin(fieldsOf(origin, 'scenario.origin')),
+    panels: list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
+      readPanel(panel, `panels[${i}]`),
+    ),
+    seed: integer(fields.seed, 'seed', 0, SEED_MAX),
+    sync: oneOf(fields.sync, 'sync', SYNCS),
+    speed: SPEEDS.findIndex(
+      ({ id }) =>
+        id ===
+        oneOf(
+          fields.speed,
+          'speed',
+          SPEEDS.map((speed) => speed.id),
+        ),
+    ),
+    layer: oneOf(fields.layer, 'layer', LAYERS),
+  }
+}
+
+function checkFormat(format: unknown): void {
+  if (format === FORMAT) return
+  const name = typeof format === 'string' ? format.slice(0, 60) : 'no format'
+  if (name.startsWith('formicarium/experiment@')) {
+    throw new LinkError(
+      'link-newer',
+      `This experiment says ${name}; this page reads ${FORMAT}.`,
+      'format',
+    )
+  }
+  throw new LinkError('link-foreign', `This is not a Formicarium experiment (${name}).`, 'format')
+}
+
+function readSpec(fields: Fields): ScenarioSpec {
+  const width = side(fields.width, 'scenario.width')
+  const height = side(fields.height, 'scenario.height')
+  const goals = list(fields.goals, 'scenario.goals', MAX_GOALS).map((goal, i) => {
+    const field = `scenario.goals[${i}]`
+    const { at, name, area, strength, danger } = fieldsOf(goal, field)
+    // Documents of before there were several goals have no weights.
+    const weight = (value: unknown, key: string) =>
+      value === undefined ? 1 : real(value, `${field}.${key}`, Number.MIN_VALUE, 1e6)
+    return {
+      at: cell(at, `${field}.at`, width, height),
+      name: text(name, `${field}.name`, 200),
+      area: weight(area, 'area'),
+      strength: weight(strength, 'strength'),
+      danger: weight(danger, 'danger'),
+    }
+  })
+  if (goals.length === 0) throw invalid('scenario.goals', 'must name a goal')
+  const vehicle = fieldsOf(fields.vehicle, 'scenario.vehicle')
+  return {
+    name: text(fields.name, 'scenario.name', 200),
+    width,
+    height,
+    resolution: real(fields.resolution, 'scenario.resolution', Number.MIN_VALUE, 1e6),
+    movement: readMovement(fieldsOf(fields.movement, 'scenario.movement')),
+    start: cell(fields.start, 'scenario.start', width, height),
+    goals,
+    vehicle: {
+      speed: real(vehicle.speed, 'scenario.vehicle.speed', Number.MIN_VALUE, 1e6),
+      seconds_per_turn: real(vehicle.seconds_per_turn, 'scenario.vehicle.seconds_per_turn', 0, 1e6),
+    },
+    ...(fields.terrain != null && {
+      terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain')),
+    }),
+  }
+}
+
+function readTerrain({ vertical_unit, max_slope, slices }: Fields): TerrainFields {
+  const field = 'scenario.terrain'
+  return {
+    vertical_unit: real(vertical_unit, `${field}.vertical_unit`, Number.MIN_VALUE, 1e6),
+    ...(max_slope != null && {
+      max_slope: real(max_slope, `${field}.max_slope`, Number.MIN_VALUE, 90),
+    }),
+    ...(slices != null && { slices: readSlices(fieldsOf(slices, `${field}.slices`)) }),
+  }
+}
+
+function readSlices(fields: Fields): SliceRules {
+  const whole = (key: string, least: number, most: number) =>
+    integer(fields[key], `scenario.terrain.slices.${key}`, least, most)
+  const levels = whole('levels', 1, MAX_LEVELS)
+  return {
+    level: real(fields.level, 'scenario.terrain.slices.level', Number.MIN_VALUE, 1e6),
+    levels,
+    max_aside: whole('max_aside', 0, MAX_REACH),
+    max_climb: whole('max_climb', 0, MAX_REACH),
+    start_level: whole('start_level', 1, levels),
+    goal_level: whole('goal_level', 1, levels),
+    measure: oneOf(fields.measure, 'scenario.terrain.slices.measure', MEASURES),
+  }
+}
+
+/** Refused before anything of that size is allocated. */
+function side(value: unknown, field: string): number {
+  if (typeof value === 'number' && value > MAX_SIDE) {
+    throw new LinkError(
+      'link-too-large',
+      `${field} is ${value}; at most ${MAX_SIDE} cells are allowed.`,
+      field,
+    )
+  }
+  return integer(value, field, 1, MAX_SIDE)
+}
+
+function readMovement(fields: Fields): Movement {
+  return {
+    moves: oneOf(fields.moves, 'scenario.movement.moves', [4, 8, 16] as const),
+    corner_rule: oneOf(fields.corner_rule, 'scenario.movement.corner_rule', CORNER_RULES),
+  }
+}
+
+function readOrigin(fields: Fields): Origin {
+  return {
+    generator: oneOf(fields.generator, 'scenario.origin.generator', GENERATORS),
+    seed: integer(fields.seed, 'scenario.origin.seed', 0, SEED_MAX),
+    density: real(fields.density, 'scenario.origin.density', 0, 0.9),
+  }
+}
+
+function readPanel(value: unknown, field: string): PanelSetup {
+  const { planner, preset, params, result } = fieldsOf(value, field)
+  return {
+    planner: text(planner, `${field}.planner`, 64),
+    preset: preset === null || preset === undefined ? null : text(preset, `${field}.preset`, 64),
+    params: readParams(fieldsOf(params, `${field}.params`), `${field}.params`),
+    result:
+      result === null || result === undefined
+        ? null
+        : readResult(fieldsOf(result, `${field}.result`), `${field}.result`),
+  }
+}
+
+/** Whether a planner knows these keys and allows these values is the engine's to say. */
+function readParams(fields: Fields, field: string): ParamValues {
+  const entries = list(Object.entries(fields), field, 100) as [string, unknown][]
+  for (const [key, value] of entries) {
+    if (!['number', 'string', 'boolean'].includes(typeof value))
+      throw invalid(`${field}.${key.slice(0, 64)}`, 'must be a plain value')
+  }
+  return Object.fromEntries(entries) as ParamValues
+}
+
+function readResult(fields: Fields, field: string): RecordedResult {
+  const digest = text(fields.digest, `${field}.digest`, 16)
+  if (!/^[0-9a-f]{16}$/.test(digest))
+    throw invalid(`${field}.digest`, 'must be 16 hexadecimal digits')
+  return {
+    iterations: integer(fields.iterations, `${field}.iterations`, 0, 1e7),
+    status: oneOf(fields.status, `${field}.status`, STATUSES),
+    length: fields.length === null ? null : real(fields.length, `${field}.length`, 0, 1e9),
+    digest,
+  }
+}

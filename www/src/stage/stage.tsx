@@ -1,0 +1,70 @@
+/** One panel's map: mounts the worker's canvas, tells it what to show, and turns pointer and keys into edits. */
+import { useComputed, useSignal } from '@preact/signals'
+import { useEffect, useRef } from 'preact/hooks'
+import { attach } from '../engine/clients'
+import { t } from '../i18n'
+import { scenario, tool } from '../state'
+import { inRelief, relief } from '../state/relief'
+import { CellReadout } from './cell_readout'
+import { Inspector, inspector, isInspected } from './inspected'
+import { keyboardHandler } from './keyboard'
+import { markedCell } from './marked'
+import { coalesced, measure } from './measure'
+import { type CanvasSize, type Cursor, lookAt } from './panel_view'
+import { PointerInput } from './pointer'
+
+export function Stage({ panelId }: { panelId: number }) {
+  const Relief = inRelief.value ? relief.value?.ReliefStage : null
+  return Relief ? <Relief panelId={panelId} /> : <FlatStage panelId={panelId} />
+}
+
+function FlatStage({ panelId }: { panelId: number }) {
+  const host = useRef<HTMLDivElement>(null)
+  const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
+  const cursor = useSignal<Cursor | null>(null)
+  const label = useComputed(() => {
+    const spec = scenario.value?.spec
+    return spec ? t('stage.label', { name: spec.name, width: spec.width, height: spec.height }) : ''
+  })
+
+  useEffect(() => {
+    const element = host.current
+    if (element === null) return
+    const client = attach(panelId, element)
+    const stopMeasuring = measure(element, (measured) => {
+      size.value = measured
+    })
+    const stopLooking = coalesced(
+      () => lookAt(panelId, size.value, cursor.value ?? markedCell(panelId)),
+      (view) => client.setView(view),
+    )
+    const inspect = inspector(panelId)
+    const pointer = new PointerInput(element, size, cursor, inspect)
+    const onKey = keyboardHandler(size, cursor, inspect)
+    element.addEventListener('keydown', onKey)
+    return () => {
+      element.removeEventListener('keydown', onKey)
+      pointer.release()
+      stopLooking()
+      stopMeasuring()
+    }
+  }, [panelId])
+
+  return (
+    <>
+      <div
+        ref={host}
+        class="stage"
+        data-testid={`stage-${panelId}`}
+        data-tool={tool.value}
+        role="application"
+        aria-label={label}
+        aria-describedby="stage-help"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: an application region is operated with the keyboard
+        tabIndex={0}
+      />
+      <CellReadout cursor={cursor} />
+      {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
+    </>
+  )
+}

@@ -1,0 +1,44 @@
+/** The page's one store: what components may read and every action they may call. */
+export * from './appearance'
+export { slotColour } from './colours'
+export * from './files'
+export { flushLive, historyOf, latest, onReply } from './live'
+export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
+export {
+  announce,
+  announcement,
+  dismiss,
+  notify,
+  notifyError,
+  type Toast,
+  toasts,
+} from './notices'
+export { objectives, referenceOf } from './optimum'
+export {
+  addPanel,
+  paramValue,
+  removePanel,
+  setParam,
+  setPlanner,
+  setPreset,
+  setSeed,
+} from './panels'
+export { changeLevel, type Rules, setRules } from './rules'
+export {
+  pause,
+  play,
+  reset,
+  restart,
+  runToEnd,
+  stepIteration,
+  stepMove,
+  toggle,
+} from './runs'
+export * from './scenarios'
+export { currentSession, loadSession, openFragment, startOver } from './sessions'
+export { chooseSpeed } from './speed'
+export { startPage } from './start'
+export * from './store'
+export { type TerrainFile, terrainFile } from './terrain_files'
+export { showView, view } from './view'
+export { fetchRest, fetchUnasked } from './whole_engine'

@@ -1,0 +1,46 @@
+/** Keeps all runs of the open comparison, and answers what they say. */
+import * as engine from '@pkg/formicarium'
+import type { AnalystCalls, KeptRun } from '../model/comparison_calls'
+import { answerCalls } from './answer'
+
+let open: engine.Comparison | null = null
+
+function comparison(): engine.Comparison {
+  if (!open) throw new Error('no comparison is open')
+  return open
+}
+
+const calls: AnalystCalls = {
+  open(document) {
+    open?.free()
+    open = null
+    open = new engine.Comparison(document)
+    return { tasks: open.tasks(), rows: rowsOf(open), engine: engine.version() }
+  },
+  keep(runs) {
+    for (const { row, seconds } of runs) comparison().keep(row, seconds)
+  },
+  check(runs) {
+    for (const { row } of runs) comparison().check(row)
+  },
+  analysis(axis, intervals) {
+    const said = comparison().analysis(axis, intervals)
+    return { ...said, ablation: intervals ? comparison().effects() : [] }
+  },
+  file: (kind, command) => comparison().file(kind, command),
+  verify: () => comparison().verify() ?? null,
+}
+
+/** The runs that the document has brought along. */
+function rowsOf(one: engine.Comparison): KeptRun[] {
+  const left = new Set(one.open_tasks())
+  const done = Array.from({ length: one.tasks() }, (_, index) => index).filter((i) => !left.has(i))
+  return one.rows().map((row, place) => ({
+    index: done[place] ?? 0,
+    row,
+    seconds: [],
+    found: JSON.parse(row).found !== null,
+  }))
+}
+
+answerCalls(calls, (module) => engine.initSync({ module }))

@@ -1,0 +1,164 @@
+/** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
+import type { Run } from '@pkg/core/formicarium'
+import type { Layer, ScenarioSpec } from '@pkg/formicarium'
+import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
+import { drawMarks } from '../drawing/draw_marks'
+import type { View } from '../model/messages'
+import type { ContourLayer } from './contours'
+import { Crowd } from './crowd'
+import { drawCrowd } from './draw_crowd'
+
+type Context = OffscreenCanvasRenderingContext2D
+type PaintMap = (context: Context, theme: View['theme'], shaded: boolean) => void
+
+/** Slow steps are shown as a walk rather than a jump, but never longer than this. */
+const LONGEST_GLIDE_MS = 140
+/** Steps that follow each other faster than this need no walk in between. */
+const SHORTEST_GLIDE_MS = 24
+
+export class Painter {
+  private readonly context: Context
+  private raster: Context | null = null
+  private run: Run | null = null
+  /** Paints the map where there is no run. */
+  private bare: PaintMap | null = null
+  private spec: ScenarioSpec | null = null
+  /** On a terrain. */
+  private ground: ContourLayer | null = null
+  private path: Uint32Array = new Uint32Array()
+  /** For each goal its place in the order of visits, from 1. */
+  private places: number[] = []
+  private readonly crowd = new Crowd()
+  private lastStep = 0
+  private glideFrom = 0
+  private glideMs = 0
+  private requested = 0
+
+  constructor(
+    private readonly canvas: OffscreenCanvas,
+    private view: View,
+  ) {
+    this.context = contextOf(canvas)
+    this.fitCanvas()
+  }
+
+  /** Shows another run from now on. */
+  show(run: Run, spec: ScenarioSpec, ground: ContourLayer | null): void {
+    this.run = run
+    this.begin(spec, ground)
+  }
+
+  /** Shows a map with its marks, and no run, from now on. */
+  showMap(spec: ScenarioSpec, ground: ContourLayer | null, paint: PaintMap): void {
+    this.run = null
+    this.bare = paint
+    this.begin(spec, ground)
+  }
+
+  private begin(spec: ScenarioSpec, ground: ContourLayer | null): void {
+    this.spec = spec
+    this.ground = ground
+    this.path = new Uint32Array()
+    this.places = []
+    this.crowd.clear()
+    this.glideMs = 0
+    if (this.raster?.canvas.width !== spec.width || this.raster.canvas.height !== spec.height) {
+      this.raster = contextOf(new OffscreenCanvas(spec.width, spec.height))
+    }
+    this.repaint()
+    this.draw()
+  }
+
+  /** x0, y0, x1, y1, …; shown from the next drawing on. */
+  setPath(path: Uint32Array): void {
+    this.path = path
+  }
+
+  /** The goals' indices in visiting order; shown from the next drawing on. */
+  setOrder(order: readonly number[]): void {
+    this.places = []
+    for (const [place, goal] of order.entries()) this.places[goal] = place + 1
+  }
+
+  /** The run has moved on. `single`: by one move, so that every ant went one cell at most. */
+  refresh(single: boolean): void {
+    if (this.run === null) return
+    this.repaint()
+    this.crowd.update(this.run.ants(), single)
+    const now = performance.now()
+    const since = now - this.lastStep
+    this.lastStep = now
+    this.glideFrom = now
+    this.glideMs = single && since > SHORTEST_GLIDE_MS ? Math.min(since, LONGEST_GLIDE_MS) : 0
+    this.draw()
+  }
+
+  setView(view: View): void {
+    const before = this.view
+    this.view = view
+    this.fitCanvas()
+    const other = before.layer !== view.layer || before.theme !== view.theme
+    if (other || before.hidden !== view.hidden) this.repaint()
+    this.draw()
+  }
+
+  private fitCanvas(): void {
+    const { width, height } = this.view
+    if (this.canvas.width !== width) this.canvas.width = width
+    if (this.canvas.height !== height) this.canvas.height = height
+  }
+
+  /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
+  flatBitmap(): ImageBitmap | null {
+    if (this.spec === null) return null
+    const canvas = new OffscreenCanvas(this.spec.width, this.spec.height)
+    this.paint(contextOf(canvas), false)
+    return canvas.transferToImageBitmap()
+  }
+
+  private repaint(): void {
+    if (this.raster !== null && !this.view.hidden) this.paint(this.raster, true)
+  }
+
+  private paint(onto: Context, shaded: boolean): void {
+    const { run, view } = this
+    if (run === null) this.bare?.(onto, view.theme, shaded)
+    else run.paint(onto, layerOf(run, view.layer), view.theme, shaded)
+  }
+
+  private draw(): void {
+    const { context, view, spec, raster, ground } = this
+    if (view.hidden) return
+    context.clearRect(0, 0, view.width, view.height)
+    if (spec === null || raster === null) return
+    if (ground?.hasHoles) drawHatch(context, view, spec)
+    drawRaster(context, view, raster.canvas)
+    if (view.showContours) ground?.draw(context, view, () => this.draw())
+    drawGrid(context, view, spec)
+    if (view.showPath) drawPath(context, view, this.path)
+    if (view.showAnts) this.drawAnts(spec)
+    drawMarks(context, view, spec, this.places)
+    drawCursor(context, view)
+  }
+
+  private drawAnts({ goals }: ScenarioSpec): void {
+    const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
+    drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
+    cancelAnimationFrame(this.requested)
+    if (progress < 1 && this.crowd.size > 0)
+      this.requested = requestAnimationFrame(() => this.draw())
+  }
+}
+
+/** One layer is chosen for all panels; a planner without it shows the first it has. */
+function layerOf(run: Run, wanted: Layer | 'none'): Layer | 'none' {
+  if (wanted === 'none') return 'none'
+  const layers = run.layers()
+  return layers.includes(wanted) ? wanted : (layers[0] ?? 'none')
+}
+
+function contextOf(canvas: OffscreenCanvas): Context {
+  const context = canvas.getContext('2d')
+  if (context === null) throw new Error('this browser offers no 2D canvas in workers')
+  return context
+}

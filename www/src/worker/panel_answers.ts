@@ -1,0 +1,67 @@
+/** What a panel's worker answers about its run besides frames: looking back, the moves of a cell, a layer's values. */
+import type { Run as CoreRun } from '@pkg/core/formicarium'
+import type { Run as WholeRun } from '@pkg/formicarium'
+import type { Answers, Question } from '../model/messages'
+
+/** Of either build. */
+type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
+
+interface Asked {
+  /** False once the run has been replaced or, of a look, once another one is wanted. */
+  isCurrent(): boolean
+  repaint(look: Answers['look']): void
+}
+
+type Answer = Answers[keyof Answers] | null
+
+/** A worker that repeats iterations must hear, meanwhile, that others are wanted. */
+const SLICE_MS = 12
+const MOST_AT_ONCE = 4096
+
+export async function answer(question: Question, run: Run, asked: Asked): Promise<Answer> {
+  if (!asked.isCurrent()) return null
+  switch (question.about) {
+    case 'look':
+      return look(question.iteration, run, asked)
+    case 'moves': {
+      const [x, y] = question.cell
+      // The core of the engine knows no levels.
+      const level = question.level ?? run.level_at?.(x, y) ?? 0
+      return { level, rows: run.moves_from(x, y, level) }
+    }
+    case 'layer':
+      return run.layer(question.layer)
+    case 'kept':
+      return keptOf(run)
+  }
+}
+
+function keptOf(run: Run): Answers['kept'] {
+  const [snapshots = 0, bytes = 0, , , mostRepeated = 0] = run.snapshots()
+  return { snapshots, bytes, mostRepeated }
+}
+
+async function look(iteration: number | null, run: Run, asked: Asked): Promise<Answer> {
+  if (!(await goBack(iteration, run, asked))) return null
+  const look = {
+    summary: run.summary(),
+    bestPath: run.best_path(),
+    bestAltitudes: run.best_altitudes(),
+  }
+  asked.repaint(look)
+  return look
+}
+
+/** Goes there in slices of time; false when it is not wanted any more. */
+async function goBack(iteration: number | null, run: Run, asked: Asked): Promise<boolean> {
+  let atOnce = 1
+  for (;;) {
+    const began = performance.now()
+    if (run.show_iteration(iteration, atOnce)) return true
+    const took = performance.now() - began
+    if (took < SLICE_MS / 2) atOnce = Math.min(MOST_AT_ONCE, 2 * atOnce)
+    else if (took > SLICE_MS) atOnce = Math.max(1, atOnce >> 1)
+    if (took > SLICE_MS / 4) await new Promise((resolve) => setTimeout(resolve))
+    if (!asked.isCurrent()) return false
+  }
+}

@@ -1,0 +1,24 @@
+/** Panels and tools on the whole engine; only it has file formats and generators. */
+import * as engine from '@pkg/formicarium'
+import type { MapCalls, ToolCalls } from '../model/tool_calls'
+import { toolCalls } from './engine_calls'
+import { serve } from './serve'
+import { contoursOf } from './terrain_contours'
+
+const calls: ToolCalls & MapCalls = {
+  ...toolCalls(engine),
+  importMap: (bytes, name) => engine.import_map(bytes, name),
+  importScen: (bytes) => engine.import_scen(bytes),
+  sniff: (bytes, name) => engine.sniff(bytes, name),
+  surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
+  importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
+  exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
+  ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
+  joinResults: (document, bytes, name, instance) =>
+    engine.join_results(document, bytes, name, instance),
+  exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
+  generate: (kind, width, height, seed, density) =>
+    engine.generate(kind, width, height, seed, density),
+}
+
+serve(engine, calls, contoursOf)
