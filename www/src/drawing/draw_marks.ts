@@ -1,6 +1,6 @@
 /** Start and goals, with names and visiting order where there are several. Pure functions of the view. */
 import type { ScenarioSpec } from '@pkg/formicarium'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import { centre } from './draw_map'
 
 /** What a canvas of the worker and one of the page have alike. */
@@ -25,7 +25,7 @@ type Context = Pick<
   | 'textBaseline'
 >
 type Point = [number, number]
-type Look = Pick<View, 'theme' | 'dpr' | 'width' | 'goalNames'>
+type Look = Pick<PanelView, 'theme' | 'dpr' | 'width' | 'goalNames'>
 
 /** Where the marks are on the canvas; null for one that is not to be drawn. */
 export interface MarkPlaces {
@@ -63,7 +63,7 @@ const COLOURS = {
  */
 export function drawMarks(
   context: Context,
-  view: View,
+  view: PanelView,
   spec: ScenarioSpec,
   places: number[],
 ): void {
@@ -98,7 +98,10 @@ export function drawMarksAt(
 }
 
 /** Never smaller than can be seen and grasped, even when a cell is a pixel; one of several has room for its number. */
-export function markRadius({ scale, dpr }: Pick<View, 'scale' | 'dpr'>, several: boolean): number {
+export function markRadius(
+  { scale, dpr }: Pick<PanelView, 'scale' | 'dpr'>,
+  several: boolean,
+): number {
   return Math.min(16 * dpr, Math.max((several ? 8 : 6) * dpr, 0.4 * scale))
 }
 

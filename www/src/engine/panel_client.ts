@@ -5,21 +5,21 @@
 
 import { toEngineError } from '../model/errors'
 import type {
-  Answers,
   Frame,
+  PanelAnswers,
+  PanelQuestion,
   PanelReply,
   PanelRequest,
-  Question,
+  PanelView,
   RasterReply,
   RunSetup,
   Target,
-  View,
 } from '../model/messages'
 import { type Build, buildFor } from './builds'
 import { modules } from './load'
 import { newWorker } from './workers'
 
-type Answer = Answers[keyof Answers] | null
+type Answer = PanelAnswers[keyof PanelAnswers] | null
 
 interface Load {
   runId: number
@@ -27,7 +27,7 @@ interface Load {
 }
 
 /** A panel that is not on screen runs all the same. */
-const UNSEEN: View = {
+const UNSEEN: PanelView = {
   width: 1,
   height: 1,
   scale: 1,
@@ -67,7 +67,7 @@ export class PanelClient {
   /** What a worker that was replaced has left on screen, until the next one has drawn. */
   private faded: HTMLCanvasElement | null = null
   private host: HTMLElement | null = null
-  private view: View = UNSEEN
+  private view: PanelView = UNSEEN
   private started = false
   private current: Load | null = null
   /** Posted and not answered yet; while it is, only the newest later load is kept. */
@@ -86,7 +86,7 @@ export class PanelClient {
     else host.append(this.canvas)
   }
 
-  setView(view: View): void {
+  setView(view: PanelView): void {
     this.view = view
     if (this.started) this.post({ kind: 'view', view })
   }
@@ -114,15 +114,15 @@ export class PanelClient {
   }
 
   /** Asks about the current run; null when there is none, or none any more. */
-  ask<About extends keyof Answers>(
-    question: Extract<Question, { about: About }>,
-  ): Promise<Answers[About] | null> {
+  ask<About extends keyof PanelAnswers>(
+    question: Extract<PanelQuestion, { about: About }>,
+  ): Promise<PanelAnswers[About] | null> {
     const { current } = this
     if (!this.started || current === null) return Promise.resolve(null)
     const id = ++this.lastQuestion
     return new Promise((resolve) => {
       // The worker answers each question in its kind.
-      this.waiting.set(id, (answer) => resolve(answer as Answers[About] | null))
+      this.waiting.set(id, (answer) => resolve(answer as PanelAnswers[About] | null))
       this.post({ kind: 'ask', runId: current.runId, id, question })
     })
   }

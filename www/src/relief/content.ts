@@ -16,7 +16,7 @@ import {
 import { Line2 } from 'three/examples/jsm/lines/Line2.js'
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import type { Ground } from '../model/relief_ground'
 import type { Lattice } from './mesh'
 
@@ -68,7 +68,7 @@ export class Content {
     drop(before)
   }
 
-  setLook(colour: string, theme: View['theme'], dpr: number): void {
+  setLook(colour: string, theme: PanelView['theme'], dpr: number): void {
     this.halo.material.color = new Color(HALO[theme])
     this.halo.material.linewidth = 6.5 * dpr
     for (const { material } of [this.path, this.ghost]) material.color = new Color(colour)

@@ -12,7 +12,7 @@ import {
   Texture,
   WebGLRenderer,
 } from 'three'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import type { Ground } from '../model/relief_ground'
 import type { Content } from './content'
 import type { Lens } from './lens'
@@ -70,7 +70,7 @@ export class Room {
     this.scene.add(this.land, this.sketch, this.sides, this.sun, this.sky)
   }
 
-  setGround(ground: Ground, theme: View['theme'], lines: boolean): void {
+  setGround(ground: Ground, theme: PanelView['theme'], lines: boolean): void {
     this.ground.setLines(ground, theme, lines)
     this.plinth.color.set(plinthColour(theme))
     this.sun.intensity = LIGHTS[theme].sun

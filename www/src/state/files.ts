@@ -11,12 +11,12 @@ import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
 import { lazyParts } from './lazy_parts'
 import { notify, notifyError } from './notices'
+import { showView } from './page_view'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
 import { suitSpeed } from './speed'
 import { engineVersion, scenario } from './store'
 import { importPart, offerTerrain, type TerrainFile } from './terrain_files'
-import { showView } from './view'
 
 export interface ScenChoice {
   fileName: string

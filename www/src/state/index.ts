@@ -14,6 +14,7 @@ export {
   toasts,
 } from './notices'
 export { objectives, referenceOf } from './optimum'
+export { showView, view } from './page_view'
 export {
   addPanel,
   paramValue,
@@ -40,5 +41,4 @@ export { chooseSpeed } from './speed'
 export { startPage } from './start'
 export * from './store'
 export { type TerrainFile, terrainFile } from './terrain_files'
-export { showView, view } from './view'
 export { fetchRest, fetchUnasked } from './whole_engine'

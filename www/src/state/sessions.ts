@@ -8,6 +8,7 @@ import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '..
 import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live'
 import { notify, notifyError } from './notices'
+import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
 import { dropRun, pause, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
@@ -26,7 +27,6 @@ import {
   speed,
   sync,
 } from './store'
-import { playWhenShown } from './view'
 
 const FIRST_PLANNERS = ['ant-system', 'astar']
 const FIRST_MAP = 'two-corridors'

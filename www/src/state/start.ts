@@ -5,9 +5,9 @@ import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { keepSession, openKept } from './keep_session'
 import { watchScenario } from './optimum'
+import { followAddress } from './page_view'
 import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
 import { catalog, engineVersion, rest, startError } from './store'
-import { followAddress } from './view'
 import { fetchRestWhenIdle } from './whole_engine'
 
 let watching = false

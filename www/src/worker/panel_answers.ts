@@ -1,7 +1,7 @@
 /** What a panel's worker answers about its run besides frames: looking back, the moves of a cell, a layer's values. */
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
-import type { Answers, Question } from '../model/messages'
+import type { PanelAnswers, PanelQuestion } from '../model/messages'
 
 /** Of either build. */
 type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
@@ -9,16 +9,16 @@ type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
-  repaint(look: Answers['look']): void
+  repaint(look: PanelAnswers['look']): void
 }
 
-type Answer = Answers[keyof Answers] | null
+type Answer = PanelAnswers[keyof PanelAnswers] | null
 
 /** A worker that repeats iterations must hear, meanwhile, that others are wanted. */
 const SLICE_MS = 12
 const MOST_AT_ONCE = 4096
 
-export async function answer(question: Question, run: Run, asked: Asked): Promise<Answer> {
+export async function answer(question: PanelQuestion, run: Run, asked: Asked): Promise<Answer> {
   if (!asked.isCurrent()) return null
   switch (question.about) {
     case 'look':
@@ -36,7 +36,7 @@ export async function answer(question: Question, run: Run, asked: Asked): Promis
   }
 }
 
-function keptOf(run: Run): Answers['kept'] {
+function keptOf(run: Run): PanelAnswers['kept'] {
   const [snapshots = 0, bytes = 0, , , mostRepeated = 0] = run.snapshots()
   return { snapshots, bytes, mostRepeated }
 }

@@ -3,12 +3,12 @@ import { signal } from '@preact/signals'
 import { pause, play } from './runs'
 import { phase } from './store'
 
-export type View = 'race' | 'lab'
+export type PageView = 'race' | 'lab'
 
 const KEY = 'formicarium.view'
 const HASH = '#lab'
 
-export const view = signal<View>(first())
+export const view = signal<PageView>(first())
 
 /** Whether the runs on show were playing when the reader went to compare: then they go on afterwards. */
 let interrupted = false
@@ -19,7 +19,7 @@ export function playWhenShown(): void {
   else interrupted = true
 }
 
-export function showView(next: View): void {
+export function showView(next: PageView): void {
   if (next === view.peek()) return
   if (next === 'lab') {
     interrupted = phase.peek() === 'running'
@@ -42,7 +42,7 @@ function isAboutLab(hash: string): boolean {
   return hash === HASH || hash.startsWith('#q=')
 }
 
-function first(): View {
+function first(): PageView {
   if (location.hash !== '') return isAboutLab(location.hash) ? 'lab' : 'race'
   try {
     return sessionStorage.getItem(KEY) === 'lab' ? 'lab' : 'race'
@@ -52,7 +52,7 @@ function first(): View {
 }
 
 /** Private windows may refuse storage. */
-function remember(shown: View): void {
+function remember(shown: PageView): void {
   try {
     if (shown === 'lab') sessionStorage.setItem(KEY, shown)
     else sessionStorage.removeItem(KEY)
