@@ -2,7 +2,14 @@ import type { CatalogEntry } from '@pkg/formicarium'
 import { BookOpen, Plus, RotateCw } from 'lucide'
 import { t } from '../i18n'
 import { MAX_PANELS } from '../model/session'
-import { addPanel, catalog, fetchRest, fetchUnasked, panels, rest } from '../state'
+import {
+  addPanel,
+  catalog,
+  fetchWholeEngine,
+  fetchWholeEngineUnasked,
+  panels,
+  wholeEngine,
+} from '../state'
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
@@ -19,7 +26,7 @@ export function AddPlannerMenu() {
       label={t('panels.add')}
       testId="add-panel"
       align="end"
-      onOpen={fetchUnasked}
+      onOpen={fetchWholeEngineUnasked}
       face={
         <span class="menu-face">
           <Icon icon={Plus} size={16} />
@@ -75,15 +82,15 @@ function PlannerItem({ entry }: { entry: CatalogEntry }) {
 
 /** Whether the list is complete, and the way out when the rest did not come. */
 function RestItem() {
-  if (rest.value === 'here') return null
-  if (rest.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />
+  if (wholeEngine.value === 'here') return null
+  if (wholeEngine.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />
   return (
     <MenuItem
       icon={RotateCw}
       label={t('panels.fetchMore')}
       note={t('panels.moreNotFetched')}
       testId="fetch-planners"
-      onClick={fetchRest}
+      onClick={fetchWholeEngine}
     />
   )
 }
@@ -101,8 +108,13 @@ export function AddPlannerButtons() {
           onClick={() => addPanel(entry.id)}
         />
       ))}
-      {rest.value === 'failed' && (
-        <Button icon={RotateCw} label={t('panels.fetchMore')} tone="quiet" onClick={fetchRest} />
+      {wholeEngine.value === 'failed' && (
+        <Button
+          icon={RotateCw}
+          label={t('panels.fetchMore')}
+          tone="quiet"
+          onClick={fetchWholeEngine}
+        />
       )}
     </div>
   )

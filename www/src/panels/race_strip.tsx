@@ -8,11 +8,11 @@ import {
   panels,
   plannerEntry,
   references,
-  rest,
   scenario,
   scenarioNotices,
   showAnts,
   showPath,
+  wholeEngine,
 } from '../state'
 import { show } from '../state/dialogs'
 import { fitWholeMap, onTerrain, zoomView } from '../state/relief'
@@ -200,7 +200,7 @@ function ViewControls() {
           showPath.value = !showPath.value
         }}
       />
-      {panels.value.length > 1 && rest.value === 'here' && <CompareButton />}
+      {panels.value.length > 1 && wholeEngine.value === 'here' && <CompareButton />}
       {onTerrain.value && <ReliefControls />}
       <span class="divider" />
       <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomView(1 / 1.4)} />

@@ -18,8 +18,17 @@ import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
 import { pause, play, reset, restart } from './runs'
 import { suitSpeed } from './speed'
-import { activeGoal, galleryId, panels, phase, plannerEntry, rest, scenario, tool } from './store'
-import { fetchRest } from './whole_engine'
+import {
+  activeGoal,
+  galleryId,
+  panels,
+  phase,
+  plannerEntry,
+  scenario,
+  tool,
+  wholeEngine,
+} from './store'
+import { fetchWholeEngine } from './whole_engine'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
@@ -119,9 +128,9 @@ export async function openGallery(id: string): Promise<void> {
   const entry = gallery.find((each) => each.id === id)
   if (!entry) return
   const mine = ++asked
-  if (entry.racers && rest.peek() !== 'here') notify('info', t('panels.fetchingMore'))
+  if (entry.racers && wholeEngine.peek() !== 'here') notify('info', t('panels.fetchingMore'))
   const opened = fromGallery(id, await entry.scenario())
-  if (entry.racers) await fetchRest()
+  if (entry.racers) await fetchWholeEngine()
   if (mine !== asked) return
   suitSpeed(opened)
   batch(() => {

@@ -20,12 +20,12 @@ import {
   panels,
   phase,
   plannerEntry,
-  rest,
   scenario,
   seed,
   selectedPanel,
   speed,
   sync,
+  wholeEngine,
 } from './store'
 
 const FIRST_PLANNERS = ['ant-system', 'astar']
@@ -56,7 +56,7 @@ export function loadSession(session: Session): void {
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
-    if (rest.peek() === 'here') dropUnknown(panels.value)
+    if (wholeEngine.peek() === 'here') dropUnknown(panels.value)
     reset()
   })
   for (const panel of panels.peek()) void verify(panel)

@@ -7,8 +7,8 @@ import { keepSession, openKept } from './keep_session'
 import { watchScenario } from './optimum'
 import { followAddress } from './page_view'
 import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
-import { catalog, engineVersion, rest, startError } from './store'
-import { fetchRestWhenIdle } from './whole_engine'
+import { catalog, engineVersion, startError, wholeEngine } from './store'
+import { fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
 
@@ -32,9 +32,9 @@ function watch(): void {
   watching = true
   watchScenario()
   keepSession()
-  fetchRestWhenIdle()
+  fetchWholeEngineWhenIdle()
   effect(() => {
-    if (rest.value === 'here') untracked(admitWaiting)
+    if (wholeEngine.value === 'here') untracked(admitWaiting)
   })
   addEventListener('hashchange', async () => {
     followAddress()

@@ -48,14 +48,14 @@ export interface Panel {
   past: Signal<PanelLive | null>
 }
 
-/** Of the engine: not asked for · on its way · in the catalog · not to be had, until asked for again */
-export type Rest = 'absent' | 'fetching' | 'here' | 'failed'
+/** Not asked for · on its way · here, and its planners in the catalog · not to be had, until asked for again */
+export type WholeEngineState = 'absent' | 'fetching' | 'here' | 'failed'
 
 export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'inspect' | 'pan'
 
 export const catalog = signal<Catalog | null>(null)
-/** Whether the catalog is complete: at first it has what the core of the engine knows. */
-export const rest = signal<Rest>('absent')
+/** Once it is here the catalog is complete: until then it lists the planners of the core. */
+export const wholeEngine = signal<WholeEngineState>('absent')
 export const engineVersion = signal('')
 /** Set when the engine could not be started at all. */
 export const startError = signal<EngineError | null>(null)

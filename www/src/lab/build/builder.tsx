@@ -3,7 +3,7 @@ import { Play, RotateCcw } from 'lucide'
 import { useEffect, useId, useState } from 'preact/hooks'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { catalog, rest, scenario } from '../../state'
+import { catalog, scenario, wholeEngine } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
 import { startStudy } from '../run/actions'
@@ -95,7 +95,7 @@ function StartBar() {
         tone="primary"
         testId="lab-start"
         busy={busy}
-        disabled={count === 0 || rest.value === 'fetching'}
+        disabled={count === 0 || wholeEngine.value === 'fetching'}
         onClick={() => void start()}
       />
     </footer>

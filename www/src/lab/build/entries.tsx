@@ -2,7 +2,7 @@
 import type { CatalogEntry } from '@pkg/formicarium'
 import { Plus, RotateCw } from 'lucide'
 import { t } from '../../i18n/lab'
-import { catalog, fetchRest, rest } from '../../state'
+import { catalog, fetchWholeEngine, wholeEngine } from '../../state'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
 import { FAMILIES, plannerName, plannerSummary } from '../../words/planner_words'
@@ -51,13 +51,13 @@ function AddEntry() {
       {FAMILIES.map((family) => (
         <Family key={family} of={planners(family)} heading={t(`family.${family}`)} />
       ))}
-      {rest.value === 'fetching' && <MenuHeading text={t('panels.fetchingMore')} />}
-      {rest.value === 'failed' && (
+      {wholeEngine.value === 'fetching' && <MenuHeading text={t('panels.fetchingMore')} />}
+      {wholeEngine.value === 'failed' && (
         <MenuItem
           icon={RotateCw}
           label={t('panels.fetchMore')}
           note={t('panels.moreNotFetched')}
-          onClick={fetchRest}
+          onClick={fetchWholeEngine}
         />
       )}
     </Menu>

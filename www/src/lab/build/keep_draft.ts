@@ -1,6 +1,6 @@
 /** A comparison that is being put together outlives a reload of its tab; another tab begins with what races there. */
 import { effect } from '@preact/signals'
-import { fetchRest, plannerEntry, rest } from '../../state'
+import { fetchWholeEngine, plannerEntry, wholeEngine } from '../../state'
 import { importedFiles, takeImportedFiles } from '../store/imported_files'
 import { recallInTab, rememberInTab } from '../store/kept'
 import { newId } from '../store/names'
@@ -21,8 +21,8 @@ export async function fillOnce(): Promise<void> {
   fillWith(kept)
   takeImportedFiles(kept.files)
   // Another version of the page may not know a planner any more; which ones it knows shows when all have come.
-  await fetchRest()
-  if (rest.peek() !== 'here') return
+  await fetchWholeEngine()
+  if (wholeEngine.peek() !== 'here') return
   for (const { key, planner } of entries.peek()) if (!plannerEntry(planner)) removeEntry(key)
 }
 

@@ -2,7 +2,7 @@
 import { LoaderCircle } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { t } from '../../i18n/lab'
-import { fetchRest } from '../../state'
+import { fetchWholeEngine } from '../../state'
 import { Icon } from '../../ui/icon'
 import { phase, study } from '../run/actions'
 import { StudyView } from './comparison_view'
@@ -11,7 +11,7 @@ import { Start } from './start'
 export function Lab() {
   useEffect(() => {
     // Every planner can be compared, not only those of a first visit.
-    void fetchRest()
+    void fetchWholeEngine()
   }, [])
   return (
     <main class="page lab" data-testid="lab" data-phase={phase.value}>
