@@ -1,14 +1,14 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/model/comparison'
+import type { ComparisonDocument } from '../../www/src/model/comparison'
 import { Lab } from './lab'
 import { Laboratory } from './lab_page'
 
 /** What was asked, by the result file of the comparison that is open. */
-async function asked({ page }: Laboratory): Promise<LabDocument['question']> {
+async function asked({ page }: Laboratory): Promise<ComparisonDocument['question']> {
   const text = await page.evaluate(() => window.formicarium.resultFile('link'))
-  return (JSON.parse(text) as LabDocument).question
+  return (JSON.parse(text) as ComparisonDocument).question
 }
 
 test.describe('making a comparison', () => {

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/model/comparison'
+import type { ComparisonDocument } from '../../www/src/model/comparison'
 import { Laboratory, onShelf } from './lab_page'
 
 interface Draft {
@@ -46,7 +46,7 @@ test.describe('a comparison that is being put together', () => {
     await laboratory.run()
     await laboratory.finished()
     const text = await page.evaluate(() => window.formicarium.resultFile('link'))
-    const { title, seeds, instances, entries } = (JSON.parse(text) as LabDocument).question
+    const { title, seeds, instances, entries } = (JSON.parse(text) as ComparisonDocument).question
     expect([title, seeds]).toEqual(['Nine ants', { from: 3, count: 7 }])
     expect(instances.map(({ id }) => id)).toEqual(['two-corridors', 'classic-20-20'])
     expect(entries).toMatchObject([

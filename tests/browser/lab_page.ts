@@ -1,6 +1,6 @@
 /** The laboratory as its readers use it. */
 import { expect, type Locator, type Page } from '@playwright/test'
-import type { CompareOptions, Comparison } from '../../www/src/lab/scripting'
+import type { CompareOptions, ComparisonResult } from '../../www/src/lab/scripting'
 import { Lab } from './lab'
 
 export class Laboratory {
@@ -120,7 +120,7 @@ export class Laboratory {
   }
 
   /** By the scripting interface: with what result files say. */
-  script(options: CompareOptions = {}): Promise<Comparison> {
+  script(options: CompareOptions = {}): Promise<ComparisonResult> {
     return this.page.evaluate((given) => window.formicarium.compare(given), options)
   }
 }

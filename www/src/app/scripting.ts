@@ -8,7 +8,7 @@
  *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
 import type { ResultFile, RunSummary } from '@pkg/formicarium'
-import type { CompareOptions, Comparison } from '../lab/scripting'
+import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
 import {
   currentSession,
@@ -51,7 +51,7 @@ export interface Scripting {
   results(): PanelResult[]
   session(): Session | null
   /** Runs every planner on the map with many seeds, or any experiment that a document holds. */
-  compare(options?: CompareOptions): Promise<Comparison>
+  compare(options?: CompareOptions): Promise<ComparisonResult>
   /** A result file of the comparison that is open, as text. */
   resultFile(kind: ResultFile): Promise<string>
 }

@@ -5,14 +5,14 @@ import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { takeResults } from './build/take_results'
 import { Lab } from './view/lab'
-import { openAddress, openLabDocument } from './view/opening'
+import { openAddress, openComparisonDocument } from './view/open_address'
 
 export { resultFile } from './run/actions'
 export { compare } from './scripting'
-export { showPublished } from './view/published_offer'
-export { openLabDocument }
+export { showPublished } from './view/show_published'
+export { openComparisonDocument }
 
-/** A file of somebody's own runs. */
+/** Imports a file of results. */
 export async function takeImportedResults(name: string, bytes: Uint8Array): Promise<void> {
   await openAddress()
   await takeResults(name, bytes)

@@ -17,7 +17,7 @@ export interface Instance {
   note?: string
 }
 
-export interface Contender {
+export interface Entry {
   /** Small letters, digits, `-`. */
   id: string
   label: string
@@ -39,7 +39,7 @@ export interface Question {
   seeds: { from: number; count: number }
   budget?: Budget
   instances: Instance[]
-  entries: Contender[]
+  entries: Entry[]
   claims?: Claim[]
 }
 
@@ -53,7 +53,7 @@ export interface Claim {
 /** A map of the question: `formicarium/scenario@1`. */
 export type MapOfQuestion = ScenarioSpec & Record<string, unknown>
 
-export interface LabDocument {
+export interface ComparisonDocument {
   format: typeof RESULT_FORMAT
   question: Question
   maps: MapOfQuestion[]
@@ -62,13 +62,14 @@ export interface LabDocument {
   rows?: unknown[]
 }
 
-export const textOf = (document: LabDocument): string => JSON.stringify(document)
+export const textOf = (document: ComparisonDocument): string => JSON.stringify(document)
 
 /** Of a document that the engine has accepted. */
-export const documentOf = (text: string): LabDocument => JSON.parse(text) as LabDocument
+export const documentOf = (text: string): ComparisonDocument =>
+  JSON.parse(text) as ComparisonDocument
 
 /** What can be run; the others have their results from elsewhere, or none. */
-export const runnable = ({ entries }: Question): Contender[] =>
+export const runnable = ({ entries }: Question): Entry[] =>
   entries.filter(({ planner }) => planner != null)
 
 export function countRuns(question: Question): number {

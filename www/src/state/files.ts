@@ -90,9 +90,9 @@ async function openExperiment(bytes: Uint8Array): Promise<void> {
 
 /** A comparison of many runs. */
 async function openInLab(text: string): Promise<void> {
-  const { openLabDocument } = await lazyParts.lab()
+  const { openComparisonDocument } = await lazyParts.lab()
   showView('lab')
-  await openLabDocument(text)
+  await openComparisonDocument(text)
 }
 
 /** Runs that were made elsewhere. */

@@ -3,11 +3,11 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
-import { keepSession, openKept } from './keep_session'
 import { watchScenario } from './optimum'
 import { followAddress } from './page_view'
 import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
 import { catalog, engineVersion, startError, wholeEngine } from './store'
+import { openStoredSession, storeSessionChanges } from './stored_session'
 import { fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
@@ -24,14 +24,14 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
-  if (!(await openFragment(location.hash)) && !(await openKept())) openFirstSession()
+  if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
   autoplay()
 }
 
 function watch(): void {
   watching = true
   watchScenario()
-  keepSession()
+  storeSessionChanges()
   fetchWholeEngineWhenIdle()
   effect(() => {
     if (wholeEngine.value === 'here') untracked(admitWaiting)

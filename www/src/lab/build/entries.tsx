@@ -1,4 +1,4 @@
-/** What is compared: planners with their parameters. */
+/** The entries of the draft: planners with their parameters, and imported results. */
 import type { CatalogEntry } from '@pkg/formicarium'
 import { Plus, RotateCw } from 'lucide'
 import { t } from '../../i18n/lab'
@@ -6,7 +6,7 @@ import { catalog, fetchWholeEngine, wholeEngine } from '../../state'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
 import { FAMILIES, plannerName, plannerSummary } from '../../words/planner_words'
-import { instanceIds } from './compose'
+import { instanceIds } from './compose_document'
 import { addEntry, entries, maps } from './draft'
 import { EntryRow } from './entry_row'
 import { ImportedFiles, ImportedResults } from './imported_results'

@@ -1,4 +1,4 @@
-/** Where somebody's own runs come in: beside the planners, or into an experiment that is open. */
+/** Imports results: into the draft beside its entries, or into the open comparison. */
 import { FileChartColumn, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
@@ -21,7 +21,7 @@ interface Place {
   name: string
 }
 
-/** `maps`: on which of them runs can be that name none. */
+/** `maps`: the choices for a file that does not name its map. */
 export function ImportedResults({ maps }: { maps: Place[] }) {
   const { pick, element } = useFilePicker({
     label: t('lab.own.add'),

@@ -11,12 +11,12 @@ const FILE_WIDTH = 720
 /** Pixels of a PNG for each of the SVG's. */
 const PNG_SCALE = 2
 
-/** Puts the experiment into a picture. */
+/** Embeds the comparison in a picture. */
 type Embed = (png: Blob) => Promise<Blob>
 
 let embed: Embed | null = null
 
-/** From now on every PNG carries what `how` puts into it. */
+/** From now on `how` embeds the comparison in every PNG. */
 export function embedInPictures(how: Embed | null): void {
   embed = how
 }

@@ -53,7 +53,7 @@ export interface Figure {
   id: FigureId
   /** About all maps together rather than one of them. */
   overall: boolean
-  /** Whether there is anything to show in such a study at all. */
+  /** Whether the figure makes sense for such a comparison. */
   suits(analysis: Analysis): boolean
   /** Why there is nothing to draw yet. */
   missing(scene: Scene): LabKey | null

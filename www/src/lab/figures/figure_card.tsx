@@ -8,8 +8,8 @@ import type { Analysis, MapAnalysis } from '../../model/analysis'
 import { notifyError, theme } from '../../state'
 import { Button } from '../../ui/buttons'
 import { fileStem } from '../store/names'
-import { phase, study } from '../store/signals'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
+import { openComparison, phase } from '../store/signals'
 import { DataTable } from './data_table'
 import { downloadPng, downloadSvg, figureFile } from './download'
 import type { Figure, Plot, Scene } from './figure'
@@ -94,7 +94,7 @@ function Actions({ figure, plot, scene, ground, asTable }: Toggled) {
   const file = () => figureFile(plot, figure, scene, headingOf(figure, scene), ground)
   const stem = () => {
     const about = figure.overall ? '' : `-${scene.map.id}`
-    return `${fileStem(study.value?.title ?? '')}-${figure.id}${about}`
+    return `${fileStem(openComparison.value?.title ?? '')}-${figure.id}${about}`
   }
   const save = (how: (svg: SVGSVGElement, stem: string) => void | Promise<void>) => () => {
     file()
@@ -142,7 +142,11 @@ function headingOf(figure: Figure, { map, analysis }: Scene) {
   const about = figure.overall
     ? t('lab.results.onMaps', { count: analysis.instances.length })
     : map.name
-  const parts = [shownStudy.value?.title ?? '', about, t('lab.results.runsEach', { count: runs })]
+  const parts = [
+    shownComparison.value?.title ?? '',
+    about,
+    t('lab.results.runsEach', { count: runs }),
+  ]
   return {
     title: t(`lab.results.figures.${figure.id}`),
     subtitle: parts.filter((part) => part !== '').join(' · '),

@@ -8,7 +8,7 @@ import { galleryId, notifyError } from '../../state'
 import { IconButton } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
 import { showCard } from '../../words/paper_cards'
-import { startStudy } from '../run/actions'
+import { startComparison } from '../run/actions'
 import { documentFor, type PaperQuestion, questionOfMap, questions, secondsFor } from './questions'
 
 /** Below so many a verdict cannot be given (docs/methodology.md). */
@@ -42,7 +42,7 @@ function Published({ question, here }: { question: PaperQuestion; here: boolean 
   const run = async () => {
     setBusy(true)
     await documentFor(question, seeds)
-      .then((document) => startStudy(document))
+      .then((document) => startComparison(document))
       .catch(notifyError)
     setBusy(false)
   }

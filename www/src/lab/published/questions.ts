@@ -1,7 +1,7 @@
-/** What papers claim, as questions that can be run here: the same as experiments/*.toml ask on the command line. */
+/** The papers' claims as questions that can be run here: those of experiments/*.toml, as on the command line. */
 import all from 'virtual:paper-questions'
 import { paperMaps } from '../../gallery/paper_maps'
-import { type LabDocument, textOf } from '../../model/comparison'
+import { type ComparisonDocument, textOf } from '../../model/comparison'
 import { poolSize } from '../run/pool'
 
 export interface PaperQuestion {
@@ -48,7 +48,7 @@ export function questionOfMap(galleryId: string | null): PaperQuestion | null {
 
 /** The question with its maps, for the first so many of its seeds. */
 export async function documentFor(question: PaperQuestion, seeds: number): Promise<string> {
-  const document = JSON.parse(await question.document()) as LabDocument
+  const document = JSON.parse(await question.document()) as ComparisonDocument
   document.question.seeds.count = Math.min(seeds, question.seeds)
   return textOf(document)
 }

@@ -5,7 +5,7 @@ import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
 import { Button } from '../../ui/buttons'
 import { METHODOLOGY, showCard } from '../../words/paper_cards'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
 import {
   amount,
   dash,
@@ -202,7 +202,7 @@ function Verdicts({ analysis }: { analysis: Analysis }) {
 
 /** What a reader of the verdicts must know, each once, with the claims that it is about. */
 function Reservations() {
-  const claims = shownStudy.value?.question.claims ?? []
+  const claims = shownComparison.value?.question.claims ?? []
   const notes = [...new Set(claims.map(({ note }) => note ?? ''))].filter((note) => note !== '')
   if (notes.length === 0) return null
   return (

@@ -5,7 +5,7 @@ import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Select } from '../../ui/fields'
 import { bestOf } from '../../words/metric_rows'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
 import { amount, dash, labelOf, measureWords, optimaOf } from '../words/numbers'
 import { Alert, AxisChoice, dotColour, MapChoice, MapHead, shownMap } from './choices'
 import { type Column, type ColumnId, columnsOf, headOf, type Table } from './summary_columns'
@@ -189,7 +189,7 @@ function Row({ entry, index, columns, best }: RowProps) {
 }
 
 const whyMissing = (id: string) =>
-  shownStudy.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
+  shownComparison.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
 
 function Cell({
   column,

@@ -1,20 +1,20 @@
-/** A picture that says what came out, for those who only look, with the experiment in it, for those who ask further. */
+/** A picture of the results. The comparison itself is embedded in the file, so that the picture can be opened here. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { engineVersion } from '../../state'
 import { FONT, LOOKS, type Look, seriesOf } from '../figures/figure_style'
 import { shortened, wrapped } from '../figures/svg'
-import { progress, study } from '../run/actions'
-import { shownAnalysis, shownStudy } from '../store/translated'
+import { openComparison, progress } from '../run/actions'
+import { shownAnalysis, shownComparison } from '../store/shown_comparison'
 import { amount, labelOf, measureWords, range } from '../words/numbers'
-import { withStudy } from './picture'
+import { embedComparison } from './embed_comparison'
 
 const WIDTH = 1200
 const EDGE = 48
 const LINE = 66
 const HEAD = 30
-/** Of a phone's screen, where such pictures are looked at. */
+/** As much as can be read on a phone's screen. */
 const MOST_MAPS = 3
 const MOST_ENTRIES = 12
 const NAMES = 380
@@ -29,11 +29,11 @@ export async function resultCard(): Promise<Blob> {
   if (context) draw(context, canvas.height, LOOKS.light)
   const png = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'))
   if (!png) throw new Error('the browser makes no picture')
-  return withStudy(png)
+  return embedComparison(png)
 }
 
 const titleLines = () =>
-  wrapped(shownStudy.peek()?.title ?? '', WIDTH - 2 * EDGE, font(650, 34)).slice(0, 2)
+  wrapped(shownComparison.peek()?.title ?? '', WIDTH - 2 * EDGE, font(650, 34)).slice(0, 2)
 
 function heightOf(found: Analysis | null): number {
   const entries = Math.min(MOST_ENTRIES, found?.instances[0]?.entries.length ?? 0)
@@ -65,7 +65,7 @@ function draw(context: Context, height: number, look: Look): void {
 }
 
 function subtitle(): string {
-  const now = study.peek()
+  const now = openComparison.peek()
   if (!now) return ''
   const { instances, entries, seeds } = now.question
   return [
@@ -79,9 +79,9 @@ function subtitle(): string {
   ].join(' · ')
 }
 
-/** Whose runs they are: of whoever recorded them, or this engine's. */
+/** The engine that did the runs: the recorded one, or this one. */
 function engineOf(): string {
-  const now = study.peek()
+  const now = openComparison.peek()
   return (now?.runs === 'file' && now.recorded?.engine) || engineVersion.peek()
 }
 

@@ -1,33 +1,33 @@
-/** A comparison that is being put together outlives a reload of its tab; another tab begins with what races there. */
+/** A draft outlives a reload of its tab; a new tab begins with what races there. */
 import { effect } from '@preact/signals'
 import { fetchWholeEngine, plannerEntry, wholeEngine } from '../../state'
+import { storeDraft, storedDraft } from '../store/browser_storage'
 import { importedFiles, takeImportedFiles } from '../store/imported_files'
-import { recallInTab, rememberInTab } from '../store/kept'
 import { newId } from '../store/names'
-import { keptDraft, putDraft } from '../store/shelf'
+import { recallInTab, rememberInTab } from '../store/tab_memory'
 import { drafted, entries, fillWith, removeEntry, takeRace, waitsToBeFilled } from './draft'
 
-/** Typing comes in bursts. */
+/** Waits for a pause in typing. */
 const CALM_MS = 250
 const TAB_KEY = 'formicarium.draft'
 
-/** What this tab had begun before it was loaded again, else what races. */
-export async function fillOnce(): Promise<void> {
+/** Fills the builder with the draft of this tab, or else with what races. */
+export async function restoreDraft(): Promise<void> {
   if (!waitsToBeFilled()) return
   const id = recallInTab(TAB_KEY)
-  const kept = id === null ? null : await keptDraft(id).catch(() => null)
+  const kept = id === null ? null : await storedDraft(id).catch(() => null)
   if (!waitsToBeFilled()) return
   if (!kept) return takeRace()
   fillWith(kept)
   takeImportedFiles(kept.files)
-  // Another version of the page may not know a planner any more; which ones it knows shows when all have come.
+  // This version of the page may not know every planner of the draft: the complete catalog tells.
   await fetchWholeEngine()
   if (wholeEngine.peek() !== 'here') return
   for (const { key, planner } of entries.peek()) if (!plannerEntry(planner)) removeEntry(key)
 }
 
-/** Writes down every change from now on. A browser that refuses loses what a reload would have brought back, and no more. */
-export function keepDraft(): void {
+/** Stores every change from now on. Where the browser refuses, a reload loses the draft and nothing else. */
+export function storeDraftChanges(): void {
   let timer = 0
   effect(() => {
     const draft = drafted()
@@ -37,7 +37,7 @@ export function keepDraft(): void {
     timer = window.setTimeout(() => {
       const id = recallInTab(TAB_KEY) ?? newId()
       rememberInTab(TAB_KEY, id)
-      void putDraft(id, { ...draft, files, changed: Date.now() }).catch(() => {})
+      void storeDraft(id, { ...draft, files, changed: Date.now() }).catch(() => {})
     }, CALM_MS)
   })
 }

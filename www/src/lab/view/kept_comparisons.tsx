@@ -1,18 +1,24 @@
-/** Experiments of this browser; those that were interrupted offer to go on. */
+/** The comparisons that this browser has stored; interrupted ones can go on. */
 import { FolderOpen, Play, Trash2 } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { language, translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { notifyError } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
-import { goOn, keptList, openStudy, refreshKept, removeStudy } from '../run/actions'
-import type { KeptStudy } from '../store/shelf'
+import {
+  goOn,
+  keptComparisons,
+  openKeptComparison,
+  refreshKeptComparisons,
+  removeComparison,
+} from '../run/actions'
+import type { StoredComparison } from '../store/browser_storage'
 
-export function KeptList() {
-  const kept = keptList.value
-  // Another tab may have run something meanwhile.
+export function KeptComparisons() {
+  const kept = keptComparisons.value
+  // Another tab may have changed the list.
   useEffect(() => {
-    const refresh = () => void refreshKept()
+    const refresh = () => void refreshKeptComparisons()
     addEventListener('focus', refresh)
     return () => removeEventListener('focus', refresh)
   }, [])
@@ -23,8 +29,8 @@ export function KeptList() {
       {kept?.length === 0 && <p class="hint">{t('lab.kept.none')}</p>}
       {kept && kept.length > 0 && (
         <ul class="kept-list">
-          {kept.map((study) => (
-            <KeptItem key={study.id} study={study} />
+          {kept.map((comparison) => (
+            <KeptComparison key={comparison.id} comparison={comparison} />
           ))}
         </ul>
       )}
@@ -32,11 +38,11 @@ export function KeptList() {
   )
 }
 
-function KeptItem({ study }: { study: KeptStudy }) {
-  const { id, done, total, created } = study
-  const title = translated(study.title)
+function KeptComparison({ comparison }: { comparison: StoredComparison }) {
+  const { id, done, total, created } = comparison
+  const title = translated(comparison.title)
   const isComplete = done >= total
-  const open = () => openStudy(id)
+  const open = () => openKeptComparison(id)
   const resume = () => open().then(goOn)
   return (
     <li class="kept-item" data-testid="kept-item">
@@ -79,7 +85,7 @@ function KeptItem({ study }: { study: KeptStudy }) {
         label={t('lab.kept.remove', { title })}
         tone="quiet"
         testId="kept-remove"
-        onClick={() => removeStudy(id).catch(notifyError)}
+        onClick={() => removeComparison(id).catch(notifyError)}
       />
     </li>
   )

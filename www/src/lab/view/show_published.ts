@@ -1,14 +1,14 @@
-/** From a map that stands for a paper's to what can be asked of that paper. */
+/** Leads from a paper's map to the questions of that paper. */
 import { showView } from '../../state'
-import { closeStudy, phase, study } from '../run/actions'
-import { openAddress } from './opening'
+import { closeComparison, openComparison, phase } from '../run/actions'
+import { openAddress } from './open_address'
 
-/** The list of questions; a study that runs is not broken off for it. */
+/** Shows the list of questions, unless a comparison is running. */
 export async function showPublished(): Promise<void> {
   showView('lab')
   await openAddress()
   if (phase.peek() === 'running') return
-  if (study.peek()) closeStudy()
+  if (openComparison.peek()) closeComparison()
   // Once it is drawn.
   setTimeout(() =>
     document.querySelector('.published-item.here')?.scrollIntoView({ block: 'center' }),

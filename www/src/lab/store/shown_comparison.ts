@@ -1,23 +1,25 @@
 /**
- * What is asked and what came out as the page shows it: known texts, those of the papers' questions, in the reader's language. Files
- * are made of the study itself, so they are the same in every language.
+ * The open comparison and its analysis as the page shows them: known texts, such as those of the papers' questions, in the reader's
+ * language. Files are made from the comparison itself, so they are the same in every language.
  */
 import { computed } from '@preact/signals'
 import { translated } from '../../i18n'
 import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
-import type { Claim, Contender, Instance, Question } from '../../model/comparison'
-import { analysis, type Study, study } from './signals'
+import type { Claim, Entry, Instance, Question } from '../../model/comparison'
+import { analysis, type OpenComparison, openComparison } from './signals'
 
-type ShownStudy = Pick<Study, 'id' | 'title' | 'question' | 'maps'>
+type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>
 
-export const shownStudy = computed(() => study.value && ofStudy(study.value))
+export const shownComparison = computed(
+  () => openComparison.value && ofComparison(openComparison.value),
+)
 export const shownAnalysis = computed(() => analysis.value && ofAnalysis(analysis.value))
 
-/** Nothing stays nothing. */
+/** Null and empty text stay as they are. */
 const told = <T extends string | null | undefined>(text: T) =>
   (text ? translated(text) : text) as T | string
 
-function ofStudy({ id, title, question, maps }: Study): ShownStudy {
+function ofComparison({ id, title, question, maps }: OpenComparison): ShownComparison {
   return {
     id,
     title: told(title),
@@ -35,7 +37,7 @@ function ofQuestion(question: Question): Question {
     asks: told(asks),
     instances: instances.map((one): Instance => ({ ...one, note: told(one.note) })),
     entries: entries.map(
-      (one): Contender => ({ ...one, label: told(one.label), missing: told(one.missing) }),
+      (one): Entry => ({ ...one, label: told(one.label), missing: told(one.missing) }),
     ),
     claims: claims.map((one): Claim => ({ ...one, says: told(one.says), note: told(one.note) })),
   }

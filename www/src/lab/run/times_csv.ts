@@ -1,5 +1,4 @@
-/** When runs found what they found: on this machine alone, so no part of any result file. */
-
+/** How long runs took, as CSV. Times hold for this machine only, so no other result file has them. */
 import type { Question } from '../../model/comparison'
 import type { KeptRun } from '../../model/comparison_calls'
 

@@ -1,4 +1,4 @@
-/** Hands runs to the analyst and brings back what they say: often enough to watch, never so often that nothing else gets done. */
+/** The page's side of the analyst, the worker that analyses runs. Asks often enough to watch, and leaves the worker time for runs. */
 import type { EngineError, ResultFile, Verification } from '@pkg/formicarium'
 import type { Analysis } from '../../model/analysis'
 import type { KeptRun } from '../../model/comparison_calls'
@@ -6,9 +6,9 @@ import { toEngineError } from '../../model/errors'
 import { axis } from '../store/signals'
 import { type Analyst, newAnalyst } from './analyst'
 
-/** Between two looks at runs that go on. */
+/** Between two looks while runs go on. */
 const LOOK_MS = 1000
-/** A look takes at most this part of the analyst's time. */
+/** Looks take at most this share of the analyst's time. */
 const MOST_OF_TIME = 1 / 10
 
 export interface Look {
@@ -16,10 +16,10 @@ export interface Look {
   verification: Verification | null
 }
 
-export class Desk {
+export class AnalystClient {
   private readonly runs = new Map<number, KeptRun>()
   private unsent: KeptRun[] = []
-  /** Runs that were done again, only to be compared with those that the document brought. */
+  /** Repeated runs, only to be compared with the recorded ones. */
   private readonly again = new Map<number, KeptRun>()
   private unchecked: KeptRun[] = []
   private analyst: Analyst | null = null
@@ -33,7 +33,7 @@ export class Desk {
     private readonly trouble: (error: EngineError) => void,
   ) {}
 
-  /** Takes up the document: gives the runs that it holds. Refusals of the engine are thrown. */
+  /** Opens the document and resolves to the runs in it. Throws what the engine refuses. */
   async open(): Promise<{ tasks: number; rows: KeptRun[] }> {
     const opened = await this.called().call('open', this.document)
     for (const run of opened.rows) this.runs.set(run.index, run)
@@ -69,14 +69,14 @@ export class Desk {
     return count
   }
 
-  /** Looks soon, if nobody has looked just now. */
+  /** Looks soon, but not right after another look. */
   lookSoon(): void {
     if (this.timer !== 0) return
     const wait = Math.max(LOOK_MS, this.notBefore - performance.now())
     this.timer = window.setTimeout(() => void this.look(false), wait)
   }
 
-  /** Looks now; `settled`: closely, because no more runs are to come for a while. */
+  /** Looks now. `settled`: no runs are under way, so intervals are computed as well. */
   async look(settled: boolean): Promise<void> {
     clearTimeout(this.timer)
     this.timer = 0
@@ -85,7 +85,7 @@ export class Desk {
     try {
       const found = await this.call((analyst) => analyst.call('analysis', axis.peek(), settled))
       const verification = await this.call((analyst) => analyst.call('verify'))
-      // What was asked meanwhile is newer.
+      // The answer to a newer look counts.
       if (turn === this.asked) this.tell({ analysis: found, verification })
     } catch (thrown) {
       if (turn === this.asked) this.trouble(toEngineError(thrown))
@@ -94,7 +94,7 @@ export class Desk {
     this.notBefore = performance.now() + took * (1 / MOST_OF_TIME - 1)
   }
 
-  /** How far runs are what was recorded, and nothing else. */
+  /** How far the runs agree with what was recorded. */
   verify(): Promise<Verification | null> {
     return this.call((analyst) => analyst.call('verify'))
   }
@@ -109,7 +109,7 @@ export class Desk {
     this.analyst?.terminate()
   }
 
-  /** A question, once the analyst has all runs. */
+  /** Asks once the analyst has all runs. */
   private async call<T>(ask: (analyst: Analyst) => Promise<T>): Promise<T> {
     const analyst = this.called()
     const runs = this.unsent
@@ -121,7 +121,7 @@ export class Desk {
     return ask(analyst)
   }
 
-  /** The analyst; a new one, with all runs, in the place of one that has stopped. */
+  /** The analyst. One that has stopped is replaced by a new one, which gets all runs. */
   private called(): Analyst {
     if (this.analyst && !this.analyst.dead) return this.analyst
     const isFirst = this.analyst === null

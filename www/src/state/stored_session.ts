@@ -15,7 +15,7 @@ const SETTLE_MS = 400
 /** Larger maps would take longer to pack than a reader who draws can spare, and fill the storage. */
 const MOST_CELLS = 1 << 20
 
-export function keepSession(): void {
+export function storeSessionChanges(): void {
   let timer = 0
   effect(() => {
     scenario.value
@@ -25,12 +25,12 @@ export function keepSession(): void {
     speed.value
     layer.value
     clearTimeout(timer)
-    timer = window.setTimeout(keep, SETTLE_MS)
+    timer = window.setTimeout(storeSession, SETTLE_MS)
   })
 }
 
 /** Opens what the tab kept. False when it kept nothing, or nothing that this version can read. */
-export async function openKept(): Promise<boolean> {
+export async function openStoredSession(): Promise<boolean> {
   const kept = read()
   if (!kept) return false
   try {
@@ -48,7 +48,7 @@ export async function openKept(): Promise<boolean> {
 
 let latest = 0
 
-async function keep(): Promise<void> {
+async function storeSession(): Promise<void> {
   const turn = ++latest
   const session = unrun(currentSession())
   if (!session) return

@@ -1,9 +1,9 @@
-/** From what was put together to the document that is run. */
+/** Makes the document of a comparison from the draft. */
 import { tools } from '../../engine/tools'
 import { t } from '../../i18n/lab'
 import {
-  type Contender,
-  type LabDocument,
+  type ComparisonDocument,
+  type Entry,
   type MapOfQuestion,
   QUESTION_FORMAT,
   type Question,
@@ -22,7 +22,7 @@ export async function compose(): Promise<string> {
   const texts = await Promise.all(
     drawn.map(({ scenario }) => tools.exportMap(scenario, 'scenario')),
   )
-  const document: LabDocument = {
+  const document: ComparisonDocument = {
     format: RESULT_FORMAT,
     question: questionOf(),
     maps: texts.map((text, at) => ({
@@ -33,7 +33,7 @@ export async function compose(): Promise<string> {
   return textOf(document)
 }
 
-/** The ids under which the maps are asked about. */
+/** The ids of the maps in the document. */
 export function instanceIds(): string[] {
   const ids: string[] = []
   for (const { name } of maps.peek()) ids.push(uniqueId(name || t('lab.build.map'), ids))
@@ -57,11 +57,11 @@ function questionOf(): Question {
     seeds: seeds.peek(),
     ...(limit && { budget: limit }),
     instances,
-    entries: all.map((entry, at) => contender(entry, entryIds[at] ?? '')),
+    entries: all.map((entry, at) => entryOf(entry, entryIds[at] ?? '')),
   }
 }
 
-function contender(entry: DraftEntry, id: string): Contender {
+function entryOf(entry: DraftEntry, id: string): Entry {
   const { planner, preset, params } = entry
   const set = untilBudget.peek() && budget.peek() ? { ...params, ...endless(planner) } : params
   return {
