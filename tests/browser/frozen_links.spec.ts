@@ -109,7 +109,7 @@ test.describe('sessions of earlier versions', () => {
   }
 })
 
-test.describe('experiments of earlier versions', () => {
+test.describe('comparisons of earlier versions', () => {
   for (const ending of ['link', 'result.json', 'png']) {
     const path = `0.1.0/study.${ending}`
     test(`${path} opens and is verified`, async ({ page }) => {

@@ -85,7 +85,7 @@ test.describe('figures of results', () => {
       return counts.reduce((sum, text) => sum + Number(text), 0)
     }
     await expect.poll(counted).toBe(4 * SEEDS)
-    // What is known of runs from elsewhere has no effort.
+    // Imported results come without effort.
     await expect(results.picture('convergence')).toContainText('Effort not known: Theirs *.')
     await expect(results.picture('convergence').locator('.curves path')).toHaveCount(3)
   })

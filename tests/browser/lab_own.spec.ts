@@ -1,4 +1,4 @@
-/** Results from elsewhere: tables and data files of IOHanalyzer beside what is run here. */
+/** Imported results: tables and data files of IOHanalyzer beside what is run here. */
 import { expect, type Page, test } from '@playwright/test'
 import { Laboratory } from './lab_page'
 

@@ -1,10 +1,10 @@
-/** What runs say, as readers see it, and an experiment of which every part has something to say. */
+/** What runs say, as readers see it, and a comparison in which every part has something to say. */
 import { expect, type Locator, type Page } from '@playwright/test'
 import { Laboratory } from './lab_page'
 
 export const SEEDS = 24
 export const MAPS = ['small', 'wide'] as const
-/** In the order of the question; the last two have runs from elsewhere, and none. */
+/** In the order of the question; the last two have imported results, and none. */
 export const ENTRIES = ['weak', 'limits', 'exact', 'theirs', 'absent'] as const
 
 /** Crooked enough for a lone ant to get lost. */
@@ -33,7 +33,7 @@ const ROWS = {
   ],
 }
 
-/** A run from elsewhere, as the document keeps it; none has found the way where the seed says so. */
+/** An imported run, as the document keeps it. */
 const given = (instance: number, seed: number, length: number) => ({
   task: { instance, entry: 3, seed },
   status: seed % 6 === 0 ? 'no-path' : 'budget-spent',
@@ -119,7 +119,7 @@ export class ResultsPage {
     this.laboratory = new Laboratory(page)
   }
 
-  /** Runs an experiment to its end, and waits until everything is said about it. */
+  /** Runs a comparison to its end, and waits until everything is said about it. */
   async show(document = richDocument()): Promise<void> {
     await this.laboratory.open()
     await this.laboratory.script({ document })

@@ -73,7 +73,7 @@ async function verifyAll(page: Page): Promise<void> {
   await page.getByTestId('verify-again').click()
 }
 
-test.describe('an experiment as a link', () => {
+test.describe('a comparison as a link', () => {
   let address = ''
 
   test.beforeEach(async ({ page }) => {
@@ -101,7 +101,7 @@ test.describe('an experiment as a link', () => {
     // What is handed on from there has the same digests.
     const again = JSON.parse(await decodeFragment(await link(other)))
     expect(again).toEqual(JSON.parse(await decodeFragment(address)))
-    // A reload goes on with the study instead of opening the link once more.
+    // A reload goes on with the comparison instead of opening the link once more.
     await expect.poll(() => new Laboratory(other).keptRuns()).toBe(RUNS)
     await other.reload()
     await state(other).toHaveAttribute('data-state', 'same')
@@ -140,7 +140,7 @@ test.describe('an experiment as a link', () => {
     const kinds = other.getByTestId('deviations').locator('li')
     await expect
       .poll(() => kinds.evaluateAll((all) => all.map((one) => (one as HTMLElement).dataset.kind)))
-      .toEqual(['version', 'experiment', 'parameter', 'parameter', 'bits'])
+      .toEqual(['version', 'comparison', 'parameter', 'parameter', 'bits'])
     await expect(kinds.nth(0)).toContainText('The engine was 0.0.9')
     await expect(kinds.nth(2)).toHaveText('ants: ants was 6, now it is 5.')
     await expect(kinds.nth(3)).toContainText('there is no such parameter any more')
@@ -198,7 +198,7 @@ function newer(): Uint8Array<ArrayBuffer> {
   return bytes
 }
 
-test.describe('an experiment as a file', () => {
+test.describe('a comparison as a file', () => {
   test('shows its runs at once, and they are tried by sample and as a whole', async ({
     page,
     browser,
@@ -275,7 +275,7 @@ test.describe('an experiment as a file', () => {
     expect(again.recorded).toEqual(document.recorded)
   })
 
-  test('that is no experiment is refused by name', async ({ page }) => {
+  test('that is no comparison is refused by name', async ({ page }) => {
     await new Laboratory(page).open()
     const toast = page.getByTestId('toast-error')
     await drop(page, 'run.json', '{"format": "formicarium/result@1", "path": [[0,0]]}')
@@ -284,7 +284,7 @@ test.describe('an experiment as a file', () => {
   })
 })
 
-test.describe('an experiment as a picture', () => {
+test.describe('a comparison as a picture', () => {
   test('a result card and a figure open again by drop', async ({ page, browser }) => {
     const laboratory = new Laboratory(page)
     await laboratory.open()
@@ -320,12 +320,12 @@ test.describe('an experiment as a picture', () => {
     await new Laboratory(page).open()
     await drop(page, 'screenshot.png', await page.screenshot())
     const toast = page.getByTestId('toast-error')
-    await expect(toast).toContainText('carries no experiment')
+    await expect(toast).toContainText('holds no session or comparison')
     await expect(toast).toContainText('ask for the original')
   })
 })
 
-test('an experiment that is too long for a link offers the file', async ({ page }) => {
+test('a comparison that is too long for a link offers the file', async ({ page }) => {
   const laboratory = new Laboratory(page)
   await laboratory.open()
   // Noise that no compression shortens: 200 × 200 cells.

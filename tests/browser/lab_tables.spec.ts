@@ -167,7 +167,7 @@ test.describe('tables of results', () => {
     await expect(page.getByTestId('results-tab-files')).toBeVisible()
   })
 
-  test('files hold what the engine writes, and the experiment opens again', async ({ page }) => {
+  test('files hold what the engine writes, and the comparison opens again', async ({ page }) => {
     const results = new ResultsPage(page)
     await results.show()
     await results.tab('files')
@@ -193,7 +193,7 @@ test.describe('tables of results', () => {
     expect(times.name).toBe('rich-results.times.csv')
     const [head, ...timed] = times.bytes.toString('utf8').trim().split('\n')
     expect(head).toBe('instance,entry,seed,seconds_to_best,seconds')
-    // Runs from elsewhere took nobody's time here.
+    // Imported results have no times here.
     expect(timed).toHaveLength(2 * 3 * SEEDS)
     for (const line of timed) {
       const [, , , best, all] = line.split(',')

@@ -157,7 +157,7 @@ test.describe('export', () => {
     expect(text.match(/[01]/g)?.join('')).toBe(MATRIX.match(/[01]/g)?.join(''))
   })
 
-  test('experiment', async ({ page }) => {
+  test('session', async ({ page }) => {
     const lab = new Lab(page)
     const text = await exported(lab, 'experiment')
     expect(JSON.parse(text)).toMatchObject({

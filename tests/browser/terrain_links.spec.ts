@@ -60,7 +60,7 @@ test.describe('terrains in links and files', () => {
     await other.page.context().close()
   })
 
-  test('an experiment file brings heights and rules back', async ({ page }) => {
+  test('a session file brings heights and rules back', async ({ page }) => {
     const lab = await openAsc(page)
     await lab.menu('map-menu', 'open-resize')
     await page.getByTestId('model-slices').click()

@@ -19,7 +19,7 @@ async function refusal(text: string): Promise<string> {
 /** A container with these bytes after its checksum. */
 const link = async (bytes: number[]) => PREFIX + (await seal(withChecksum([bytes])))
 
-test.describe('links to experiments', () => {
+test.describe('links to comparisons', () => {
   test('carry the document, byte for byte', async () => {
     for (const document of [DOCUMENT, '', DOCUMENT.repeat(500)]) {
       const text = await encodeDocument(document)

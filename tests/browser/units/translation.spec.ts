@@ -11,7 +11,7 @@ import { Laboratory } from '../lab_page'
 
 const ROOT = join(__dirname, '../../..')
 const PKG = join(ROOT, 'pkg')
-const EXPERIMENTS = join(ROOT, 'experiments')
+const QUESTIONS = join(ROOT, 'experiments')
 const TOML = join(ROOT, 'www/node_modules/smol-toml/dist/index.js')
 
 /** What the whole engine offers, asked of the engine itself. */
@@ -75,13 +75,13 @@ test('every source in the catalog, and what presets mean, has Chinese', async ()
 
 async function questions(): Promise<Question[]> {
   const { parse } = await import(TOML)
-  const files = readdirSync(EXPERIMENTS).filter((file) => file.endsWith('.toml'))
-  return files.map((file) => parse(readFileSync(join(EXPERIMENTS, file), 'utf8')))
+  const files = readdirSync(QUESTIONS).filter((file) => file.endsWith('.toml'))
+  return files.map((file) => parse(readFileSync(join(QUESTIONS, file), 'utf8')))
 }
 
 /** What the page shows of a question. */
 function textsOf({ title, paper, asks, instances, entries, claims = [] }: Question) {
-  const nameOf = (map: string) => JSON.parse(readFileSync(join(EXPERIMENTS, map), 'utf8')).name
+  const nameOf = (map: string) => JSON.parse(readFileSync(join(QUESTIONS, map), 'utf8')).name
   return [
     title,
     paper,
@@ -99,7 +99,7 @@ test('every text of the papers’ questions has Chinese', async () => {
   expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn_questions.ts').toEqual([])
   const said = new Set<string | null | undefined>(texts)
   const stale = Object.keys(zhCNQuestions).filter((text) => !said.has(text))
-  expect(stale, 'no longer in experiments').toEqual([])
+  expect(stale, 'no longer in experiments/').toEqual([])
 })
 
 test.describe('on a Chinese page', () => {

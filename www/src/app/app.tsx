@@ -16,7 +16,7 @@ import { DropVeil } from './drop'
 import { Header } from './header'
 import { Welcome } from './welcome'
 
-/** Experiments: fetched with their words when somebody wants to compare. */
+/** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
 /** There is nothing to show; the way there stays open. */

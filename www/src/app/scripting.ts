@@ -50,7 +50,7 @@ export interface Scripting {
   look(iteration: number | null): Promise<PanelResult[]>
   results(): PanelResult[]
   session(): Session | null
-  /** Runs every planner on the map with many seeds, or any experiment that a document holds. */
+  /** Runs every planner on the map with many seeds, or any comparison that a document holds. */
   compare(options?: CompareOptions): Promise<ComparisonResult>
   /** A result file of the comparison that is open, as text. */
   resultFile(kind: ResultFile): Promise<string>

@@ -5,9 +5,9 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import {
   download,
-  exportExperiment,
   exportGeotiff,
   exportMap,
+  exportSession,
   fileStem,
   notifyError,
   scenario,
@@ -18,6 +18,7 @@ import { copyText } from '../ui/copy'
 import { Dialog } from '../ui/dialog'
 import { Segmented } from '../ui/fields'
 
+/** `experiment` is a session: the file's ending has kept its former name. */
 type Format = ExportFormat | 'geotiff' | 'experiment'
 
 const EXTENSIONS: Record<Format, string> = {
@@ -135,6 +136,6 @@ function useExport(format: Format): string | Uint8Array | null {
 }
 
 function make(format: Format): Promise<string | Uint8Array> {
-  if (format === 'experiment') return exportExperiment()
+  if (format === 'experiment') return exportSession()
   return format === 'geotiff' ? exportGeotiff() : exportMap(format)
 }

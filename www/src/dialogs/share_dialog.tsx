@@ -5,7 +5,7 @@ import { encodeSession, PREFIX } from '../share/link'
 import {
   currentSession,
   download,
-  exportExperiment,
+  exportSession,
   fileStem,
   latest,
   panels,
@@ -83,10 +83,10 @@ function panelName(id: string): string {
 /** The panels as they stand; inside the link, or what the file has where that is too long. */
 async function savePicture(link: string | null): Promise<void> {
   const { racePicture } = await import('./race_picture')
-  const png = await racePicture(link ?? (await exportExperiment()))
+  const png = await racePicture(link ?? (await exportSession()))
   download(`${fileStem()}.png`, png, 'image/png')
 }
 
 async function saveFile(): Promise<void> {
-  download(`${fileStem()}.experiment.json`, await exportExperiment(), 'application/json')
+  download(`${fileStem()}.experiment.json`, await exportSession(), 'application/json')
 }

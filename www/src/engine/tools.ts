@@ -123,9 +123,10 @@ export const tools = {
     wholeBox().call('exportMap', spec, cells, heights, format),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
-  /** An experiment with the entries of a file of results; see the engine's `join_results`. */
+  /** The entries of an ablation, as JSON. */
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),
+  /** The comparison with the entries of a result file; see the engine's `join_results`. */
   joinResults: (document: string, bytes: Uint8Array, name: string, instance: string | null) =>
     wholeBox().call('joinResults', document, bytes, name, instance),
   generate: (

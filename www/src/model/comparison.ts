@@ -1,4 +1,4 @@
-/** An experiment as it is written down (docs/formats.md, `formicarium/comparison@1`), as far as the page looks into it. */
+/** A comparison as a document (`formicarium/comparison@1`, docs/formats.md), as far as the page reads it. */
 import type { Axis, ScenarioSpec } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 
@@ -24,7 +24,7 @@ export interface Entry {
   role: 'baseline' | 'improved' | 'other'
   planner?: string | null
   missing?: string | null
-  /** The file whose runs it stands for. */
+  /** The file that its imported results come from. */
   results?: string | null
   preset?: string | null
   set?: ParamValues
@@ -58,6 +58,7 @@ export interface ComparisonDocument {
   question: Question
   maps: MapOfQuestion[]
   recorded?: { engine: string; experiment: string }
+  /** Imported results. */
   given?: unknown[]
   rows?: unknown[]
 }
@@ -68,7 +69,7 @@ export const textOf = (document: ComparisonDocument): string => JSON.stringify(d
 export const documentOf = (text: string): ComparisonDocument =>
   JSON.parse(text) as ComparisonDocument
 
-/** What can be run; the others have their results from elsewhere, or none. */
+/** The entries that can be run; the others have imported results, or none. */
 export const runnable = ({ entries }: Question): Entry[] =>
   entries.filter(({ planner }) => planner != null)
 

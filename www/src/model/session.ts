@@ -1,4 +1,4 @@
-/** What a session is: everything a link, an experiment file and undo must be able to bring back. */
+/** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
 import type { Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 

@@ -1,7 +1,7 @@
 /**
  * A session as bytes, and back:
  *
- *     u32 checksum · u8 container version · varint n · n bytes of JSON (experiment.ts) · the map · on a terrain its heights
+ *     u32 checksum · u8 container version · varint n · n bytes of JSON (session_document.ts) · the map · on a terrain its heights
  *
  * The checksum (FNV-1a, lowest byte first) covers all that follows and stands first in every version: a damaged link must never
  * pass for a newer one, or for another map.

@@ -1,4 +1,4 @@
-/** Why a link or an experiment file cannot be opened: the same shape as the engine's errors, so that they are shown the same way. */
+/** Why a link or a session file cannot be opened. Has the shape of the engine's errors, and is shown like them. */
 import type { EngineError } from '@pkg/formicarium'
 
 export type LinkErrorKind =
@@ -17,7 +17,7 @@ const HINTS: Record<LinkErrorKind, string> = {
   'link-too-large': 'Maps of up to 4096 × 4096 cells and six panels can be opened.',
   'link-invalid': 'It was not made by Share, or was changed by hand; correct the named value.',
   'picture-bare':
-    'Pictures saved here carry their experiment, until a program that leaves such things out saves them again; ask for the original, the link or the file.',
+    'Pictures saved here hold their session or comparison until a program that leaves such things out saves them again; ask for the original, the link or the file.',
 }
 
 export class LinkError extends Error implements EngineError {

@@ -1,5 +1,5 @@
 /**
- * The experiment document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
+ * The session document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
  * file carries it with the cells as rows of text (link.ts).
  */
 import type { Movement, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
@@ -90,11 +90,11 @@ function checkFormat(format: unknown): void {
   if (name.startsWith('formicarium/experiment@')) {
     throw new LinkError(
       'link-newer',
-      `This experiment says ${name}; this page reads ${FORMAT}.`,
+      `This session says ${name}; this page reads ${FORMAT}.`,
       'format',
     )
   }
-  throw new LinkError('link-foreign', `This is not a Formicarium experiment (${name}).`, 'format')
+  throw new LinkError('link-foreign', `This is not a Formicarium session (${name}).`, 'format')
 }
 
 function readSpec(fields: Fields): ScenarioSpec {

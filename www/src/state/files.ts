@@ -47,9 +47,9 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
     return openText(await textOfPng(bytes))
   }
   const kind = await tools.sniff(bytes, name)
-  if (kind === 'session') await openExperiment(bytes)
-  else if (kind === 'comparison') await openInLab(new TextDecoder().decode(bytes))
-  else if (kind === 'results') await takeInLab(bytes, name)
+  if (kind === 'session') await openSessionFile(bytes)
+  else if (kind === 'comparison') await openComparisonText(new TextDecoder().decode(bytes))
+  else if (kind === 'results') await importResults(bytes, name)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
   else if (RASTERS.includes(kind) && !opening.unasked) await offerTerrain(bytes, name)
   else await openMap(bytes, name, opening)
@@ -61,7 +61,7 @@ export async function openText(text: string, opening: Opening = {}): Promise<voi
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    await openInLab(await decodeFragment(fragment))
+    await openComparisonText(await decodeFragment(fragment))
   } else if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
   else await openFile(new TextEncoder().encode(text), t('maps.pastedName'), opening)
 }
@@ -83,26 +83,26 @@ export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(by
 export const importText = (text: string, opening?: Opening) => shown(openText(text, opening))
 export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
 
-async function openExperiment(bytes: Uint8Array): Promise<void> {
+async function openSessionFile(bytes: Uint8Array): Promise<void> {
   const { sessionFromFile } = await sessionFormat()
   replay(await sessionFromFile(new TextDecoder().decode(bytes)))
 }
 
-/** A comparison of many runs. */
-async function openInLab(text: string): Promise<void> {
+/** Opens a comparison in the laboratory. */
+async function openComparisonText(text: string): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
   showView('lab')
   await openComparisonDocument(text)
 }
 
-/** Runs that were made elsewhere. */
-async function takeInLab(bytes: Uint8Array, name: string): Promise<void> {
+/** Imports a file of results into the laboratory. */
+async function importResults(bytes: Uint8Array, name: string): Promise<void> {
   const { takeImportedResults } = await lazyParts.lab()
   showView('lab')
   await takeImportedResults(name, bytes)
 }
 
-/** PNG, as its first bytes say. */
+/** Whether it is a PNG, by its first bytes. */
 const isPicture = (bytes: Uint8Array) => bytes[0] === 137 && bytes[1] === 80
 
 function replay(session: Session): void {
@@ -155,7 +155,7 @@ export async function exportGeotiff(): Promise<Uint8Array> {
   return now ? tools.exportGeotiff(now) : new Uint8Array()
 }
 
-export async function exportExperiment(): Promise<string> {
+export async function exportSession(): Promise<string> {
   const { sessionToFile } = await sessionFormat()
   const session = currentSession()
   return session ? sessionToFile(session, engineVersion.peek()) : ''

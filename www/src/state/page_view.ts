@@ -1,4 +1,4 @@
-/** What the page is about now: watching a few runs, or comparing many of them. Kept through a reload, with the session. */
+/** Which half of the page is on show: the race, or the laboratory. Kept through a reload, like the session. */
 import { signal } from '@preact/signals'
 import { pause, play } from './runs'
 import { phase } from './store'
@@ -10,10 +10,10 @@ const HASH = '#lab'
 
 export const view = signal<PageView>(first())
 
-/** Whether the runs on show were playing when the reader went to compare: then they go on afterwards. */
+/** Whether the race was playing when the reader left for the laboratory: it goes on when they come back. */
 let interrupted = false
 
-/** What would play plays once it is shown. */
+/** Plays now, or once the race is on show again. */
 export function playWhenShown(): void {
   if (view.peek() === 'race') play()
   else interrupted = true
@@ -26,14 +26,14 @@ export function showView(next: PageView): void {
     pause()
   } else if (interrupted) play()
   view.value = next
-  // An address of the other view is left behind, or a reload would bring that one back.
+  // An address of the other view is dropped, or a reload would show that view again.
   const fits = isAboutLab(location.hash) === (next === 'lab')
   if (!fits)
     history.replaceState(null, '', next === 'lab' ? HASH : location.pathname + location.search)
   remember(next)
 }
 
-/** An address that is about experiments shows them, one with a session shows that. */
+/** An address with a comparison shows the laboratory, one with a session the race. */
 export function followAddress(): void {
   if (location.hash !== '') showView(isAboutLab(location.hash) ? 'lab' : 'race')
 }

@@ -1,7 +1,7 @@
 import type { enMaps } from '../en/maps'
 import type { Shape } from '../shape'
 
-/** Chinese of en_maps.ts. */
+/** Chinese of en/maps.ts. */
 export const zhCNMaps: Shape<typeof enMaps> = {
   movement: {
     '4': '4 方向',

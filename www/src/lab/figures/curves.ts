@@ -24,7 +24,7 @@ export const shownWith = ({ map }: Scene, has: (entry: EntryAnalysis) => boolean
   shownEntries(map).filter(({ entry }) => has(entry))
 
 /**
- * Efforts on this axis may be unknown though there are paths: of results from elsewhere, or of times when a file was opened.
+ * Efforts on this axis may be unknown though there are paths: of imported results, or of times in an opened file.
  */
 export function missingCurves(scene: Scene, has: (entry: EntryAnalysis) => boolean) {
   if (shownWith(scene, has).length > 0) return null

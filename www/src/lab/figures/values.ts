@@ -101,7 +101,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
       publishedMarks(plot, scene, rows),
     ],
   })
-  const elsewhere = rows.some(({ entry }) => entry.origin === 'results')
+  const hasImported = rows.some(({ entry }) => entry.origin === 'results')
   const impossible = rows.some(({ entry }) => entry.published?.impossible)
   return {
     plot: picture,
@@ -109,7 +109,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
     legend: legend(rows),
     notes: [
       t('lab.results.boxes'),
-      ...(elsewhere ? [t('lab.results.fromElsewhere')] : []),
+      ...(hasImported ? [t('lab.results.imported')] : []),
       ...(impossible ? [t('lab.results.impossibleNote')] : []),
     ],
   }

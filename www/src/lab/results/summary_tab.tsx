@@ -217,7 +217,7 @@ function Cell({
 }
 
 function Footnotes({ map }: { map: MapAnalysis }) {
-  const elsewhere = map.entries.some(({ origin }) => origin === 'results')
+  const hasImported = map.entries.some(({ origin }) => origin === 'results')
   const failed = map.entries.some(({ runs, with_path }) => with_path < runs)
   const wrong = map.entries.filter(({ impossible }) => impossible > 0)
   const shared = map.targets.length > 0 && optimaOf(map, map.curve_measure).length > 1
@@ -232,7 +232,7 @@ function Footnotes({ map }: { map: MapAnalysis }) {
       <ul class="footnotes">
         {failed && <li>{t('lab.results.failuresNote')}</li>}
         {shared && <li>{t('lab.results.targetsShared')}</li>}
-        {elsewhere && <li>{t('lab.results.fromElsewhere')}</li>}
+        {hasImported && <li>{t('lab.results.imported')}</li>}
       </ul>
     </>
   )
