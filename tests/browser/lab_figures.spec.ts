@@ -1,5 +1,5 @@
 import { expect, type Page, test } from '@playwright/test'
-import { lengths, ResultsPage, richDocument, SEEDS } from './lab_results_page'
+import { lengths, ResultsPage, richDocument, SEEDS } from './results_page'
 
 /** Every figure that shows effort, and all that show none. */
 const WITH_EFFORT = ['convergence', 'targets', 'effort']

@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
-import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './lab_results_page'
+import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './results_page'
 
 const FILES = {
   csv: 'rich-results.csv',
@@ -180,7 +180,7 @@ test.describe('tables of results', () => {
     expect(runs).toHaveLength(1 + 2 * 4 * SEEDS)
     expect(await results.file('latex')).toContain('\\toprule')
     const document = await results.file('json')
-    const again = await results.laboratory.script({ document })
+    const again = await results.comparison.script({ document })
     expect(again.runs).toBe(2 * 3 * SEEDS)
     expect((await results.file('csv')).trim().split('\n')).toEqual(runs)
   })

@@ -6,8 +6,8 @@ import { zhCNEngine } from '../../../www/src/i18n/zh_cn/engine'
 import { zhCNQuestions } from '../../../www/src/i18n/zh_cn/questions'
 import { zhCNSources } from '../../../www/src/i18n/zh_cn/sources'
 import type { Question } from '../../../www/src/model/comparison'
-import { Lab } from '../lab'
-import { Laboratory } from '../lab_page'
+import { ComparisonPage } from '../comparison_page'
+import { RacePage } from '../race_page'
 
 const ROOT = join(__dirname, '../../..')
 const PKG = join(ROOT, 'pkg')
@@ -106,7 +106,7 @@ test.describe('on a Chinese page', () => {
   test.use({ locale: 'zh-CN' })
 
   test('sources of parameters are told in Chinese', async ({ page }) => {
-    await new Lab(page).open()
+    await new RacePage(page).open()
     const alpha = page.locator('.parameter', { has: page.getByTestId('param-alpha') })
     const source = alpha.locator('.source')
     await expect(source).toContainText('Dorigo 与 Stützle 2004，框 3.1')
@@ -118,11 +118,11 @@ test.describe('on a Chinese page', () => {
   test('a paper’s question is told in Chinese, and its files are the same as ever', async ({
     page,
   }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
     await page.getByTestId('published-seeds-threshold').fill('1')
     await page.getByTestId('published-run-threshold').click()
-    await laboratory.finished()
+    await comparison.finished()
     const title = page.getByTestId('run-bar').getByRole('heading')
     await expect(title).toHaveText('自适应阈值蚁群算法与 ACO 和 ACOMSP')
     await page.getByTestId('asked').locator('summary').click()

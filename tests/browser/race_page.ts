@@ -1,4 +1,4 @@
-/** The page as its readers use it: everything the specs do more than once. */
+/** Page object of the race: what specs do there more than once. */
 import { type Browser, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
 import type { PanelResult, Scripting } from '../../www/src/app/scripting'
 import type { Cell } from '../../www/src/model/cell'
@@ -17,7 +17,7 @@ const WHOLE_MAP = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 /** CSS pixels. */
 const CORNER = 12
 
-export class Lab {
+export class RacePage {
   constructor(readonly page: Page) {}
 
   /** Opens the page and waits until every panel's run is loaded. */
@@ -56,7 +56,7 @@ export class Lab {
     return result
   }
 
-  /** What of a panel is on screen now, without its rounded corners: these come out a shade lighter or darker from time to time. */
+  /** A picture of a panel, without its rounded corners, whose shades vary from time to time. */
   async shot(place = 1): Promise<Buffer> {
     const stage = this.stage(place)
     await stage.scrollIntoViewIfNeeded()
@@ -71,7 +71,7 @@ export class Lab {
     return this.page.screenshot({ clip })
   }
 
-  /** A panel's picture once it rests: workers draw a moment after they have answered. */
+  /** A panel's picture once it no longer changes: workers draw a moment after they have answered. */
   async picture(place = 1): Promise<Buffer> {
     await drawn(this.page)
     let last = await this.shot(place)
@@ -139,7 +139,7 @@ export class Lab {
 
   /** The middle of a cell on the page, while the whole map is in view. */
   async pointOf(cell: Cell, place = 1): Promise<{ x: number; y: number }> {
-    // A map that is shown in another size hears of it with the next frame.
+    // A map that changes its size is drawn with the next frame.
     await this.frame()
     const box = await this.stage(place).boundingBox()
     const dpr = await this.page.evaluate(() => devicePixelRatio)
@@ -256,7 +256,7 @@ export class Lab {
     return link
   }
 
-  /** While a dialog is being left, which takes the browser a moment, keys are not the page's. */
+  /** Waits until an open dialog is gone: until then keys do not reach the page. */
   async leaveDialog(): Promise<void> {
     await this.page.keyboard.press('Escape')
     await expect(this.page.locator('dialog')).toHaveCount(0)
@@ -267,7 +267,7 @@ export class Lab {
   }
 }
 
-/** Touches with several fingers, which Playwright itself cannot. */
+/** Touches with several fingers, which Playwright does not offer. */
 export class Fingers {
   private constructor(private readonly session: CDPSession) {}
 
@@ -296,9 +296,9 @@ export class Fingers {
   }
 }
 
-/** A page of its own, so that nothing the first one holds can help the second. */
-export async function freshLab(browser: Browser, address: string): Promise<Lab> {
-  const lab = new Lab(await (await browser.newContext()).newPage())
-  await lab.open(address)
-  return lab
+/** The race in a browser context of its own, which shares nothing with the first. */
+export async function freshRace(browser: Browser, address: string): Promise<RacePage> {
+  const race = new RacePage(await (await browser.newContext()).newPage())
+  await race.open(address)
+  return race
 }

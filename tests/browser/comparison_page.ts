@@ -1,9 +1,9 @@
-/** The laboratory as its readers use it. */
+/** Page object of the laboratory, where comparisons are made. */
 import { expect, type Locator, type Page } from '@playwright/test'
 import type { CompareOptions, ComparisonResult } from '../../www/src/lab/scripting'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
-export class Laboratory {
+export class ComparisonPage {
   constructor(readonly page: Page) {}
 
   /** Opens the page at the laboratory, once every planner is known. */
@@ -18,9 +18,9 @@ export class Laboratory {
     await expect(this.start).toBeEnabled()
   }
 
-  /** Comes from the race, as most readers do. */
+  /** Opens it from the race, as most readers do. */
   async openFromRace(): Promise<void> {
-    await new Lab(this.page).open()
+    await new RacePage(this.page).open()
     await this.page.getByTestId('view-lab').click()
     await this.ready()
   }
@@ -114,19 +114,19 @@ export class Laboratory {
     return this.page.getByTestId('run-words')
   }
 
-  /** Runs that the browser has written down, of all comparisons. A comparison must have begun. */
+  /** How many runs the browser has stored, of all comparisons. A comparison must have begun. */
   keptRuns(): Promise<number> {
-    return onShelf(this.page, 'rows', 'count')
+    return inStorage(this.page, 'rows', 'count')
   }
 
-  /** By the scripting interface: with what result files say. */
+  /** Compares by the scripting interface, and gives the result files. */
   script(options: CompareOptions = {}): Promise<ComparisonResult> {
     return this.page.evaluate((given) => window.formicarium.compare(given), options)
   }
 }
 
-/** What the browser keeps for the laboratory: of what a store has, the number or all. */
-export function onShelf<T>(page: Page, store: 'rows' | 'drafts', what: 'count' | 'getAll') {
+/** What the browser has stored for the laboratory: how much a store holds, or all of it. */
+export function inStorage<T>(page: Page, store: 'rows' | 'drafts', what: 'count' | 'getAll') {
   return page.evaluate(
     async ([store, what]): Promise<T> => {
       const of = <T>(request: IDBRequest<T>) =>
@@ -146,14 +146,14 @@ export function onShelf<T>(page: Page, store: 'rows' | 'drafts', what: 'count' |
 
 declare global {
   interface Window {
-    /** How many runs may begin, and those that would. */
+    /** How many more runs may begin, and those that wait. */
     runs: { free: number; held: (() => void)[] }
   }
 }
 
 /**
- * Lets so many runs begin and holds back all others, from the page's next opening on: so that there is something left to do when
- * a test comes to it, however fast the machine is.
+ * From the page's next opening on, lets so many runs begin and holds back all others, so that however fast the machine is, a test finds
+ * runs that are not done.
  */
 export async function holdRunsAfter(page: Page, count: number): Promise<void> {
   await page.addInitScript((free) => {

@@ -1,13 +1,13 @@
-/** What runs say, as readers see it, and a comparison in which every part has something to say. */
+/** Page object of the results, and a document that gives each of their parts something to show. */
 import { expect, type Locator, type Page } from '@playwright/test'
-import { Laboratory } from './lab_page'
+import { ComparisonPage } from './comparison_page'
 
 export const SEEDS = 24
 export const MAPS = ['small', 'wide'] as const
 /** In the order of the question; the last two have imported results, and none. */
 export const ENTRIES = ['weak', 'limits', 'exact', 'theirs', 'absent'] as const
 
-/** Crooked enough for a lone ant to get lost. */
+/** Winding enough for a lone ant to get lost. */
 const ROWS = {
   small: [
     '..........@...',
@@ -56,7 +56,7 @@ const planner = (id: string, planner: string, set: object, published?: object) =
   ...(published && { published: { small: published } }),
 })
 
-/** Two maps; one number that is published, and one that no path can have; a claim. */
+/** Two maps, a published number, an impossible one, and a claim. */
 export function richDocument(seeds = SEEDS): string {
   const maps = MAPS.map((name) => {
     const rows = ROWS[name]
@@ -113,21 +113,21 @@ export function richDocument(seeds = SEEDS): string {
 export type CsvRow = Record<string, string>
 
 export class ResultsPage {
-  readonly laboratory: Laboratory
+  readonly comparison: ComparisonPage
 
   constructor(readonly page: Page) {
-    this.laboratory = new Laboratory(page)
+    this.comparison = new ComparisonPage(page)
   }
 
-  /** Runs a comparison to its end, and waits until everything is said about it. */
+  /** Runs a comparison to its end, and waits for its complete analysis. */
   async show(document = richDocument()): Promise<void> {
-    await this.laboratory.open()
-    await this.laboratory.script({ document })
-    await this.laboratory.finished()
+    await this.comparison.open()
+    await this.comparison.script({ document })
+    await this.comparison.finished()
     await this.told()
   }
 
-  /** Waits until everything is said about runs that are done: about all of them, with the intervals that come last. */
+  /** Waits for the complete analysis of runs that are done, intervals included. */
   async told(): Promise<void> {
     const table = this.page.getByTestId('summary-table')
     await expect(table).toBeVisible()
@@ -161,7 +161,7 @@ export class ResultsPage {
     await this.page.getByTestId(`axis-${id}`).click()
   }
 
-  /** What a button puts on the disk. */
+  /** The file that a button downloads. */
   async downloaded(testId: string): Promise<{ name: string; bytes: Buffer }> {
     const [download] = await Promise.all([
       this.page.waitForEvent('download'),

@@ -1,52 +1,52 @@
-/** What the specs about terrains do more than once. */
+/** Helpers for terrains on the race page. */
 import { expect, type Page } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { ASC } from './rasters'
 
 export const dialog = (page: Page) => page.getByTestId('terrain-dialog')
 
-export const scenarioOf = async (lab: Lab) => (await lab.session()).scenario
+export const scenarioOf = async (race: RacePage) => (await race.session()).scenario
 
 /** Heights bit by bit, no data included. */
-export async function expectHeights(lab: Lab, expected: ArrayLike<number>): Promise<void> {
-  const { heights } = await scenarioOf(lab)
+export async function expectHeights(race: RacePage, expected: ArrayLike<number>): Promise<void> {
+  const { heights } = await scenarioOf(race)
   const same =
     heights?.length === expected.length && heights.every((h, i) => Object.is(h, expected[i]))
   expect(same, `${heights?.slice(0, 40)}`).toBe(true)
 }
 
-/** Opens the small grid by its defaults. */
-export async function openAsc(page: Page, text = ASC): Promise<Lab> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.paste(text)
+/** Opens the small grid with default settings. */
+export async function openAsc(page: Page, text = ASC): Promise<RacePage> {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.paste(text)
   await page.getByTestId('terrain-open').click()
   await expect(dialog(page)).toBeHidden()
-  await settledDown(lab)
-  return lab
+  await settledDown(race)
+  return race
 }
 
 /** Opens a terrain of the gallery, at rest. */
 export async function openTerrain(
   page: Page,
   id: 'terrain-hills' | 'terrain-slices',
-): Promise<Lab> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.menu('map-menu', `gallery-${id}`)
+): Promise<RacePage> {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.menu('map-menu', `gallery-${id}`)
   await expect
     .poll(() => page.evaluate(() => window.formicarium.session()?.scenario.heights?.length ?? 0))
     .toBeGreaterThan(0)
   await page.evaluate(() => window.formicarium.pause())
-  await settledDown(lab)
-  return lab
+  await settledDown(race)
+  return race
 }
 
-/** Waits until the runs are loaded, the maps listen to keys, and what stands above them grows and shrinks no more. */
-export async function settledDown(lab: Lab): Promise<void> {
-  const { page } = lab
-  await lab.ready()
-  await expect(lab.stage().locator('canvas')).toHaveCount(1)
+/** Waits until the runs are loaded, the maps take keys, and the layout above them is final. */
+export async function settledDown(race: RacePage): Promise<void> {
+  const { page } = race
+  await race.ready()
+  await expect(race.stage().locator('canvas')).toHaveCount(1)
   await expect(page.getByTestId('view-solid')).toBeVisible()
   await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /./)
 }
@@ -128,7 +128,7 @@ export async function openRelief(page: Page): Promise<void> {
   await settled(page)
 }
 
-/** Waits until nothing has been drawn for longer than the page, which is patient where drawing takes long, may put a picture off. */
+/** Waits until nothing has been drawn for longer than the page may put off a picture. */
 export async function settled(page: Page): Promise<void> {
   const rests = async () => {
     const { draws, slowest } = await page.evaluate(() => ({
