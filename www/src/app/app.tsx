@@ -12,7 +12,7 @@ import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { Toasts } from '../ui/toasts'
-import { DropVeil } from './drop'
+import { DropVeil } from './drop_files'
 import { Header } from './header'
 import { Welcome } from './welcome'
 

@@ -24,7 +24,7 @@ import {
   runToEnd,
   stepIteration,
 } from '../state'
-import { latest } from '../state/live'
+import { latest } from '../state/live_reports'
 
 export interface PanelResult {
   planner: string

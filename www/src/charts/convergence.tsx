@@ -15,8 +15,8 @@ import {
 import { referenceValue } from '../words/gap_words'
 import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
-import { curvesOf } from './curves'
-import type { PlotStyle } from './plot'
+import { curvesOf } from './convergence_data'
+import type { PlotStyle } from './convergence_plot'
 
 const showIterationBest = signal(true)
 const showMean = signal(true)
@@ -124,7 +124,7 @@ function describe(): string {
  * fetched when there is a first curve to draw: ants should not have to wait for it.
  */
 function keepDrawn(host: HTMLElement): () => void {
-  let library: typeof import('./plot') | null = null
+  let library: typeof import('./convergence_plot') | null = null
   let plot: uPlot | null = null
   let style = plotStyle()
   let timer = 0
@@ -139,7 +139,7 @@ function keepDrawn(host: HTMLElement): () => void {
   }
   const stopFetching = effect(() => {
     if (library || isEmpty()) return
-    import('./plot').then((fetched) => {
+    import('./convergence_plot').then((fetched) => {
       library ??= fetched
       remake()
     }, notifyError)

@@ -3,8 +3,8 @@ import { computed, effect, useComputed } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
-import { ground } from '../relief/terrain_now'
-import { marked } from '../stage/marked'
+import { ground } from '../relief/shown_ground'
+import { pointedPlaces } from '../stage/pointed_places'
 import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
 import { panelTitle } from '../words/planner_words'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
@@ -136,10 +136,10 @@ function keepDrawn(host: HTMLElement): () => void {
 /** Shows on each panel's map where its path is after so many metres. */
 function mark(distance: number | null): void {
   if (distance === null) {
-    if (marked.peek().size > 0) marked.value = new Map()
+    if (pointedPlaces.peek().size > 0) pointedPlaces.value = new Map()
     return
   }
-  marked.value = new Map(
+  pointedPlaces.value = new Map(
     profiles.peek().flatMap(({ panelId, profile }) => {
       const cell = profile.cells[nearest(profile, distance)]
       return cell ? [[panelId, cell] as const] : []

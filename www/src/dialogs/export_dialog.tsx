@@ -14,7 +14,7 @@ import {
 } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
-import { copyText } from '../ui/copy'
+import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 import { Segmented } from '../ui/fields'
 

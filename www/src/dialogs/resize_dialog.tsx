@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
-import { MOST_CELLS_A_SIDE } from '../model/limits'
+import { MOST_CELLS_A_SIDE } from '../model/map_limits'
 import { type Rules, scenario, setRules } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'

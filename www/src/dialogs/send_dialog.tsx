@@ -5,10 +5,10 @@ import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { LINK_LIMIT } from '../share/envelope'
-import { LinkError } from '../share/error'
+import { LinkError } from '../share/link_error'
 import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
-import { copyText } from '../ui/copy'
+import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 
 /** In the place of a link that cannot be. */

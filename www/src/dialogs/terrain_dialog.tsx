@@ -5,7 +5,7 @@ import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
-import { MOST_CELLS_A_SIDE } from '../model/limits'
+import { MOST_CELLS_A_SIDE } from '../model/map_limits'
 import {
   type Crop,
   cellOf,

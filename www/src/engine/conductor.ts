@@ -1,9 +1,9 @@
 /** The animation-frame loop: posts each panel's next tick when all have answered the last. The work is done in the workers. */
 import type { PanelReply, RunSetup, Target } from '../model/messages'
 import { SPEEDS, type Speed, type Sync } from '../model/session'
-import { client, detach, ensure, listen } from './clients'
 import type { PanelClient } from './panel_client'
-import { Pace, planRound, SLICE_MS, sliceFor, standing } from './round'
+import { client, detach, ensure, listen } from './panel_clients'
+import { Pace, planRound, SLICE_MS, sliceFor, standing } from './plan_round'
 
 /** What the conductor asks of the page's state, and tells it. */
 export interface ConductorHost {

@@ -17,7 +17,7 @@ import type {
 } from '../model/messages'
 import { type Build, buildFor } from './builds'
 import { modules } from './load'
-import { newWorker } from './workers'
+import { newWorker } from './new_worker'
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
 

@@ -13,7 +13,7 @@ import type { Origin, RecordedResult, Scenario } from '../model/session'
 import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
 import { type Build, buildFor, noteCore } from './builds'
 import { modules } from './load'
-import { newWorker } from './workers'
+import { newWorker } from './new_worker'
 
 interface Waiting {
   resolve(value: unknown): void

@@ -3,7 +3,7 @@
 import type { Cell } from './cell'
 import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells } from './goals'
 import type { Scenario } from './session'
-import { keepInside } from './settle'
+import { keepInside } from './settle_ends'
 import { hasNoData, liftEnds } from './terrain'
 
 export type Edit =

@@ -15,10 +15,10 @@ import {
   setPreset,
   slotColour,
 } from '../state'
+import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
-import { bringIntoSight } from '../ui/sight'
 import { cardOf, showCard } from '../words/paper_cards'
 import { panelTitle, plannerSummary, presetName } from '../words/planner_words'
 import { ParameterControl } from './parameter_control'

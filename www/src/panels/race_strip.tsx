@@ -24,7 +24,9 @@ import { objectiveWord } from '../words/objective_words'
 import { AddPlannerMenu } from './add_planner'
 import { showGoals } from './goals_shown'
 
-const ReliefControls = lazily(async () => (await import('../relief/controls')).ReliefControls)
+const ReliefControls = lazily(
+  async () => (await import('../relief/relief_controls')).ReliefControls,
+)
 
 const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
 

@@ -1,6 +1,6 @@
 /** How the pheromone of two panels differs, cell by cell. */
 import { computed, effect, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import {
   comparing,
   liveTick,

@@ -2,7 +2,7 @@
 import { type ReadonlySignal, useSignal, useSignalEffect } from '@preact/signals'
 import { ChevronDown, ChevronUp, X } from 'lucide'
 import { useLayoutEffect, useRef } from 'preact/hooks'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { type PlaybackKey, t } from '../i18n/playback'
 import type { Cell } from '../model/cell'

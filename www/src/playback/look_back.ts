@@ -1,6 +1,6 @@
 /** Which iteration all panels show, and what they had reached by then. */
 import { computed, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { addPlaybackWords, t } from '../i18n/playback'
 import { flushLive, leavePast, lookedAt, notify, type Panel, panels, pause, phase } from '../state'
 

@@ -1,7 +1,7 @@
 /** One slider for all panels: back through their iterations, and on again. */
 import { useSignal, useSignalEffect } from '@preact/signals'
 import { ChevronLeft, ChevronRight, LoaderCircle } from 'lucide'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/playback'
 import { leavePast, lookedAt, panels, phase } from '../state'

@@ -13,10 +13,10 @@
  * Planes are written as version 1. A terrain is version 2, so that a page that knows no heights says so instead of showing a plane.
  */
 import type { Origin, Scenario, Session } from '../model/session'
-import { bitsOf, joined, Reader, readBits, varint } from './bytes'
-import { fieldsOf, invalid, oneOf } from './checks'
-import { damaged, LinkError } from './error'
+import { bitsOf, joined, Reader, readBits, varint } from './byte_stream'
+import { fieldsOf, invalid, oneOf } from './field_checks'
 import { packHeights, unpackHeights } from './heights'
+import { damaged, LinkError } from './link_error'
 import { type Described, documentOf, MAX_SIDE, readDocument } from './session_document'
 
 /** What a map consists of, whoever made it. */

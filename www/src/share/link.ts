@@ -3,7 +3,6 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import type { Session } from '../model/session'
-import { type Fields, fieldsOf, invalid, list, real, text } from './checks'
 import {
   blockedWithoutData,
   type Generate,
@@ -13,10 +12,11 @@ import {
   unpack,
 } from './codec'
 import { open, seal } from './envelope'
-import { LinkError } from './error'
+import { type Fields, fieldsOf, invalid, list, real, text } from './field_checks'
+import { LinkError } from './link_error'
 import { documentOf, readDocument } from './session_document'
 
-export { LinkError } from './error'
+export { LinkError } from './link_error'
 
 export const PREFIX = '#x='
 const BLOCKED = '@'

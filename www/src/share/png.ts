@@ -6,9 +6,9 @@
  *     iTXt: keyword · 0 · 1 (compressed) · 0 (zlib) · language · 0 · translated keyword · 0 · zlib stream of UTF-8
  */
 import { buf as crc32 } from 'crc-32'
-import { joined } from './bytes'
+import { joined } from './byte_stream'
 import { deflate, inflate } from './deflate'
-import { damaged, LinkError } from './error'
+import { damaged, LinkError } from './link_error'
 
 const KEYWORD = 'formicarium'
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10]

@@ -14,8 +14,18 @@ import {
   SPEEDS,
 } from '../model/session'
 import { MAX_LEVELS, MAX_REACH } from '../model/terrain'
-import { cell, type Fields, fieldsOf, integer, invalid, list, oneOf, real, text } from './checks'
-import { LinkError } from './error'
+import {
+  cell,
+  type Fields,
+  fieldsOf,
+  integer,
+  invalid,
+  list,
+  oneOf,
+  real,
+  text,
+} from './field_checks'
+import { LinkError } from './link_error'
 
 export const FORMAT = 'formicarium/experiment@1'
 export const MAX_SIDE = 4096

@@ -1,6 +1,6 @@
 /** Looking back at the runs and into their cells: what is looked at. How that is done is fetched when somebody looks (playback/). */
 import { batch, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import type { Cell } from '../model/cell'
 import { type Panel, type PanelLive, panels } from './store'
 

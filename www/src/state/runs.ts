@@ -3,7 +3,7 @@ import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
 import type { Scenario } from '../model/session'
-import { clearLive, flushLive, forget, onReply } from './live'
+import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
 import {
   liveTick,

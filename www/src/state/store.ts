@@ -15,7 +15,7 @@ import type {
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
 import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../model/session'
-import { slotColour } from './colours'
+import { slotColour } from './slot_colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
 export type Phase = 'editing' | 'running' | 'paused' | 'finished'

@@ -1,8 +1,8 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enDialogs } from '../en/dialogs'
-import type { Shape } from '../shape'
 
 /** Chinese of en/dialogs.ts. */
-export const zhCNDialogs: Shape<typeof enDialogs> = {
+export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
   movement: {
     label: '允许的移动',
     notes: {

@@ -1,7 +1,7 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLab } from '../en/lab'
-import type { Shape } from '../shape'
 
-export const zhCNLab: Shape<typeof enLab> = {
+export const zhCNLab: DictionaryShape<typeof enLab> = {
   start: {
     title: '用多次运行比较规划器',
     text: '单次运行说明不了什么：蚂蚁受偶然左右。在这里，每个规划器在每张地图上用同样的种子运行，表格、图和检验告诉你哪些是差异，哪些只是运气。一切都留在这个浏览器里。',

@@ -1,8 +1,8 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLabResults } from '../en/lab_results'
-import type { Shape } from '../shape'
 
 /** Chinese of en/lab_results.ts. */
-export const zhCNLabResults: Shape<typeof enLabResults> = {
+export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
   results: {
     title: '结果',
     nothing: '完成首批运行后，这里显示数字和图。',

@@ -1,7 +1,7 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLabShare } from '../en/lab_share'
-import type { Shape } from '../shape'
 
-export const zhCNLabShare: Shape<typeof enLabShare> = {
+export const zhCNLabShare: DictionaryShape<typeof enLabShare> = {
   share: {
     title: '分享这个比较',
     open: '分享',

@@ -2,8 +2,8 @@
 import { download } from '../../state'
 import fontUrl from '../../styles/figtree-basic.woff2?url'
 import type { Figure, Plot, Scene } from './figure'
+import { framed, type Heading } from './figure_frame'
 import { type Ground, LOOKS } from './figure_style'
-import { framed, type Heading } from './frame'
 import { element, svgText } from './svg'
 
 /** Pixels: as wide as a page of a paper at 96 dots an inch, less its margins. */

@@ -13,8 +13,8 @@ import { openComparison, phase } from '../store/signals'
 import { DataTable } from './data_table'
 import { downloadPng, downloadSvg, figureFile } from './download'
 import type { Figure, Plot, Scene } from './figure'
+import { framed } from './figure_frame'
 import { type Ground, LOOKS } from './figure_style'
-import { framed } from './frame'
 
 interface FigureCardProps {
   figure: Figure

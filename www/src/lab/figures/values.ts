@@ -2,7 +2,9 @@
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
-import { type Box, boxMarks } from './boxes'
+import { type Box, boxMarks } from './box_marks'
+import { DOTTED, drawPlot, gridX, MARGIN, POINT_RADIUS } from './draw_plot'
+import { failures, MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
 import {
   type Drawing,
   type Figure,
@@ -13,10 +15,8 @@ import {
   shownEntries,
 } from './figure'
 import { seriesOf } from './figure_style'
-import { DOTTED, gridX, MARGIN, POINT_RADIUS, plotted } from './plotted'
-import { jitter, whiskers } from './points'
-import { failures, MIDDLE, ROW, rowScale, rowTexts } from './rows'
-import { plotSymbol } from './symbols'
+import { plotSymbol } from './point_symbols'
+import { jitter, whiskers } from './whiskers_and_jitter'
 
 /** Room for the name of the line across all rows, and for each further one. Pixels. */
 const TOP = 22
@@ -84,7 +84,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
   const optima = optimaOf(map)
   const top = TOP + LABEL_LINE * Math.max(0, optima.length - 1)
   const height = top + ROW * rows.length + MARGIN.bottom
-  const picture = plotted(plot, scene, height, {
+  const picture = drawPlot(plot, scene, height, {
     marginTop: top,
     x: { nice: true },
     y: rowScale(rows.length),

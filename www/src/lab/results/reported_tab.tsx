@@ -18,7 +18,7 @@ import {
 } from '../words/numbers'
 import { measureNamed, whyWords } from '../words/verdict_words'
 import { Alert, dotColour, MapHead } from './choices'
-import { Strip, stripScale } from './strip'
+import { Strip, stripScale } from './run_strip'
 
 export function hasReported({ instances, verdicts }: Analysis): boolean {
   return verdicts.length > 0 || instances.some((map) => reported(map).length > 0)

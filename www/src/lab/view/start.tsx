@@ -7,7 +7,7 @@ import { Button } from '../../ui/buttons'
 import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Builder } from '../build/builder'
-import { PublishedList } from '../published/list'
+import { PublishedList } from '../published/published_list'
 import { KeptComparisons } from './kept_comparisons'
 
 export function Start() {

@@ -5,7 +5,7 @@ import { LEVEL } from '../figures/rank_groups'
 
 export type Kind = 'wilcoxon' | 'mann-whitney'
 
-export interface Compared {
+export interface PairTest {
   /** How likely a run of the first beats one of the second; ties half. */
   better: number
   /** Adjusted by Holm; null where there is no test. */
@@ -14,12 +14,12 @@ export interface Compared {
 }
 
 /** One pair, seen from the first of the two. Null of an entry with itself. */
-export function compared(
+export function pairTest(
   { pairs }: Pick<MapAnalysis, 'pairs'>,
   first: number,
   second: number,
   kind: Kind,
-): Compared | null {
+): PairTest | null {
   const pair = pairs.find(
     (p) => (p.first === first && p.second === second) || (p.first === second && p.second === first),
   )
@@ -30,12 +30,12 @@ export function compared(
 }
 
 /** Whether chance is ruled out. */
-export const differ = ({ p }: Compared) => p !== null && p < LEVEL
+export const differ = ({ p }: PairTest) => p !== null && p < LEVEL
 
 export type EffectSize = 'negligible' | 'small' | 'medium' | 'large'
 
 /** What may be said of a pair: however far A is from ½, there is no effect to speak of where chance may have put it there. */
-export const shownEffect = (pair: Compared): EffectSize | 'unknown' =>
+export const shownEffect = (pair: PairTest): EffectSize | 'unknown' =>
   differ(pair) ? effectOf(pair.better) : 'unknown'
 
 /** Words of Vargha and Delaney (2000) for how far A is from ½. */

@@ -1,5 +1,5 @@
 /** The product's mark: three ant trails through a nest, one of them the shortest. */
-export function Mark() {
+export function Logo() {
   return (
     <svg class="mark" width="28" height="28" viewBox="0 0 28 28" aria-hidden="true">
       <rect class="mark-ground" width="28" height="28" rx="7" />

@@ -6,7 +6,7 @@ import type { Scenario } from '../model/session'
 import type { Placement, Point } from '../model/viewpoint'
 import type { Brush } from './brush'
 
-export interface Grabbed {
+export interface MarkerUnder {
   brush: Exclude<Brush, { kind: 'wall' }>
   at: Cell
 }
@@ -14,20 +14,20 @@ export interface Grabbed {
 /** Fingers are wider than pointers. CSS pixels. */
 const FINGER = 14
 
-export function grabbed(
+export function markerUnder(
   scenario: Scenario,
   at: Point,
   place: Placement,
   dpr: number,
   touch: boolean,
-): Grabbed | null {
+): MarkerUnder | null {
   const several = scenario.spec.goals.length > 1
   const mark = markRadius({ scale: place.scale, dpr }, several)
   const reach = Math.max(mark, touch ? FINGER * dpr : 0)
-  const ends: Grabbed[] = [
+  const ends: MarkerUnder[] = [
     { brush: { kind: 'start' }, at: scenario.spec.start },
     ...scenario.spec.goals.map(
-      ({ at }, index): Grabbed => ({ brush: { kind: 'goal', index }, at }),
+      ({ at }, index): MarkerUnder => ({ brush: { kind: 'goal', index }, at }),
     ),
   ]
   const within = ends.filter((end) => distance(end.at, at, place) <= reach)

@@ -3,7 +3,7 @@
 import { type Point, panBy, type Size, viewpoint, zoomAt } from '../model/viewpoint'
 import { scenario } from '../state'
 
-export class MapHold {
+export class PanZoomGesture {
   private readonly points = new Map<number, Point>()
 
   get active(): boolean {

@@ -2,6 +2,8 @@
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis } from '../../model/analysis'
 import { axisWords } from '../words/numbers'
+import type { Ends } from './curve_limits'
+import { failures } from './entry_rows'
 import {
   type Drawing,
   type LegendItem,
@@ -10,9 +12,7 @@ import {
   type Shown,
   shownEntries,
 } from './figure'
-import type { Ends } from './limits'
-import { failures } from './rows'
-import { plotSymbol } from './symbols'
+import { plotSymbol } from './point_symbols'
 
 /** Room for the numbers beside a plot, and for the name above them. Pixels. */
 export const LEFT = 52

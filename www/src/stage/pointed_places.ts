@@ -4,10 +4,10 @@ import type { Cell } from '../model/cell'
 import type { Cursor } from './panel_view'
 
 /** By panel id. */
-export const marked = signal<ReadonlyMap<number, Cell>>(new Map())
+export const pointedPlaces = signal<ReadonlyMap<number, Cell>>(new Map())
 
 /** Drawn like the keyboard's cursor while there is no other. */
-export function markedCell(panelId: number): Cursor | null {
-  const cell = marked.value.get(panelId)
+export function pointedCell(panelId: number): Cursor | null {
+  const cell = pointedPlaces.value.get(panelId)
   return cell ? { cell, byKeys: true } : null
 }

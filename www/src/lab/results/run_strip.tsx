@@ -2,8 +2,8 @@
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { seriesOf } from '../figures/figure_style'
-import { jitter } from '../figures/points'
-import { symbolPath } from '../figures/symbols'
+import { symbolPath } from '../figures/point_symbols'
+import { jitter } from '../figures/whiskers_and_jitter'
 import { type ExactOptimum, optimaOf } from '../words/numbers'
 
 const [WIDTH, HEIGHT, EDGE] = [220, 34, 8]

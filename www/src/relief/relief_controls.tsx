@@ -4,7 +4,7 @@ import { useId } from 'preact/hooks'
 import { numbers, t } from '../i18n'
 import { inRelief, showContours, showRelief } from '../state/relief'
 import { IconButton } from '../ui/buttons'
-import { chooseStretch, stretch, stretches } from './terrain_now'
+import { chooseStretch, stretch, stretches } from './shown_ground'
 
 export function ReliefControls() {
   return (

@@ -18,7 +18,7 @@ import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js'
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js'
 import type { PanelView } from '../model/messages'
 import type { Ground } from '../model/relief_ground'
-import type { Lattice } from './mesh'
+import type { Lattice } from './ground_mesh'
 
 const HALO = { light: '#ffffff', dark: '#0c0e14' }
 const ANT = { light: '#1c1712', dark: '#fff3dc' }
@@ -34,7 +34,7 @@ export interface PathOnGround {
   bySlices: boolean
 }
 
-export class Content {
+export class PanelContent {
   /** Path and ants, in cells; the room stretches it with the ground. */
   readonly group = new Group()
   texture: Texture | null = null

@@ -4,7 +4,7 @@
  */
 import type { PanelRequest } from '../model/messages'
 import type { ToolRequest } from '../model/tool_calls'
-import { answerCalls } from './answer'
+import { answerCalls } from './answer_calls'
 import { type GroundOf, type PanelEngine, servePanel } from './panel_server'
 
 /** `ground`: of the build that knows terrains. */

@@ -9,8 +9,8 @@ const ROOM = 0.93
 /** Points of the circle around the map that must be in view, so that the map keeps its size while it is turned. */
 const AROUND = 16
 
-export class Lens {
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW)
+export class PanelCamera {
+  readonly perspective = new PerspectiveCamera(FIELD_OF_VIEW)
   private width = 1
   private height = 1
   private stretch = 1
@@ -19,7 +19,7 @@ export class Lens {
 
   /** For a picture of this size. */
   aim(eye: Eye, ground: Ground, stretch: number, width: number, height: number): void {
-    const { camera } = this
+    const { perspective: camera } = this
     this.width = width
     this.height = height
     this.stretch = stretch
@@ -43,7 +43,7 @@ export class Lens {
   }
 
   private stand([x, y, z]: Vector, { azimuth, elevation }: Eye, distance: number): void {
-    const { camera } = this
+    const { perspective: camera } = this
     const out = Math.cos(elevation) * distance
     const up = Math.sin(elevation) * distance
     camera.position.set(x + Math.sin(azimuth) * out, y + up, z + Math.cos(azimuth) * out)
@@ -83,7 +83,7 @@ export class Lens {
           level,
           z + Math.sin(turn) * this.reach,
         )
-        at.project(this.camera)
+        at.project(this.perspective)
         // Behind the eye everything is upside down: much too near.
         if (at.z > 1) return { side: 9, top: 9, bottom: -9 }
         seen.side = Math.max(seen.side, Math.abs(at.x))
@@ -96,13 +96,13 @@ export class Lens {
 
   /** Where the eye stands, in the stretched world. */
   get position(): Vector {
-    const { x, y, z } = this.camera.position
+    const { x, y, z } = this.perspective.position
     return [x, y, z]
   }
 
   /** Of a place on the unstretched map; null behind the eye. */
   project([x, y, z]: Vector): [number, number] | null {
-    const at = new Vector3(x, y * this.stretch, z).project(this.camera)
+    const at = new Vector3(x, y * this.stretch, z).project(this.perspective)
     if (at.z > 1) return null
     return [((at.x + 1) / 2) * this.width, ((1 - at.y) / 2) * this.height]
   }
@@ -110,7 +110,7 @@ export class Lens {
   /** Along which the eye sees a point of the picture. */
   ray([px, py]: [number, number]): Vector {
     const at = new Vector3((2 * px) / this.width - 1, 1 - (2 * py) / this.height, 0.5)
-    const { x, y, z } = at.unproject(this.camera).sub(this.camera.position).normalize()
+    const { x, y, z } = at.unproject(this.perspective).sub(this.perspective.position).normalize()
     return [x, y, z]
   }
 }

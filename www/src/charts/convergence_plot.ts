@@ -2,7 +2,7 @@
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
 import { chartLook } from './chart_style'
-import type { Curves } from './curves'
+import type { Curves } from './convergence_data'
 
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
 

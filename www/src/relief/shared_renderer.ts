@@ -14,10 +14,10 @@ import {
 } from 'three'
 import type { PanelView } from '../model/messages'
 import type { Ground } from '../model/relief_ground'
-import type { Content } from './content'
-import type { Lens } from './lens'
+import { groundMesh, Lattice, plinthMesh } from './ground_mesh'
 import { groundMaterial, plinthColour, plinthMaterial } from './materials'
-import { groundMesh, Lattice, plinthMesh } from './mesh'
+import type { PanelCamera } from './panel_camera'
+import type { PanelContent } from './panel_content'
 
 /** Such that level ground has about the colours of the flat map, dark ones a little brighter. */
 const LIGHTS = { light: { sun: 2.25, sky: 1.5 }, dark: { sun: 3.2, sky: 2.1 } }
@@ -25,18 +25,18 @@ const LIGHTS = { light: { sun: 2.25, sky: 1.5 }, dark: { sun: 3.2, sky: 2.1 } }
 /** Of the sketch, a side. */
 const SKETCH_PLACES = 97
 
-let shared: Room | null = null
+let shared: SharedRenderer | null = null
 let users = 0
 
 /** The room, made for the first who enters. Throws where the browser offers no WebGL. */
-export function enterRoom(onLost: () => void): Room {
-  shared ??= new Room(onLost)
+export function acquireRenderer(onLost: () => void): SharedRenderer {
+  shared ??= new SharedRenderer(onLost)
   users++
   return shared
 }
 
 /** The last one out gives everything back to the graphics card. */
-export function leaveRoom(): void {
+export function releaseRenderer(): void {
   users--
   if (users > 0) return
   shared?.dispose()
@@ -44,9 +44,9 @@ export function leaveRoom(): void {
 }
 
 /** Whether a context is held: it should be only while something is drawn in three dimensions. */
-export const roomIsOpen = () => shared !== null
+export const rendererIsHeld = () => shared !== null
 
-export class Room {
+export class SharedRenderer {
   /** The ground as it is drawn; null before the first map. */
   lattice: Lattice | null = null
   private readonly renderer: WebGLRenderer
@@ -86,8 +86,8 @@ export class Room {
 
   /** Draws one panel and copies it to its canvas. */
   draw(
-    content: Content,
-    lens: Lens,
+    content: PanelContent,
+    camera: PanelCamera,
     stretch: number,
     onto: HTMLCanvasElement,
     roughly: boolean,
@@ -104,7 +104,7 @@ export class Room {
     this.ground.material.map = content.texture ?? this.blank
     for (const object of [this.land, this.sketch, this.sides, content.group])
       object.scale.y = stretch
-    this.within(content.group, () => this.renderer.render(this.scene, lens.camera))
+    this.within(content.group, () => this.renderer.render(this.scene, camera.perspective))
     const context = onto.getContext('2d')
     context?.clearRect(0, 0, width, height)
     context?.drawImage(drawn, 0, drawn.height - height, width, height, 0, 0, width, height)

@@ -1,5 +1,5 @@
 /** Bytes of a link, read and written one after the other. */
-import { damaged } from './error'
+import { damaged } from './link_error'
 
 /** Numbers of up to this many bits go into a varint. */
 const VARINT_BITS = 28

@@ -6,7 +6,7 @@ import type { Ground, Vector } from '../model/relief_ground'
 import type { Scenario } from '../model/session'
 import type { Cursor } from '../stage/panel_view'
 import { theme } from '../state'
-import type { Lens } from './lens'
+import type { PanelCamera } from './panel_camera'
 
 const CURSOR = {
   light: { ring: '#ffffff', line: '#1c1712' },
@@ -17,7 +17,7 @@ const FAINT = 0.42
 export interface Scene {
   scenario: Scenario
   ground: Ground
-  lens: Lens
+  camera: PanelCamera
   stretch: number
   /** For each goal its place in the order of visits, from 1. */
   places: number[]
@@ -32,7 +32,7 @@ export function drawOverlay(
   const context = canvas.getContext('2d')
   if (!context) return
   context.clearRect(0, 0, canvas.width, canvas.height)
-  // The lens measures in pixels of the ground's canvas, which may be fewer.
+  // The camera measures in pixels of the ground's canvas, which may be fewer.
   const { spec } = scene.scenario
   const look = {
     theme: theme.value,
@@ -44,7 +44,7 @@ export function drawOverlay(
   const ends = endsOf(scene)
   for (const end of ends) drawStem(context, scene, end, dpr)
   for (const seen of [false, true]) {
-    const at = (end: Vector) => (isSeen(scene, end) === seen ? scene.lens.project(end) : null)
+    const at = (end: Vector) => (isSeen(scene, end) === seen ? scene.camera.project(end) : null)
     const [start, ...goals] = ends.map(({ top }) => at(top))
     const places: MarkPlaces = { start: start ?? null, goals }
     context.globalAlpha = seen ? 1 : FAINT
@@ -77,17 +77,17 @@ export function endsOf({ scenario, ground }: Pick<Scene, 'scenario' | 'ground'>)
   ]
 }
 
-function isSeen({ ground, lens, stretch }: Scene, [x, y, z]: Vector): boolean {
-  return !ground.hides([x, y * stretch, z], lens.position, stretch)
+function isSeen({ ground, camera, stretch }: Scene, [x, y, z]: Vector): boolean {
+  return !ground.hides([x, y * stretch, z], camera.position, stretch)
 }
 
 function drawStem(
   context: CanvasRenderingContext2D,
-  { lens }: Scene,
+  { camera }: Scene,
   { top, foot }: EndPlace,
   dpr: number,
 ): void {
-  const [from, to] = [lens.project(foot), lens.project(top)]
+  const [from, to] = [camera.project(foot), camera.project(top)]
   if (!from || !to || top[1] === foot[1]) return
   context.strokeStyle = CURSOR[theme.value].line
   context.lineWidth = 1.5 * dpr
@@ -100,7 +100,7 @@ function drawStem(
 /** The outline of a cell on the ground; with a pin, since a cell may be smaller than a pixel. */
 function drawCell(
   context: CanvasRenderingContext2D,
-  { ground, lens }: Scene,
+  { ground, camera }: Scene,
   { cell, byKeys }: Cursor,
   dpr: number,
 ): void {
@@ -113,9 +113,9 @@ function drawCell(
     [0, 1],
   ].map(([dx = 0, dy = 0]) => {
     const [px, pz] = [x + dx, y + dy]
-    return lens.project([px, ground.between(px, pz) || level, pz])
+    return camera.project([px, ground.between(px, pz) || level, pz])
   })
-  const middle = lens.project([x + 0.5, level, y + 0.5])
+  const middle = camera.project([x + 0.5, level, y + 0.5])
   if (!middle || corners.some((corner) => corner === null)) return
   const { ring, line } = CURSOR[theme.value]
   const outline = new Path2D()

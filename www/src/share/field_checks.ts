@@ -1,5 +1,5 @@
 /** Checks of values that come from outside, each naming the field it refuses. */
-import { LinkError } from './error'
+import { LinkError } from './link_error'
 
 export type Fields = Record<string, unknown>
 

@@ -1,8 +1,8 @@
 /** Figures with one row an entry: its name above its values, so that names may be long and the values have the whole width. */
 import { t } from '../../i18n/lab'
+import { MARGIN } from './draw_plot'
 import type { Plot, Scene, Shown } from './figure'
 import { FONT } from './figure_style'
-import { MARGIN } from './plotted'
 import { shortened, widthOf } from './svg'
 
 /** Pixels. */

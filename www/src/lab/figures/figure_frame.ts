@@ -1,8 +1,8 @@
 /** Title, legend, plot and notes as one picture that stands alone. */
 import type { Drawing, LegendItem } from './figure'
 import { FONT, type Look } from './figure_style'
+import { type SymbolName, symbolPath } from './point_symbols'
 import { element, widthOf, wrapped } from './svg'
-import { type SymbolName, symbolPath } from './symbols'
 
 const PADDING = 16
 const LEGEND_FONT = `12px ${FONT}`

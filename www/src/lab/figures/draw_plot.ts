@@ -14,7 +14,7 @@ export const DOTTED = { strokeWidth: 1.5, strokeDasharray: '1 4', strokeLinecap:
 
 type Options = Omit<PlotOptions, 'width' | 'height' | 'style'>
 
-export function plotted(plot: Plot, scene: Scene, height: number, options: Options): SVGElement {
+export function drawPlot(plot: Plot, scene: Scene, height: number, options: Options): SVGElement {
   const { look, width } = scene
   const { left, right, bottom } = MARGIN
   const drawn = plot.plot({

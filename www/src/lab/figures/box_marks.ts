@@ -1,6 +1,7 @@
 /** Boxes and whiskers in rows, from numbers that stand already. */
+
+import { HALF_BOX, MIDDLE } from './entry_rows'
 import type { Plot, Scene } from './figure'
-import { HALF_BOX, MIDDLE } from './rows'
 
 export interface Box {
   /** Which row. */
