@@ -19,7 +19,7 @@ import { Welcome } from './welcome'
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
-/** There is nothing to show; the way there stays open. */
+/** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {
   showView('race')
   throw error

@@ -26,7 +26,7 @@ export function listenForDrops(): void {
     over.value = true
   })
   addEventListener('dragleave', (event) => {
-    // Leaving the window, not merely one element for another.
+    // Only when the pointer leaves the window, not when it moves between elements.
     if (event.relatedTarget === null) over.value = false
   })
   addEventListener('drop', (event) => {

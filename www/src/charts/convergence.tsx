@@ -20,7 +20,7 @@ import type { PlotStyle } from './convergence_plot'
 
 const showIterationBest = signal(true)
 const showMean = signal(true)
-/** Curves need not move faster than a reader can follow. */
+/** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160
 
 export function Convergence() {
@@ -80,7 +80,7 @@ function Legend() {
 
 const LENGTHS = ['length', 'polyline-length', 'tour-length', 'slice-cost'] as const
 
-/** What the curves can be compared with: they show lengths, or costs by slices, whatever else the panels are measured by. */
+/** The references that fit the curves, which show lengths, or costs by slices, whatever the objectives of the panels. */
 function levels() {
   return LENGTHS.filter((id) => objectives.value.includes(id)).flatMap((objective) => {
     const length = referenceValue(references.value[objective] ?? null)
@@ -88,7 +88,7 @@ function levels() {
   })
 }
 
-/** By slices, what the curves show need not be a length. */
+/** By slices the curves may show costs instead of lengths. */
 const showsCost = () =>
   objectives.value.includes('slice-cost') && objectiveWord('slice-cost') === 'slice-cost'
 

@@ -78,7 +78,7 @@ function hasEnded(panel: Panel): boolean {
   return status !== undefined && status !== 'running'
 }
 
-/** What a search counts says nothing about the axis, but that there is something to show. */
+/** A search has no iterations: its count only says that there is something to show. */
 function lastIteration({ id, setup }: Panel): number {
   const rows = historyOf(id)
   if (rows.count === 0) return 0

@@ -10,10 +10,10 @@ export interface PlotStyle {
   colours: string[]
   showIterationBest: boolean
   showMean: boolean
-  /** Lengths to compare with. */
+  /** References, drawn as lines. */
   levels: number[]
   axisLabels: { x: string; y: string }
-  /** The iteration that is looked at, asked for with every drawing; null for none. */
+  /** The iteration being looked back at, read at every drawing; null for none. */
   marker: () => number | null
 }
 

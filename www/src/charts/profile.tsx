@@ -9,7 +9,7 @@ import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, them
 import { panelTitle } from '../words/planner_words'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 
-/** Curves need not move faster than a reader can follow. */
+/** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160
 
 interface PanelProfile {
@@ -18,10 +18,10 @@ interface PanelProfile {
   profile: PathProfile
 }
 
-/** The ground below one path is enough: that of the panel whose parameters are on show. */
+/** The ground is drawn below one path only, that of the selected panel. */
 const groundOf = computed(() => selectedPanel.value ?? panels.value[0]?.id)
 
-/** Much of what runs report changes several times a second; the same list comes back until a path has changed. */
+/** Runs report several times a second; the list stays the same object until a path has changed. */
 let lastSources: unknown[] = []
 let lastProfiles: PanelProfile[] = []
 

@@ -1,4 +1,4 @@
-/** A raster of heights before it is opened: what it holds, which part of it to take, and in how many cells. */
+/** Asks how to open a raster of heights: which part of it, and in how many cells. */
 import type { Survey } from '@pkg/formicarium'
 import { Crop as CropIcon } from 'lucide'
 import { useState } from 'preact/hooks'

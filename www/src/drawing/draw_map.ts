@@ -33,7 +33,7 @@ export function drawRaster(context: Context, view: PanelView, raster: OffscreenC
   context.drawImage(raster, view.originX, view.originY, width, height)
 }
 
-/** Under the raster of a terrain: shows where it has no data. The strokes go with the map and are as wide at any zoom. */
+/** Hatching under the raster of a terrain, seen where there is no data. It moves with the map; its strokes keep their width at any zoom. */
 export function drawHatch(
   context: Context,
   view: PanelView,
@@ -103,7 +103,7 @@ export function drawPath(context: Context, view: PanelView, path: Uint32Array): 
   context.stroke(line)
 }
 
-/** A tint under the pointer, a double ring for the keyboard. */
+/** The cell cursor: a tint under the pointer, a double ring for the keyboard. */
 export function drawCursor(context: Context, view: PanelView): void {
   if (view.cursor === null) return
   const { scale, dpr } = view

@@ -26,7 +26,7 @@ interface Load {
   setup: RunSetup
 }
 
-/** A panel that is not on screen runs all the same. */
+/** The view of a panel that is not on screen, which runs all the same. */
 const UNSEEN: PanelView = {
   width: 1,
   height: 1,
@@ -46,7 +46,7 @@ const UNSEEN: PanelView = {
   cursorFocus: false,
 }
 
-/** Who draws a panel's raster elsewhere. */
+/** Draws a panel's raster in three dimensions. */
 export interface RasterWatcher {
   /** What lies on the map may have changed. */
   stale(): void
@@ -61,10 +61,10 @@ export class PanelClient {
   /** The newest answer of the current run. */
   frame: Frame | null = null
   private worker: Worker | null = null
-  /** Of the worker. */
+  /** The build that the worker runs on. */
   private build: Build = 'core'
   private canvas: HTMLCanvasElement | null = null
-  /** What a worker that was replaced has left on screen, until the next one has drawn. */
+  /** The canvas of a replaced worker, shown until the next one has drawn. */
   private faded: HTMLCanvasElement | null = null
   private host: HTMLElement | null = null
   private view: PanelView = UNSEEN
@@ -107,7 +107,7 @@ export class PanelClient {
     watcher?.stale()
   }
 
-  /** Asks for a raster; the watcher gets it. False while there is nobody to ask. */
+  /** Asks for a raster, which goes to the watcher. False while there is no worker to ask. */
   askRaster(): boolean {
     if (this.started) this.post({ kind: 'raster' })
     return this.started
@@ -121,7 +121,7 @@ export class PanelClient {
     if (!this.started || current === null) return Promise.resolve(null)
     const id = ++this.lastQuestion
     return new Promise((resolve) => {
-      // The worker answers each question in its kind.
+      // The answer has the type that belongs to the question.
       this.waiting.set(id, (answer) => resolve(answer as PanelAnswers[About] | null))
       this.post({ kind: 'ask', runId: current.runId, id, question })
     })
@@ -148,9 +148,9 @@ export class PanelClient {
     this.faded?.remove()
   }
 
-  /** A worker is bound to one build, so another build is another worker; what is on screen stays until that one has drawn. */
+  /** A worker is bound to one build, so another build needs a new worker. The old picture stays until the new worker has drawn. */
   private use(build: Build): void {
-    // The whole engine has all that the core has: where it runs already, it stays.
+    // The whole engine can do all that the core can: a worker that has it stays.
     if (this.build === build || (this.started && this.build === 'whole')) return
     this.build = build
     this.worker?.terminate()
@@ -235,7 +235,7 @@ export class PanelClient {
     this.onReply(reply)
   }
 
-  /** The canvas went down with its worker; a fresh one stands by for the next load. */
+  /** The canvas is lost with its worker; a fresh one is ready for the next load. */
   private crash(message: string): void {
     this.worker?.terminate()
     this.leaveUnanswered()

@@ -5,17 +5,17 @@ import { PanelClient } from './panel_client'
 const clients = new Map<number, PanelClient>()
 let listener: (panelId: number, reply: PanelReply) => void = () => {}
 
-/** Who hears every reply; set once by the conductor. */
+/** Sets who hears every reply; done once, by the conductor. */
 export function listen(to: (panelId: number, reply: PanelReply) => void): void {
   listener = to
 }
 
-/** The client of a panel, or undefined when nothing has asked for it yet. */
+/** The client of a panel; undefined while it has not been made. */
 export function client(panelId: number): PanelClient | undefined {
   return clients.get(panelId)
 }
 
-/** The client of a panel, made now if need be: the first load may come before the panel is on screen, or after. */
+/** The client of a panel, made if need be: its first load may come before or after it is on screen. */
 export function ensure(panelId: number): PanelClient {
   const existing = clients.get(panelId)
   if (existing) return existing

@@ -5,7 +5,7 @@
 import type { Frame, Target } from '../model/messages'
 import type { Speed, Sync } from '../model/session'
 
-/** What planning needs to know of one running panel. */
+/** What a plan needs to know of a running panel. */
 export interface Standing {
   id: number
   iteration: number
@@ -54,7 +54,7 @@ const planners: Record<Sync, Plan> = {
           : { kind: 'until-iteration', iteration },
       ])
   },
-  // Paths come by the colony: the largest colony's iteration is one stride, smaller ones run several to draw level.
+  // Paths are counted: the largest colony's iteration is one stride, smaller colonies run several to draw level.
   paths: (panels, speed, count) => {
     const last = Math.min(...panels.map((panel) => panel.paths))
     const stride = Math.max(1, ...panels.map((panel) => panel.ants))

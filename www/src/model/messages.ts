@@ -21,7 +21,7 @@ export interface RunSetup {
   seed: number
 }
 
-/** How the stage looks at the map: the same for every panel, so that maps can be compared cell by cell. */
+/** How a panel looks at the map. Place and zoom are the same in every panel, so that maps can be compared cell by cell. */
 export interface PanelView {
   /** Canvas size in device pixels. */
   width: number
@@ -74,7 +74,7 @@ export type PanelRequest =
   /** Answered by an `answer` with the same `id`. */
   | { kind: 'ask'; runId: number; id: number; question: PanelQuestion }
 
-/** What one may ask about a run besides its frames. */
+/** What a panel's worker can be asked about its run. */
 export type PanelQuestion =
   /** Look back: show the run as at the end of an iteration, until the next tick; null shows where it stands. */
   | { about: 'look'; iteration: number | null }
@@ -121,7 +121,7 @@ export interface Frame {
   workMs: number
 }
 
-/** What lies on a terrain, for who draws it in three dimensions. */
+/** What lies on a terrain, to be drawn in three dimensions. */
 export interface RasterReply {
   kind: 'raster'
   /** One pixel a cell, without light and shade; clear where there is no data. */

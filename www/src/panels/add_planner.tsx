@@ -16,7 +16,7 @@ import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
 import { cardOf, showCard } from '../words/paper_cards'
 import { FAMILIES, plannerName, plannerSummary, whyNot } from '../words/planner_words'
 
-/** More would be a wall of buttons. */
+/** More buttons than this would be too many. */
 const MOST_BUTTONS = 8
 
 export function AddPlannerMenu() {
@@ -55,7 +55,7 @@ function FamilyItems({ family }: { family: (typeof FAMILIES)[number] }) {
   )
 }
 
-/** What a planner that cannot be used on this map is good for can still be read. */
+/** The summary of a planner can be read even where it cannot be used. */
 function PlannerItem({ entry }: { entry: CatalogEntry }) {
   const card = cardOf(entry.id)
   const name = plannerName(entry)
@@ -80,7 +80,7 @@ function PlannerItem({ entry }: { entry: CatalogEntry }) {
   )
 }
 
-/** Whether the list is complete, and the way out when the rest did not come. */
+/** Says whether the list is complete, and offers to fetch what is missing. */
 function RestItem() {
   if (wholeEngine.value === 'here') return null
   if (wholeEngine.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />

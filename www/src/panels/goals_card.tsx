@@ -18,7 +18,7 @@ const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const
 
 export default function GoalsCard() {
   const goals = scenario.value?.spec.goals ?? []
-  // One at a time is enough: the field that was refused last.
+  // One message at a time: for the field that was refused last.
   const refusal = useSignal<{ index: number; error: EngineError } | null>(null)
   useSignalEffect(() => {
     if (!goalsSought.value) return
@@ -193,7 +193,7 @@ interface CellProps {
 }
 
 function Cell({ label, value, testId, numeric, accept, class: extra = '' }: CellProps) {
-  // What was typed and refused; a change from elsewhere goes before it.
+  // What was typed and refused; a change from elsewhere replaces it.
   const draft = useSignal<string | null>(null)
   useEffect(() => {
     draft.value = null

@@ -30,7 +30,7 @@ const ReliefControls = lazily(
 
 const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
 
-/** What is being raced for, in one line, and how to look at it. The target comes last: finding it out must not push a link away. */
+/** What is being raced for, in one line, and how to look at it. The target comes last, so that nothing moves when it becomes known. */
 export function RaceStrip() {
   return (
     <section class="race-strip" aria-label={t('race.region')}>
@@ -90,14 +90,14 @@ const endLevels = ({ start_level, goal_level }: SliceRules) => ({
   goal: goal_level,
 })
 
-/** A limit of slope may be all that stands in the way. */
+/** A limit of slope may be the only reason why there is no path. */
 function surfaceWords({ movement: { moves }, terrain }: ScenarioSpec): string {
   const slope = terrain?.max_slope ?? 90
   if (slope >= 90) return t('terrain.surfaceNow', { moves })
   return t('terrain.slopeNow', { moves, slope: numbers.value.metres.format(slope) })
 }
 
-/** What can be reached at best, by everything the panels are measured by. */
+/** The reference for every objective of the panels. */
 function Target() {
   if (!scenario.value) return null
   const shown = objectives.value
@@ -136,7 +136,7 @@ function Best({ objective, testId }: { objective: Objective; testId: string }) {
   )
 }
 
-/** The engine's remarks; that there is no path, the target says already. */
+/** The engine's notices, without the one that there is no path: the target says so already. */
 function ScenarioRemarks() {
   const remarks = scenarioNotices.value.filter(({ kind }) => kind !== 'unreachable')
   return (

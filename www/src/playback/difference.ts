@@ -12,7 +12,7 @@ import {
   shownOf,
 } from '../state'
 
-/** Answers come when workers are between two slices of their runs; more often than this nobody could follow. */
+/** Trails are fetched no more often than a reader can follow. */
 const PAUSE_MS = 200
 
 /** The panels whose planners lay pheromone. */

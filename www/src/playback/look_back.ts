@@ -59,7 +59,7 @@ async function goThere(): Promise<void> {
   }
 }
 
-/** No worker could look back: the part of it that does is fetched, and that may fail. */
+/** No worker could look back: the part of the worker that does is fetched on demand, which may fail. */
 function giveUp(): void {
   leavePast()
   notify('warning', t('playback.failed'), { hint: t('playback.failedHint') })

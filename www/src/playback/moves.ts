@@ -1,4 +1,4 @@
-/** What an ant weighs on a cell, as rows to be read and drawn. */
+/** The moves of an ant from a cell, as rows to be read and drawn. */
 import type { PanelAnswers } from '../model/messages'
 
 export interface Move {

@@ -86,7 +86,7 @@ function Where() {
   )
 }
 
-/** How memory is kept, and what of it is used while nothing runs. */
+/** How much is kept to look back and, while nothing runs, how much memory that takes. */
 function useKeptNote(): string {
   const kept = useSignal('')
   useSignalEffect(() => {
@@ -112,7 +112,7 @@ async function keptNow(): Promise<string> {
   })
 }
 
-/** Beside numbers that are of the past. */
+/** A mark beside numbers of the past. */
 export function PastChip() {
   const iteration = lookedAt.value
   if (iteration === null) return null

@@ -1,4 +1,4 @@
-/** Pictures are drawn on demand: one drawing of each panel in a frame, as many panels as fit into it, the others in the next. */
+/** Panels are drawn on demand: at most once a frame each, and those that do not fit into a frame in the next. */
 const BUDGET_MS = 12
 
 const waiting = new Set<() => void>()

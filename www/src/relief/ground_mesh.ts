@@ -2,7 +2,7 @@
 import { BufferAttribute, BufferGeometry } from 'three'
 import type { Ground } from '../model/relief_ground'
 
-/** Larger maps are drawn at every so-manyth cell: a screen shows no more, and a slow machine can still turn them. */
+/** Larger maps are drawn coarser: a screen shows no more, and a slow machine can still turn them. */
 export const MOST_PLACES = 257
 
 export class Lattice {

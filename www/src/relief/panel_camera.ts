@@ -1,10 +1,10 @@
-/** One panel's camera: where it stands for the shared eye, what it sees where. */
+/** One panel's camera: its position for the shared eye, and the mapping between map and picture. */
 import { PerspectiveCamera, Vector3 } from 'three'
 import type { Ground, Vector } from '../model/relief_ground'
 import type { Eye } from './eye'
 
 const FIELD_OF_VIEW = 28
-/** Part of the picture that the whole map may take: marks at its corners are larger than the corners. */
+/** Share of the picture that the whole map may take; marks at its corners need room. */
 const ROOM = 0.93
 /** Points of the circle around the map that must be in view, so that the map keeps its size while it is turned. */
 const AROUND = 16
@@ -100,14 +100,14 @@ export class PanelCamera {
     return [x, y, z]
   }
 
-  /** Of a place on the unstretched map; null behind the eye. */
+  /** Where a place on the unstretched map is in the picture; null behind the eye. */
   project([x, y, z]: Vector): [number, number] | null {
     const at = new Vector3(x, y * this.stretch, z).project(this.perspective)
     if (at.z > 1) return null
     return [((at.x + 1) / 2) * this.width, ((1 - at.y) / 2) * this.height]
   }
 
-  /** Along which the eye sees a point of the picture. */
+  /** The direction in which the eye sees a point of the picture. */
   ray([px, py]: [number, number]): Vector {
     const at = new Vector3((2 * px) / this.width - 1, 1 - (2 * py) / this.height, 0.5)
     const { x, y, z } = at.unproject(this.perspective).sub(this.perspective.position).normalize()

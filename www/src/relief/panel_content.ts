@@ -1,4 +1,4 @@
-/** What one panel shows on the ground: its picture, its best path, its ants. */
+/** What one panel shows on the ground: its raster, its best path, its ants. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -35,7 +35,7 @@ export interface PathOnGround {
 }
 
 export class PanelContent {
-  /** Path and ants, in cells; the room stretches it with the ground. */
+  /** Path and ants, in cells; stretched together with the ground. */
   readonly group = new Group()
   texture: Texture | null = null
   private readonly ghost = line(1)

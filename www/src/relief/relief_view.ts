@@ -17,9 +17,9 @@ import { PanelContent } from './panel_content'
 import { acquireRenderer, releaseRenderer, type SharedRenderer } from './shared_renderer'
 import { ground, stretch } from './shown_ground'
 
-/** While runs play, the picture on the ground follows at most so often. */
+/** While runs play, the picture on the ground is updated at most this often. */
 const RASTER_EVERY_MS = 350
-/** And so many times as long as it takes to draw it: the page has other things to do. */
+/** And it waits this many times as long as its drawing takes: the page has other work. */
 const PATIENCE = 8
 /** A machine that takes longer draws coarsely while the map is turned, and finely when it rests. */
 const SLOW_MS = 45
@@ -181,7 +181,7 @@ export class ReliefView implements RasterWatcher {
     drawSoon(this.draw)
   }
 
-  /** Keeps lines clear of the ground, by the same bit however it is stretched. */
+  /** Keeps lines clear of the ground, by the same distance however it is stretched. */
   private lift(): number {
     const surface = ground.value
     return surface ? (0.003 * Math.max(surface.width, surface.height)) / stretch.value : 0

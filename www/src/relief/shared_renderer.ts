@@ -19,7 +19,7 @@ import { groundMaterial, plinthColour, plinthMaterial } from './materials'
 import type { PanelCamera } from './panel_camera'
 import type { PanelContent } from './panel_content'
 
-/** Such that level ground has about the colours of the flat map, dark ones a little brighter. */
+/** Level ground gets about the colours of the flat map, a little brighter in the dark theme. */
 const LIGHTS = { light: { sun: 2.25, sky: 1.5 }, dark: { sun: 3.2, sky: 2.1 } }
 
 /** Of the sketch, a side. */
@@ -28,14 +28,14 @@ const SKETCH_PLACES = 97
 let shared: SharedRenderer | null = null
 let users = 0
 
-/** The room, made for the first who enters. Throws where the browser offers no WebGL. */
+/** The renderer, made for its first user. Throws where the browser offers no WebGL. */
 export function acquireRenderer(onLost: () => void): SharedRenderer {
   shared ??= new SharedRenderer(onLost)
   users++
   return shared
 }
 
-/** The last one out gives everything back to the graphics card. */
+/** When its last user releases it, the graphics card gets everything back. */
 export function releaseRenderer(): void {
   users--
   if (users > 0) return

@@ -1,9 +1,9 @@
-/** The present terrain's surface, and how much it is exaggerated: one for all panels. */
+/** The surface of the terrain on show and its exaggeration, shared by all panels. */
 import { computed, signal } from '@preact/signals'
 import { Ground } from '../model/relief_ground'
 import { scenario } from '../state'
 
-/** What the reader has chosen; null as long as the map chooses. */
+/** What the reader has chosen; null: the default of the map. */
 const chosen = signal<{ heights: Float32Array; times: number } | null>(null)
 
 let last: { key: unknown[]; ground: Ground } | null = null
@@ -18,7 +18,7 @@ export const ground = computed<Ground | null>(() => {
   return last.ground
 })
 
-/** Part of the longer side that the relief takes by itself. */
+/** Share of the longer side that the relief takes by default. */
 const RELIEF = 0.17
 const MOST = 10
 

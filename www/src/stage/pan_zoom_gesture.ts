@@ -1,4 +1,4 @@
-/** Pointers that hold the map itself: one shifts it, two shift and zoom it. */
+/** The pointers that hold the map: one pans it, two pan and zoom it. */
 
 import { type Point, panBy, type Size, viewpoint, zoomAt } from '../model/viewpoint'
 import { scenario } from '../state'

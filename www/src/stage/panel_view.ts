@@ -1,4 +1,4 @@
-/** Puts together what one panel's worker needs to know to draw. */
+/** Makes the view that a panel's worker draws with. */
 import type { Cell } from '../model/cell'
 import { goalName } from '../model/goals'
 import type { PanelView } from '../model/messages'

@@ -1,4 +1,4 @@
-/** A place on a panel's map that something beside the map points at, as the elevation profile does. */
+/** Places on panels' maps that something beside the map points at, such as the elevation profile. */
 import { signal } from '@preact/signals'
 import type { Cell } from '../model/cell'
 import type { Cursor } from './panel_view'

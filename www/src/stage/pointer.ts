@@ -67,7 +67,7 @@ export class PointerInput {
       this.joinPinch(event.pointerId, at)
     } else if (event.button === 1 || pans || looks) {
       event.preventDefault()
-      // The focus goes with the click all the same: keys are for this map from now on.
+      // The click gives the map the focus all the same: keys are for this map from now on.
       if (looks) this.element.focus()
       this.hold.take(event.pointerId, at)
       if (looks) this.looking = { pointerId: event.pointerId, at }
@@ -130,7 +130,7 @@ export class PointerInput {
     this.drawing = null
   }
 
-  /** A second finger turns what the first one began into a pinch; what has not been drawn yet was not meant. */
+  /** A second finger turns a stroke into a pinch; what has not been drawn yet is dropped. */
   private joinPinch(pointerId: number, at: Point): void {
     if (this.drawing !== null) {
       this.hold.take(

@@ -57,7 +57,7 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
 export async function openText(text: string, opening: Opening = {}): Promise<void> {
-  // A file may well mention a link.
+  // A file may contain a link, so only text that is no JSON is searched for one.
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
@@ -78,7 +78,7 @@ export async function openFiles(files: Iterable<File>): Promise<void> {
   }
 }
 
-/** As the open-functions, with refusals shown as messages. True when all was taken. */
+/** Like the functions above, but shows refusals as messages. True when all was opened. */
 export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(bytes, name))
 export const importText = (text: string, opening?: Opening) => shown(openText(text, opening))
 export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
@@ -184,7 +184,7 @@ export function fileStem(): string {
 
 async function openMap(bytes: Uint8Array, name: string, { scenFollows }: Opening): Promise<void> {
   const imported = await tools.importMap(bytes, name)
-  // Which cells stand in for start and goal is of no interest when the reader is about to choose them.
+  // Notices about start and goal are left out when a .scen is about to set them.
   const told = imported.warnings.filter(({ kind }) => !(scenFollows && kind === 'ends-chosen'))
   showMap({ ...imported, warnings: told }, name)
 }

@@ -41,7 +41,7 @@ const galleryIds = new WeakMap<Scenario, string>()
  * left on becomes free.
  */
 let dragged: { gesture: number; before: Scenario } | null = null
-/** The gesture whose refusal has been told: once is enough. */
+/** The gesture whose refusal has been said: once is enough. */
 let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
@@ -66,7 +66,7 @@ export function commit(after: Scenario, gesture?: number): void {
   }
 }
 
-/** Why the ground does not take an edit: nothing is to be seen there that tells. */
+/** Says why the ground refuses an edit: the map itself does not show it. */
 function explain(now: Scenario, edit: Edit, gesture?: number): void {
   const refusal = refusalOf(now, edit)
   if (refusal === null || (gesture !== undefined && gesture === toldOf)) return
@@ -121,7 +121,7 @@ export function setScenario(next: Scenario, options: { undoable: boolean }): voi
   if (wasRunning) play()
 }
 
-/** Of several maps asked for while one is being fetched, the last counts. */
+/** When several maps are asked for while one is being fetched, the last counts. */
 let asked = 0
 
 export async function openGallery(id: string): Promise<void> {
@@ -140,7 +140,7 @@ export async function openGallery(id: string): Promise<void> {
   if (entry.group === 'papers') offerQuestion()
 }
 
-/** What the paper reports can be asked again, over many runs. */
+/** Offers to ask the paper's questions again, over many runs. */
 function offerQuestion(): void {
   const run = () =>
     void lazyParts

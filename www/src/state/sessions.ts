@@ -62,7 +62,7 @@ export function loadSession(session: Session): void {
   for (const panel of panels.peek()) void verify(panel)
 }
 
-/** Now that the catalog is complete: what waited for it is verified, or leaves when even this version does not know it. */
+/** For when the catalog is complete: panels that waited for it are verified, or removed if this version does not know their planner. */
 export function admitWaiting(): void {
   const waiting = panels
     .peek()
@@ -72,7 +72,7 @@ export function admitWaiting(): void {
     const panel = panelById(id)
     if (panel) void verify(panel)
   }
-  // After a failure their workers have given up, and a race begins together.
+  // After a failure the workers of these panels have given up, and all panels must start together.
   if (waiting.some(({ id }) => latest(id).crashed !== null)) restart()
 }
 

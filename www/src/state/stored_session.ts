@@ -10,9 +10,9 @@ import { currentSession, firstSession, loadSession } from './sessions'
 import { galleryId, layer, panels, scenario, seed, speed, sync } from './store'
 
 const KEY = 'formicarium.session'
-/** Long enough that a drag is packed once. */
+/** Waits until a drag has ended. */
 const SETTLE_MS = 400
-/** Larger maps would take longer to pack than a reader who draws can spare, and fill the storage. */
+/** Larger maps would take too long to pack while the reader draws, and fill the storage. */
 const MOST_CELLS = 1 << 20
 
 export function storeSessionChanges(): void {
@@ -29,7 +29,7 @@ export function storeSessionChanges(): void {
   })
 }
 
-/** Opens what the tab kept. False when it kept nothing, or nothing that this version can read. */
+/** Opens the session that the tab has stored. False when there is none that this version can read. */
 export async function openStoredSession(): Promise<boolean> {
   const kept = read()
   if (!kept) return false
@@ -53,11 +53,11 @@ async function storeSession(): Promise<void> {
   const session = unrun(currentSession())
   if (!session) return
   const text = await packed(session).catch(() => null)
-  // What was packed meanwhile is newer.
+  // A session packed meanwhile is newer.
   if (turn === latest) write(text)
 }
 
-/** Key of the built-in map, if it is one, then a link's fragment; null when there is nothing worth keeping. */
+/** The key of the built-in map, if it is one, then a link's fragment; null when there is nothing worth storing. */
 async function packed(session: Session): Promise<string | null> {
   if (session.scenario.cells.length > MOST_CELLS || isFirst(session)) return null
   const id = galleryId.peek() ?? ''
@@ -65,7 +65,7 @@ async function packed(session: Session): Promise<string | null> {
   return `${id}#x=${await encodeSession(session)}`
 }
 
-/** Without results: after a reload the runs begin again, and there is nobody to verify them for. */
+/** Without results: after a reload the runs begin again, and nothing is to be verified. */
 function unrun(session: Session | null): Session | null {
   return session && { ...session, panels: session.panels.map((p) => ({ ...p, result: null })) }
 }
@@ -80,7 +80,7 @@ function isFirst(session: Session): boolean {
   )
 }
 
-/** Private windows may refuse storage, and it may be full: then nothing is kept. */
+/** Private windows may refuse storage, and it may be full: then nothing is stored. */
 function write(text: string | null): void {
   try {
     sessionStorage.removeItem(KEY)

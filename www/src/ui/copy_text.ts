@@ -1,4 +1,4 @@
-/** Text for another program. */
+/** Copies text to the clipboard. */
 import { t } from '../i18n'
 import { announce, notify } from '../state'
 

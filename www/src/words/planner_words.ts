@@ -64,7 +64,7 @@ export function namesakeMark(panelId: number): string {
   return set === '' ? '' : ` (${set})`
 }
 
-/** A preset's name, nothing for the defaults; values of one's own have no name. */
+/** A preset's name; empty for the defaults and for values of the reader's own. */
 function setName({ planner, preset, params }: PanelSetup): string | null {
   const known = plannerEntry(planner)?.presets.find(({ name }) => name === preset)
   if (known) return presetName(known)

@@ -24,9 +24,9 @@ const COLOURS = {
 }
 const HALO = { light: 'rgba(244, 241, 232, 0.85)', dark: 'rgba(24, 28, 28, 0.85)' }
 
-/** Every so-manyth line is stronger and has its height written on it. */
+/** One in so many lines is stronger and labelled with its height. */
 const MAIN = 5
-/** Share of the view that the picture has around it. */
+/** How far the picture reaches beyond the view, as a share of it. */
 const MARGIN = 0.25
 /** A zoom has ended when it has stood still for so long. */
 const SETTLED_MS = 110
@@ -107,7 +107,7 @@ function suits({ canvas, scale, theme, dpr, x, y }: Picture, view: PanelView): b
     top <= 1 &&
     left + canvas.width >= view.width - 1 &&
     top + canvas.height >= view.height - 1
-  // A picture made for a much larger view would be a waste.
+  // A picture made for a much larger view wastes memory.
   return covers && canvas.width <= 3 * view.width
 }
 

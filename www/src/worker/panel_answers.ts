@@ -3,7 +3,7 @@ import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
 
-/** Of either build. */
+/** A run of either build of the engine. */
 type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
 
 interface Asked {
@@ -14,7 +14,7 @@ interface Asked {
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
 
-/** A worker that repeats iterations must hear, meanwhile, that others are wanted. */
+/** Iterations are repeated in slices, so that the worker hears in between when another one is wanted. */
 const SLICE_MS = 12
 const MOST_AT_ONCE = 4096
 
@@ -52,7 +52,7 @@ async function look(iteration: number | null, run: Run, asked: Asked): Promise<A
   return look
 }
 
-/** Goes there in slices of time; false when it is not wanted any more. */
+/** Goes there slice by slice; false when it is not wanted any more. */
 async function goBack(iteration: number | null, run: Run, asked: Asked): Promise<boolean> {
   let atOnce = 1
   for (;;) {

@@ -1,4 +1,4 @@
-/** What becomes of the planner without each of its components: differences to the full one over runs of equal seed. */
+/** What each component of a planner does: differences between runs without it and runs of the full planner, with equal seeds. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Ablated, Difference, Effect } from '../../model/analysis'
@@ -139,7 +139,7 @@ export const ablation: Figure = {
   },
 }
 
-/** 0 stands well within: there is something to be said on either side of it. */
+/** 0 lies well inside the axis, with room for words on either side. */
 function bothSides(ends: number[]): [number, number] {
   const [least, most] = [Math.min(0, ...ends), Math.max(0, ...ends)]
   const span = Math.max(most - least, 1e-9)

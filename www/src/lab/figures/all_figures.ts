@@ -18,7 +18,7 @@ const ALL: Record<FigureId, Figure> = {
   ranks,
 }
 
-/** An ablation is looked at for its effects: they come first. */
+/** In an ablation the figure of its effects comes first. */
 export function figuresOf(analysis: Scene['analysis']): Figure[] {
   const all = FIGURES.map((id) => ALL[id]).filter((figure) => figure.suits(analysis))
   return [

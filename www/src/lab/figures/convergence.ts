@@ -1,4 +1,4 @@
-/** How good the best path is by then: the median of the runs, and their quartiles. */
+/** How good the best path is after so much effort: median and quartiles of the runs. */
 import { t } from '../../i18n/lab'
 import type { BandPoint, EntryAnalysis } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, effort, measureWords, optimaOf } from '../words/numbers'
@@ -90,7 +90,7 @@ export const convergence: Figure = {
 
 const hasBand = ({ band }: EntryAnalysis) => band.some(({ lower }) => lower !== null)
 
-/** Of many bands on each other: curves must still stand out. */
+/** Faint, so that curves stand out from many overlapping bands. */
 const shade = (bands: number) => Math.min(0.14, 0.8 / bands)
 
 /** Where less than three quarters of the runs have a path, the upper quartile is beyond every length. */

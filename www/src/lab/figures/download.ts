@@ -21,7 +21,7 @@ export function embedInPictures(how: Embed | null): void {
   embed = how
 }
 
-/** The figure as it leaves the page: with its heading, on the ground that was chosen, in a size that no screen decides. */
+/** The figure as a file: with its heading, on the chosen background, in a size that does not depend on the screen. */
 export async function figureFile(
   plot: Plot,
   figure: Figure,

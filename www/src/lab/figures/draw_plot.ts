@@ -1,4 +1,4 @@
-/** Calls the plotting library and takes out what only a page could resolve, so that the picture stands alone. */
+/** Draws with the plotting library, and replaces what only a page could resolve, so that the picture stands alone. */
 import type { PlotOptions } from '@observablehq/plot'
 import { numbers } from '../../i18n'
 import { axisWords, compact } from '../words/numbers'
@@ -41,7 +41,7 @@ export function drawPlot(plot: Plot, scene: Scene, height: number, options: Opti
 function resolve(group: Element, look: Look): void {
   for (const each of group.querySelectorAll('*')) {
     for (const { name, value } of [...each.attributes]) {
-      // The picture as a whole has words; its parts are not to be walked through.
+      // The picture as a whole has a label; screen readers need not walk through its parts.
       if (name.startsWith('aria-')) each.removeAttribute(name)
       if (value === 'currentColor') each.setAttribute(name, look.text)
       if (value === 'var(--plot-background)') each.setAttribute(name, look.background)

@@ -1,4 +1,4 @@
-/** What curves over effort have in common: how they are drawn, what they leave out. */
+/** What all figures with curves over effort share. */
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis } from '../../model/analysis'
 import { axisWords } from '../words/numbers'
@@ -98,7 +98,7 @@ export function finished(scene: Scene, { plot, shown, legend, notes }: Finish): 
   }
 }
 
-/** In a curve a failed run has no mark of its own: so it is said. */
+/** Notes on failed runs, which a curve cannot show. */
 export function pathless(shown: Shown[]): string[] {
   const said = shown
     .map((each) => [each.series.label, failures(each)])

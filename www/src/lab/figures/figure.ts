@@ -59,7 +59,7 @@ export interface Figure {
   missing(scene: Scene): LabKey | null
   draw(plot: Plot, scene: Scene): Drawing
   table(scene: Scene): FigureTable
-  /** What it shows, in a few words, for those who cannot see it. */
+  /** What it shows, in a few words, for screen readers. */
   words(scene: Scene): string
 }
 

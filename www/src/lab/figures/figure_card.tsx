@@ -1,4 +1,4 @@
-/** One figure: drawn as wide as there is room, as a table for who prefers numbers, as a file to take along. */
+/** One figure: drawn as wide as there is room, also as a table, and as files to download. */
 import { useSignal } from '@preact/signals'
 import { FileCode2, Image, Table2 } from 'lucide'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
@@ -61,7 +61,7 @@ function watchWidth(
   return () => resized.disconnect()
 }
 
-/** While runs go on, a figure rests this many times as long as it took to draw: the page has other things to do. */
+/** While runs go on, a figure waits this many times as long as it took to draw: the page has other work. */
 const REST = 20
 
 function Picture({ figure, plot, scene }: FigureCardProps & { scene: Scene }) {

@@ -17,7 +17,7 @@ export interface Heading {
   subtitle: string
 }
 
-/** `heading`: of a picture that leaves the page; on the page the card has it. `words`: for those who cannot see it. */
+/** `heading`: for a downloaded picture; on the page the card has it. `words`: for screen readers. */
 export function framed(
   drawing: Drawing,
   width: number,

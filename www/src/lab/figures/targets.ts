@@ -1,4 +1,4 @@
-/** How many (run, target) pairs are solved by then: an empirical distribution of running times over several targets. */
+/** The share of (run, target) pairs solved after so much effort: an empirical distribution of running times over several targets. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis } from '../../model/analysis'

@@ -1,4 +1,4 @@
-/** Where the points of a distribution stand, and how far its whiskers reach. */
+/** How far whiskers reach, and how the points of a distribution are spread. */
 import type { Summary } from '../../model/analysis'
 
 /** Tukey's rule. */
@@ -15,7 +15,7 @@ export function whiskers(
   return { low: Math.min(lower, ...within), high: Math.max(upper, ...within) }
 }
 
-/** −1 to 1 by the seed alone (Weyl's sequence of the golden ratio): the same run stands at the same height in every picture. */
+/** −1 to 1, from the seed alone (Weyl's sequence of the golden ratio), so that a run has the same height in every picture. */
 export function jitter(seed: number): number {
   return 2 * ((seed * 0.618_033_988_749_895) % 1) - 1
 }

@@ -125,7 +125,7 @@ function Seeds({ most, value, title, id, onChange }: SeedsProps) {
   )
 }
 
-/** Half a minute is as precise as it gets. */
+/** Rounded to half minutes. */
 function timeWords(seconds: number): string {
   const { whole } = numbers.value
   if (seconds < 90) {

@@ -34,7 +34,7 @@ export const differ = ({ p }: PairTest) => p !== null && p < LEVEL
 
 export type EffectSize = 'negligible' | 'small' | 'medium' | 'large'
 
-/** What may be said of a pair: however far A is from ½, there is no effect to speak of where chance may have put it there. */
+/** The effect size to show: without significance none is claimed, however far A is from ½. */
 export const shownEffect = (pair: PairTest): EffectSize | 'unknown' =>
   differ(pair) ? effectOf(pair.better) : 'unknown'
 

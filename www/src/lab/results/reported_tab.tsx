@@ -1,4 +1,4 @@
-/** What publications report beside what came out here: numbers, and claims with their verdicts. */
+/** What papers report beside what came out here: numbers, and claims with their verdicts. */
 import { BookOpen } from 'lucide'
 import { language, numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
@@ -153,7 +153,7 @@ function placeOf({ published }: Reported): string {
   return t('lab.results.atOrBelow', { share: share(published.share_at_or_below) })
 }
 
-/** One box, however many published numbers cannot be. */
+/** One box for all published numbers that are impossible here. */
 function Impossible({ rows, map }: { rows: Reported[]; map: MapAnalysis }) {
   const write = amount(map.measure)
   const all = rows.flatMap(({ entry, published: { value, optimum, impossible } }) =>
@@ -200,7 +200,7 @@ function Verdicts({ analysis }: { analysis: Analysis }) {
   )
 }
 
-/** What a reader of the verdicts must know, each once, with the claims that it is about. */
+/** Reservations about the verdicts, each once, with the claims it is about. */
 function Reservations() {
   const claims = shownComparison.value?.question.claims ?? []
   const notes = [...new Set(claims.map(({ note }) => note ?? ''))].filter((note) => note !== '')

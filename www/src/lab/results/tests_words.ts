@@ -8,7 +8,7 @@ import { differ, effectOf, type Kind, type PairTest, pairTest } from './pair_tes
 /** Fewest runs that are tested (the engine's MIN_RUNS). */
 const FEWEST = 20
 
-/** What can be said, clearest first, and of which pairs nothing can. */
+/** Conclusions, clearest first, and the pairs that allow none. */
 export function sentences(map: MapAnalysis, kind: Kind): string[] {
   const all = map.pairs.flatMap(({ first, second }) => {
     const [a, b] = [map.entries[first], map.entries[second]]
