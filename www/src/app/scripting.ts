@@ -43,7 +43,7 @@ export interface Scripting {
   readonly version: string
   /** Resolves to whether it was opened; if not, the page says why. */
   load(source: string | Session): Promise<boolean>
-  /** Runs every panel to its end, or by so many iterations, and gives the results. */
+  /** Runs every panel to its end, or for a number of iterations, and gives the results. */
   run(options?: { iterations?: number }): Promise<PanelResult[]>
   pause(): void
   /** Looks back at an iteration in every panel; null returns to the present. Meanwhile `results` tells of that iteration. */

@@ -109,7 +109,7 @@ function isEmpty(): boolean {
   return panels.value.every(({ live }) => !live.value.summary?.metrics)
 }
 
-/** The curve in words, for those who cannot see it; the table beside it has the numbers. */
+/** The curve in words, for screen readers; the table beside it has the numbers. */
 function describe(): string {
   const parts = panels.value.map(({ id, live }) => {
     const { metrics, value } = live.value.summary ?? {}

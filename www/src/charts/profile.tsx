@@ -82,7 +82,7 @@ function Legend() {
   )
 }
 
-/** The profile in words, for those who cannot see it: with the numbers of the comparison. */
+/** The profile in words, for screen readers, with the numbers of the table. */
 function describe(): string {
   const parts = panels.value.map((panel) => {
     const planner = panelTitle(panel.id)
@@ -133,7 +133,7 @@ function keepDrawn(host: HTMLElement): () => void {
   }
 }
 
-/** Shows on each panel's map where its path is after so many metres. */
+/** Marks on each panel's map where its path is after this many metres. */
 function mark(distance: number | null): void {
   if (distance === null) {
     if (pointedPlaces.peek().size > 0) pointedPlaces.value = new Map()

@@ -101,7 +101,7 @@ export class PanelClient {
     else if (this.worker === null) void this.start()
   }
 
-  /** Tells `watcher`, and nobody else, of changes of the raster; null ends that. */
+  /** Tells `watcher` of changes of the raster, in place of any other watcher; null ends it. */
   watch(watcher: RasterWatcher | null): void {
     this.watcher = watcher
     watcher?.stale()

@@ -1,4 +1,4 @@
-/** The laboratory: everything about comparisons, in one part of the page that is fetched when somebody wants to compare. */
+/** The laboratory: everything about comparisons, in a part of the page that is fetched on demand. */
 import '../styles/lab.css'
 import '../styles/lab_build.css'
 import '../styles/lab_run.css'
@@ -20,7 +20,7 @@ export async function takeImportedResults(name: string, bytes: Uint8Array): Prom
 
 let ready: Promise<typeof Lab> | null = null
 
-/** The view itself, with its words; what the address or this tab holds is opened on the way. */
+/** The view with its text. Also opens the comparison in the address, or the one this tab had open. */
 export function fetchLab(): Promise<typeof Lab> {
   ready ??= addLabWords().then(() => {
     void openAddress()

@@ -1,4 +1,4 @@
-/** The ground as triangles: a lattice of at most so many places a side, with walls down to a plinth around it. */
+/** The ground as triangles: a lattice with a limited number of places a side, and walls down to a plinth around it. */
 import { BufferAttribute, BufferGeometry } from 'three'
 import type { Ground } from '../model/relief_ground'
 

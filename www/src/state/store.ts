@@ -44,7 +44,7 @@ export interface Panel {
   slot: number
   setup: PanelSetup
   live: Signal<PanelLive>
-  /** What it had reached at the iteration that is looked at; null while nobody looks back. */
+  /** What it had reached at the iteration being looked back at; null for the present. */
   past: Signal<PanelLive | null>
 }
 

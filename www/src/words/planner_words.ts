@@ -14,7 +14,7 @@ export function isSearch(planner: string): boolean {
   return family === 'search' || family === 'exact'
 }
 
-/** Why a planner cannot be used on a map, this one if none is named: it does not know the way of moving, or not so many goals. */
+/** Why a planner cannot be used on a map (by default the one on show): it does not know the ground, or not so many goals. */
 export function whyNot(
   { max_goals, grounds }: CatalogEntry,
   spec = scenario.value?.spec,

@@ -12,7 +12,7 @@ export function serve(engine: PanelEngine, calls: object, ground: GroundOf = () 
   self.onmessage = (event: MessageEvent<PanelRequest | ToolRequest>) => {
     if ('canvas' in event.data) servePanel(engine, ground)
     else answerCalls(calls, (module) => engine.initSync({ module }))
-    // The first message is now for whoever listens from here on.
+    // The first message is handed to the listener that has just been installed.
     self.onmessage?.(event)
   }
 }

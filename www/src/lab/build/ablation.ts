@@ -15,7 +15,7 @@ const FULL = 'full'
 
 const lacksOne = ({ id }: DraftEntry) => id?.startsWith(WITHOUT) ?? false
 
-/** Whether it stands in an ablation: nothing more is to be taken out of it. */
+/** Whether it belongs to an ablation, and so cannot be ablated again. */
 export const isOfAblation = (entry: DraftEntry) =>
   lacksOne(entry) || (entry.id === FULL && drafted.value.some(lacksOne))
 

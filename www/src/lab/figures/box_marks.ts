@@ -1,4 +1,4 @@
-/** Boxes and whiskers in rows, from numbers that stand already. */
+/** Boxes and whiskers in rows, from numbers that are computed already. */
 
 import { HALF_BOX, MIDDLE } from './entry_rows'
 import type { Plot, Scene } from './figure'

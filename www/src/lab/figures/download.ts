@@ -46,7 +46,7 @@ export async function downloadPng(svg: SVGSVGElement, stem: string): Promise<voi
   download(`${stem}.png`, new Uint8Array(await png.arrayBuffer()), 'image/png')
 }
 
-/** A picture of so many pixels for each of the SVG's. */
+/** A PNG with this many pixels for each of the SVG's. */
 export async function figurePng(svg: SVGSVGElement, scale: number): Promise<Blob> {
   const url = URL.createObjectURL(new Blob([svgText(svg)], { type: 'image/svg+xml' }))
   try {

@@ -1,4 +1,4 @@
-/** Every run's value, with its quartiles: the exact optimum and what is published stand in the same scale. */
+/** Every run's value, with the quartiles; the exact optimum and published numbers are on the same scale. */
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'

@@ -11,7 +11,7 @@ import { showCard } from '../../words/paper_cards'
 import { startComparison } from '../run/actions'
 import { documentFor, type PaperQuestion, questionOfMap, questions, secondsFor } from './questions'
 
-/** Below so many a verdict cannot be given (docs/methodology.md). */
+/** With fewer seeds no verdict can be given (docs/methodology.md). */
 const LEAST_SEEDS = 30
 
 export function PublishedList() {

@@ -12,7 +12,7 @@ import { MapChoice, MapHead, shownMap } from './choices'
 import { differ, type Kind, type PairTest, pairTest, shownEffect } from './pair_tests'
 import { sentences } from './tests_words'
 
-/** From so many on the approximation of Friedman's test is good (Demšar 2006). */
+/** From this many maps on, the approximation of Friedman's test is good (Demšar 2006). */
 const MANY_MAPS = 10
 
 const kind = signal<Kind>('wilcoxon')

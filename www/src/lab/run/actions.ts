@@ -30,7 +30,7 @@ export * from '../store/signals'
 export { closeComparison, openKeptComparison } from './open_comparison'
 
 export interface StartOptions {
-  /** Only the first so many seeds of each entry. */
+  /** Only this many seeds of each entry, the first ones. */
   firstSeeds?: number | null
   /** As many as the machine has processors, if nothing is said. */
   workers?: number

@@ -28,7 +28,7 @@ export interface OpenComparison {
   recorded: ComparisonDocument['recorded'] | null
   /** Where its runs come from: done here (`own`), or read from a file. */
   runs: 'own' | 'file'
-  /** Only the first so many seeds of each entry are to be run; null: all. */
+  /** Only this many seeds of each entry are to be run, the first ones; null: all. */
   firstSeeds: number | null
   /** Another tab is running it. */
   elsewhere: boolean

@@ -1,4 +1,4 @@
-/** Shows the progress of the runs in the tab's title, for readers who are elsewhere meanwhile. */
+/** Shows the progress of the runs in the tab's title, for readers who are in another tab. */
 import { effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { shownComparison } from '../store/shown_comparison'
