@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 async function expectClean(page: Page, where: string): Promise<void> {
   const { violations } = await new AxeBuilder({ page }).analyze()
@@ -17,24 +17,24 @@ for (const scheme of ['light', 'dark'] as const) {
   }) => {
     test.slow()
     await page.emulateMedia({ colorScheme: scheme })
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await expectClean(page, 'at rest')
     await page.getByTestId('play').click()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
     await expectClean(page, 'running')
     await page.getByTestId('play').click()
     for (const item of ['open-generate', 'open-resize', 'open-import', 'open-export']) {
-      await lab.menu('map-menu', item)
+      await race.menu('map-menu', item)
       await expect(page.locator('dialog')).toBeVisible()
       await expectClean(page, item)
-      await lab.leaveDialog()
+      await race.leaveDialog()
     }
     for (const button of ['share', 'help']) {
       await page.getByTestId(button).click()
       await expect(page.locator('dialog')).toBeVisible()
       await expectClean(page, button)
-      await lab.leaveDialog()
+      await race.leaveDialog()
     }
     await page.getByTestId('map-menu').click()
     await expectClean(page, 'menu')
@@ -42,19 +42,19 @@ for (const scheme of ['light', 'dark'] as const) {
 }
 
 test('axe finds nothing serious on a phone @phone', async ({ page }) => {
-  await new Lab(page).openAtRest()
+  await new RacePage(page).openAtRest()
   await expectClean(page, 'phone')
 })
 
 test('everything can be reached and done with the keyboard alone', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.open()
+  const race = new RacePage(page)
+  await race.open()
   await page.keyboard.press('Space')
   await expect(page.getByTestId('play')).toHaveAccessibleName(/play/i)
   await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'paused')
   await page.keyboard.press('r')
   await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
-  await expect.poll(() => lab.antMoves()).toBe(0)
+  await expect.poll(() => race.antMoves()).toBe(0)
 
   await tabTo(page, 'map-menu')
   await page.keyboard.press('Enter')
@@ -62,22 +62,22 @@ test('everything can be reached and done with the keyboard alone', async ({ page
   await expect(items.first()).toBeFocused()
   await page.keyboard.press('ArrowDown')
   await page.keyboard.press('Enter')
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(20)
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(20)
 
   await tabTo(page, 'stage')
-  const walls = await lab.walls()
+  const walls = await race.walls()
   for (const key of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'Enter']) await page.keyboard.press(key)
-  await expect.poll(() => lab.walls()).not.toBe(walls)
+  await expect.poll(() => race.walls()).not.toBe(walls)
 
   await tabTo(page, 'share')
   await page.keyboard.press('Enter')
   await expect(page.getByTestId('share-link')).toHaveValue(/#x=/)
-  await lab.leaveDialog()
+  await race.leaveDialog()
   await expect(page.getByTestId('share')).toBeFocused()
 
   await page.keyboard.press('?')
   await expect(page.getByTestId('help-dialog')).toBeVisible()
-  await lab.leaveDialog()
+  await race.leaveDialog()
   await page.keyboard.press('End')
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,
@@ -98,18 +98,18 @@ async function tabTo(page: Page, testId: string): Promise<void> {
 
 test('a manual theme outlives a reload', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' })
-  const lab = new Lab(page)
-  await lab.open()
-  await lab.menu('theme', 'theme-dark')
+  const race = new RacePage(page)
+  await race.open()
+  await race.menu('theme', 'theme-dark')
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark')
   await page.reload()
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark')
 })
 
 test('the page speaks Chinese, too', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.open()
-  await lab.menu('language', 'language-zh-CN')
+  const race = new RacePage(page)
+  await race.open()
+  await race.menu('language', 'language-zh-CN')
   await expect(page.locator('html')).toHaveAttribute('lang', /^zh/)
   await expect(page.getByTestId('share')).toContainText(/\p{Script=Han}/u)
 })

@@ -6,7 +6,7 @@ import {
   type Request,
   test,
 } from '@playwright/test'
-import { freshLab, Lab } from './lab'
+import { freshRace, RacePage } from './race_page'
 import { drawn } from './workers'
 
 /** A planner that the core of the engine does not have. */
@@ -49,12 +49,12 @@ function fetched(page: Page, file: RegExp): () => Promise<void> {
 
 /** A link to a race of both kinds of planners, recorded after some iterations. */
 async function linkToLater(page: Page): Promise<string> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
+  const race = new RacePage(page)
+  await race.openAtRest()
   await page.getByTestId('planner-1').selectOption(LATER)
-  await lab.ready()
+  await race.ready()
   await page.evaluate(() => window.formicarium.run({ iterations: 6 }))
-  return lab.shareLink()
+  return race.shareLink()
 }
 
 /** The link, opened by somebody whose whole engine is held back until `pass`. */
@@ -73,30 +73,30 @@ async function openLater(
 
 test.describe('the planners of the whole engine', () => {
   test('are on offer without a click, and take over a panel and give it back', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     const planner = page.getByTestId('planner-1')
     await planner.selectOption(LATER)
-    await lab.ready()
+    await race.ready()
     await expect(page.getByTestId('panel-waiting')).toBeHidden()
     await expect(page.getByTestId('panel-1').locator('canvas')).toHaveCount(1)
-    await lab.seesMotion(1, () => page.getByTestId('play').click())
-    expect((await lab.result(1)).planner).toBe(LATER)
+    await race.seesMotion(1, () => page.getByTestId('play').click())
+    expect((await race.result(1)).planner).toBe(LATER)
     await planner.selectOption('ant-system')
-    await expect.poll(async () => (await lab.result(1)).planner).toBe('ant-system')
-    await lab.ready()
+    await expect.poll(async () => (await race.result(1)).planner).toBe('ant-system')
+    await race.ready()
     await drawn(page)
-    await lab.seesMotion(1)
+    await race.seesMotion(1)
   })
 
   test('run as in the core: the same planner gives the same digest in both', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     // The second panel gets the whole engine, and keeps it.
     await page.getByTestId('planner-2').selectOption(LATER)
-    await lab.ready()
+    await race.ready()
     await page.getByTestId('planner-2').selectOption('ant-system')
-    await lab.ready()
+    await race.ready()
     const [core, whole] = await page.evaluate(() => window.formicarium.run({ iterations: 12 }))
     expect(core?.summary?.iteration).toBe(12)
     expect(whole?.summary?.digest).toBe(core?.summary?.digest)
@@ -114,7 +114,7 @@ test.describe('the planners of the whole engine', () => {
     await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
     await expect(opened.getByTestId('panel-waiting')).toBeHidden()
     await expect(opened.getByTestId('parameters-1')).toBeVisible()
-    expect((await new Lab(opened).session()).panels[0]?.planner).toBe(LATER)
+    expect((await new RacePage(opened).session()).panels[0]?.planner).toBe(LATER)
     await opened.context().close()
   })
 
@@ -123,36 +123,36 @@ test.describe('the planners of the whole engine', () => {
     browser,
   }) => {
     const { opened, pass: reconnect } = await openLater(page, browser, 'fail')
-    const lab = new Lab(opened)
+    const race = new RacePage(opened)
     const alert = opened.getByTestId('panel-not-fetched')
     await expect(alert).toBeVisible()
     // The planner that is here runs meanwhile.
     await expect
-      .poll(async () => (await lab.result(2)).summary?.effort.cell_expansions ?? 0)
+      .poll(async () => (await race.result(2)).summary?.effort.cell_expansions ?? 0)
       .toBeGreaterThan(0)
-    expect(await lab.walls()).toBeGreaterThan(0)
+    expect(await race.walls()).toBeGreaterThan(0)
     reconnect()
     await alert.getByRole('button').click()
     await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
     await expect(alert).toBeHidden()
-    await lab.ready()
+    await race.ready()
     await opened.context().close()
   })
 
   test('outlive the connection: sharing works, and what is missing is said', async ({ page }) => {
     const dialogs = fetched(page, /all_dialogs/)
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await page.getByTestId('add-panel').click()
     await expect(page.getByTestId(`add-${LATER}`)).toBeVisible()
     await page.keyboard.press('Escape')
     await dialogs()
     await page.context().setOffline(true)
-    expect(await lab.shareLink()).toContain('#x=')
-    await lab.menu('map-menu', 'gallery-paper-ship-20')
+    expect(await race.shareLink()).toContain('#x=')
+    await race.menu('map-menu', 'gallery-paper-ship-20')
     await expect(page.getByText('This part of the page could not be fetched.')).toBeVisible()
     await page.context().setOffline(false)
-    await lab.menu('map-menu', 'gallery-paper-ship-20')
+    await race.menu('map-menu', 'gallery-paper-ship-20')
     await expect(page.getByTestId('planner-1')).toHaveValue('ship')
   })
 
@@ -170,7 +170,7 @@ test.describe('the planners of the whole engine', () => {
     await opened.getByTestId('add-panel').click()
     await expect(opened.getByTestId(`add-${LATER}`)).toBeVisible()
     await expect(again).toBeHidden()
-    await new Lab(opened).ready()
+    await new RacePage(opened).ready()
     await expect(opened.getByTestId('panel-1').getByRole('alert')).toBeHidden()
     await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
     await opened.context().close()
@@ -179,8 +179,8 @@ test.describe('the planners of the whole engine', () => {
   test('that no version knows leave the page, once the catalog is complete', async ({
     browser,
   }) => {
-    const lab = await freshLab(browser, './')
-    const { page } = lab
+    const race = await freshRace(browser, './')
+    const { page } = race
     await page.evaluate(async () => {
       const session = window.formicarium.session()
       if (!session) throw new Error('no session')

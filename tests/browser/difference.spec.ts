@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 /** Opens the difference, and waits until there is one. */
 async function open(page: Page): Promise<void> {
@@ -14,8 +14,8 @@ test.describe('the difference of two trails', () => {
   test('is offered for two colonies, follows them, and tells both values of a cell', async ({
     page,
   }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await expect(
       page.getByTestId('planner-1').locator('option[value="ant-colony-system"]'),
     ).toBeAttached()
@@ -23,7 +23,7 @@ test.describe('the difference of two trails', () => {
     await expect(page.getByTestId('scrubber')).toBeVisible()
     await expect(page.getByTestId('compare-trails')).toBeHidden()
     await page.getByTestId('planner-2').selectOption('ant-colony-system')
-    await lab.ready()
+    await race.ready()
     await open(page)
     const view = page.getByTestId('difference')
     await expect(view.getByTestId('difference-a')).toContainText('A: Ant System')
@@ -34,7 +34,7 @@ test.describe('the difference of two trails', () => {
     // Trails are asked for a few times a second: those on show may be of iterations before.
     const of = (iterations: string) => expect(values).toHaveAttribute('data-iterations', iterations)
     await of('0,0')
-    await lab.frame()
+    await race.frame()
     const before = await canvas.screenshot()
     await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
     await of('5,5')
@@ -44,7 +44,7 @@ test.describe('the difference of two trails', () => {
     )
     await canvas.focus()
     await page.keyboard.press('ArrowRight')
-    const { start } = (await lab.session()).scenario.spec
+    const { start } = (await race.session()).scenario.spec
     await expect(values).toContainText(`(${start[0]}, ${start[1]})`)
     await expect(values).toContainText(/A .+ · B .+ · difference [+−-]?\d/)
 
@@ -68,10 +68,10 @@ test.describe('the difference of two trails', () => {
   })
 
   test('says so when one of the two has gone', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('add-panel', 'add-ant-system')
-    await lab.ready()
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('add-panel', 'add-ant-system')
+    await race.ready()
     await open(page)
     await page.getByTestId('remove-3').click()
     await expect(page.getByTestId('difference-empty')).toContainText('two planners')
@@ -80,10 +80,10 @@ test.describe('the difference of two trails', () => {
   for (const scheme of ['light', 'dark'] as const) {
     test(`axe finds nothing serious (${scheme})`, async ({ page }) => {
       await page.emulateMedia({ colorScheme: scheme })
-      const lab = new Lab(page)
-      await lab.openAtRest()
-      await lab.menu('add-panel', 'add-ant-system')
-      await lab.ready()
+      const race = new RacePage(page)
+      await race.openAtRest()
+      await race.menu('add-panel', 'add-ant-system')
+      await race.ready()
       await open(page)
       const { violations } = await new AxeBuilder({ page }).analyze()
       expect(
@@ -93,10 +93,10 @@ test.describe('the difference of two trails', () => {
   }
 
   test('fits on a phone @phone', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('add-panel', 'add-ant-system')
-    await lab.ready()
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('add-panel', 'add-ant-system')
+    await race.ready()
     await page.getByTestId('compare-trails').tap()
     await expect(page.getByTestId('difference')).toBeVisible()
     const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth)

@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 const folder = join(__dirname, '../fixtures/links')
 const read = (path: string) => readFileSync(join(folder, path))
@@ -79,10 +79,10 @@ async function drop(page: Page, path: string): Promise<void> {
 }
 
 async function shows(page: Page, sample: Sample): Promise<void> {
-  const lab = new Lab(page)
+  const race = new RacePage(page)
   for (const [at, [, verified]] of sample.panels.entries())
     await expect(page.getByTestId(`verified-${at + 1}`)).toHaveAttribute('data-verified', verified)
-  const { scenario, panels } = await lab.session()
+  const { scenario, panels } = await race.session()
   expect([scenario.spec.width, scenario.spec.height]).toEqual(sample.size)
   expect(panels.map(({ planner }) => planner)).toEqual(sample.panels.map(([planner]) => planner))
   expect(scenario.spec.goals.map(({ name, danger, area }) => ({ name, danger, area }))).toEqual(
@@ -100,7 +100,7 @@ test.describe('sessions of earlier versions', () => {
       test(`${path} opens`, async ({ page }) => {
         if (ending === 'link') await page.goto(`./${read(path).toString().trim()}`)
         else {
-          await new Lab(page).open()
+          await new RacePage(page).open()
           await drop(page, path)
         }
         await shows(page, sample)
@@ -109,13 +109,13 @@ test.describe('sessions of earlier versions', () => {
   }
 })
 
-test.describe('experiments of earlier versions', () => {
+test.describe('comparisons of earlier versions', () => {
   for (const ending of ['link', 'result.json', 'png']) {
     const path = `0.1.0/study.${ending}`
     test(`${path} opens and is verified`, async ({ page }) => {
       if (ending === 'link') await page.goto(`./${read(path).toString().trim()}`)
       else {
-        await new Lab(page).open()
+        await new RacePage(page).open()
         await drop(page, path)
       }
       await expect(page.getByTestId('run-bar')).toContainText('Frozen: two maps, three planners')

@@ -2,31 +2,31 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 import type { Cell } from '../../www/src/model/cell'
 import type { Session } from '../../www/src/model/session'
-import { freshLab, Lab } from './lab'
+import { freshRace, RacePage } from './race_page'
 
 /** The open field: 40 × 25 cells, start (4, 19), goal (35, 5). */
-async function openField(page: Page): Promise<Lab> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.menu('map-menu', 'gallery-open-field')
-  await expect.poll(() => lab.walls()).toBe(0)
-  return lab
+async function openField(page: Page): Promise<RacePage> {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.menu('map-menu', 'gallery-open-field')
+  await expect.poll(() => race.walls()).toBe(0)
+  return race
 }
 
-async function click(lab: Lab, cell: Cell): Promise<void> {
-  const { x, y } = await lab.pointOf(cell)
-  await lab.page.mouse.click(x, y)
-  await lab.frame()
+async function click(race: RacePage, cell: Cell): Promise<void> {
+  const { x, y } = await race.pointOf(cell)
+  await race.page.mouse.click(x, y)
+  await race.frame()
 }
 
-const goals = async (lab: Lab) => (await lab.session()).scenario.spec.goals
-const places = async (lab: Lab) => (await goals(lab)).map(({ at }) => at.join())
+const goals = async (race: RacePage) => (await race.session()).scenario.spec.goals
+const places = async (race: RacePage) => (await goals(race)).map(({ at }) => at.join())
 
 /** The open field with these goals, and these planners. */
-async function load(lab: Lab, at: Cell[], planners: string[]): Promise<void> {
-  const session = await lab.session()
+async function load(race: RacePage, at: Cell[], planners: string[]): Promise<void> {
+  const session = await race.session()
   const [goal] = session.scenario.spec.goals
-  await lab.page.evaluate(
+  await race.page.evaluate(
     ({ cells, session, ...rest }) =>
       window.formicarium.load({
         ...session,
@@ -45,57 +45,57 @@ async function load(lab: Lab, at: Cell[], planners: string[]): Promise<void> {
       },
     } as unknown as { cells: number[]; session: Session; scenario: Session['scenario'] },
   )
-  await lab.ready()
+  await race.ready()
 }
 
 test.describe('several goals', () => {
   test('the tool adds them, any can be dragged, undo takes them back', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await page.keyboard.press('a')
     await expect(page.getByTestId('tool-add-goal')).toHaveAttribute('aria-pressed', 'true')
-    await click(lab, [10, 4])
+    await click(race, [10, 4])
     await expect(page.getByTestId('goals')).toBeVisible()
-    await click(lab, [20, 20])
-    expect(await places(lab)).toEqual(['35,5', '10,4', '20,20'])
-    expect((await goals(lab)).map(({ name }) => name)).toEqual(['A', 'B', 'C'])
+    await click(race, [20, 20])
+    expect(await places(race)).toEqual(['35,5', '10,4', '20,20'])
+    expect((await goals(race)).map(({ name }) => name)).toEqual(['A', 'B', 'C'])
     await expect(page.getByTestId('goal-count')).toHaveText('3 goals')
 
     await page.getByTestId('tool-wall').click()
-    await lab.drag([
+    await race.drag([
       [10, 4],
       [12, 8],
     ])
-    await lab.drag([
+    await race.drag([
       [20, 20],
       [4, 19],
     ])
-    const [, second, third] = await goals(lab)
+    const [, second, third] = await goals(race)
     expect(second?.at).toEqual([12, 8])
     // Never onto the start.
     expect(third?.at).toEqual([20, 20])
-    expect(await lab.walls()).toBe(0)
+    expect(await race.walls()).toBe(0)
 
     await page.getByTestId('tool-goal').click()
     await expect(page.getByTestId('tool-goal')).toHaveAccessibleName('Move goal C')
-    await click(lab, [30, 20])
-    expect((await places(lab))[2]).toBe('30,20')
+    await click(race, [30, 20])
+    expect((await places(race))[2]).toBe('30,20')
 
     for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z')
-    expect(await places(lab)).toEqual(['35,5'])
+    expect(await places(race)).toEqual(['35,5'])
     await expect(page.getByTestId('goals')).toBeHidden()
     await page.keyboard.press('Control+Shift+z')
-    expect(await places(lab)).toEqual(['35,5', '10,4'])
+    expect(await places(race)).toEqual(['35,5', '10,4'])
   })
 
   test('the keyboard adds, moves and removes them, and says so', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     const said = page.getByTestId('announcement')
-    await lab.stage().focus()
+    await race.stage().focus()
     await page.keyboard.press('ArrowRight')
     await page.keyboard.press('Control+ArrowRight')
     await page.keyboard.press('a')
     await page.keyboard.press('Enter')
-    expect(await places(lab)).toEqual(['35,5', '14,19'])
+    expect(await places(race)).toEqual(['35,5', '14,19'])
     await expect(said).toContainText('goal B')
 
     await page.keyboard.press('g')
@@ -103,24 +103,24 @@ test.describe('several goals', () => {
     await expect(said).toContainText('goal B taken up')
     await page.keyboard.press('ArrowUp')
     await page.keyboard.press('Enter')
-    expect(await places(lab)).toEqual(['35,5', '14,18'])
+    expect(await places(race)).toEqual(['35,5', '14,18'])
 
     await page.keyboard.press('Delete')
     await expect(said).toContainText('Goal B removed')
-    expect(await places(lab)).toEqual(['35,5'])
+    expect(await places(race)).toEqual(['35,5'])
     await page.keyboard.press('Control+ArrowRight')
     await page.keyboard.press('Control+ArrowRight')
     await page.keyboard.press('ArrowRight')
     for (let up = 0; up < 13; up++) await page.keyboard.press('ArrowUp')
     await page.keyboard.press('Delete')
     await expect(said).toContainText('only one')
-    expect(await places(lab)).toEqual(['35,5'])
+    expect(await places(race)).toEqual(['35,5'])
   })
 
   test('the table: weights, places and names; a name leaves the runs alone', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await load(
-      lab,
+      race,
       [
         [10, 4],
         [30, 20],
@@ -130,17 +130,17 @@ test.describe('several goals', () => {
     await page.evaluate(() => window.formicarium.run({ iterations: 2 }))
     await page.getByTestId('goal-name-1').fill('Galley')
     await page.getByTestId('goal-name-1').press('Enter')
-    expect((await goals(lab))[0]?.name).toBe('Galley')
-    expect((await lab.result(1)).summary?.iteration).toBe(2)
+    expect((await goals(race))[0]?.name).toBe('Galley')
+    expect((await race.result(1)).summary?.iteration).toBe(2)
     await expect(page.getByTestId('metric-order-1')).toContainText('Galley')
     await page.getByTestId('undo').click()
-    expect((await goals(lab))[0]?.name).toBe('G1')
-    expect((await lab.result(1)).summary?.iteration).toBe(2)
+    expect((await goals(race))[0]?.name).toBe('G1')
+    expect((await race.result(1)).summary?.iteration).toBe(2)
 
     await page.getByTestId('goal-danger-1').fill('4')
     await page.getByTestId('goal-danger-1').press('Enter')
     await expect(page.getByTestId('goal-weight-1')).toHaveText('0.250')
-    await expect.poll(async () => (await lab.result(1)).summary?.iteration).toBe(0)
+    await expect.poll(async () => (await race.result(1)).summary?.iteration).toBe(0)
 
     const area = page.getByTestId('goal-area-2')
     await area.fill('-1')
@@ -148,7 +148,7 @@ test.describe('several goals', () => {
     const alert = page.getByTestId('goals').getByRole('alert')
     await expect(alert).toContainText('Area = -1')
     await expect(area).toHaveAttribute('aria-invalid', 'true')
-    expect((await goals(lab))[1]?.area).toBe(1)
+    expect((await goals(race))[1]?.area).toBe(1)
     await area.press('Escape')
     await expect(area).toHaveValue('1')
     await expect(alert).toBeHidden()
@@ -166,16 +166,16 @@ test.describe('several goals', () => {
     }
     await place.fill('31, 7')
     await place.press('Enter')
-    expect(await places(lab)).toEqual(['10,4', '31,7'])
+    expect(await places(race)).toEqual(['10,4', '31,7'])
     await expect(alert).toBeHidden()
 
     await page.getByTestId('goal-remove-1').click()
-    expect(await places(lab)).toEqual(['31,7'])
+    expect(await places(race)).toEqual(['31,7'])
   })
 
   test('one goal has its table on demand', async ({ page }) => {
     await openField(page)
-    await new Lab(page).menu('map-menu', 'open-goals')
+    await new RacePage(page).menu('map-menu', 'open-goals')
     await expect(page.getByTestId('goals')).toBeInViewport()
     await expect(page.getByTestId('goal-remove-1')).toBeDisabled()
     await page.getByTestId('goals-add').click()
@@ -183,26 +183,26 @@ test.describe('several goals', () => {
   })
 
   test('planners for one goal say so in place, and the others run', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await page.getByTestId('add-panel').click()
     await page.getByTestId('add-fire').click()
-    await lab.ready()
+    await race.ready()
     await page.keyboard.press('a')
-    await click(lab, [10, 4])
+    await click(race, [10, 4])
     await expect(page.getByTestId('status-1')).toHaveAttribute('data-status', 'refused')
     await expect(page.getByTestId('panel-1').getByRole('alert')).toContainText('2 goals')
     await page.getByTestId('step-iteration').click()
-    await expect.poll(async () => (await lab.result(3)).summary?.iteration).toBe(1)
+    await expect.poll(async () => (await race.result(3)).summary?.iteration).toBe(1)
     // The map is drawn on all the same, and the way out is one press away.
     await page.keyboard.press('w')
-    const before = await lab.picture()
-    await lab.drag([
+    const before = await race.picture()
+    await race.drag([
       [20, 12],
       [20, 16],
     ])
     // Where the pointer is, there is a mark.
     await page.mouse.move(0, 0)
-    await expect.poll(async () => before.equals(await lab.picture())).toBe(false)
+    await expect.poll(async () => before.equals(await race.picture())).toBe(false)
     await page.getByTestId('panel-2').getByRole('button', { name: 'Use Exact tour' }).click()
     await expect(page.getByTestId('planner-2')).toHaveValue('tour-exact')
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'ready')
@@ -219,9 +219,9 @@ test.describe('several goals', () => {
   })
 
   test('another map and another size keep the goals with their names', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await load(
-      lab,
+      race,
       [
         [10, 4],
         [30, 20],
@@ -229,28 +229,28 @@ test.describe('several goals', () => {
       ],
       ['fire'],
     )
-    await lab.menu('map-menu', 'open-generate')
+    await race.menu('map-menu', 'open-generate')
     await page.getByTestId('generate-maze').click()
     await page.getByTestId('generate').click()
-    await expect.poll(() => lab.walls()).toBeGreaterThan(0)
-    expect((await goals(lab)).map(({ name }) => name)).toEqual(['G1', 'G2', 'G3'])
-    for (const at of (await goals(lab)).map((goal) => goal.at)) {
-      expect(await lab.isWall(at)).toBe(false)
+    await expect.poll(() => race.walls()).toBeGreaterThan(0)
+    expect((await goals(race)).map(({ name }) => name)).toEqual(['G1', 'G2', 'G3'])
+    for (const at of (await goals(race)).map((goal) => goal.at)) {
+      expect(await race.isWall(at)).toBe(false)
     }
     await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /^[\d.]+$/)
-    await lab.menu('map-menu', 'open-resize')
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('6')
     await page.getByTestId('resize-height').fill('6')
     await page.getByTestId('resize').click()
-    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(6)
-    const { start } = (await lab.session()).scenario.spec
-    expect(new Set([...(await places(lab)), start.join()]).size).toBe(4)
+    await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(6)
+    const { start } = (await race.session()).scenario.spec
+    expect(new Set([...(await places(race)), start.join()]).size).toBe(4)
   })
 
   test('links carry names and weights, and the tour is verified', async ({ page, browser }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await load(
-      lab,
+      race,
       [
         [10, 4],
         [30, 20],
@@ -259,10 +259,10 @@ test.describe('several goals', () => {
     )
     await page.getByTestId('goal-strength-2').fill('2.5')
     await page.getByTestId('goal-strength-2').press('Enter')
-    await lab.ready()
+    await race.ready()
     await page.evaluate(() => window.formicarium.run({ iterations: 2 }))
-    const other = await freshLab(browser, await lab.shareLink())
-    expect(await goals(other)).toEqual(await goals(lab))
+    const other = await freshRace(browser, await race.shareLink())
+    expect(await goals(other)).toEqual(await goals(race))
     for (const place of [1, 2]) {
       await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
         'data-verified',
@@ -272,20 +272,20 @@ test.describe('several goals', () => {
     }
     await other.page.reload()
     await other.ready()
-    expect(await goals(other)).toEqual(await goals(lab))
+    expect(await goals(other)).toEqual(await goals(race))
     await other.page.context().close()
   })
 })
 
 test.describe('tours', () => {
   test('order, legs and weights are shown beside what they are compared with', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-fire')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-fire')
     await expect(page.getByTestId('panel-3')).toBeVisible()
-    await lab.ready()
+    await race.ready()
     await page.evaluate(() => window.formicarium.run())
-    const [ants, , exact] = await lab.results()
+    const [ants, , exact] = await race.results()
     const tour = ants?.summary?.tour
     if (!tour) throw new Error('no tour')
     expect([...tour.order].sort()).toEqual([0, 1, 2, 3])
@@ -324,9 +324,9 @@ test.describe('tours', () => {
   test('beyond what can be proven the best of the panels stands in, and says so', async ({
     page,
   }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await load(
-      lab,
+      race,
       Array.from({ length: 17 }, (_, i): Cell => [2 * i + 1, 2]),
       ['fire', 'custom'],
     )
@@ -336,7 +336,7 @@ test.describe('tours', () => {
     await expect(first).toContainText('Nothing is proven for a question of this size')
     await expect(page.getByTestId('optimum')).toContainText('not known at this size')
     await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
-    const values = (await lab.results()).map(({ summary }) => summary?.value ?? Number.NaN)
+    const values = (await race.results()).map(({ summary }) => summary?.value ?? Number.NaN)
     for (const cell of [first, second]) {
       await expect(cell).toContainText(Math.min(...values).toFixed(2))
       await expect(cell).toContainText('not proven')
@@ -346,9 +346,9 @@ test.describe('tours', () => {
   })
 
   test('a goal out of reach is said', async ({ page }) => {
-    const lab = await openField(page)
+    const race = await openField(page)
     await load(
-      lab,
+      race,
       [
         [10, 4],
         [39, 0],
@@ -356,7 +356,7 @@ test.describe('tours', () => {
       ['fire'],
     )
     await page.keyboard.press('w')
-    await lab.drag([
+    await race.drag([
       [38, 0],
       [38, 1],
       [39, 1],
@@ -368,9 +368,9 @@ test.describe('tours', () => {
 for (const scheme of ['light', 'dark'] as const) {
   test(`axe finds nothing serious with goals and their table (${scheme})`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: scheme })
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-fire')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-fire')
     await expect(page.getByTestId('goals')).toBeVisible()
     await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
     await page.getByTestId('goal-area-2').fill('-1')
@@ -392,14 +392,14 @@ async function expectClean(page: Page): Promise<void> {
 }
 
 test('on a phone goals are added by touch, and the table fits @phone', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
+  const race = new RacePage(page)
+  await race.openAtRest()
   await page.getByTestId('tool-add-goal').tap()
   // A tap becomes a click only after it has been told apart from other gestures.
   await expect(page.getByTestId('tool-add-goal')).toHaveAttribute('aria-pressed', 'true')
-  const { x, y } = await lab.pointOf([8, 2])
+  const { x, y } = await race.pointOf([8, 2])
   await page.touchscreen.tap(x, y)
-  await expect.poll(() => places(lab)).toEqual(['32,10', '8,2'])
+  await expect.poll(() => places(race)).toEqual(['32,10', '8,2'])
   await page.getByTestId('goal-count').tap()
   await expect(page.getByTestId('goals')).toBeInViewport()
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
@@ -410,5 +410,5 @@ test('on a phone goals are added by touch, and the table fits @phone', async ({ 
     .evaluate((table) => table.scrollWidth - table.clientWidth)
   expect(inside).toBeLessThanOrEqual(0)
   await page.getByTestId('goal-remove-2').tap()
-  await expect.poll(() => places(lab)).toEqual(['32,10'])
+  await expect.poll(() => places(race)).toEqual(['32,10'])
 })

@@ -1,34 +1,34 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/model/comparison'
-import { Lab } from './lab'
-import { Laboratory } from './lab_page'
+import type { ComparisonDocument } from '../../www/src/model/comparison'
+import { ComparisonPage } from './comparison_page'
+import { RacePage } from './race_page'
 
 /** What was asked, by the result file of the comparison that is open. */
-async function asked({ page }: Laboratory): Promise<LabDocument['question']> {
+async function asked({ page }: ComparisonPage): Promise<ComparisonDocument['question']> {
   const text = await page.evaluate(() => window.formicarium.resultFile('link'))
-  return (JSON.parse(text) as LabDocument).question
+  return (JSON.parse(text) as ComparisonDocument).question
 }
 
 test.describe('making a comparison', () => {
   test('from maps, planners, values, seeds and a budget', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.on('aco-20x20', 'open-field')
-    await laboratory.compare('ant-system', 'ant-system', 'ship')
-    await laboratory.set(2, 'ants', 7)
-    await laboratory.entry(3).getByTestId('entry-label').fill('Ours')
-    await laboratory.seeds(2, 40)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.on('aco-20x20', 'open-field')
+    await comparison.compare('ant-system', 'ant-system', 'ship')
+    await comparison.set(2, 'ants', 7)
+    await comparison.entry(3).getByTestId('entry-label').fill('Ours')
+    await comparison.seeds(2, 40)
     await page.getByTestId('budget-axis').selectOption('constructed-paths')
-    await laboratory.type('budget-amount', 60)
+    await comparison.type('budget-amount', 60)
     await page.getByTestId('study-title').fill('Three of them')
     await expect(page.getByTestId('run-count')).toHaveText(
       /2 maps × 3 planners × 2 seeds = 12 runs/,
     )
-    await laboratory.run()
-    await laboratory.finished()
-    const question = await asked(laboratory)
+    await comparison.run()
+    await comparison.finished()
+    const question = await asked(comparison)
     expect(question.title).toBe('Three of them')
     expect(question.seeds).toEqual({ from: 40, count: 2 })
     expect(question.budget).toEqual({ axis: 'constructed-paths', amount: 60 })
@@ -44,15 +44,15 @@ test.describe('making a comparison', () => {
   })
 
   test('lets every planner go on until the budget is spent', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ant-system', 'astar')
-    await laboratory.seeds(1)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ant-system', 'astar')
+    await comparison.seeds(1)
     await page.getByTestId('budget-axis').selectOption('iterations')
-    await laboratory.type('budget-amount', 130)
+    await comparison.type('budget-amount', 130)
     const iterations = async () => {
-      await laboratory.run()
-      await laboratory.finished()
+      await comparison.run()
+      await comparison.finished()
       const json = await page.evaluate(() => window.formicarium.resultFile('json'))
       const [ants] = JSON.parse(json).rows as { effort: number[] }[]
       await page.getByTestId('lab-back').click()
@@ -65,66 +65,66 @@ test.describe('making a comparison', () => {
   })
 
   test('tells what the engine refuses at the field that it names', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('astar', 'ant-system')
-    await laboratory.set(2, 'rho', 1.5)
-    await laboratory.start.click()
-    const error = laboratory.entry(2).locator('.field-error')
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('astar', 'ant-system')
+    await comparison.set(2, 'rho', 1.5)
+    await comparison.start.click()
+    const error = comparison.entry(2).locator('.field-error')
     await expect(error).toContainText('1.5')
-    await expect(laboratory.entry(2).getByTestId('param-rho')).toHaveAttribute(
+    await expect(comparison.entry(2).getByTestId('param-rho')).toHaveAttribute(
       'aria-invalid',
       'true',
     )
-    await expect(laboratory.entry(1).locator('.field-error')).toBeHidden()
-    await laboratory.set(2, 'rho', 0.5)
+    await expect(comparison.entry(1).locator('.field-error')).toBeHidden()
+    await comparison.set(2, 'rho', 0.5)
     await expect(error).toBeHidden()
-    await laboratory.seeds(2)
-    await laboratory.run()
-    await laboratory.finished()
+    await comparison.seeds(2)
+    await comparison.run()
+    await comparison.finished()
   })
 
   test('says which planner does not fit which map', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('astar', 'ship')
-    await laboratory.on('two-corridors', 'terrain-hills')
-    await expect(laboratory.entry(2)).toContainText('Hills')
-    await expect(laboratory.entry(1).locator('.remark')).toBeHidden()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('astar', 'ship')
+    await comparison.on('two-corridors', 'terrain-hills')
+    await expect(comparison.entry(2)).toContainText('Hills')
+    await expect(comparison.entry(1).locator('.remark')).toBeHidden()
     await page.getByTestId('lab-add-planner').click()
     await expect(page.getByTestId('lab-add-ship')).toHaveAttribute('aria-disabled', 'true')
   })
 
   test('takes maps from files, and says why it does not', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
     const file = page.getByTestId('lab-map-file')
     await file.setInputFiles({
       name: 'mine.txt',
       mimeType: 'text/plain',
       buffer: Buffer.from('0 0 0\n0 1 0\n0 0 0\n'),
     })
-    await expect(laboratory.maps).toHaveCount(2)
-    await expect(laboratory.maps.last()).toContainText('3 × 3')
+    await expect(comparison.maps).toHaveCount(2)
+    await expect(comparison.maps.last()).toContainText('3 × 3')
     await file.setInputFiles({
       name: 'rubbish.bin',
       mimeType: 'application/octet-stream',
       buffer: Buffer.from([0, 255, 1, 254]),
     })
     await expect(page.getByTestId('builder').getByRole('alert')).toBeVisible()
-    await expect(laboratory.maps).toHaveCount(2)
+    await expect(comparison.maps).toHaveCount(2)
   })
 
   test('an ablation is one click', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ship')
-    await laboratory.entry(1).getByTestId('ablate').click()
-    await expect.poll(() => laboratory.entries.count()).toBeGreaterThan(1)
-    await laboratory.seeds(2)
-    await laboratory.run()
-    await laboratory.finished()
-    const question = await asked(laboratory)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ship')
+    await comparison.entry(1).getByTestId('ablate').click()
+    await expect.poll(() => comparison.entries.count()).toBeGreaterThan(1)
+    await comparison.seeds(2)
+    await comparison.run()
+    await comparison.finished()
+    const question = await asked(comparison)
     expect(question.entries[0]).toMatchObject({ id: 'full', role: 'improved', planner: 'ship' })
     for (const { id, set } of question.entries.slice(1)) {
       expect(id).toMatch(/^without-/)
@@ -134,42 +134,42 @@ test.describe('making a comparison', () => {
   })
 
   test('an earlier one is the beginning of the next', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.on('aco-20x20')
-    await laboratory.compare('ant-system', 'astar')
-    await laboratory.set(1, 'ants', 9)
-    await laboratory.seeds(2, 5)
-    await laboratory.run()
-    await laboratory.finished()
-    const before = await asked(laboratory)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.on('aco-20x20')
+    await comparison.compare('ant-system', 'astar')
+    await comparison.set(1, 'ants', 9)
+    await comparison.seeds(2, 5)
+    await comparison.run()
+    await comparison.finished()
+    const before = await asked(comparison)
     await page.getByTestId('lab-change').click()
-    await laboratory.ready()
-    await laboratory.add('dijkstra')
-    await laboratory.run()
-    await laboratory.finished()
-    const after = await asked(laboratory)
+    await comparison.ready()
+    await comparison.add('dijkstra')
+    await comparison.run()
+    await comparison.finished()
+    const after = await asked(comparison)
     expect(after.entries.slice(0, 2)).toEqual(before.entries)
     expect(after.entries).toHaveLength(3)
     expect([after.seeds, after.instances]).toEqual([before.seeds, before.instances])
   })
 
   test('everything can be done with the keyboard alone', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.openFromRace()
+    const comparison = new ComparisonPage(page)
+    await comparison.openFromRace()
     await page.getByTestId('lab-add-planner').focus()
     await page.keyboard.press('Enter')
     await page.keyboard.press('End')
     await page.keyboard.press('Home')
     await page.keyboard.press('Enter')
-    await expect(laboratory.entries).toHaveCount(3)
+    await expect(comparison.entries).toHaveCount(3)
     await page.getByTestId('seed-count').focus()
     await page.keyboard.press('Control+a')
     await page.keyboard.type('2')
     await page.keyboard.press('Enter')
-    await laboratory.start.focus()
+    await comparison.start.focus()
     await page.keyboard.press('Enter')
-    await laboratory.finished()
+    await comparison.finished()
     await expect(page.getByTestId('run-bar').getByRole('heading')).toBeFocused()
   })
 })
@@ -177,9 +177,9 @@ test.describe('making a comparison', () => {
 test('a file of the command line opens with its runs, and goes on where it was', async ({
   page,
 }) => {
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
-  const result = await laboratory.script({ seeds: 2 })
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  const result = await comparison.script({ seeds: 2 })
   await page.getByTestId('lab-back').click()
   const partly = JSON.parse(result.files.json)
   partly.rows.splice(1, 1)
@@ -189,10 +189,10 @@ test('a file of the command line opens with its runs, and goes on where it was',
     mimeType: 'application/json',
     buffer: Buffer.from(JSON.stringify(partly)),
   })
-  await expect.poll(() => laboratory.phase()).toBe('paused')
-  await expect.poll(() => laboratory.done()).toBe(3)
+  await expect.poll(() => comparison.phase()).toBe('paused')
+  await expect.poll(() => comparison.done()).toBe(3)
   await page.getByTestId('lab-go-on').click()
-  await laboratory.finished()
+  await comparison.finished()
   const again = await page.evaluate(() => window.formicarium.resultFile('csv'))
   expect(again).toBe(result.files.csv)
 
@@ -206,10 +206,10 @@ test('a file of the command line opens with its runs, and goes on where it was',
 })
 
 test('a map that is dropped joins the comparison', async ({ page }) => {
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
   const file = readFileSync(join(__dirname, '../../experiments/maps/ship-20x20.json'), 'utf8')
-  await new Lab(page).drop('ship.json', file)
-  await expect(laboratory.maps).toHaveCount(2)
-  await expect(laboratory.maps.last()).toContainText('20 × 20')
+  await new RacePage(page).drop('ship.json', file)
+  await expect(comparison.maps).toHaveCount(2)
+  await expect(comparison.maps.last()).toContainText('20 × 20')
 })

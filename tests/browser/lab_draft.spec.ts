@@ -1,6 +1,6 @@
 import { expect, type Page, test } from '@playwright/test'
-import type { LabDocument } from '../../www/src/model/comparison'
-import { Laboratory, onShelf } from './lab_page'
+import type { ComparisonDocument } from '../../www/src/model/comparison'
+import { ComparisonPage, inStorage } from './comparison_page'
 
 interface Draft {
   changed: number
@@ -12,18 +12,18 @@ interface Draft {
 
 /** What the browser has kept so far, newest first. */
 async function drafts(page: Page): Promise<Draft[]> {
-  const all = await onShelf<Draft[]>(page, 'drafts', 'getAll')
+  const all = await inStorage<Draft[]>(page, 'drafts', 'getAll')
   return all.sort((a, b) => b.changed - a.changed)
 }
 
 test.describe('a comparison that is being put together', () => {
   test('is there again after the page has been loaded anew', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.on('two-corridors', 'aco-20x20')
-    await laboratory.compare('ant-system', 'astar')
-    await laboratory.set(1, 'ants', 9)
-    await laboratory.seeds(7, 3)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.on('two-corridors', 'aco-20x20')
+    await comparison.compare('ant-system', 'astar')
+    await comparison.set(1, 'ants', 9)
+    await comparison.seeds(7, 3)
     await page.getByTestId('study-title').fill('Nine ants')
     await page.getByTestId('own-file').setInputFiles({
       name: 'mine.csv',
@@ -38,15 +38,15 @@ test.describe('a comparison that is being put together', () => {
       ])
 
     await page.reload()
-    await laboratory.ready()
-    await expect(laboratory.entries).toHaveCount(2)
-    await expect(laboratory.maps).toHaveCount(2)
+    await comparison.ready()
+    await expect(comparison.entries).toHaveCount(2)
+    await expect(comparison.maps).toHaveCount(2)
     await expect(page.getByTestId('study-title')).toHaveValue('Nine ants')
     await expect(page.getByTestId('own-file-item')).toHaveCount(1)
-    await laboratory.run()
-    await laboratory.finished()
+    await comparison.run()
+    await comparison.finished()
     const text = await page.evaluate(() => window.formicarium.resultFile('link'))
-    const { title, seeds, instances, entries } = (JSON.parse(text) as LabDocument).question
+    const { title, seeds, instances, entries } = (JSON.parse(text) as ComparisonDocument).question
     expect([title, seeds]).toEqual(['Nine ants', { from: 3, count: 7 }])
     expect(instances.map(({ id }) => id)).toEqual(['two-corridors', 'classic-20-20'])
     expect(entries).toMatchObject([
@@ -59,15 +59,15 @@ test.describe('a comparison that is being put together', () => {
   test('keeps planners that the page does not know until the whole engine is there', async ({
     page,
   }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ship', 'max-min-ant-system')
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ship', 'max-min-ant-system')
     const planners = async () => (await drafts(page))[0]?.entries.map(({ planner }) => planner)
     await expect.poll(planners).toEqual(['ship', 'max-min-ant-system'])
     await page.reload()
-    await laboratory.ready()
-    await expect(laboratory.entries).toHaveCount(2)
-    await expect(laboratory.entry(1).getByTestId('entry-label')).toHaveAttribute(
+    await comparison.ready()
+    await expect(comparison.entries).toHaveCount(2)
+    await expect(comparison.entry(1).getByTestId('entry-label')).toHaveAttribute(
       'placeholder',
       'Engine-room ACO',
     )
@@ -75,14 +75,14 @@ test.describe('a comparison that is being put together', () => {
   })
 
   test('belongs to its tab: another one begins with what races', async ({ page, context }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ship')
-    await laboratory.seeds(7)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ship')
+    await comparison.seeds(7)
     await expect
       .poll(() => drafts(page))
       .toMatchObject([{ entries: [{ planner: 'ship' }], seeds: { count: 7 } }])
-    const other = new Laboratory(await context.newPage())
+    const other = new ComparisonPage(await context.newPage())
     await other.openFromRace()
     await expect(other.entries).toHaveCount(2)
     await expect(other.page.getByTestId('seed-count')).toHaveValue('30')

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from '@playwright/test'
-import { lengths, ResultsPage, richDocument, SEEDS } from './lab_results_page'
+import { lengths, ResultsPage, richDocument, SEEDS } from './results_page'
 
 /** Every figure that shows effort, and all that show none. */
 const WITH_EFFORT = ['convergence', 'targets', 'effort']
@@ -85,7 +85,7 @@ test.describe('figures of results', () => {
       return counts.reduce((sum, text) => sum + Number(text), 0)
     }
     await expect.poll(counted).toBe(4 * SEEDS)
-    // What is known of runs from elsewhere has no effort.
+    // Imported results come without effort.
     await expect(results.picture('convergence')).toContainText('Effort not known: Theirs *.')
     await expect(results.picture('convergence').locator('.curves path')).toHaveCount(3)
   })

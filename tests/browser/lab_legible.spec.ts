@@ -1,6 +1,6 @@
 import { expect, type Locator, test } from '@playwright/test'
-import { Laboratory } from './lab_page'
-import { ResultsPage, richDocument } from './lab_results_page'
+import { ComparisonPage } from './comparison_page'
+import { ResultsPage, richDocument } from './results_page'
 
 const FIGURES = ['values', 'convergence', 'targets', 'effort', 'gaps', 'ranks'] as const
 
@@ -98,16 +98,16 @@ test('several published numbers that cannot be are told in one box', async ({ pa
 })
 
 test('what is in an ablation is not taken apart again', async ({ page }) => {
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
-  await laboratory.compare('ship')
-  await laboratory.entry(1).getByTestId('ablate').click()
-  await expect.poll(() => laboratory.entries.count()).toBeGreaterThan(1)
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('ship')
+  await comparison.entry(1).getByTestId('ablate').click()
+  await expect.poll(() => comparison.entries.count()).toBeGreaterThan(1)
   await expect(page.getByTestId('ablate')).toHaveCount(0)
-  await laboratory.add('ship')
+  await comparison.add('ship')
   await expect(page.getByTestId('ablate')).toHaveCount(1)
   // Alone it is a planner like any other.
-  for (let left = await laboratory.entries.count(); left > 1; left--)
-    await laboratory.entry(left).getByTestId('entry-remove').click()
-  await expect(laboratory.entry(1).getByTestId('ablate')).toBeVisible()
+  for (let left = await comparison.entries.count(); left > 1; left--)
+    await comparison.entry(left).getByTestId('entry-remove').click()
+  await expect(comparison.entry(1).getByTestId('ablate')).toBeVisible()
 })

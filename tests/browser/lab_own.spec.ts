@@ -1,6 +1,6 @@
-/** Results from elsewhere: tables and data files of IOHanalyzer beside what is run here. */
+/** Imported results: tables and data files of IOHanalyzer beside what is run here. */
 import { expect, type Page, test } from '@playwright/test'
-import { Laboratory } from './lab_page'
+import { ComparisonPage } from './comparison_page'
 
 const lines = (...all: string[]) => `${all.join('\n')}\n`
 /** Thirty runs, one of them without a path. */
@@ -29,13 +29,13 @@ const row = (page: Page, name: string) => page.getByRole('row').filter({ hasText
 test('a table joins the planners, and a data file of IOHanalyzer the runs that are done', async ({
   page,
 }) => {
-  const lab = new Laboratory(page)
-  await lab.open()
-  await lab.compare('ant-system', 'astar')
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('ant-system', 'astar')
   await give(page, 'mine.csv', MINE)
   await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
-  await lab.run()
-  await lab.finished()
+  await comparison.run()
+  await comparison.finished()
   await expect(row(page, 'Mine')).toContainText('29 of 30')
   await expect(row(page, 'Mine')).toContainText('41.00')
 
@@ -51,13 +51,13 @@ test('a table joins the planners, and a data file of IOHanalyzer the runs that a
 })
 
 test('what cannot be read is refused by line and column, and nothing is lost', async ({ page }) => {
-  const lab = new Laboratory(page)
-  await lab.open()
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
   await give(page, 'bad.csv', lines('entry,seed,length', 'X,1,far'))
   await expect(page.getByTestId('own-refused')).toContainText('Line 2')
   await expect(page.getByTestId('own-refused')).toContainText('far')
   await expect(page.getByTestId('own-file-item')).toHaveCount(0)
-  await expect(lab.start).toBeEnabled()
+  await expect(comparison.start).toBeEnabled()
   await give(page, 'mine.csv', MINE)
   await expect(page.getByTestId('own-refused')).toHaveCount(0)
   await page.getByTestId('own-file-item').getByRole('button').click()
@@ -65,18 +65,18 @@ test('what cannot be read is refused by line and column, and nothing is lost', a
 })
 
 test('of several maps the one is asked for on which the runs are', async ({ page }) => {
-  const lab = new Laboratory(page)
-  await lab.open()
-  await lab.compare('astar')
-  await lab.menu('lab-add-map', 'add-map-rooms')
-  await expect(lab.maps).toHaveCount(2)
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('astar')
+  await comparison.menu('lab-add-map', 'add-map-rooms')
+  await expect(comparison.maps).toHaveCount(2)
   await give(page, 'mine.csv', MINE)
   await page.getByTestId('own-map').getByTestId('own-map-choice').selectOption({ index: 1 })
   await page.getByTestId('own-join').click()
   await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
-  await lab.seeds(2)
-  await lab.run()
-  await lab.finished()
+  await comparison.seeds(2)
+  await comparison.run()
+  await comparison.finished()
   await page.getByTestId('results-map').selectOption({ index: 1 })
   await expect(row(page, 'Mine')).toContainText('29 of 30')
 })

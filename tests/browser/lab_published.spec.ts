@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
-import { Laboratory } from './lab_page'
+import { ComparisonPage } from './comparison_page'
+import { RacePage } from './race_page'
 
 const records = join(__dirname, '../../experiments/records')
 
@@ -17,7 +17,7 @@ function recorded(name: string, seeds: number): string[] {
 
 test.describe('the papers’ questions', () => {
   test('are listed with what they ask and how long it takes', async ({ page }) => {
-    await new Laboratory(page).open()
+    await new ComparisonPage(page).open()
     const list = page.getByTestId('published')
     await expect(list.locator('li')).toHaveCount(6)
     const ship = page.getByTestId('published-ship')
@@ -40,11 +40,11 @@ test.describe('the papers’ questions', () => {
     ['classics', 1],
   ] as const) {
     test(`${name}: what runs here is what is recorded, line by line`, async ({ page }) => {
-      const laboratory = new Laboratory(page)
-      await laboratory.open()
+      const comparison = new ComparisonPage(page)
+      await comparison.open()
       await page.getByTestId(`published-seeds-${name}`).fill(String(seeds))
       await page.getByTestId(`published-run-${name}`).click()
-      await laboratory.finished(110_000)
+      await comparison.finished(110_000)
       const csv = await page.evaluate(() => window.formicarium.resultFile('csv'))
       expect(csv.trim().split('\n')).toEqual(recorded(name, seeds))
       await page.getByRole('tab', { name: /report/i }).click()
@@ -53,11 +53,11 @@ test.describe('the papers’ questions', () => {
   }
 
   test('what a reader of the verdicts must know stands below them', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
     await page.getByTestId('published-seeds-ship').fill('1')
     await page.getByTestId('published-run-ship').click()
-    await laboratory.finished(110_000)
+    await comparison.finished(110_000)
     await page.getByRole('tab', { name: /report/i }).click()
     const notes = page.getByTestId('reservations').getByRole('listitem')
     await expect(notes).toHaveText([
@@ -67,9 +67,9 @@ test.describe('the papers’ questions', () => {
   })
 
   test('a map that stands for a paper’s leads to its question', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.open()
-    await lab.menu('map-menu', 'gallery-paper-ship-30')
+    const race = new RacePage(page)
+    await race.open()
+    await race.menu('map-menu', 'gallery-paper-ship-30')
     await page.getByRole('button', { name: 'Reported and reproduced…' }).click()
     const first = page.getByTestId('published').locator('li').first()
     await expect(first).toHaveAttribute('data-testid', 'published-ship')

@@ -1,5 +1,5 @@
 import { type BrowserContext, expect, test } from '@playwright/test'
-import { documentText, Laboratory } from './lab_page'
+import { ComparisonPage, documentText } from './comparison_page'
 
 const ASKED = documentText({
   entries: [
@@ -10,7 +10,7 @@ const ASKED = documentText({
   rows: Array.from({ length: 24 }, () => '.'.repeat(24)),
 })
 
-/** No machine does more than a hundred runs a second then with one worker, which has two of them in line: one can break it off. */
+/** Slows runs down to a hundred a second, so that the comparison can be interrupted. */
 function holdRuns(): void {
   const post = Worker.prototype.postMessage
   Worker.prototype.postMessage = function (this: Worker, message: unknown, ...rest: unknown[]) {
@@ -21,16 +21,16 @@ function holdRuns(): void {
 }
 
 /** A tab whose comparison is under way. */
-async function begun(context: BrowserContext): Promise<Laboratory> {
-  const laboratory = new Laboratory(await context.newPage())
-  await laboratory.page.addInitScript(holdRuns)
-  await laboratory.open()
-  // Nobody waits for its end.
-  await laboratory.page.evaluate((document) => {
+async function begun(context: BrowserContext): Promise<ComparisonPage> {
+  const comparison = new ComparisonPage(await context.newPage())
+  await comparison.page.addInitScript(holdRuns)
+  await comparison.open()
+  // Its end is not waited for.
+  await comparison.page.evaluate((document) => {
     void window.formicarium.compare({ document, workers: 1 }).catch(() => {})
   }, ASKED)
-  await expect.poll(() => laboratory.done()).toBeGreaterThan(5)
-  return laboratory
+  await expect.poll(() => comparison.done()).toBeGreaterThan(5)
+  return comparison
 }
 
 test('a tab closed at any moment loses nothing that was done, and what follows is the same', async ({
@@ -38,17 +38,17 @@ test('a tab closed at any moment loses nothing that was done, and what follows i
 }) => {
   const context = await browser.newContext()
   const first = await begun(context)
-  // Some moment, another one at every start.
+  // A moment that differs from test run to test run.
   await first.page.waitForTimeout(400 * Math.random())
   await first.page.close()
 
-  const second = new Laboratory(await context.newPage())
+  const second = new ComparisonPage(await context.newPage())
   await second.open()
   const item = second.page.getByTestId('kept-item')
   await expect(item).toContainText('Interrupted')
   await item.getByTestId('kept-open').click()
   await expect.poll(() => second.phase()).toBe('paused')
-  // It is opened once more if the first tab was still about to go.
+  // Opened once more in case the first tab had not closed yet.
   let kept = 0
   const told = async () => {
     kept = await second.done()
@@ -71,12 +71,12 @@ test('a reload in the middle opens the same comparison, paused', async ({ browse
   const context = await browser.newContext()
   const { page } = await begun(context)
   await page.reload()
-  const laboratory = new Laboratory(page)
-  await expect.poll(() => laboratory.phase()).toBe('paused')
-  await expect.poll(() => laboratory.done()).toBeGreaterThan(0)
-  expect(await laboratory.done()).toBeLessThan(800)
+  const comparison = new ComparisonPage(page)
+  await expect.poll(() => comparison.phase()).toBe('paused')
+  await expect.poll(() => comparison.done()).toBeGreaterThan(0)
+  expect(await comparison.done()).toBeLessThan(800)
   await page.getByTestId('lab-go-on').click()
-  await laboratory.finished()
-  await expect.poll(() => laboratory.done()).toBe(800)
+  await comparison.finished()
+  await expect.poll(() => comparison.done()).toBe(800)
   await context.close()
 })

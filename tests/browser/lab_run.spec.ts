@@ -4,9 +4,9 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
-import { documentText, holdRunsAfter, Laboratory, letRuns } from './lab_page'
-import { ResultsPage } from './lab_results_page'
+import { ComparisonPage, documentText, holdRunsAfter, letRuns } from './comparison_page'
+import { RacePage } from './race_page'
+import { ResultsPage } from './results_page'
 import { countCalls, ticks } from './workers'
 
 const COLONIES = [
@@ -17,21 +17,21 @@ const COLONIES = [
 
 test.describe('a comparison', () => {
   test('of what races runs to its end, is kept, and outlives a reload', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.openFromRace()
-    await expect(laboratory.entries).toHaveCount(2)
-    await laboratory.seeds(4)
+    const comparison = new ComparisonPage(page)
+    await comparison.openFromRace()
+    await expect(comparison.entries).toHaveCount(2)
+    await comparison.seeds(4)
     await expect(page.getByTestId('run-count')).toHaveText(/1 map × 2 planners × 4 seeds = 8 runs/)
-    await laboratory.run()
-    await laboratory.finished()
-    await expect(laboratory.runWords).toContainText('All 8 runs are done')
+    await comparison.run()
+    await comparison.finished()
+    await expect(comparison.runWords).toContainText('All 8 runs are done')
     const written = await page.evaluate(() => window.formicarium.resultFile('csv'))
     expect(written.trim().split('\n')).toHaveLength(1 + 8)
-    await expect.poll(() => laboratory.keptRuns()).toBe(8)
+    await expect.poll(() => comparison.keptRuns()).toBe(8)
 
     await page.reload()
-    await laboratory.finished()
-    await expect(laboratory.runWords).toContainText('All 8 runs are done')
+    await comparison.finished()
+    await expect(comparison.runWords).toContainText('All 8 runs are done')
     expect(await page.evaluate(() => window.formicarium.resultFile('csv'))).toBe(written)
     await page.getByTestId('lab-back').click()
     await expect(page.getByTestId('kept-item')).toHaveCount(1)
@@ -40,29 +40,29 @@ test.describe('a comparison', () => {
 
   test('pauses, goes on, is stopped, removed, and brought back', async ({ page }) => {
     await holdRunsAfter(page, 20)
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ant-system', 'ship')
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ant-system', 'ship')
     // More than are let through and under way together, on as many processors as are made use of.
     const runs = 2 * 150
-    await laboratory.seeds(runs / 2)
-    await laboratory.run()
-    await expect.poll(() => laboratory.done()).toBeGreaterThan(4)
+    await comparison.seeds(runs / 2)
+    await comparison.run()
+    await expect.poll(() => comparison.done()).toBeGreaterThan(4)
     await page.getByTestId('lab-pause').click()
-    await expect(laboratory.runWords).toContainText('finishing')
+    await expect(comparison.runWords).toContainText('finishing')
     await letRuns(page)
-    await expect(laboratory.runWords).toContainText('paused')
-    const done = await laboratory.done()
+    await expect(comparison.runWords).toContainText('paused')
+    const done = await comparison.done()
     expect(done).toBeLessThan(runs)
     await page.waitForTimeout(700)
-    expect(await laboratory.done()).toBe(done)
+    expect(await comparison.done()).toBe(done)
     expect(await page.evaluate(() => window.formicarium.resultFile('csv'))).toMatch(
       new RegExp(`^(.*\n){${done + 1}}$`),
     )
 
     await letRuns(page, 20)
     await page.getByTestId('lab-go-on').click()
-    await expect.poll(() => laboratory.done()).toBeGreaterThan(done)
+    await expect.poll(() => comparison.done()).toBeGreaterThan(done)
     await page.getByTestId('lab-cancel').click()
     await expect(page.getByTestId('builder')).toBeVisible()
     const item = page.getByTestId('kept-item')
@@ -73,42 +73,42 @@ test.describe('a comparison', () => {
     await expect(item).toHaveCount(1)
     await letRuns(page)
     await item.getByTestId('kept-go-on').click()
-    await laboratory.finished()
-    expect(await laboratory.done()).toBe(runs)
+    await comparison.finished()
+    expect(await comparison.done()).toBe(runs)
   })
 
   test('counts runs without a path, and says so', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.on('unreachable')
-    await laboratory.compare('ant-system', 'astar')
-    await laboratory.set(1, 'iterations', 3)
-    await laboratory.seeds(3)
-    await laboratory.run()
-    await laboratory.finished()
-    await expect(laboratory.runWords).toContainText('6 found no path')
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.on('unreachable')
+    await comparison.compare('ant-system', 'astar')
+    await comparison.set(1, 'iterations', 3)
+    await comparison.seeds(3)
+    await comparison.run()
+    await comparison.finished()
+    await expect(comparison.runWords).toContainText('6 found no path')
   })
 
   test('repeats a run whose worker has stopped, and reports one that stops it twice', async ({
     page,
   }) => {
     await page.addInitScript(stopWorkers, { once: [3], always: [5] })
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const result = await laboratory.script({
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const result = await comparison.script({
       document: documentText({ entries: COLONIES.slice(0, 1), seeds: 12 }),
       workers: 2,
     })
     expect([result.runs, result.failed]).toEqual([11, 1])
     await expect(page.getByTestId('lab-failures')).toContainText('ants · 6')
     await expect(page.getByTestId('lab')).toHaveAttribute('data-phase', 'paused')
-    // Whatever stopped it is gone: the last one is done as well.
+    // What crashed the worker is gone: the last run is done as well.
     await page.evaluate(() => {
       ;(window as unknown as { stopped: number[] }).stopped = []
     })
     await page.getByTestId('lab-go-on').click()
-    await laboratory.finished()
-    expect(await laboratory.done()).toBe(12)
+    await comparison.finished()
+    expect(await comparison.done()).toBe(12)
     await expect(page.getByTestId('lab-failures')).toBeHidden()
   })
 
@@ -118,29 +118,29 @@ test.describe('a comparison', () => {
         throw new DOMException('not here', 'SecurityError')
       }
     })
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
     await expect(page.getByTestId('kept')).toContainText('keeps nothing')
-    await laboratory.seeds(3)
-    await laboratory.run()
-    // Once: whoever has read it is not told again.
+    await comparison.seeds(3)
+    await comparison.run()
+    // Said once, and not again once it has been read.
     const warning = page.getByTestId('toast-warning')
     await expect(warning).toContainText('does not keep the runs')
     await warning.getByRole('button', { name: 'Dismiss' }).click()
-    await laboratory.finished()
+    await comparison.finished()
     await expect(warning).toHaveCount(0)
   })
 
   test('is run by one tab at a time', async ({ page, context }) => {
     await holdRunsAfter(page, 20)
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.compare('ant-system', 'elitist-ant-system')
-    await laboratory.seeds(150)
-    await laboratory.run()
-    await expect.poll(() => laboratory.keptRuns()).toBeGreaterThan(2)
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ant-system', 'elitist-ant-system')
+    await comparison.seeds(150)
+    await comparison.run()
+    await expect.poll(() => comparison.keptRuns()).toBeGreaterThan(2)
 
-    const other = new Laboratory(await context.newPage())
+    const other = new ComparisonPage(await context.newPage())
     await other.open()
     await other.page.getByTestId('kept-item').getByTestId('kept-open').first().click()
     await expect(other.page.getByTestId('lab-elsewhere')).toBeVisible()
@@ -148,7 +148,7 @@ test.describe('a comparison', () => {
     await page.getByTestId('lab-pause').click()
     await letRuns(page)
     await expect(other.page.getByTestId('lab-elsewhere')).toBeHidden()
-    const done = await laboratory.done()
+    const done = await comparison.done()
     expect(done).toBeGreaterThan(0)
     await expect.poll(() => other.done()).toBe(done)
     await expect(other.page.getByTestId('lab-go-on')).toBeEnabled()
@@ -159,10 +159,10 @@ test.describe('result files', () => {
   const asked = documentText({ entries: COLONIES, seeds: 6 })
 
   test('have the same bytes whoever did the runs: one worker or four', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const one = await laboratory.script({ document: asked, workers: 1 })
-    const four = await laboratory.script({ document: asked, workers: 4 })
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const one = await comparison.script({ document: asked, workers: 1 })
+    const four = await comparison.script({ document: asked, workers: 4 })
     expect(one.files).toEqual(four.files)
     expect(one.runs).toBe(18)
     expect(JSON.parse(one.files.json).rows).toHaveLength(18)
@@ -171,9 +171,9 @@ test.describe('result files', () => {
   test('have the same bytes as those of the command line', async ({ page }) => {
     const cli = process.env.FORMICARIUM_CLI
     test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const { files } = await laboratory.script({
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const { files } = await comparison.script({
       document: asked,
       command: 'formicarium compare small.json --out DIR',
     })
@@ -190,9 +190,9 @@ test.describe('result files', () => {
 
 test('the race rests while one compares, and goes on afterwards', async ({ page }) => {
   await countCalls(page)
-  const lab = new Lab(page)
-  await lab.open()
-  await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  const race = new RacePage(page)
+  await race.open()
+  await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   await page.getByTestId('view-lab').click()
   await expect(page.getByTestId('play')).toBeHidden()
   const held = await ticks(page)
@@ -204,7 +204,7 @@ test('the race rests while one compares, and goes on afterwards', async ({ page 
   await expect(page.getByTestId('builder')).toBeVisible()
   await page.getByTestId('view-race').click()
   await expect(page.getByTestId('play')).toBeVisible()
-  await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+  await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   await expect.poll(() => new URL(page.url()).hash).toBe('')
 })
 
@@ -212,15 +212,15 @@ for (const scheme of ['light', 'dark'] as const) {
   test(`axe finds nothing serious in the laboratory (${scheme})`, async ({ page }) => {
     test.slow()
     await page.emulateMedia({ colorScheme: scheme })
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.entry(1).locator('summary').click()
-    await expect(laboratory.entry(1).getByTestId('param-ants')).toBeVisible()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.entry(1).locator('summary').click()
+    await expect(comparison.entry(1).getByTestId('param-ants')).toBeVisible()
     await page.getByTestId('budget-axis').selectOption('iterations')
     await expectClean(page, 'making a comparison')
-    await laboratory.seeds(2)
-    await laboratory.run()
-    await laboratory.finished()
+    await comparison.seeds(2)
+    await comparison.run()
+    await comparison.finished()
     await new ResultsPage(page).told()
     await page.getByTestId('asked').locator('summary').click()
     await expect(page.getByTestId('asked').locator('.asked-lists')).toBeVisible()
@@ -233,30 +233,30 @@ for (const scheme of ['light', 'dark'] as const) {
 
 test('everything fits on a phone, and axe finds nothing serious @phone', async ({ page }) => {
   test.slow()
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
   await expectClean(page, 'making a comparison')
   expect(await overflow(page)).toBeLessThanOrEqual(0)
-  await laboratory.seeds(2)
-  await laboratory.run()
-  await laboratory.finished()
+  await comparison.seeds(2)
+  await comparison.run()
+  await comparison.finished()
   await new ResultsPage(page).told()
   await expectClean(page, 'done')
   expect(await overflow(page)).toBeLessThanOrEqual(0)
 })
 
 test('the laboratory speaks Chinese', async ({ page }) => {
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
-  await laboratory.menu('language', 'language-zh-CN')
-  await expect(laboratory.start).toContainText(/\p{Script=Han}/u)
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.menu('language', 'language-zh-CN')
+  await expect(comparison.start).toContainText(/\p{Script=Han}/u)
   await page.reload()
-  await laboratory.ready()
-  await expect(laboratory.start).toContainText(/\p{Script=Han}/u)
-  await laboratory.seeds(2)
-  await laboratory.run()
-  await laboratory.finished()
-  await expect(laboratory.runWords).toContainText(/\p{Script=Han}/u)
+  await comparison.ready()
+  await expect(comparison.start).toContainText(/\p{Script=Han}/u)
+  await comparison.seeds(2)
+  await comparison.run()
+  await comparison.finished()
+  await expect(comparison.runWords).toContainText(/\p{Script=Han}/u)
 })
 
 /** How much wider the page is than the screen. */
@@ -272,12 +272,12 @@ async function expectClean(page: Page, where: string): Promise<void> {
   expect(told, where).toEqual([])
 }
 
-/** Lets workers stop over some runs when it is their turn: the first time, or whenever `window.stopped` names them. */
+/** Makes workers crash at some runs: the first time, or whenever `window.stopped` names them. */
 function stopWorkers({ once, always }: { once: number[]; always: number[] }): void {
   const remembered = window as unknown as { stopped: number[] }
   remembered.stopped = always
   const first = new Set(once)
-  /** What a worker has still to answer, and what stops it when those before it are done. */
+  /** Runs that a worker has yet to answer, and what makes it crash after them. */
   const owed = new WeakMap<Worker, (number | 'stop')[]>()
   const stopIfDue = (worker: Worker) => {
     if (owed.get(worker)?.[0] === 'stop')

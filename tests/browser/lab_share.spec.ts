@@ -4,8 +4,8 @@ import { type Browser, type Download, expect, type Page, test } from '@playwrigh
 import { decodeFragment, encodeDocument, PREFIX } from '../../www/src/share/comparison_link'
 import { seal } from '../../www/src/share/envelope'
 import { textOfPng } from '../../www/src/share/png'
-import { Lab } from './lab'
-import { documentText, Laboratory } from './lab_page'
+import { ComparisonPage, documentText } from './comparison_page'
+import { RacePage } from './race_page'
 
 const ENTRIES = [
   { id: 'ants', planner: 'ant-system', set: { iterations: 10, ants: 5 } },
@@ -15,7 +15,7 @@ const DOCUMENT = documentText({ entries: ENTRIES, seeds: 4 })
 /** One map, two entries, four seeds. */
 const RUNS = 8
 
-// biome-ignore lint/suspicious/noExplicitAny: a document that is to be spoilt has no type
+// biome-ignore lint/suspicious/noExplicitAny: a document made invalid on purpose has no type
 type Spoilt = any
 
 async function link(page: Page): Promise<string> {
@@ -34,7 +34,7 @@ async function changed(address: string, change: (document: Spoilt) => void): Pro
   return `${address.split('#')[0]}${PREFIX}${await encodeDocument(JSON.stringify(document))}`
 }
 
-/** A page of its own, so that nothing the first one keeps can help the second. */
+/** The page in a browser context of its own, which shares nothing with the first. */
 async function elsewhere(browser: Browser, address: string): Promise<Page> {
   const page = await (await browser.newContext()).newPage()
   await page.goto(address)
@@ -73,14 +73,14 @@ async function verifyAll(page: Page): Promise<void> {
   await page.getByTestId('verify-again').click()
 }
 
-test.describe('an experiment as a link', () => {
+test.describe('a comparison as a link', () => {
   let address = ''
 
   test.beforeEach(async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.script({ document: DOCUMENT })
-    await laboratory.finished()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.script({ document: DOCUMENT })
+    await comparison.finished()
     address = await link(page)
   })
 
@@ -98,11 +98,11 @@ test.describe('an experiment as a link', () => {
     await expect(other.getByTestId('verified')).toHaveText('verified: bit for bit')
     const { violations } = await new AxeBuilder({ page: other }).include('.verification').analyze()
     expect(violations).toEqual([])
-    // What is handed on from there has the same digests.
+    // A link made there has the same digests.
     const again = JSON.parse(await decodeFragment(await link(other)))
     expect(again).toEqual(JSON.parse(await decodeFragment(address)))
-    // A reload goes on with the study instead of opening the link once more.
-    await expect.poll(() => new Laboratory(other).keptRuns()).toBe(RUNS)
+    // A reload goes on with the comparison instead of opening the link once more.
+    await expect.poll(() => new ComparisonPage(other).keptRuns()).toBe(RUNS)
     await other.reload()
     await state(other).toHaveAttribute('data-state', 'same')
     await other.context().close()
@@ -140,7 +140,7 @@ test.describe('an experiment as a link', () => {
     const kinds = other.getByTestId('deviations').locator('li')
     await expect
       .poll(() => kinds.evaluateAll((all) => all.map((one) => (one as HTMLElement).dataset.kind)))
-      .toEqual(['version', 'experiment', 'parameter', 'parameter', 'bits'])
+      .toEqual(['version', 'comparison', 'parameter', 'parameter', 'bits'])
     await expect(kinds.nth(0)).toContainText('The engine was 0.0.9')
     await expect(kinds.nth(2)).toHaveText('ants: ants was 6, now it is 5.')
     await expect(kinds.nth(3)).toContainText('there is no such parameter any more')
@@ -179,16 +179,16 @@ test.describe('an experiment as a link', () => {
 
   test('pasted into a page that shows a race, it opens', async ({ browser }) => {
     const other = await elsewhere(browser, address.split('#')[0] ?? '')
-    const lab = new Lab(other)
-    await lab.ready()
-    await lab.paste(`Have a look: ${address}`)
+    const race = new RacePage(other)
+    await race.ready()
+    await race.paste(`Have a look: ${address}`)
     await expect(other.getByTestId('run-bar')).toContainText('Small')
     await expect(panel(other)).toBeVisible()
     await other.context().close()
   })
 })
 
-/** A container of a version to come. */
+/** A container of a later version. */
 function newer(): Uint8Array<ArrayBuffer> {
   const covered = Uint8Array.from([9, 0])
   const checksum = covered.reduce((hash, byte) => Math.imul(hash ^ byte, 0x01000193), 0x811c9dc5)
@@ -198,15 +198,15 @@ function newer(): Uint8Array<ArrayBuffer> {
   return bytes
 }
 
-test.describe('an experiment as a file', () => {
+test.describe('a comparison as a file', () => {
   test('shows its runs at once, and they are tried by sample and as a whole', async ({
     page,
     browser,
   }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    await laboratory.script({ document: DOCUMENT })
-    await laboratory.finished()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.script({ document: DOCUMENT })
+    await comparison.finished()
     const whole = await page.evaluate(() => window.formicarium.resultFile('csv'))
     await page.getByTestId('lab-share').click()
     const file = await saved(page, 'lab-share-file')
@@ -215,7 +215,7 @@ test.describe('an experiment as a file', () => {
     expect(JSON.parse(String(content)).rows).toHaveLength(RUNS)
 
     const other = await elsewhere(browser, page.url().split('#')[0] ?? '')
-    await new Lab(other).ready()
+    await new RacePage(other).ready()
     await drop(other, file.suggestedFilename(), content)
     await expect(other.getByTestId('lab')).toHaveAttribute('data-phase', 'done')
     expect(await other.evaluate(() => window.formicarium.resultFile('csv'))).toBe(whole)
@@ -229,18 +229,18 @@ test.describe('an experiment as a file', () => {
     await verifyAll(other)
     await expect(other.getByTestId('verified')).toHaveText('verified: bit for bit')
     // After a reload the runs are still the file's.
-    await expect.poll(() => new Laboratory(other).keptRuns()).toBe(RUNS)
+    await expect.poll(() => new ComparisonPage(other).keptRuns()).toBe(RUNS)
     await other.reload()
-    await new Laboratory(other).finished()
+    await new ComparisonPage(other).finished()
     await expect(other.getByTestId('verification-recorded')).toContainText('8 runs')
     await state(other).toHaveAttribute('data-state', 'none')
     await other.context().close()
   })
 
   test('names the first seed that differs, and a file that was edited', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const { files } = await laboratory.script({ document: DOCUMENT })
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const { files } = await comparison.script({ document: DOCUMENT })
     const document = JSON.parse(files.json)
     const digests = document.rows.map(({ digest }: { digest: string }) => digest)
     for (const place of [2, 3]) document.rows[place].digest = '0123456789abcdef'
@@ -263,9 +263,9 @@ test.describe('an experiment as a file', () => {
   })
 
   test('is handed on as what it is: runs of another engine stay that', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const { files } = await laboratory.script({ document: DOCUMENT })
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const { files } = await comparison.script({ document: DOCUMENT })
     const document = JSON.parse(files.json)
     document.recorded.engine = '0.0.9'
     await drop(page, 'older.json', JSON.stringify(document))
@@ -275,8 +275,8 @@ test.describe('an experiment as a file', () => {
     expect(again.recorded).toEqual(document.recorded)
   })
 
-  test('that is no experiment is refused by name', async ({ page }) => {
-    await new Laboratory(page).open()
+  test('that is no comparison is refused by name', async ({ page }) => {
+    await new ComparisonPage(page).open()
     const toast = page.getByTestId('toast-error')
     await drop(page, 'run.json', '{"format": "formicarium/result@1", "path": [[0,0]]}')
     await expect(toast).toContainText('single run')
@@ -284,12 +284,12 @@ test.describe('an experiment as a file', () => {
   })
 })
 
-test.describe('an experiment as a picture', () => {
+test.describe('a comparison as a picture', () => {
   test('a result card and a figure open again by drop', async ({ page, browser }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const { files } = await laboratory.script({ document: DOCUMENT })
-    await laboratory.finished()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const { files } = await comparison.script({ document: DOCUMENT })
+    await comparison.finished()
     await page.getByTestId('lab-share').click()
     const card = await saved(page, 'lab-share-picture')
     expect(card.suggestedFilename()).toBe('small.png')
@@ -299,7 +299,7 @@ test.describe('an experiment as a picture', () => {
     expect(picture.readUInt32BE(16)).toBe(1200)
 
     const other = await elsewhere(browser, page.url().split('#')[0] ?? '')
-    await new Lab(other).ready()
+    await new RacePage(other).ready()
     await drop(other, 'small.png', picture)
     await expect(other.getByTestId('lab')).toHaveAttribute('data-phase', 'done')
     await verifyAll(other)
@@ -308,26 +308,26 @@ test.describe('an experiment as a picture', () => {
   })
 
   test('a figure carries it too', async ({ page }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
-    const { files } = await laboratory.script({ document: DOCUMENT })
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const { files } = await comparison.script({ document: DOCUMENT })
     await page.getByRole('tab', { name: 'Figures' }).click()
     const png = await bytesOf(await saved(page, 'figure-values-png'))
     expect(await textOfPng(png)).toBe(files.json)
   })
 
   test('a picture without one says what is missing', async ({ page }) => {
-    await new Laboratory(page).open()
+    await new ComparisonPage(page).open()
     await drop(page, 'screenshot.png', await page.screenshot())
     const toast = page.getByTestId('toast-error')
-    await expect(toast).toContainText('carries no experiment')
+    await expect(toast).toContainText('holds no session or comparison')
     await expect(toast).toContainText('ask for the original')
   })
 })
 
-test('an experiment that is too long for a link offers the file', async ({ page }) => {
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
+test('a comparison that is too long for a link offers the file', async ({ page }) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
   // Noise that no compression shortens: 200 × 200 cells.
   let seed = 1
   const noise = () => {
@@ -337,7 +337,7 @@ test('an experiment that is too long for a link offers the file', async ({ page 
   const rows = Array.from({ length: 200 }, (_, y) =>
     Array.from({ length: 200 }, (_, x) => (x === y || x === y + 1 ? '.' : noise())).join(''),
   )
-  await laboratory.script({
+  await comparison.script({
     document: documentText({ entries: [{ id: 'exact', planner: 'astar' }], seeds: 1, rows }),
   })
   await page.getByTestId('lab-share').click()

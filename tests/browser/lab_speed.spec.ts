@@ -1,6 +1,6 @@
 import { cpus, loadavg } from 'node:os'
 import { expect, test } from '@playwright/test'
-import { Laboratory } from './lab_page'
+import { ComparisonPage } from './comparison_page'
 
 const SIX = [
   'ant-system',
@@ -16,34 +16,34 @@ const machine = () => `${cpus().length} processors, load ${loadavg()[0]?.toFixed
 
 test('six planners with 30 seeds on a 20 × 20 map', async ({ page }) => {
   test.slow()
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
-  await laboratory.on('aco-20x20')
-  await laboratory.compare(...SIX)
-  await laboratory.seeds(30)
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.on('aco-20x20')
+  await comparison.compare(...SIX)
+  await comparison.seeds(30)
   const began = performance.now()
-  await laboratory.run()
-  await laboratory.finished(120_000)
+  await comparison.run()
+  await comparison.finished(120_000)
   const seconds = (performance.now() - began) / 1000
   console.log(`180 runs of six planners: ${seconds.toFixed(1)} s (${machine()})`)
-  expect(await laboratory.done()).toBe(180)
+  expect(await comparison.done()).toBe(180)
 })
 
 test('100 seeds of one planner on one worker and on all', async ({ page }) => {
   test.slow()
-  const laboratory = new Laboratory(page)
-  await laboratory.open()
-  await laboratory.on('aco-20x20')
-  await laboratory.compare('ant-system')
-  await laboratory.set(1, 'iterations', 1600)
-  await laboratory.seeds(100)
-  await laboratory.run()
-  await laboratory.finished(120_000)
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.on('aco-20x20')
+  await comparison.compare('ant-system')
+  await comparison.set(1, 'iterations', 1600)
+  await comparison.seeds(100)
+  await comparison.run()
+  await comparison.finished(120_000)
   const document = await page.evaluate(() => window.formicarium.resultFile('json'))
   const { rows: _, recorded: __, ...asked } = JSON.parse(document)
   const seconds = async (workers?: number) => {
     const options = { document: JSON.stringify(asked), ...(workers && { workers }) }
-    const result = await laboratory.script(options)
+    const result = await comparison.script(options)
     expect([result.runs, result.failed]).toEqual([100, 0])
     return result.seconds
   }

@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
-import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './lab_results_page'
+import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './results_page'
 
 const FILES = {
   csv: 'rich-results.csv',
@@ -167,7 +167,7 @@ test.describe('tables of results', () => {
     await expect(page.getByTestId('results-tab-files')).toBeVisible()
   })
 
-  test('files hold what the engine writes, and the experiment opens again', async ({ page }) => {
+  test('files hold what the engine writes, and the comparison opens again', async ({ page }) => {
     const results = new ResultsPage(page)
     await results.show()
     await results.tab('files')
@@ -180,7 +180,7 @@ test.describe('tables of results', () => {
     expect(runs).toHaveLength(1 + 2 * 4 * SEEDS)
     expect(await results.file('latex')).toContain('\\toprule')
     const document = await results.file('json')
-    const again = await results.laboratory.script({ document })
+    const again = await results.comparison.script({ document })
     expect(again.runs).toBe(2 * 3 * SEEDS)
     expect((await results.file('csv')).trim().split('\n')).toEqual(runs)
   })
@@ -193,7 +193,7 @@ test.describe('tables of results', () => {
     expect(times.name).toBe('rich-results.times.csv')
     const [head, ...timed] = times.bytes.toString('utf8').trim().split('\n')
     expect(head).toBe('instance,entry,seed,seconds_to_best,seconds')
-    // Runs from elsewhere took nobody's time here.
+    // Imported results have no times here.
     expect(timed).toHaveLength(2 * 3 * SEEDS)
     for (const line of timed) {
       const [, , , best, all] = line.split(',')

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import { freshLab, Lab } from './lab'
+import { freshRace, RacePage } from './race_page'
 import { randomCells } from './units/sessions'
 import { drawn } from './workers'
 
@@ -21,18 +21,18 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
   page,
   browser,
 }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.importByButton('large.map', largeMap())
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(SIDE)
-  await lab.ready()
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.importByButton('large.map', largeMap())
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(SIDE)
+  await race.ready()
   await page.getByTestId('play').click()
-  await lab.seesMotion()
+  await race.seesMotion()
   await page.locator('body').press('Space')
   await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'paused')
-  await lab.setSpeed(8)
+  await race.setSpeed(8)
   await page.locator('body').press('Space')
-  await expect.poll(() => lab.antMoves(), { timeout: 30_000 }).toBeGreaterThan(0)
+  await expect.poll(() => race.antMoves(), { timeout: 30_000 }).toBeGreaterThan(0)
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,
   })
@@ -48,7 +48,7 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
   const path = await download.path()
   await page.keyboard.press('Escape')
 
-  const other = await freshLab(browser, page.url())
+  const other = await freshRace(browser, page.url())
   await other.menu('map-menu', 'open-import')
   await other.page.getByTestId('import-file').setInputFiles({
     name: 'large.experiment.json',
@@ -56,7 +56,7 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
     buffer: await import('node:fs').then(({ readFileSync }) => readFileSync(path)),
   })
   await expect.poll(async () => (await other.session()).scenario.spec.width).toBe(SIDE)
-  expect((await other.session()).scenario.cells).toEqual((await lab.session()).scenario.cells)
+  expect((await other.session()).scenario.cells).toEqual((await race.session()).scenario.cells)
   await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified', {
     timeout: 30_000,
   })
@@ -64,32 +64,32 @@ test('a 512 × 512 map with 30 % walls imports, runs, and offers a file where a 
 })
 
 test('an edit on a 512 × 512 map is shown within a frame or two', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.paste(largeMap())
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(SIDE)
-  await lab.drag([
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.paste(largeMap())
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(SIDE)
+  await race.drag([
     [100, 100],
     [400, 300],
   ])
   await page.locator('body').press('Control+z')
-  await lab.ready()
+  await race.ready()
   await drawn(page)
   await page.getByTestId('play').click()
-  await lab.seesMotion()
+  await race.seesMotion()
 })
 
 test('two panels playing on 256 × 256 leave the page its frames', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
+  const race = new RacePage(page)
+  await race.openAtRest()
   await page.evaluate(() => window.formicarium.pause())
-  await lab.menu('map-menu', 'open-generate')
+  await race.menu('map-menu', 'open-generate')
   await page.getByTestId('generate-random').click()
   await page.getByTestId('generate-width').fill('256')
   await page.getByTestId('generate-height').fill('256')
   await page.getByTestId('generate').click()
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(256)
-  await lab.ready()
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(256)
+  await race.ready()
   await page.getByTestId('play').click()
-  await lab.reportPageThread('two panels on a random 256 × 256 map')
+  await race.reportPageThread('two panels on a random 256 × 256 map')
 })

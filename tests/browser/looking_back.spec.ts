@@ -1,41 +1,41 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 const looking = (page: Page) => page.getByTestId('looking-back')
-const digest = async (lab: Lab) => (await lab.result(1)).summary?.digest
+const digest = async (race: RacePage) => (await race.result(1)).summary?.digest
 
-async function runs(page: Page, iterations: number): Promise<Lab> {
-  const lab = new Lab(page)
-  await lab.openAtRest()
+async function runs(page: Page, iterations: number): Promise<RacePage> {
+  const race = new RacePage(page)
+  await race.openAtRest()
   await page.evaluate((count) => window.formicarium.run({ iterations: count }), iterations)
   await expect(page.getByTestId('scrubber')).toBeEnabled()
-  return lab
+  return race
 }
 
 test.describe('looking back', () => {
   test('an iteration comes back bit for bit, with picture, numbers and chart', async ({ page }) => {
-    const lab = await runs(page, 4)
-    const after4 = await digest(lab)
-    const picture4 = await lab.picture()
+    const race = await runs(page, 4)
+    const after4 = await digest(race)
+    const picture4 = await race.picture()
     await page.evaluate(() => window.formicarium.run({ iterations: 8 }))
-    const after12 = await digest(lab)
-    const picture12 = await lab.picture()
+    const after12 = await digest(race)
+    const picture12 = await race.picture()
     const length = page.getByTestId('metric-iterations-1')
     await expect(length).toHaveAttribute('data-value', '12')
 
     await page.getByTestId('scrubber').fill('4')
     await expect(looking(page)).toContainText('Iteration 4 of 12')
-    await expect.poll(() => digest(lab)).toBe(after4)
+    await expect.poll(() => digest(race)).toBe(after4)
     await expect(length).toHaveAttribute('data-value', '4')
     await expect(page.getByTestId('numbers-of')).toContainText('4')
     await expect(page.getByTestId('iteration-1')).toContainText('4')
-    await expect.poll(async () => picture4.equals(await lab.shot())).toBe(true)
+    await expect.poll(async () => picture4.equals(await race.shot())).toBe(true)
 
     await page.getByTestId('back-to-now').click()
     await expect(looking(page)).toBeHidden()
-    await expect.poll(() => digest(lab)).toBe(after12)
-    await expect.poll(async () => picture12.equals(await lab.shot())).toBe(true)
+    await expect.poll(() => digest(race)).toBe(after12)
+    await expect.poll(async () => picture12.equals(await race.shot())).toBe(true)
   })
 
   test('keys go one iteration back and on, the slider all the way', async ({ page }) => {
@@ -58,49 +58,49 @@ test.describe('looking back', () => {
   })
 
   test('a run goes on from where it stands, never from the past', async ({ page }) => {
-    const lab = await runs(page, 9)
-    const straight = await digest(lab)
+    const race = await runs(page, 9)
+    const straight = await digest(race)
     await page.getByTestId('reset').click()
-    await expect.poll(() => lab.antMoves()).toBe(0)
+    await expect.poll(() => race.antMoves()).toBe(0)
     await page.evaluate(() => window.formicarium.run({ iterations: 6 }))
     await page.evaluate(() => window.formicarium.look(2))
     await expect(looking(page)).toContainText('Iteration 2 of 6')
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
     await expect(looking(page)).toBeHidden()
-    expect((await lab.result(1)).history).toHaveLength(9)
-    expect(await digest(lab)).toBe(straight)
+    expect((await race.result(1)).history).toHaveLength(9)
+    expect(await digest(race)).toBe(straight)
   })
 
   test('what plays is held for a look, and a finished search shows its last', async ({ page }) => {
-    const lab = await runs(page, 3)
-    await lab.setSpeed(4)
+    const race = await runs(page, 3)
+    await race.setSpeed(4)
     await page.getByTestId('play').click()
-    await expect.poll(async () => (await lab.result(1)).summary?.iteration ?? 0).toBeGreaterThan(5)
+    await expect.poll(async () => (await race.result(1)).summary?.iteration ?? 0).toBeGreaterThan(5)
     await expect(page.getByTestId('scrubber')).toBeDisabled()
     await page.locator('body').press(',')
     await expect(looking(page)).toBeVisible()
     await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'paused')
-    const held = await digest(lab)
+    const held = await digest(race)
     await page.waitForTimeout(300)
-    expect(await digest(lab)).toBe(held)
+    expect(await digest(race)).toBe(held)
     await page.getByTestId('run-to-end').click()
     await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'finished', {
       timeout: 30_000,
     })
-    const search = (await lab.result(2)).summary
+    const search = (await race.result(2)).summary
     expect(search?.status).toBe('optimal')
     const last = Number(await page.getByTestId('scrubber').getAttribute('max'))
     await page.evaluate((iteration) => window.formicarium.look(iteration), last - 1)
-    expect((await lab.result(2)).summary?.digest).toBe(search?.digest)
+    expect((await race.result(2)).summary?.digest).toBe(search?.digest)
   })
 
   test('reset and a changed parameter leave the past', async ({ page }) => {
-    const lab = await runs(page, 5)
+    const race = await runs(page, 5)
     await page.locator('body').press(',')
     await expect(looking(page)).toBeVisible()
     await page.getByTestId('reset').click()
     await expect(looking(page)).toBeHidden()
-    await expect.poll(() => lab.antMoves()).toBe(0)
+    await expect.poll(() => race.antMoves()).toBe(0)
     await expect(page.getByTestId('scrubber')).toBeDisabled()
   })
 

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 const MATRIX = ['0 0 0 0 0 0', '0 1 1 1 1 0', '0 1 0 0 1 0', '0 0 0 1 0 0'].join('\n')
 const MOVINGAI = [
@@ -18,12 +18,12 @@ const SCEN = `version 1\n0\tsmall.map\t6\t4\t0\t0\t5\t3\t6.82842712\n1\tsmall.ma
 const EXPECTED = { width: 6, height: 4, walls: 7 }
 
 test.describe('import', () => {
-  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+  test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
-  const ways: [string, (lab: Lab, name: string, text: string) => Promise<void>][] = [
-    ['by button', (lab, name, text) => lab.importByButton(name, text)],
-    ['by drop', (lab, name, text) => lab.drop(name, text)],
-    ['by paste', (lab, _name, text) => lab.paste(text)],
+  const ways: [string, (race: RacePage, name: string, text: string) => Promise<void>][] = [
+    ['by button', (race, name, text) => race.importByButton(name, text)],
+    ['by drop', (race, name, text) => race.drop(name, text)],
+    ['by paste', (race, _name, text) => race.paste(text)],
   ]
   for (const [way, bring] of ways) {
     for (const [name, text] of [
@@ -32,13 +32,13 @@ test.describe('import', () => {
       ['dos.map', MOVINGAI.replaceAll('\n', '\r\n')],
     ] as const) {
       test(`${name} ${way} is shown and runs`, async ({ page }) => {
-        const lab = new Lab(page)
-        await bring(lab, name, text)
+        const race = new RacePage(page)
+        await bring(race, name, text)
         await expect
-          .poll(async () => (await lab.session()).scenario.spec.width)
+          .poll(async () => (await race.session()).scenario.spec.width)
           .toBe(EXPECTED.width)
-        expect((await lab.session()).scenario.spec.height).toBe(EXPECTED.height)
-        expect(await lab.walls()).toBe(EXPECTED.walls)
+        expect((await race.session()).scenario.spec.height).toBe(EXPECTED.height)
+        expect(await race.walls()).toBe(EXPECTED.walls)
         await page.locator('body').press('End')
         await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
       })
@@ -46,32 +46,32 @@ test.describe('import', () => {
   }
 
   test('a scenario written by us comes back whole', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.menu('map-menu', 'gallery-engine-room')
-    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(46)
-    const before = (await lab.session()).scenario
-    const text = await exported(lab, 'scenario')
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
-    await lab.importByButton('plan.scenario.json', text)
-    await expect.poll(() => lab.walls()).toBeGreaterThan(0)
-    const after = (await lab.session()).scenario
+    const race = new RacePage(page)
+    await race.menu('map-menu', 'gallery-engine-room')
+    await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(46)
+    const before = (await race.session()).scenario
+    const text = await exported(race, 'scenario')
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
+    await race.importByButton('plan.scenario.json', text)
+    await expect.poll(() => race.walls()).toBeGreaterThan(0)
+    const after = (await race.session()).scenario
     expect(after.spec).toEqual(before.spec)
     expect(after.cells).toEqual(before.cells)
   })
 
   test('a .scen file offers its lines for the map it belongs to', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.importByButton('small.map.scen', SCEN)
+    const race = new RacePage(page)
+    await race.importByButton('small.map.scen', SCEN)
     await expect(page.getByTestId('toast-warning')).toContainText('small.map')
     await page.keyboard.press('Escape')
-    await lab.drop('small.map', MOVINGAI)
-    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(6)
-    await lab.drop('small.map.scen', SCEN)
+    await race.drop('small.map', MOVINGAI)
+    await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(6)
+    await race.drop('small.map.scen', SCEN)
     const lines = page.getByTestId('scen-dialog').getByRole('row')
     await lines.last().getByRole('button').click()
     const ends = async () => {
-      const { start, goals } = (await lab.session()).scenario.spec
+      const { start, goals } = (await race.session()).scenario.spec
       return [start, goals[0]?.at]
     }
     await expect.poll(ends).toEqual([
@@ -83,65 +83,65 @@ test.describe('import', () => {
   test('what cannot be read is refused with line and hint, and nothing on screen is lost', async ({
     page,
   }) => {
-    const lab = new Lab(page)
-    const walls = await lab.walls()
+    const race = new RacePage(page)
+    const walls = await race.walls()
     for (const text of [
       '0 0 0\n0 0\n',
       'type octile\nheight 9\nwidth 2\nmap\n..\n',
       '{"format":"formicarium/scenario@99"}',
       'good morning',
     ]) {
-      await lab.paste(text)
+      await race.paste(text)
       const toast = page.getByTestId('toast-error')
       await expect(toast).toBeVisible()
       await expect(toast.locator('.toast-hint')).not.toBeEmpty()
       await toast.getByRole('button', { name: 'Dismiss' }).click()
       await expect(toast).toHaveCount(0)
     }
-    expect(await lab.walls()).toBe(walls)
+    expect(await race.walls()).toBe(walls)
     await page.getByTestId('play').click()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   })
 
   test('an import can be undone', async ({ page }) => {
-    const lab = new Lab(page)
-    const before = await lab.walls()
-    await lab.paste(MATRIX)
-    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+    const race = new RacePage(page)
+    const before = await race.walls()
+    await race.paste(MATRIX)
+    await expect.poll(() => race.walls()).toBe(EXPECTED.walls)
     await page.locator('body').press('Control+z')
-    await expect.poll(() => lab.walls()).toBe(before)
+    await expect.poll(() => race.walls()).toBe(before)
   })
 })
 
-async function exported(lab: Lab, format: string): Promise<string> {
-  return (await lab.exported(format)).bytes.toString('utf8')
+async function exported(race: RacePage, format: string): Promise<string> {
+  return (await race.exported(format)).bytes.toString('utf8')
 }
 
 /** Opens a built-in map; some have to be generated first. */
-async function fromGallery(lab: Lab, id: string): Promise<void> {
-  const item = lab.page.getByTestId(`gallery-${id}`)
-  await lab.menu('map-menu', `gallery-${id}`)
+async function fromGallery(race: RacePage, id: string): Promise<void> {
+  const item = race.page.getByTestId(`gallery-${id}`)
+  await race.menu('map-menu', `gallery-${id}`)
   await expect(item).toHaveAttribute('aria-checked', 'true')
-  await lab.ready()
+  await race.ready()
 }
 
 test.describe('export', () => {
   test.beforeEach(async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.paste(MATRIX)
-    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.paste(MATRIX)
+    await expect.poll(() => race.walls()).toBe(EXPECTED.walls)
   })
 
   test('MovingAI map', async ({ page }) => {
-    const text = await exported(new Lab(page), 'movingai-map')
+    const text = await exported(new RacePage(page), 'movingai-map')
     expect(text.split(/\r?\n/).slice(0, 4)).toEqual(['type octile', 'height 4', 'width 6', 'map'])
     expect(text.split(/\r?\n/)[5]).toMatch(/^\.[@T]{4}\.$/)
   })
 
   test('MovingAI scenario with the exact optimum', async ({ page }) => {
-    const text = await exported(new Lab(page), 'movingai-scen')
-    await new Lab(page).menu('map-menu', 'open-export')
+    const text = await exported(new RacePage(page), 'movingai-scen')
+    await new RacePage(page).menu('map-menu', 'open-export')
     const map = await page.getByTestId('export-download').textContent()
     await page.keyboard.press('Escape')
     const fields = text.trim().split('\n')[1]?.split('\t') ?? []
@@ -153,21 +153,21 @@ test.describe('export', () => {
   })
 
   test('0/1 matrix', async ({ page }) => {
-    const text = await exported(new Lab(page), 'matrix')
+    const text = await exported(new RacePage(page), 'matrix')
     expect(text.match(/[01]/g)?.join('')).toBe(MATRIX.match(/[01]/g)?.join(''))
   })
 
-  test('experiment', async ({ page }) => {
-    const lab = new Lab(page)
-    const text = await exported(lab, 'experiment')
+  test('session', async ({ page }) => {
+    const race = new RacePage(page)
+    const text = await exported(race, 'experiment')
     expect(JSON.parse(text)).toMatchObject({
       format: 'formicarium/experiment@1',
       map: ['......', '.@@@@.', '.@..@.', '...@..'],
     })
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
-    await lab.importByButton('again.json', text)
-    await expect.poll(() => lab.walls()).toBe(EXPECTED.walls)
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
+    await race.importByButton('again.json', text)
+    await expect.poll(() => race.walls()).toBe(EXPECTED.walls)
   })
 })
 
@@ -182,38 +182,38 @@ test.describe('maps made here', () => {
     'open-field',
   ]) {
     test(`${id} can be solved`, async ({ page }) => {
-      const lab = new Lab(page)
-      await lab.openAtRest()
-      await fromGallery(lab, id)
+      const race = new RacePage(page)
+      await race.openAtRest()
+      await fromGallery(race, id)
       await expect
         .poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value')))
         .toBeGreaterThan(10)
-      await lab.setSpeed(8)
+      await race.setSpeed(8)
       await page.getByTestId('play').click()
       await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
     })
   }
 
   test('unreachable: both planners say that there is no path', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await fromGallery(lab, 'unreachable')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await fromGallery(race, 'unreachable')
     await page.locator('body').press('End')
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'no-path')
     await expect(page.getByTestId('gap-1')).toContainText(/no path/i)
   })
 
   test('a generated map is the same for the same seed', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     const maps: string[] = []
     for (const seed of ['5', '6', '5']) {
-      await lab.menu('map-menu', 'open-generate')
+      await race.menu('map-menu', 'open-generate')
       await page.getByTestId('generate-seed').fill(seed)
       await page.getByTestId('generate').click()
       await expect(page.getByTestId('generate-dialog')).toBeHidden()
-      await lab.ready()
-      maps.push((await lab.session()).scenario.cells.join(''))
+      await race.ready()
+      maps.push((await race.session()).scenario.cells.join(''))
     }
     expect(maps[0]).toBe(maps[2])
     expect(maps[0]).not.toBe(maps[1])

@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib'
 import { expect, type Page, test } from '@playwright/test'
 import { unpack } from '../../www/src/share/codec'
 import { open } from '../../www/src/share/envelope'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { countCalls, ticks } from './workers'
 
 /** A planner that only the whole engine has. */
@@ -31,12 +31,12 @@ async function firstStep(page: Page): Promise<number> {
 
 test.describe('opening', () => {
   test('ants walk within two seconds, without a click', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     const walked = await firstStep(page)
     const took = walked - (await page.evaluate(() => performance.timeOrigin))
     console.log(`first step ${Math.round(took)} ms after the address was entered`)
     expect(took).toBeLessThan(2000)
-    await lab.seesMotion()
+    await race.seesMotion()
     await expect(page.getByTestId('panel-1')).toBeVisible()
     await expect(page.getByTestId('panel-2')).toBeVisible()
   })
@@ -47,26 +47,26 @@ test.describe('opening', () => {
     page.on('console', (message) => {
       if (message.type() === 'error') complaints.push(message.text())
     })
-    const lab = new Lab(page)
-    await lab.open()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    const race = new RacePage(page)
+    await race.open()
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
     await expect(page.getByTestId('planner-1').locator(LATER)).toBeAttached()
     await page.waitForTimeout(1000)
     expect(complaints).toEqual([])
   })
 
   test('ants and search differ, and the optimum is proven beside them', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.setSpeed(8)
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.setSpeed(8)
     await page.getByTestId('play').click()
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
     await expect
-      .poll(async () => (await lab.result(1)).summary?.metrics?.length ?? 0)
+      .poll(async () => (await race.result(1)).summary?.metrics?.length ?? 0)
       .toBeGreaterThan(0)
     await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /\d/)
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
-    const [ants, search] = await lab.results()
+    const [ants, search] = await race.results()
     expect(search?.summary?.metrics?.length).toBeCloseTo(optimum, 9)
     expect(ants?.summary?.metrics?.length ?? 0).toBeGreaterThanOrEqual(optimum - 1e-9)
   })
@@ -74,12 +74,12 @@ test.describe('opening', () => {
   test('under reduced motion it waits for the first key or click', async ({ page }) => {
     await countCalls(page)
     await page.emulateMedia({ reducedMotion: 'reduce' })
-    const lab = new Lab(page)
-    await lab.open()
+    const race = new RacePage(page)
+    await race.open()
     await page.waitForTimeout(700)
     expect(await ticks(page)).toBe(0)
     await page.keyboard.press('Shift')
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   })
 
   test('what must arrive before ants walk stays under 195 KB compressed', async ({ page }) => {
@@ -127,30 +127,30 @@ test.describe('a reload', () => {
     return fragment && (await unpack(await open(fragment), noGenerator)).speed
   }
 
-  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+  test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
   test('keeps the drawn map, the planners and the settings, until one starts over', async ({
     page,
   }) => {
-    const lab = new Lab(page)
-    const first = await lab.session()
-    await lab.drag([
+    const race = new RacePage(page)
+    const first = await race.session()
+    await race.drag([
       [4, 19],
       [9, 19],
     ])
-    await lab.menu('add-panel', 'add-dijkstra')
+    await race.menu('add-panel', 'add-dijkstra')
     await page.getByTestId('parameters-1').click()
     await page.getByTestId('param-ants').fill('23')
     await page.getByTestId('param-ants').press('Enter')
     await page.getByTestId('seed').fill('77')
     await page.getByTestId('seed').press('Enter')
-    await lab.setSpeed(1)
-    const before = await lab.session()
+    await race.setSpeed(1)
+    const before = await race.session()
     // All of it is written together, so what was changed last tells for the rest.
     await expect.poll(() => keptSpeed(page)).toBe(1)
     await page.reload()
-    await lab.ready()
-    const after = await lab.session()
+    await race.ready()
+    const after = await race.session()
     expect(after.scenario).toEqual(before.scenario)
     expect([after.seed, after.speed]).toEqual([77, 1])
     expect(after.panels.map(({ planner, params }) => [planner, params])).toEqual(
@@ -158,75 +158,75 @@ test.describe('a reload', () => {
     )
     await expect(page.getByTestId('verified-1')).toBeHidden()
 
-    await lab.menu('map-menu', 'start-over')
-    await lab.ready()
-    expect((await lab.session()).scenario).toEqual(first.scenario)
+    await race.menu('map-menu', 'start-over')
+    await race.ready()
+    expect((await race.session()).scenario).toEqual(first.scenario)
     await expect.poll(() => kept(page)).toBeNull()
     await page.reload()
-    await lab.ready()
-    expect((await lab.session()).scenario).toEqual(first.scenario)
+    await race.ready()
+    expect((await race.session()).scenario).toEqual(first.scenario)
   })
 
   test('keeps the tick of a gallery map, and undo brings it back', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     const tick = page.getByTestId('gallery-open-field')
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
-    await lab.drag([[20, 12]])
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
+    await race.drag([[20, 12]])
     await expect(tick).toHaveAttribute('aria-checked', 'false')
     await page.getByTestId('undo').click()
     await expect(tick).toHaveAttribute('aria-checked', 'true')
     await expect.poll(() => kept(page)).toContain('open-field#x=')
     await page.reload()
-    await lab.ready()
+    await race.ready()
     await expect(tick).toHaveAttribute('aria-checked', 'true')
   })
 
   test('with a link in the address opens the link', async ({ page }) => {
-    const lab = new Lab(page)
-    const link = await lab.shareLink()
-    const walls = await lab.walls()
-    await lab.menu('map-menu', 'gallery-open-field')
+    const race = new RacePage(page)
+    const link = await race.shareLink()
+    const walls = await race.walls()
+    await race.menu('map-menu', 'gallery-open-field')
     await expect.poll(() => kept(page)).toContain('open-field')
-    await lab.open(link)
-    expect(await lab.walls()).toBe(walls)
+    await race.open(link)
+    expect(await race.walls()).toBe(walls)
   })
 
   test('something unreadable that was kept is passed over in silence', async ({ page }) => {
     // As the page opens: what is open now would be kept in its place.
     await page.addInitScript(() => sessionStorage.setItem('formicarium.session', '#x=rubbish'))
     await page.reload()
-    await new Lab(page).ready()
+    await new RacePage(page).ready()
     await expect(page.getByTestId('toast-error')).toBeHidden()
     await expect.poll(() => kept(page)).toBeNull()
   })
 })
 
 test('a large map plays by iterations, unless the reader has set the speed', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
+  const race = new RacePage(page)
+  await race.openAtRest()
   const speed = page.getByTestId('speed')
   const generate = async (side: string) => {
-    await lab.menu('map-menu', 'open-generate')
+    await race.menu('map-menu', 'open-generate')
     await page.getByTestId('generate-width').fill(side)
     await page.getByTestId('generate-height').fill(side)
     await page.getByTestId('generate').click()
-    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(Number(side))
+    await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(Number(side))
   }
   await generate('160')
   await expect(speed).toHaveAttribute('aria-valuetext', '1 iteration / frame')
   await page.getByTestId('undo').click()
   await expect(speed).toHaveAttribute('aria-valuetext', '4 moves / frame')
-  await lab.setSpeed(2)
+  await race.setSpeed(2)
   await generate('150')
   await expect(speed).toHaveAttribute('aria-valuetext', '1 move / frame')
 })
 
 test.describe('hosting', () => {
   test('runs below any path @subpath', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.open()
+    const race = new RacePage(page)
+    await race.open()
     expect(new URL(page.url()).pathname.length).toBeGreaterThan(1)
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   })
 })

@@ -1,30 +1,30 @@
 import { expect, type Locator, type Page, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { countCalls } from './workers'
 
 /** A planner that only the whole engine has. */
 const LATER = 'option[value="max-min-ant-system"]'
 
 test.describe('panels', () => {
-  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+  test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
   test('up to six, each with a worker that goes when the panel goes', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     // The whole engine's tools have a worker as well, which comes when the page is idle.
     await expect(page.getByTestId('planner-1').locator(LATER)).toBeAttached()
     // And so has the search for the optimum.
     await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /\d/)
     const workers = page.workers().length
     for (let count = 3; count <= 6; count++) {
-      await lab.menu('add-panel', count % 2 ? 'add-ant-system' : 'add-astar')
+      await race.menu('add-panel', count % 2 ? 'add-ant-system' : 'add-astar')
       await expect(page.getByTestId(`panel-${count}`)).toBeVisible()
     }
     await expect(page.getByTestId('add-panel')).toBeHidden()
-    await lab.ready()
+    await race.ready()
     await expect.poll(() => page.workers().length).toBe(workers + 4)
     await page.getByTestId('play').click()
     await expect
-      .poll(async () => (await lab.result(5)).summary?.effort.ant_moves ?? 0)
+      .poll(async () => (await race.result(5)).summary?.effort.ant_moves ?? 0)
       .toBeGreaterThan(0)
     for (let count = 6; count > 1; count--) await page.getByTestId('remove-1').click()
     await expect(page.getByTestId('panel-2')).toBeHidden()
@@ -36,30 +36,30 @@ test.describe('panels', () => {
   })
 
   test('a panel can change its planner', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('planner-1').selectOption('astar')
-    await lab.ready()
+    await race.ready()
     await page.locator('body').press('End')
     for (const place of [1, 2])
       await expect(page.getByTestId(`status-${place}`)).toHaveAttribute('data-status', 'optimal')
-    const [first, second] = await lab.results()
+    const [first, second] = await race.results()
     expect(first?.summary?.metrics?.length).toBe(second?.summary?.metrics?.length)
   })
 
   test('two panels with the same planner and seed walk alike', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('planner-2').selectOption('ant-system')
-    await lab.ready()
+    await race.ready()
     const [first, second] = await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
     expect(second?.summary?.digest).toBe(first?.summary?.digest)
   })
 
   test('that they will walk alike is said, until one of them differs', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     const hint = page.getByTestId('twin-hint')
     await page.getByTestId('parameters-1').click()
     await expect(hint).toBeHidden()
-    await lab.menu('add-panel', 'add-ant-system')
+    await race.menu('add-panel', 'add-ant-system')
     await expect(hint).toBeVisible()
     await page.getByTestId('param-ants').fill('7')
     await page.getByTestId('param-ants').press('Enter')
@@ -69,7 +69,7 @@ test.describe('panels', () => {
   test('a refused field that is emptied or left with Escape goes back to its last good value', async ({
     page,
   }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('parameters-1').click()
     const field = page.getByTestId('param-rho')
     const stage = page.getByTestId('panel-1').locator('.panel-stage')
@@ -88,14 +88,14 @@ test.describe('panels', () => {
       await expect(field).toHaveAttribute('aria-invalid', 'false')
       await expect(stage).toHaveAttribute('data-refused', 'false')
     }
-    expect((await lab.session()).panels[0]?.params.rho).toBe(0.3)
+    expect((await race.session()).panels[0]?.params.rho).toBe(0.3)
   })
 
   test('the bar of a colony shows how much of its iterations is done', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     const bars = page.getByRole('progressbar')
     await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
-    const budget = (await lab.result(1)).summary?.iteration_budget ?? 0
+    const budget = (await race.result(1)).summary?.iteration_budget ?? 0
     const share = String(Math.round((100 * 5) / budget))
     await expect(bars.first()).toHaveAttribute('aria-valuenow', share)
     await page.evaluate(() => window.formicarium.run())
@@ -105,7 +105,7 @@ test.describe('panels', () => {
   test('a parameter out of range is refused at its field, by name, and can be mended', async ({
     page,
   }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('parameters-1').click()
     const field = page.getByTestId('param-rho')
     await field.fill('1.5')
@@ -121,22 +121,22 @@ test.describe('panels', () => {
     await field.press('Enter')
     await expect(field).toHaveAttribute('aria-invalid', 'false')
     await page.getByTestId('play').click()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   })
 
   test('a parameter changes the run', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('parameters-1').click()
     await page.getByTestId('param-ants').fill('7')
     await page.getByTestId('param-ants').press('Enter')
-    await lab.ready()
+    await race.ready()
     await page.getByTestId('step-iteration').click()
-    await expect.poll(async () => (await lab.result(1)).summary?.ants).toBe(7)
+    await expect.poll(async () => (await race.result(1)).summary?.ants).toBe(7)
   })
 
   test('a worker that fails can be started again, and nothing drawn is lost', async ({ page }) => {
-    const lab = new Lab(page)
-    const walls = await lab.walls()
+    const race = new RacePage(page)
+    const walls = await race.walls()
     for (const worker of page.workers()) {
       await worker
         .evaluate(() =>
@@ -149,26 +149,26 @@ test.describe('panels', () => {
     // All of them: one that fails after the others have begun again stays as it is.
     for (const place of [1, 2])
       await expect(page.getByTestId(`panel-${place}`).getByRole('alert')).toBeVisible()
-    expect(await lab.walls()).toBe(walls)
+    expect(await race.walls()).toBe(walls)
     await page.getByTestId('panel-1').getByRole('alert').getByRole('button').click()
-    await lab.ready()
+    await race.ready()
     await page.getByTestId('play').click()
-    await expect.poll(() => lab.antMoves()).toBeGreaterThan(0)
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
   })
 
   test('resizing the window keeps map and pointer together', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
+    const race = new RacePage(page)
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
     for (const width of [900, 1600, 1100]) {
       await page.setViewportSize({ width, height: 800 })
       await page.waitForFunction((wanted) => innerWidth === wanted, width)
-      await lab.frame()
-      await lab.frame()
-      await lab.drag([[20, 12]])
-      await expect.poll(() => lab.isWall([20, 12])).toBe(true)
-      await lab.drag([[20, 12]])
-      await expect.poll(() => lab.walls()).toBe(0)
+      await race.frame()
+      await race.frame()
+      await race.drag([[20, 12]])
+      await expect.poll(() => race.isWall([20, 12])).toBe(true)
+      await race.drag([[20, 12]])
+      await expect.poll(() => race.walls()).toBe(0)
     }
   })
 })
@@ -199,7 +199,7 @@ test.describe('planners that come while the page is idle', () => {
   async function typing(page: Page): Promise<{ field: Locator; pass: () => Promise<void> }> {
     await countCalls(page)
     const whole = await holdWhole(page)
-    await new Lab(page).openAtRest()
+    await new RacePage(page).openAtRest()
     await whole.asked
     await page.getByTestId('parameters-1').click()
     const field = page.getByTestId('param-ants')
@@ -209,7 +209,7 @@ test.describe('planners that come while the page is idle', () => {
     const pass = async () => {
       whole.pass()
       await page.waitForFunction(() => window.answered.catalog === 2)
-      await new Lab(page).frame()
+      await new RacePage(page).frame()
     }
     return { field, pass }
   }
@@ -223,7 +223,7 @@ test.describe('planners that come while the page is idle', () => {
     await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(0)
     await field.press('Tab')
     await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(1)
-    expect((await new Lab(page).session()).panels[0]?.params.ants).toBe(37)
+    expect((await new RacePage(page).session()).panels[0]?.params.ants).toBe(37)
   })
 
   test('come at once when a map or a menu asks for them, whoever types', async ({ page }) => {

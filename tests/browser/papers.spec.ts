@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 import { paperMaps } from '../../www/src/gallery/paper_maps'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { drawn } from './workers'
 
 const ROOT = join(__dirname, '../..')
@@ -25,21 +25,21 @@ async function openAddMenu(page: Page): Promise<void> {
 test.describe('scenarios of the papers', () => {
   for (const { id, file, racers } of paperMaps) {
     test(`${id} brings its map and the planners that belong to it`, async ({ page }) => {
-      const lab = new Lab(page)
-      await lab.openAtRest()
-      await lab.menu('map-menu', `gallery-${id}`)
+      const race = new RacePage(page)
+      await race.openAtRest()
+      await race.menu('map-menu', `gallery-${id}`)
       const { width, height, start, goals } = JSON.parse(
         readFileSync(join(ROOT, 'experiments/maps', `${file}.json`), 'utf8'),
       )
       await expect(page.getByTestId(`gallery-${id}`)).toHaveAttribute('aria-checked', 'true')
-      await lab.ready()
-      const { scenario, panels } = await lab.session()
+      await race.ready()
+      const { scenario, panels } = await race.session()
       expect(scenario.spec).toMatchObject({ width, height, start, goals })
       expect(panels.map(({ planner, preset }) => [planner, preset])).toEqual(
         racers.map(([planner, preset]) => [planner, preset ?? null]),
       )
       await page.evaluate(() => window.formicarium.run({ iterations: 1 }))
-      for (const { summary } of await lab.results()) expect(summary?.iteration).toBeGreaterThan(0)
+      for (const { summary } of await race.results()) expect(summary?.iteration).toBeGreaterThan(0)
       // The exact planner ends where the reference says.
       await page.evaluate(() => window.formicarium.run())
       const last = page.getByTestId(`gap-${racers.length}`)
@@ -48,9 +48,9 @@ test.describe('scenarios of the papers', () => {
   }
 
   test('two panels of one planner are told apart by their presets', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-fire')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-fire')
     const panel = (place: number) => page.getByTestId(`panel-${place}`)
     await expect(panel(1)).toHaveAccessibleName(/Multi-fire ACO \(paper\)/)
     await expect(panel(2)).toHaveAccessibleName(/Multi-fire ACO \(basic\)/)
@@ -63,19 +63,19 @@ test.describe('scenarios of the papers', () => {
   })
 
   test('the former planners can be brought back, and undo the former map', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-threshold-1')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-threshold-1')
     await expect(page.getByTestId('panel-3')).toBeVisible()
     await page.getByRole('button', { name: 'Bring back the former ones' }).click()
     await expect(page.getByTestId('panel-3')).toBeHidden()
-    await lab.ready()
-    expect((await lab.session()).panels.map(({ planner }) => planner)).toEqual([
+    await race.ready()
+    expect((await race.session()).panels.map(({ planner }) => planner)).toEqual([
       'ant-system',
       'astar',
     ])
     await page.keyboard.press('Control+z')
-    await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(36)
+    await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(36)
   })
 })
 
@@ -83,13 +83,13 @@ test.describe('results by what they are measured by', () => {
   test('a refined path is compared with the shortest polyline, and its length before is shown', async ({
     page,
   }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-ship-20')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-ship-20')
     await expect(page.getByTestId('panel-3')).toBeVisible()
-    await lab.ready()
+    await race.ready()
     await page.evaluate(() => window.formicarium.run())
-    const [ship, basic, exact] = await lab.results()
+    const [ship, basic, exact] = await race.results()
     expect(ship?.summary?.objective).toBe('polyline-length')
     const [before, length] = [ship?.summary?.unrefined_length, ship?.summary?.metrics?.length]
     expect(before ?? 0).toBeGreaterThanOrEqual(length ?? Number.POSITIVE_INFINITY)
@@ -106,14 +106,14 @@ test.describe('results by what they are measured by', () => {
   })
 
   test('a smallest turn index is proven best, not shortest', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await openAddMenu(page)
     await page.getByTestId('add-turn-aware').click()
-    await lab.ready()
+    await race.ready()
     await page.evaluate(() => window.formicarium.run())
     await expect(page.getByTestId('status-3')).toHaveText('Proven best')
-    const { summary } = await lab.result(3)
+    const { summary } = await race.result(3)
     expect(summary?.value).toBe(summary?.metrics?.turn_index)
     await expect(page.getByTestId('readout-value-3')).toHaveText((summary?.value ?? 0).toFixed(2))
     await expect(page.getByTestId('metric-comparedWith-3')).toContainText('smallest turn index')
@@ -121,11 +121,11 @@ test.describe('results by what they are measured by', () => {
   })
 
   test('the layers of all planners are offered, each with what it means', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-paper-criss-cross')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-paper-criss-cross')
     await expect(page.getByTestId('panel-3')).toBeVisible()
-    await lab.ready()
+    await race.ready()
     const picker = page.getByTestId('layer')
     const offered = await picker
       .locator('option')
@@ -139,7 +139,7 @@ test.describe('results by what they are measured by', () => {
     }
     await picker.selectOption('trail')
     await drawn(page)
-    await lab.seesMotion(1, () => picker.selectOption('seed-path'))
+    await race.seesMotion(1, () => picker.selectOption('seed-path'))
   })
 })
 
@@ -147,8 +147,8 @@ test.describe('paper cards', () => {
   test('nobody who does not read them fetches them', async ({ page }) => {
     const asked: string[] = []
     page.on('request', (request) => asked.push(request.url()))
-    const lab = new Lab(page)
-    await lab.open()
+    const race = new RacePage(page)
+    await race.open()
     await openAddMenu(page)
     expect(asked.filter((url) => /markdown|docs\/papers/.test(url))).toEqual([])
   })
@@ -157,8 +157,8 @@ test.describe('paper cards', () => {
     test(`${file} is shown as it is`, async ({ page }) => {
       const text = cardText(file)
       const [planner] = plannersOf(text)
-      const lab = new Lab(page)
-      await lab.openAtRest()
+      const race = new RacePage(page)
+      await race.openAtRest()
       await openAddMenu(page)
       await page.getByTestId(`about-${planner}`).click()
       const dialog = page.getByTestId('card-dialog')
@@ -182,8 +182,8 @@ test.describe('paper cards', () => {
   }
 
   test('a panel leads to the card of its planner, or of its preset', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await page.getByTestId('parameters-1').click()
     await expect(page.getByTestId('about-planner')).toBeHidden()
     await page.getByTestId('preset').selectOption('ship')
@@ -194,7 +194,7 @@ test.describe('paper cards', () => {
   for (const scheme of ['light', 'dark'] as const) {
     test(`axe finds nothing serious in a card (${scheme})`, async ({ page }) => {
       await page.emulateMedia({ colorScheme: scheme })
-      await new Lab(page).openAtRest()
+      await new RacePage(page).openAtRest()
       await openAddMenu(page)
       await page.getByTestId('about-acost').click()
       await expect(page.getByTestId('card-dialog').locator('table').first()).toBeVisible()
@@ -206,7 +206,7 @@ test.describe('paper cards', () => {
   }
 
   test('on a phone a card is read without moving the page sideways @phone', async ({ page }) => {
-    await new Lab(page).openAtRest()
+    await new RacePage(page).openAtRest()
     await openAddMenu(page)
     await page.getByTestId('about-acost').click()
     const dialog = page.getByTestId('card-dialog')

@@ -2,7 +2,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 
 const folder = process.env.FORMICARIUM_DATA ?? ''
 
@@ -23,14 +23,14 @@ function read(name: string): Buffer {
 
 test('Berlin_0_256.map imports and is solved', async ({ page }) => {
   const map = read('Berlin_0_256.map')
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.importByButton('Berlin_0_256.map', map)
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(256)
-  await lab.ready()
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.importByButton('Berlin_0_256.map', map)
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(256)
+  await race.ready()
   await page.getByTestId('play').click()
-  await lab.reportPageThread('two panels on Berlin_0_256')
-  await lab.setSpeed(8)
+  await race.reportPageThread('two panels on Berlin_0_256')
+  await race.setSpeed(8)
   await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal', {
     timeout: 20_000,
   })
@@ -39,18 +39,18 @@ test('Berlin_0_256.map imports and is solved', async ({ page }) => {
 test('arena2.map with its .scen: the search finds the listed optimum', async ({ page }) => {
   const map = read('arena2.map')
   const scen = read('arena2.map.scen')
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  const before = (await lab.session()).scenario.spec.width
-  await lab.importByButton('arena2.map', map)
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).not.toBe(before)
-  await lab.ready()
-  await lab.importByButton('arena2.map.scen', scen)
+  const race = new RacePage(page)
+  await race.openAtRest()
+  const before = (await race.session()).scenario.spec.width
+  await race.importByButton('arena2.map', map)
+  await expect.poll(async () => (await race.session()).scenario.spec.width).not.toBe(before)
+  await race.ready()
+  await race.importByButton('arena2.map.scen', scen)
   const row = 200
   const line = scen.toString('utf8').trim().split(/\r?\n/)[row]
   const listed = Number(line?.trim().split(/\s+/).at(-1))
   await page.getByTestId('scen-dialog').getByRole('row').nth(row).getByRole('button').click()
-  await lab.ready()
+  await race.ready()
   await expect
     .poll(async () => Number(await page.getByTestId('optimum').getAttribute('data-value')))
     .toBeCloseTo(listed, 3)

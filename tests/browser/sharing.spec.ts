@@ -3,33 +3,33 @@ import { expect, test } from '@playwright/test'
 import { packBits, unpack } from '../../www/src/share/codec'
 import { open, seal } from '../../www/src/share/envelope'
 import { textOfPng } from '../../www/src/share/png'
-import { freshLab, Lab } from './lab'
+import { freshRace, RacePage } from './race_page'
 
 test.describe('share links', () => {
-  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+  test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
   test('restore map, planners, parameters and seed, replay the run and verify it', async ({
     page,
     browser,
   }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.getByTestId('parameters-1').click()
     await page.getByTestId('param-ants').fill('23')
     await page.getByTestId('param-ants').press('Enter')
     await page.getByTestId('seed').fill('77')
     await page.getByTestId('seed').press('Enter')
-    await lab.drag([
+    await race.drag([
       [4, 19],
       [9, 19],
     ])
-    await lab.menu('add-panel', 'add-astar')
-    await lab.ready()
+    await race.menu('add-panel', 'add-astar')
+    await race.ready()
     const before = await page.evaluate(() => window.formicarium.run({ iterations: 6 }))
-    const link = await lab.shareLink()
+    const link = await race.shareLink()
     expect(link.length).toBeLessThan(8000)
-    const session = await lab.session()
+    const session = await race.session()
 
-    const other = await freshLab(browser, link)
+    const other = await freshRace(browser, link)
     const opened = await other.session()
     expect(opened.scenario).toEqual(session.scenario)
     expect(opened.seed).toBe(77)
@@ -51,9 +51,9 @@ test.describe('share links', () => {
   })
 
   test('a finished run is verified as well', async ({ page, browser }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.evaluate(() => window.formicarium.run())
-    const other = await freshLab(browser, await lab.shareLink())
+    const other = await freshRace(browser, await race.shareLink())
     await expect(other.page.getByTestId('verified-1')).toHaveAttribute(
       'data-verified',
       'verified',
@@ -64,28 +64,28 @@ test.describe('share links', () => {
   })
 
   test('a tampered digest is said to differ', async ({ page, browser }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
-    const link = await lab.shareLink()
-    const other = await freshLab(browser, await withDigest(link, 'feedfacecafebeef'))
+    const link = await race.shareLink()
+    const other = await freshRace(browser, await withDigest(link, 'feedfacecafebeef'))
     await expect(other.page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'differs')
     await expect(other.page.getByTestId('verified-2')).toHaveAttribute('data-verified', 'verified')
     await other.page.context().close()
   })
 
   test('a generated map travels as its generator call', async ({ page, browser }) => {
-    const lab = new Lab(page)
-    await lab.menu('map-menu', 'gallery-random-100')
+    const race = new RacePage(page)
+    await race.menu('map-menu', 'gallery-random-100')
     await expect(page.getByTestId('gallery-random-100')).toHaveAttribute('aria-checked', 'true')
-    await lab.ready()
-    await lab.drag([
+    await race.ready()
+    await race.drag([
       [50, 50],
       [55, 50],
     ])
-    const link = await lab.shareLink()
+    const link = await race.shareLink()
     expect(link.length).toBeLessThan(1500)
-    const other = await freshLab(browser, link)
-    expect((await other.session()).scenario).toEqual((await lab.session()).scenario)
+    const other = await freshRace(browser, link)
+    expect((await other.session()).scenario).toEqual((await race.session()).scenario)
     await other.page.context().close()
   })
 
@@ -100,8 +100,8 @@ test.describe('share links', () => {
       page,
       browser,
     }) => {
-      const link = spoil(await new Lab(page).shareLink())
-      const other = await freshLab(browser, link)
+      const link = spoil(await new RacePage(page).shareLink())
+      const other = await freshRace(browser, link)
       const toast = other.page.getByTestId('toast-error')
       await expect(toast).toContainText('damaged')
       await expect(toast.locator('.toast-hint')).not.toBeEmpty()
@@ -111,19 +111,19 @@ test.describe('share links', () => {
   }
 
   test('a foreign fragment is simply not ours', async ({ browser, page }) => {
-    const other = await freshLab(browser, `${page.url().split('#')[0]}#section-3`)
+    const other = await freshRace(browser, `${page.url().split('#')[0]}#section-3`)
     await expect.poll(() => other.antMoves()).toBeGreaterThan(0)
     await other.page.context().close()
   })
 
   test('a link pasted into an open page is opened', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.evaluate(() => window.formicarium.run({ iterations: 2 }))
-    const link = await lab.shareLink()
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
-    await lab.paste(`Look at this: ${link}`)
-    await expect.poll(() => lab.walls()).toBeGreaterThan(0)
+    const link = await race.shareLink()
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
+    await race.paste(`Look at this: ${link}`)
+    await expect.poll(() => race.walls()).toBeGreaterThan(0)
     await expect(page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
   })
 
@@ -131,7 +131,7 @@ test.describe('share links', () => {
     page,
     browser,
   }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
     await page.getByTestId('share').click()
     await expect(page.getByTestId('share-picture')).toBeEnabled()
@@ -143,9 +143,9 @@ test.describe('share links', () => {
     // Two panels beside each other, and the whole link inside.
     expect(png.readUInt32BE(16)).toBeGreaterThan(png.readUInt32BE(20))
     expect(await textOfPng(png)).toMatch(/^http:.*#x=[\w-]+$/)
-    const session = await lab.session()
+    const session = await race.session()
 
-    const other = await freshLab(browser, page.url().split('#')[0] ?? '')
+    const other = await freshRace(browser, page.url().split('#')[0] ?? '')
     await other.page.getByTestId('reset').click()
     const transfer = await other.page.evaluateHandle((base64) => {
       const data = new DataTransfer()

@@ -1,54 +1,54 @@
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { KNOWN } from './rasters'
-import { expectHeights, openAsc, scenarioOf } from './terrain_lab'
+import { expectHeights, openAsc, scenarioOf } from './terrain_page'
 
 test.describe('on a terrain', () => {
   test('nothing can be where there is no data, and that is said', async ({ page }) => {
-    const lab = await openAsc(page)
-    await lab.drag([[0, 4]])
+    const race = await openAsc(page)
+    await race.drag([[0, 4]])
     await expect(page.getByTestId('toast-warning')).toContainText('not known')
-    expect(await lab.isWall([0, 4])).toBe(true)
-    const { start } = (await scenarioOf(lab)).spec
+    expect(await race.isWall([0, 4])).toBe(true)
+    const { start } = (await scenarioOf(race)).spec
     await page.getByTestId('tool-start').click()
-    await lab.drag([[0, 3]])
-    expect((await scenarioOf(lab)).spec.start).toEqual(start)
+    await race.drag([[0, 3]])
+    expect((await scenarioOf(race)).spec.start).toEqual(start)
     await page.getByTestId('tool-wall').click()
-    await lab.drag([
+    await race.drag([
       [1, 2],
       [3, 2],
     ])
-    await expect.poll(() => lab.walls()).toBe(6)
-    await lab.menu('map-menu', 'clear')
-    await expect.poll(() => lab.walls()).toBe(3)
+    await expect.poll(() => race.walls()).toBe(6)
+    await race.menu('map-menu', 'clear')
+    await expect.poll(() => race.walls()).toBe(3)
     await page.getByTestId('map-menu').click()
     await expect(page.getByTestId('invert')).toHaveAttribute('aria-disabled', 'true')
   })
 
   test('undo and redo bring heights and rules back', async ({ page }) => {
-    const lab = await openAsc(page)
-    await lab.menu('map-menu', 'open-resize')
+    const race = await openAsc(page)
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('4')
     await page.getByTestId('model-slices').click()
     await page.getByTestId('resize').click()
     await expect(page.getByTestId('resize-dialog')).toBeHidden()
-    const cut = await scenarioOf(lab)
+    const cut = await scenarioOf(race)
     expect([cut.spec.width, cut.heights?.length]).toEqual([4, 20])
     expect(cut.spec.terrain?.slices?.levels).toBe(20)
     await page.locator('body').press('Control+z')
-    await expectHeights(lab, KNOWN)
-    expect((await scenarioOf(lab)).spec.terrain).toEqual({ vertical_unit: 1, max_slope: 90 })
+    await expectHeights(race, KNOWN)
+    expect((await scenarioOf(race)).spec.terrain).toEqual({ vertical_unit: 1, max_slope: 90 })
     await page.locator('body').press('Control+z')
-    await expect.poll(async () => (await scenarioOf(lab)).heights).toBeNull()
-    expect((await scenarioOf(lab)).spec.terrain).toBeUndefined()
+    await expect.poll(async () => (await scenarioOf(race)).heights).toBeNull()
+    expect((await scenarioOf(race)).spec.terrain).toBeUndefined()
     await page.locator('body').press('Control+Shift+z')
-    await expectHeights(lab, KNOWN)
+    await expectHeights(race, KNOWN)
     await page.locator('body').press('Control+Shift+z')
-    expect((await scenarioOf(lab)).spec.terrain?.slices).toEqual(cut.spec.terrain?.slices)
+    expect((await scenarioOf(race)).spec.terrain?.slices).toEqual(cut.spec.terrain?.slices)
   })
 
   test('the rules of slices are set, checked and kept', async ({ page }) => {
-    const lab = await openAsc(page)
+    const race = await openAsc(page)
     await page.getByTestId('terrain-model').click()
     await page.getByTestId('model-slices').click()
     await page.getByTestId('slices-levels').fill('300')
@@ -69,7 +69,7 @@ test.describe('on a terrain', () => {
     await page.getByTestId('measure-length').click()
     await page.getByTestId('resize').click()
     await expect(page.getByTestId('terrain-model')).toContainText('9 levels of 5 m')
-    const { spec } = await scenarioOf(lab)
+    const { spec } = await scenarioOf(race)
     expect(spec.terrain).toEqual({
       vertical_unit: 1,
       slices: {
@@ -91,7 +91,7 @@ test.describe('on a terrain', () => {
   })
 
   test('levels below the ground are lifted, and that is said', async ({ page }) => {
-    const lab = await openAsc(page)
+    const race = await openAsc(page)
     await page.getByTestId('terrain-model').click()
     await page.getByTestId('model-slices').click()
     for (const [field, value] of [
@@ -109,7 +109,7 @@ test.describe('on a terrain', () => {
       'start at level 2, goal at level 9',
     )
     await expect(page.getByTestId('terrain-model')).toHaveText('By slices, 9 levels of 5 m, 2 → 9')
-    expect((await scenarioOf(lab)).spec.terrain?.slices?.start_level).toBe(2)
+    expect((await scenarioOf(race)).spec.terrain?.slices?.start_level).toBe(2)
     await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
     await expect(page.locator('.plot-hint')).toContainText('Cost by iteration')
   })
@@ -128,7 +128,7 @@ test.describe('on a terrain', () => {
   test('planners that do not know the ground are told apart, and a panel says what to do', async ({
     page,
   }) => {
-    const lab = await openAsc(page)
+    const race = await openAsc(page)
     const option = (id: string) => page.getByTestId('planner-1').locator(`option[value="${id}"]`)
     await expect(option('theta-star')).toBeDisabled()
     await expect(option('ant-system')).toBeEnabled()
@@ -136,14 +136,14 @@ test.describe('on a terrain', () => {
     await expect(page.getByTestId('add-theta-star')).toHaveAttribute('aria-disabled', 'true')
     await expect(page.getByTestId('add-theta-star')).toContainText('surface')
     await page.keyboard.press('Escape')
-    await lab.menu('map-menu', 'open-resize')
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-slices').click()
     await page.getByTestId('resize').click()
     const trouble = page.getByTestId('panel-1').getByRole('alert')
     await expect(trouble).toContainText('does not plan by slices')
     await trouble.getByRole('button').click()
     await expect(trouble).toBeHidden()
-    await lab.menu('map-menu', 'open-resize')
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-surface').click()
     await page.getByTestId('movement').selectOption('16-both-free')
     await page.getByTestId('resize').click()
@@ -153,13 +153,13 @@ test.describe('on a terrain', () => {
   })
 
   test('16 moves go on a plane, too', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await page.getByTestId('planner-1').selectOption('astar')
-    await lab.menu('map-menu', 'open-resize')
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('movement').selectOption('16-both-free')
     await page.getByTestId('resize').click()
-    await lab.ready()
+    await race.ready()
     await page.locator('body').press('End')
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
     await expect(page.getByTestId('gap-2')).toHaveAttribute('data-gap', '0')
@@ -173,7 +173,7 @@ test.describe('on a terrain', () => {
       Number(await page.getByTestId(`metric-${id}-2`).getAttribute('data-value'))
     await expect.poll(() => value('climb')).toBeGreaterThan(0)
     expect(await value('lengthMetres')).toBeCloseTo(10 * (await value('length')), 6)
-    const { heights, spec } = await scenarioOf(new Lab(page))
+    const { heights, spec } = await scenarioOf(new RacePage(page))
     const at = ([x, y]: [number, number]) => heights?.[y * spec.width + x] ?? Number.NaN
     const rise = at(spec.goals[0]?.at ?? spec.start) - at(spec.start)
     expect((await value('climb')) - (await value('descent'))).toBeCloseTo(rise, 6)

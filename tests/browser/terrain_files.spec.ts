@@ -1,10 +1,10 @@
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import { ASC, CSV, geotiff, HEIGHTS, hgt, KNOWN, OBLONG_ASC } from './rasters'
-import { dialog, expectHeights, scenarioOf } from './terrain_lab'
+import { dialog, expectHeights, scenarioOf } from './terrain_page'
 
 test.describe('rasters of heights', () => {
-  test.beforeEach(async ({ page }) => new Lab(page).openAtRest())
+  test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
   const files: [name: string, content: string | Buffer, kind: RegExp, heights: number[]][] = [
     ['small.asc', ASC, /ESRI/, KNOWN],
@@ -14,46 +14,46 @@ test.describe('rasters of heights', () => {
   ]
   for (const [name, content, kind, heights] of files) {
     test(`${name} is surveyed, then opened by Enter`, async ({ page }) => {
-      const lab = new Lab(page)
-      const walls = await lab.walls()
-      await lab.importByButton(name, content)
+      const race = new RacePage(page)
+      const walls = await race.walls()
+      await race.importByButton(name, content)
       await expect(dialog(page)).toBeVisible()
       await expect(page.getByTestId('raster-kind')).toHaveText(kind)
       await expect(page.getByTestId('raster-size')).toHaveText('6 × 5')
       await expect(page.getByTestId('raster-heights')).toHaveText(/to 35/)
-      expect(await lab.walls()).toBe(walls)
+      expect(await race.walls()).toBe(walls)
       await page.keyboard.press('Enter')
       await expect(dialog(page)).toBeHidden()
-      await expectHeights(lab, heights)
-      const { spec, cells } = await scenarioOf(lab)
+      await expectHeights(race, heights)
+      const { spec, cells } = await scenarioOf(race)
       expect([...cells]).toEqual(heights.map((height) => (Number.isNaN(height) ? 1 : 0)))
       expect(spec.terrain).toEqual({ vertical_unit: 1, max_slope: 90 })
       expect(spec.resolution).toBe(name === 'small.csv' ? 1 : 10)
-      await lab.ready()
+      await race.ready()
       await page.locator('body').press('End')
       await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
     })
   }
 
   test('dropped and pasted as well, and left with Escape', async ({ page }) => {
-    const lab = new Lab(page)
-    const before = await scenarioOf(lab)
+    const race = new RacePage(page)
+    const before = await scenarioOf(race)
     for (const bring of [
-      () => lab.drop('small.asc', ASC),
-      () => lab.paste(ASC),
-      () => lab.paste(CSV),
+      () => race.drop('small.asc', ASC),
+      () => race.paste(ASC),
+      () => race.paste(CSV),
     ]) {
       await bring()
       await expect(dialog(page)).toBeVisible()
       await page.keyboard.press('Escape')
       await expect(dialog(page)).toBeHidden()
     }
-    expect(await scenarioOf(lab)).toEqual(before)
+    expect(await scenarioOf(race)).toEqual(before)
   })
 
   test('a part can be marked by numbers, and comes exactly as it is', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.paste(ASC)
+    const race = new RacePage(page)
+    await race.paste(ASC)
     for (const [field, value] of [
       ['crop-x', 2],
       ['crop-width', 3],
@@ -73,13 +73,13 @@ test.describe('rasters of heights', () => {
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden()
     await expectHeights(
-      lab,
+      race,
       HEIGHTS.slice(1).flatMap((row) => row.slice(2, 5)),
     )
   })
 
   test('a part can be marked by dragging', async ({ page }) => {
-    await new Lab(page).paste(ASC)
+    await new RacePage(page).paste(ASC)
     const preview = page.getByTestId('raster-preview')
     await expect(preview).toBeVisible()
     const box = await preview.boundingBox()
@@ -104,8 +104,8 @@ test.describe('rasters of heights', () => {
   })
 
   test('cells that are not square can be made so, and the extent stays', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.paste(OBLONG_ASC)
+    const race = new RacePage(page)
+    await race.paste(OBLONG_ASC)
     await expect(page.getByTestId('raster-cell')).toHaveText('15 × 30 m')
     await expect(page.getByTestId('raster-result')).toContainText('15 × 30 m')
     await page.getByTestId('size-square').click()
@@ -113,14 +113,14 @@ test.describe('rasters of heights', () => {
     await expect(page.getByTestId('size-height')).toHaveValue('5')
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden()
-    const { spec } = await scenarioOf(lab)
+    const { spec } = await scenarioOf(race)
     expect([spec.width, spec.height, spec.resolution]).toEqual([3, 5, 30])
   })
 
   test('a large survey is offered in as many cells as can be watched', async ({ page }) => {
     test.slow()
-    const lab = new Lab(page)
-    await lab.importByButton('N40W106.hgt', hgt())
+    const race = new RacePage(page)
+    await race.importByButton('N40W106.hgt', hgt())
     await expect(page.getByTestId('raster-size')).toHaveText('1,201 × 1,201')
     await expect(page.getByTestId('size-width')).toHaveValue('513')
     await page.getByTestId('size-256').click()
@@ -133,7 +133,7 @@ test.describe('rasters of heights', () => {
     const width = await columns()
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden({ timeout: 30_000 })
-    const { spec, heights } = await scenarioOf(lab)
+    const { spec, heights } = await scenarioOf(race)
     expect([spec.width, spec.height]).toEqual([width, 256])
     expect(heights?.at(-1) ?? 0).toBeGreaterThan(2300)
   })
@@ -141,8 +141,8 @@ test.describe('rasters of heights', () => {
   test('what cannot be read is refused where the reader looks, and nothing on screen is lost', async ({
     page,
   }) => {
-    const lab = new Lab(page)
-    const before = await scenarioOf(lab)
+    const race = new RacePage(page)
+    const before = await scenarioOf(race)
     const spoilt: [string, string | Buffer][] = [
       ['short.asc', ASC.split('\n').slice(0, -3).join('\n')],
       ['letters.asc', ASC.replace('30 35 30', '30 x 30')],
@@ -151,20 +151,20 @@ test.describe('rasters of heights', () => {
       ['cut.hgt', hgt().subarray(0, 10_000)],
     ]
     for (const [name, content] of spoilt) {
-      await lab.importByButton(name, content)
+      await race.importByButton(name, content)
       const alert = page.getByTestId('import-dialog').getByRole('alert')
       await expect(alert, name).toBeVisible()
       expect((await alert.textContent())?.length, name).toBeGreaterThan(30)
       await page.keyboard.press('Escape')
     }
-    await lab.paste(ASC.replace('30 35 30', '30 x 30'))
+    await race.paste(ASC.replace('30 35 30', '30 x 30'))
     await expect(page.getByTestId('toast-error')).toContainText('9')
-    expect(await scenarioOf(lab)).toEqual(before)
+    expect(await scenarioOf(race)).toEqual(before)
   })
 
   test('scripts get the raster without being asked about it', async ({ page }) => {
-    const lab = new Lab(page)
+    const race = new RacePage(page)
     expect(await page.evaluate((text) => window.formicarium.load(text), ASC)).toBe(true)
-    await expectHeights(lab, KNOWN)
+    await expectHeights(race, KNOWN)
   })
 })

@@ -2,9 +2,16 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
-import { freshLab, Lab } from './lab'
+import { freshRace, RacePage } from './race_page'
 import { ASC, KNOWN, OBLONG_ASC } from './rasters'
-import { dialog, expectHeights, openAsc, openTerrain, scenarioOf, settledDown } from './terrain_lab'
+import {
+  dialog,
+  expectHeights,
+  openAsc,
+  openTerrain,
+  scenarioOf,
+  settledDown,
+} from './terrain_page'
 
 const DATA = process.env.FORMICARIUM_DATA
 
@@ -13,11 +20,11 @@ test.describe('terrains in links and files', () => {
     page,
     browser,
   }) => {
-    const lab = await openAsc(page, OBLONG_ASC.replace('12 16 30', '12.25 16.0625 30.1'))
+    const race = await openAsc(page, OBLONG_ASC.replace('12 16 30', '12.25 16.0625 30.1'))
     await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
-    const link = await lab.shareLink()
-    const session = await lab.session()
-    const other = await freshLab(browser, link)
+    const link = await race.shareLink()
+    const session = await race.session()
+    const other = await freshRace(browser, link)
     const opened = await other.session()
     expect(opened.scenario).toEqual(session.scenario)
     await expectHeights(other, session.scenario.heights ?? [])
@@ -34,46 +41,46 @@ test.describe('terrains in links and files', () => {
     browser,
   }) => {
     test.slow()
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'open-generate')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'open-generate')
     await page.getByTestId('generate-fractal').click()
     await page.getByTestId('generate-roughness').fill('70')
     await page.getByTestId('generate-side-129').click()
     await page.getByTestId('generate').click()
     await expect(page.getByTestId('generate-dialog')).toBeHidden()
-    await settledDown(lab)
-    const { spec, origin } = await scenarioOf(lab)
+    await settledDown(race)
+    const { spec, origin } = await scenarioOf(race)
     expect([spec.width, spec.height, spec.resolution]).toEqual([129, 129, 30])
     expect(origin).toMatchObject({ generator: 'fractal', density: 0.7 })
-    await lab.drag([
+    await race.drag([
       [60, 60],
       [70, 60],
     ])
-    expect(await lab.walls()).toBe(11)
-    const link = await lab.shareLink()
+    expect(await race.walls()).toBe(11)
+    const link = await race.shareLink()
     console.log(`link to a generated 129 × 129 terrain: ${link.length} characters`)
     expect(link.length).toBeLessThan(2000)
-    const session = await lab.session()
-    const other = await freshLab(browser, link)
+    const session = await race.session()
+    const other = await freshRace(browser, link)
     expect((await other.session()).scenario).toEqual(session.scenario)
     await other.page.context().close()
   })
 
-  test('an experiment file brings heights and rules back', async ({ page }) => {
-    const lab = await openAsc(page)
-    await lab.menu('map-menu', 'open-resize')
+  test('a session file brings heights and rules back', async ({ page }) => {
+    const race = await openAsc(page)
+    await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-slices').click()
     await page.getByTestId('resize').click()
-    const before = await scenarioOf(lab)
-    const { bytes } = await lab.exported('experiment')
+    const before = await scenarioOf(race)
+    const { bytes } = await race.exported('experiment')
     const document = JSON.parse(bytes.toString('utf8'))
     expect(document.heights[3]).toEqual([null, 15, 28, 33, 31, 27])
-    await lab.menu('map-menu', 'gallery-open-field')
-    await expect.poll(() => lab.walls()).toBe(0)
-    await lab.importByButton('again.json', bytes)
-    await expect.poll(async () => (await scenarioOf(lab)).heights?.length).toBe(30)
-    expect(await scenarioOf(lab)).toEqual(before)
+    await race.menu('map-menu', 'gallery-open-field')
+    await expect.poll(() => race.walls()).toBe(0)
+    await race.importByButton('again.json', bytes)
+    await expect.poll(async () => (await scenarioOf(race)).heights?.length).toBe(30)
+    expect(await scenarioOf(race)).toEqual(before)
     for (const [spoil, word] of [
       [{ ...document, heights: document.heights.slice(1) }, /heights has 4 rows/i],
       [{ ...document, heights: undefined }, /heights are missing/i],
@@ -82,47 +89,47 @@ test.describe('terrains in links and files', () => {
         /terrain is missing/i,
       ],
     ] as const) {
-      await lab.paste(JSON.stringify(spoil))
+      await race.paste(JSON.stringify(spoil))
       await expect(page.getByTestId('toast-error').last()).toContainText(word)
     }
-    expect(await scenarioOf(lab)).toEqual(before)
+    expect(await scenarioOf(race)).toEqual(before)
   })
 
   test('a reload keeps the terrain', async ({ page }) => {
-    const lab = await openAsc(page)
+    const race = await openAsc(page)
     await page.waitForFunction(() => sessionStorage.getItem('formicarium.session') !== null)
     await page.reload()
-    await lab.ready()
-    await expectHeights(lab, KNOWN)
+    await race.ready()
+    await expectHeights(race, KNOWN)
   })
 
   test('every format that holds heights brings them back', async ({ page }) => {
-    const lab = await openAsc(page)
-    const asc = await lab.exported('esri-ascii')
+    const race = await openAsc(page)
+    const asc = await race.exported('esri-ascii')
     expect(asc.name).toMatch(/\.asc$/)
-    const csv = await lab.exported('height-table')
+    const csv = await race.exported('height-table')
     expect(csv.bytes.toString('utf8').split(/\r?\n/)[1]).toBe('11,14,18,24,26,28')
-    const tif = await lab.exported('geotiff')
+    const tif = await race.exported('geotiff')
     expect(tif.bytes.subarray(0, 2).toString('latin1')).toMatch(/II|MM/)
-    const json = await lab.exported('scenario')
+    const json = await race.exported('scenario')
     for (const { name, bytes } of [asc, tif, json]) {
-      await lab.menu('map-menu', 'gallery-open-field')
-      await expect.poll(async () => (await scenarioOf(lab)).heights).toBeNull()
-      await lab.importByButton(name, bytes)
+      await race.menu('map-menu', 'gallery-open-field')
+      await expect.poll(async () => (await scenarioOf(race)).heights).toBeNull()
+      await race.importByButton(name, bytes)
       if (name.endsWith('json'))
-        await expect.poll(async () => (await scenarioOf(lab)).heights?.length).toBe(30)
+        await expect.poll(async () => (await scenarioOf(race)).heights?.length).toBe(30)
       else {
         await page.getByTestId('terrain-open').click()
         await expect(dialog(page)).toBeHidden()
       }
-      await expectHeights(lab, KNOWN)
-      expect((await scenarioOf(lab)).spec.resolution).toBe(10)
+      await expectHeights(race, KNOWN)
+      expect((await scenarioOf(race)).spec.resolution).toBe(10)
     }
   })
 
   test('formats without heights say that they lose them', async ({ page }) => {
-    const lab = await openAsc(page)
-    await lab.menu('map-menu', 'open-export')
+    const race = await openAsc(page)
+    await race.menu('map-menu', 'open-export')
     await expect(page.getByTestId('export-flattens')).toBeHidden()
     await page.getByTestId('export-movingai-map').click()
     await expect(page.getByTestId('export-flattens')).toBeVisible()
@@ -133,28 +140,28 @@ test.describe('terrains in links and files', () => {
 test.describe('terrains made here', () => {
   test('hills: three planners with 16 moves, one of them proven', async ({ page }) => {
     test.slow()
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-terrain-hills')
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-terrain-hills')
     await expect
-      .poll(async () => (await lab.session()).panels.map((panel) => panel.planner))
+      .poll(async () => (await race.session()).panels.map((panel) => panel.planner))
       .toEqual(['terrain-epf', 'terrain-aco', 'astar'])
-    await lab.ready()
+    await race.ready()
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
     await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /\d/)
     const optimum = Number(await page.getByTestId('optimum').getAttribute('data-value'))
     expect(optimum).toBeGreaterThan(60)
-    for (const { summary } of await lab.results())
+    for (const { summary } of await race.results())
       if (summary?.value != null) expect(summary.value).toBeGreaterThanOrEqual(optimum - 1e-9)
   })
 
   test('slices: the textbook’s race, compared by cost', async ({ page }) => {
     test.slow()
-    const lab = new Lab(page)
-    await lab.openAtRest()
-    await lab.menu('map-menu', 'gallery-terrain-slices')
-    await expect.poll(async () => (await lab.session()).panels.length).toBe(4)
-    await lab.ready()
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await race.menu('map-menu', 'gallery-terrain-slices')
+    await expect.poll(async () => (await race.session()).panels.length).toBe(4)
+    await race.ready()
     await page.evaluate(() => window.formicarium.run())
     await expect(page.getByTestId('optimum')).toHaveAttribute('data-objective', 'slice-cost')
     await expect(page.getByTestId('optimum')).toContainText(/cost by slices/i)
@@ -169,10 +176,10 @@ test.describe('terrains made here', () => {
   })
 
   test('the level of an end is changed by keys', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-slices')
-    const level = async () => (await scenarioOf(lab)).spec.terrain?.slices?.start_level ?? 0
+    const race = await openTerrain(page, 'terrain-slices')
+    const level = async () => (await scenarioOf(race)).spec.terrain?.slices?.start_level ?? 0
     const before = await level()
-    await lab.stage().focus()
+    await race.stage().focus()
     await page.keyboard.press('ArrowRight')
     await page.keyboard.press('PageUp')
     await page.keyboard.press('PageUp')
@@ -185,10 +192,10 @@ test.describe('terrains made here', () => {
 })
 
 test('the same in Chinese, without a word of English', async ({ page }) => {
-  const lab = await openAsc(page)
-  await lab.menu('language', 'language-zh-CN')
+  const race = await openAsc(page)
+  await race.menu('language', 'language-zh-CN')
   await expect(page.getByTestId('share')).toHaveText('分享')
-  await lab.paste(OBLONG_ASC)
+  await race.paste(OBLONG_ASC)
   await expect(page.getByTestId('terrain-open')).toContainText('打开 6 × 5 格')
   await page.getByTestId('crop-x').fill('9')
   await page.getByTestId('crop-x').press('Tab')
@@ -199,14 +206,14 @@ test('the same in Chinese, without a word of English', async ({ page }) => {
       .replace(/\.(asc|tif|hgt|csv|map|scen|json)\b/g, '')
   expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
   await page.keyboard.press('Escape')
-  await lab.menu('map-menu', 'open-resize')
+  await race.menu('map-menu', 'open-resize')
   await page.getByTestId('model-slices').click()
   expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
   await page.getByTestId('resize').click()
   await expect(page.getByTestId('panel-1').getByRole('alert')).toContainText(
     '该规划器不能按切片规划',
   )
-  await lab.menu('map-menu', 'open-generate')
+  await race.menu('map-menu', 'open-generate')
   await page.getByTestId('generate-hills').click()
   expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
 })
@@ -214,8 +221,8 @@ test('the same in Chinese, without a word of English', async ({ page }) => {
 test('the five surveys open, whole and shrunk', async ({ page }) => {
   test.skip(!DATA, 'FORMICARIUM_DATA is not set')
   test.slow()
-  const lab = new Lab(page)
-  await lab.openAtRest()
+  const race = new RacePage(page)
+  await race.openAtRest()
   for (const [name, size] of [
     ['dem/DEM_10m.asc', [67, 53]],
     ['dem/hugo_site.asc', [76, 55]],
@@ -224,21 +231,21 @@ test('the five surveys open, whole and shrunk', async ({ page }) => {
     ['dem/pysheds_dem.tif', [367, 359]],
     ['papers/HeightData_21x21.csv', [21, 21]],
   ] as const) {
-    await lab.importByButton(name.replace(/.*\//, ''), readFileSync(join(DATA ?? '', name)))
+    await race.importByButton(name.replace(/.*\//, ''), readFileSync(join(DATA ?? '', name)))
     await expect(page.getByTestId('raster-size'), name).toHaveText(`${size[0]} × ${size[1]}`)
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden()
-    const { spec, heights } = await scenarioOf(lab)
+    const { spec, heights } = await scenarioOf(race)
     expect([spec.width, spec.height, heights?.length], name).toEqual([...size, size[0] * size[1]])
-    await lab.ready()
+    await race.ready()
   }
 })
 
 for (const scheme of ['light', 'dark'] as const) {
   test(`axe finds nothing serious in the dialogs of terrains (${scheme})`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: scheme })
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     const expectClean = async (where: string) => {
       const { violations } = await new AxeBuilder({ page }).analyze()
       const serious = violations.filter(
@@ -249,14 +256,14 @@ for (const scheme of ['light', 'dark'] as const) {
         where,
       ).toEqual([])
     }
-    await lab.paste(OBLONG_ASC)
+    await race.paste(OBLONG_ASC)
     await page.getByTestId('crop-x').fill('9')
     await page.getByTestId('crop-x').press('Tab')
     await expectClean('import')
     await page.getByTestId('crop-whole').click()
     await page.getByTestId('terrain-open').click()
     await expect(dialog(page)).toBeHidden()
-    await lab.menu('map-menu', 'open-resize')
+    await race.menu('map-menu', 'open-resize')
     await expect(page.getByTestId('resize-dialog')).toBeVisible()
     await expectClean('surface')
     await page.getByTestId('model-slices').click()
@@ -264,16 +271,16 @@ for (const scheme of ['light', 'dark'] as const) {
     await page.getByTestId('resize').click()
     await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
     await expectClean('refused')
-    await lab.menu('map-menu', 'open-generate')
+    await race.menu('map-menu', 'open-generate')
     await page.getByTestId('generate-hills').click()
     await expectClean('generate')
   })
 }
 
 test('on a phone the dialog of a raster fits and can be used by touch @phone', async ({ page }) => {
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.paste(ASC)
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.paste(ASC)
   await expect(dialog(page)).toBeVisible()
   const box = await dialog(page).boundingBox()
   expect((box?.x ?? -1) >= 0 && (box?.x ?? 0) + (box?.width ?? 999) <= 390).toBe(true)
@@ -283,5 +290,5 @@ test('on a phone the dialog of a raster fits and can be used by touch @phone', a
   await page.getByTestId('crop-height').blur()
   await page.getByTestId('terrain-open').tap()
   await expect(dialog(page)).toBeHidden()
-  expect((await scenarioOf(lab)).heights?.length).toBe(18)
+  expect((await scenarioOf(race)).heights?.length).toBe(18)
 })

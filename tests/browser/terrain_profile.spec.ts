@@ -1,13 +1,13 @@
 import { expect, test } from '@playwright/test'
 import { profileOf } from '../../www/src/charts/profile_data'
 import { Ground } from '../../www/src/model/relief_ground'
-import { openTerrain } from './terrain_lab'
+import { openTerrain } from './terrain_page'
 import { drawn } from './workers'
 
 test.describe('the elevation profile', () => {
   for (const id of ['terrain-hills', 'terrain-slices'] as const) {
     test(`has the numbers of the comparison (${id})`, async ({ page }) => {
-      const lab = await openTerrain(page, id)
+      const race = await openTerrain(page, id)
       await page.getByTestId('chart-profile').click()
       await expect(page.getByTestId('profile')).toBeHidden()
       await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
@@ -23,7 +23,7 @@ test.describe('the elevation profile', () => {
         cells: new Uint8Array(),
         origin: null,
       })
-      const { path, summary } = await lab.result(1)
+      const { path, summary } = await race.result(1)
       const terrain = summary?.metrics?.terrain
       const known = [summary?.metrics?.length_metres, terrain?.climb, terrain?.descent]
       const told = async () => {
@@ -46,7 +46,7 @@ test.describe('the elevation profile', () => {
   }
 
   test('marks on the map where the pointer is, and its tabs work by keys', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
     await page.getByTestId('chart-convergence').focus()
     await page.keyboard.press('ArrowRight')
@@ -55,6 +55,6 @@ test.describe('the elevation profile', () => {
     const plot = page.getByTestId('profile').locator('.u-over')
     await expect(plot).toBeVisible()
     await drawn(page)
-    await lab.seesMotion(1, () => plot.hover())
+    await race.seesMotion(1, () => plot.hover())
   })
 })

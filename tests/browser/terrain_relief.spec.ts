@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
-import { Lab } from './lab'
+import { RacePage } from './race_page'
 import {
   countDraws,
   lostContexts,
@@ -11,16 +11,16 @@ import {
   picture,
   reliefs,
   settled,
-} from './terrain_lab'
+} from './terrain_page'
 import { drawn } from './workers'
 
 test.describe('in three dimensions', () => {
   test.beforeEach(({ page }) => countDraws(page))
 
   test('every panel is drawn, with one context, and nothing is drawn at rest', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await openRelief(page)
-    const panels = (await lab.results()).length
+    const panels = (await race.results()).length
     await expect(reliefs(page)).toHaveCount(panels)
     for (let panel = 0; panel < panels; panel++)
       await expect.poll(async () => (await picture(page, panel)).drawn).toBeGreaterThan(0.15)
@@ -68,7 +68,7 @@ test.describe('in three dimensions', () => {
   })
 
   test('start and goal are put where one clicks', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await openRelief(page)
     const { x, y } = await middleOf(page)
     for (const [tool, dx] of [
@@ -80,7 +80,7 @@ test.describe('in three dimensions', () => {
       const readout = page.getByTestId('cell-readout').first()
       await expect(readout).toHaveText(/^\d+, \d+ .* m$/)
       const end = async () => {
-        const { spec } = (await lab.session()).scenario
+        const { spec } = (await race.session()).scenario
         return tool === 'goal' ? spec.goals[0]?.at : spec.start
       }
       const before = await end()
@@ -94,20 +94,20 @@ test.describe('in three dimensions', () => {
     }
     // The start is taken up with any tool, as on the flat map; else the tools for walls change nothing.
     await page.getByTestId('tool-wall').click()
-    const { start } = (await lab.session()).scenario.spec
+    const { start } = (await race.session()).scenario.spec
     await page.mouse.move(x - 30, y)
     await page.mouse.down()
     await page.mouse.move(x - 40, y + 20, { steps: 3 })
     await page.mouse.up()
-    await expect.poll(async () => (await lab.session()).scenario.spec.start).not.toEqual(start)
+    await expect.poll(async () => (await race.session()).scenario.spec.start).not.toEqual(start)
     await page.mouse.click(x, y + 20)
-    expect(await lab.walls()).toBe(0)
+    expect(await race.walls()).toBe(0)
   })
 
   test('start and goal are put down by keys alone, and their heights are said', async ({
     page,
   }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await openRelief(page)
     await reliefs(page).first().focus()
     await page.keyboard.press('g')
@@ -117,7 +117,7 @@ test.describe('in three dimensions', () => {
     await expect(page.getByTestId('announcement')).toContainText(
       /^Column \d+, row \d+.*m$|\d+.* m$/,
     )
-    const goal = async () => (await lab.session()).scenario.spec.goals[0]?.at
+    const goal = async () => (await race.session()).scenario.spec.goals[0]?.at
     const before = await goal()
     await page.keyboard.press('Enter')
     await expect.poll(goal).not.toEqual(before)
@@ -155,10 +155,10 @@ test.describe('in three dimensions', () => {
   })
 
   test('ground that is flattened says by how much', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     // Cells of 1 m, heights of kilometres.
-    await lab.paste('ncols 3\nnrows 2\ncellsize 1\n0 1000 2000\n500 1500 3000\n')
+    await race.paste('ncols 3\nnrows 2\ncellsize 1\n0 1000 2000\n500 1500 3000\n')
     await page.getByTestId('terrain-open').click()
     await expect(page.getByTestId('view-solid')).toBeVisible()
     await openRelief(page)
@@ -167,10 +167,10 @@ test.describe('in three dimensions', () => {
   })
 
   test('by slices Page Up and Page Down change the level of an end', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-slices')
-    const level = async () => (await lab.session()).scenario.spec.terrain?.slices?.start_level
+    const race = await openTerrain(page, 'terrain-slices')
+    const level = async () => (await race.session()).scenario.spec.terrain?.slices?.start_level
     const before = (await level()) ?? 0
-    await lab.stage().focus()
+    await race.stage().focus()
     await page.keyboard.press('PageUp')
     await expect.poll(level).toBe(before + 1)
     await openRelief(page)
@@ -188,37 +188,37 @@ test.describe('in three dimensions', () => {
   })
 
   test('the context is given back: flat again, on a plane, without panels', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await openRelief(page)
     await page.keyboard.press('3')
     await expect(reliefs(page)).toHaveCount(0)
     await expect.poll(() => lostContexts(page)).toEqual([true])
-    await expect(lab.stage().locator('canvas')).toHaveCount(1)
+    await expect(race.stage().locator('canvas')).toHaveCount(1)
     await drawn(page)
-    await lab.seesMotion(1, () => lab.stage().press('ArrowDown'))
+    await race.seesMotion(1, () => race.stage().press('ArrowDown'))
 
     await page.keyboard.press('3')
     await expect(reliefs(page).first()).toBeVisible()
     await settled(page)
-    await lab.menu('map-menu', 'gallery-open-field')
+    await race.menu('map-menu', 'gallery-open-field')
     await expect(reliefs(page)).toHaveCount(0)
     await expect.poll(() => lostContexts(page)).toEqual([true, true])
     await page.getByTestId('undo').click()
     await expect(reliefs(page).first()).toBeVisible()
-    while ((await lab.results()).length > 0) await page.getByTestId('remove-1').click()
+    while ((await race.results()).length > 0) await page.getByTestId('remove-1').click()
     await expect.poll(() => lostContexts(page)).toEqual([true, true, true])
     await expect(page.getByTestId('toast-warning')).toBeHidden()
   })
 
   test('a lost context is said, and the flat map goes on', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await openRelief(page)
     await page.evaluate(() => window.contexts[0]?.getExtension('WEBGL_lose_context')?.loseContext())
     await expect(page.getByTestId('toast-warning')).toBeVisible()
     await expect(reliefs(page)).toHaveCount(0)
-    await expect(lab.stage().locator('canvas')).toHaveCount(1)
+    await expect(race.stage().locator('canvas')).toHaveCount(1)
     await drawn(page)
-    await lab.seesMotion(1, () => lab.stage().press('ArrowDown'))
+    await race.seesMotion(1, () => race.stage().press('ArrowDown'))
     await page.getByTestId('view-solid').click()
     await expect(reliefs(page).first()).toBeVisible()
   })
@@ -271,11 +271,11 @@ test('without WebGL the flat map stays, and that is said', async ({ page }) => {
       return String(args[0]).startsWith('webgl') ? null : context.apply(this, args)
     } as typeof HTMLCanvasElement.prototype.getContext
   })
-  const lab = await openTerrain(page, 'terrain-hills')
+  const race = await openTerrain(page, 'terrain-hills')
   await page.getByTestId('view-solid').click()
   await expect(page.getByTestId('toast-warning')).toHaveCount(1)
   await expect(reliefs(page)).toHaveCount(0)
-  await expect(lab.stage().locator('canvas')).toHaveCount(1)
+  await expect(race.stage().locator('canvas')).toHaveCount(1)
   await drawn(page)
-  await lab.seesMotion(1, () => lab.stage().press('ArrowDown'))
+  await race.seesMotion(1, () => race.stage().press('ArrowDown'))
 })

@@ -1,21 +1,21 @@
 import { expect, test, type Worker } from '@playwright/test'
-import { Lab } from './lab'
-import { countDraws, light, openRelief, openTerrain } from './terrain_lab'
+import { RacePage } from './race_page'
+import { countDraws, light, openRelief, openTerrain } from './terrain_page'
 import { drawn } from './workers'
 
 test.describe('from above', () => {
   test('a terrain is shaded and has contour lines that can be put away', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
+    const race = await openTerrain(page, 'terrain-hills')
     await page.getByTestId('layer').selectOption('none')
     await drawn(page)
-    const withLines = await light(page, await lab.picture())
+    const withLines = await light(page, await race.picture())
     expect(withLines.kinds).toBeGreaterThan(100)
     expect(withLines.spread).toBeGreaterThan(15)
     const button = page.getByTestId('show-contours')
     await expect(button).toHaveAttribute('aria-pressed', 'true')
-    await lab.seesMotion(1, () => button.click())
+    await race.seesMotion(1, () => button.click())
     await drawn(page)
-    const without = await light(page, await lab.picture())
+    const without = await light(page, await race.picture())
     expect(without.kinds).toBeGreaterThan(60)
     // The lines are darker than the ground.
     expect(withLines.mean).toBeLessThan(without.mean - 0.5)
@@ -23,19 +23,19 @@ test.describe('from above', () => {
   })
 
   test('a plane has none of it', async ({ page }) => {
-    const lab = new Lab(page)
-    await lab.openAtRest()
+    const race = new RacePage(page)
+    await race.openAtRest()
     await expect(page.getByTestId('view-solid')).toBeHidden()
     await expect(page.getByTestId('chart-profile')).toBeHidden()
     await page.keyboard.press('3')
     await expect(page.locator('.stage.relief')).toHaveCount(0)
-    await page.mouse.move(...(Object.values(await lab.pointOf([5, 5])) as [number, number]))
+    await page.mouse.move(...(Object.values(await race.pointOf([5, 5])) as [number, number]))
     await expect(page.getByTestId('cell-readout')).toBeHidden()
   })
 
   test('the height of a cell is shown and said', async ({ page }) => {
-    const lab = await openTerrain(page, 'terrain-hills')
-    const { x, y } = await lab.pointOf([30, 20])
+    const race = await openTerrain(page, 'terrain-hills')
+    const { x, y } = await race.pointOf([30, 20])
     await page.mouse.move(x, y)
     const metres = await page.evaluate(() => {
       const now = window.formicarium.session()?.scenario
@@ -43,7 +43,7 @@ test.describe('from above', () => {
     })
     const words = `${new Intl.NumberFormat('en', { maximumSignificantDigits: 5 }).format(metres)} m`
     await expect(page.getByTestId('cell-readout').first()).toHaveText(`30, 20 ${words}`)
-    await lab.stage().focus()
+    await race.stage().focus()
     await page.keyboard.press('ArrowRight')
     await expect(page.getByTestId('announcement')).toContainText(/ m$/)
   })
@@ -52,20 +52,20 @@ test.describe('from above', () => {
 test('a 513 × 513 terrain: milliseconds a frame, to read', async ({ page }) => {
   test.slow()
   await countDraws(page)
-  const lab = new Lab(page)
-  await lab.openAtRest()
-  await lab.menu('map-menu', 'open-generate')
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.menu('map-menu', 'open-generate')
   await page.getByTestId('generate-fractal').click()
   await page.getByTestId('generate-width').fill('513')
   await page.getByTestId('generate-height').fill('513')
   await page.getByTestId('generate').click()
-  await expect.poll(async () => (await lab.session()).scenario.spec.width).toBe(513)
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(513)
   await page.evaluate(() => window.formicarium.pause())
-  await lab.ready()
+  await race.ready()
   await page.waitForTimeout(1000)
   const workers = page.workers()
   for (const worker of workers) await listenToFrames(worker)
-  const box = await lab.stage().boundingBox()
+  const box = await race.stage().boundingBox()
   if (!box) throw new Error('the stage is not on screen')
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
   const report = async (what: string, act: (i: number) => Promise<void>) => {

@@ -1,15 +1,15 @@
-/** What specs know of the page's workers: what they were asked for and have answered, and when what they draw is on the screen. */
+/** The page's workers as specs see them: what they were asked, what they answered, and when their drawings are on screen. */
 import type { Page } from '@playwright/test'
 
 declare global {
   interface Window {
-    /** How often workers were asked for what, and how often they have answered. */
+    /** How often workers were asked, by kind, and how often they answered. */
     asked: Record<string, number>
     answered: Record<string, number>
   }
 }
 
-/** Counts from the page's next opening on. */
+/** Counts from the next time the page is opened. */
 export async function countCalls(page: Page): Promise<void> {
   await page.addInitScript(() => {
     window.asked = {}
@@ -30,17 +30,17 @@ export async function countCalls(page: Page): Promise<void> {
   })
 }
 
-/** A run moves by ticks alone: as long as none is asked for, it rests. */
+/** Runs move by ticks only: without a tick they stand still. */
 export const ticks = (page: Page) => page.evaluate(() => window.asked.tick ?? 0)
 
-/** Resolves when all that the page has told its workers so far is on the screen: they draw in frames of their own. */
+/** Resolves when workers have drawn all they have been told so far; they draw in frames of their own. */
 export async function drawn(page: Page): Promise<void> {
   const frames = () =>
     new Promise<void>((resolve) => {
       requestAnimationFrame(() => requestAnimationFrame(() => resolve()))
     })
   await page.evaluate(frames)
-  // One that is ended meanwhile draws nothing.
+  // A worker that has been ended draws nothing.
   await Promise.all(page.workers().map((worker) => worker.evaluate(frames).catch(() => {})))
   await page.evaluate(frames)
 }

@@ -1,9 +1,9 @@
 import { expect, test } from '@playwright/test'
 import type { Session } from '../../../www/src/model/session'
-import { bitsOf } from '../../../www/src/share/bytes'
+import { bitsOf } from '../../../www/src/share/byte_stream'
 import { MAX_BYTES, packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'
-import { LinkError } from '../../../www/src/share/error'
+import { LinkError } from '../../../www/src/share/link_error'
 import { generate, randomCells, sessionOf } from './sessions'
 
 const encode = (session: Session) => seal(packBits(session, '0.1.0'))

@@ -1,9 +1,9 @@
 import { expect, test } from '@playwright/test'
-import { varint } from '../../../www/src/share/bytes'
+import { varint } from '../../../www/src/share/byte_stream'
 import { withChecksum } from '../../../www/src/share/codec'
 import { decodeFragment, encodeDocument, PREFIX } from '../../../www/src/share/comparison_link'
 import { seal } from '../../../www/src/share/envelope'
-import { LinkError } from '../../../www/src/share/error'
+import { LinkError } from '../../../www/src/share/link_error'
 
 const DOCUMENT = `{"format": "formicarium/comparison@1", "question": {"title": "港 “Süd”"}, "maps": []}\n`
 
@@ -19,7 +19,7 @@ async function refusal(text: string): Promise<string> {
 /** A container with these bytes after its checksum. */
 const link = async (bytes: number[]) => PREFIX + (await seal(withChecksum([bytes])))
 
-test.describe('links to experiments', () => {
+test.describe('links to comparisons', () => {
   test('carry the document, byte for byte', async () => {
     for (const document of [DOCUMENT, '', DOCUMENT.repeat(500)]) {
       const text = await encodeDocument(document)

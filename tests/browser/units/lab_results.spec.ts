@@ -1,10 +1,10 @@
 import { expect, test } from '@playwright/test'
+import { endsOf, limitsOf, placed } from '../../../www/src/lab/figures/curve_limits'
 import { LOOKS, seriesOf } from '../../../www/src/lab/figures/figure_style'
-import { endsOf, limitsOf, placed } from '../../../www/src/lab/figures/limits'
-import { jitter, whiskers } from '../../../www/src/lab/figures/points'
+import { SYMBOLS, symbolPath } from '../../../www/src/lab/figures/point_symbols'
 import { groups } from '../../../www/src/lab/figures/rank_groups'
-import { SYMBOLS, symbolPath } from '../../../www/src/lab/figures/symbols'
-import { compared, effectOf, shownEffect } from '../../../www/src/lab/results/compared'
+import { jitter, whiskers } from '../../../www/src/lab/figures/whiskers_and_jitter'
+import { effectOf, pairTest, shownEffect } from '../../../www/src/lab/results/pair_tests'
 
 const pair = (first: number, second: number, holm: number) => ({ first, second, p: holm / 2, holm })
 const point = (x: number, lower: number | null, median: number | null, upper: number | null) => ({
@@ -103,10 +103,10 @@ test.describe('figures of results', () => {
     }
     // A = 0.8: a run of the first is mostly the better one.
     const map = { pairs: [only] }
-    expect(compared(map, 2, 5, 'wilcoxon')).toEqual({ better: 0.8, p: 0.02, paired: true })
-    expect(compared(map, 5, 2, 'mann-whitney')?.better).toBeCloseTo(0.2, 12)
-    expect(compared(map, 5, 2, 'mann-whitney')?.p).toBe(0.03)
-    expect(compared(map, 2, 2, 'wilcoxon')).toBeNull()
+    expect(pairTest(map, 2, 5, 'wilcoxon')).toEqual({ better: 0.8, p: 0.02, paired: true })
+    expect(pairTest(map, 5, 2, 'mann-whitney')?.better).toBeCloseTo(0.2, 12)
+    expect(pairTest(map, 5, 2, 'mann-whitney')?.p).toBe(0.03)
+    expect(pairTest(map, 2, 2, 'wilcoxon')).toBeNull()
   })
 
   test('words for A are those of Vargha and Delaney', () => {

@@ -37,7 +37,7 @@ test('the time left follows from what each pair has taken, and how much was done
   estimate.done(3, 1, 2.5)
   estimate.done(1, 4, 5)
   estimate.done(4, 1, 5)
-  // 4 s and 1 s, and 2.5 s, the mean of all, for a pair that has not been seen; at twice the clock's pace, but for what has faded.
+  // 4 s, 1 s, and for an unseen pair the mean of 2.5 s; at twice the clock's pace, apart from what has faded.
   const left = estimate.secondsLeft([2, 5, 6]) ?? Number.NaN
   expect(left).toBeGreaterThan(0.95 * (7.5 / 2))
   expect(left).toBeLessThan(1.05 * (7.5 / 2))

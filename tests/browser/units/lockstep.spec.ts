@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import { planRound, type Standing } from '../../../www/src/engine/round'
+import { planRound, type Standing } from '../../../www/src/engine/plan_round'
 import { SPEEDS, type Speed, type Sync } from '../../../www/src/model/session'
 import { Crowd } from '../../../www/src/worker/crowd'
 import { type Steppable, Stepper } from '../../../www/src/worker/stepper'

@@ -1,6 +1,6 @@
 import { crc32, deflateSync, inflateSync } from 'node:zlib'
 import { expect, test } from '@playwright/test'
-import { LinkError } from '../../../www/src/share/error'
+import { LinkError } from '../../../www/src/share/link_error'
 import { isPng, pngWith, textOfPng } from '../../../www/src/share/png'
 
 const SIGNATURE = Buffer.from([137, 80, 78, 71, 13, 10, 26, 10])

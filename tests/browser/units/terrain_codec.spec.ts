@@ -2,11 +2,11 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
 import type { Session } from '../../../www/src/model/session'
-import { joined, Reader } from '../../../www/src/share/bytes'
+import { joined, Reader } from '../../../www/src/share/byte_stream'
 import { packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'
-import { LinkError } from '../../../www/src/share/error'
 import { packHeights, unpackHeights } from '../../../www/src/share/heights'
+import { LinkError } from '../../../www/src/share/link_error'
 import { generate, rolling, terrainOf } from './sessions'
 
 const DATA = process.env.FORMICARIUM_DATA

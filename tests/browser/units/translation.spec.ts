@@ -6,12 +6,12 @@ import { zhCNEngine } from '../../../www/src/i18n/zh_cn/engine'
 import { zhCNQuestions } from '../../../www/src/i18n/zh_cn/questions'
 import { zhCNSources } from '../../../www/src/i18n/zh_cn/sources'
 import type { Question } from '../../../www/src/model/comparison'
-import { Lab } from '../lab'
-import { Laboratory } from '../lab_page'
+import { ComparisonPage } from '../comparison_page'
+import { RacePage } from '../race_page'
 
 const ROOT = join(__dirname, '../../..')
 const PKG = join(ROOT, 'pkg')
-const EXPERIMENTS = join(ROOT, 'experiments')
+const QUESTIONS = join(ROOT, 'experiments')
 const TOML = join(ROOT, 'www/node_modules/smol-toml/dist/index.js')
 
 /** What the whole engine offers, asked of the engine itself. */
@@ -75,13 +75,13 @@ test('every source in the catalog, and what presets mean, has Chinese', async ()
 
 async function questions(): Promise<Question[]> {
   const { parse } = await import(TOML)
-  const files = readdirSync(EXPERIMENTS).filter((file) => file.endsWith('.toml'))
-  return files.map((file) => parse(readFileSync(join(EXPERIMENTS, file), 'utf8')))
+  const files = readdirSync(QUESTIONS).filter((file) => file.endsWith('.toml'))
+  return files.map((file) => parse(readFileSync(join(QUESTIONS, file), 'utf8')))
 }
 
 /** What the page shows of a question. */
 function textsOf({ title, paper, asks, instances, entries, claims = [] }: Question) {
-  const nameOf = (map: string) => JSON.parse(readFileSync(join(EXPERIMENTS, map), 'utf8')).name
+  const nameOf = (map: string) => JSON.parse(readFileSync(join(QUESTIONS, map), 'utf8')).name
   return [
     title,
     paper,
@@ -99,14 +99,14 @@ test('every text of the papers’ questions has Chinese', async () => {
   expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn_questions.ts').toEqual([])
   const said = new Set<string | null | undefined>(texts)
   const stale = Object.keys(zhCNQuestions).filter((text) => !said.has(text))
-  expect(stale, 'no longer in experiments').toEqual([])
+  expect(stale, 'no longer in experiments/').toEqual([])
 })
 
 test.describe('on a Chinese page', () => {
   test.use({ locale: 'zh-CN' })
 
   test('sources of parameters are told in Chinese', async ({ page }) => {
-    await new Lab(page).open()
+    await new RacePage(page).open()
     const alpha = page.locator('.parameter', { has: page.getByTestId('param-alpha') })
     const source = alpha.locator('.source')
     await expect(source).toContainText('Dorigo 与 Stützle 2004，框 3.1')
@@ -118,11 +118,11 @@ test.describe('on a Chinese page', () => {
   test('a paper’s question is told in Chinese, and its files are the same as ever', async ({
     page,
   }) => {
-    const laboratory = new Laboratory(page)
-    await laboratory.open()
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
     await page.getByTestId('published-seeds-threshold').fill('1')
     await page.getByTestId('published-run-threshold').click()
-    await laboratory.finished()
+    await comparison.finished()
     const title = page.getByTestId('run-bar').getByRole('heading')
     await expect(title).toHaveText('自适应阈值蚁群算法与 ACO 和 ACOMSP')
     await page.getByTestId('asked').locator('summary').click()

@@ -12,14 +12,14 @@ import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { Toasts } from '../ui/toasts'
-import { DropVeil } from './drop'
+import { DropVeil } from './drop_files'
 import { Header } from './header'
 import { Welcome } from './welcome'
 
-/** Experiments: fetched with their words when somebody wants to compare. */
+/** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
-/** There is nothing to show; the way there stays open. */
+/** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {
   showView('race')
   throw error

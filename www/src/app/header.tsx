@@ -14,8 +14,8 @@ import { show } from '../state/dialogs'
 import { Button, IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Menu, MenuItem } from '../ui/menu'
+import { Logo } from './logo'
 import { MapMenu } from './map_menu'
-import { Mark } from './mark'
 
 export function Header() {
   const started = scenario.value !== null
@@ -23,7 +23,7 @@ export function Header() {
   return (
     <header class="header">
       <h1 class="brand">
-        <Mark />
+        <Logo />
         <span>Formicarium</span>
       </h1>
       {started && <ViewSwitch />}

@@ -1,7 +1,7 @@
-/** Pasting a map, a scenario, an experiment or a share link anywhere on the page opens it. */
+/** Pasting a map, a scenario, a session or a share link anywhere on the page opens it. */
 import { importFiles, importText } from '../state'
 
-/** On Linux the middle button pastes what was last selected; on this page it moves the map. */
+/** On Linux a middle click pastes the last selection; on this page it moves the map. */
 const MIDDLE_CLICK_MS = 200
 
 export function listenForPaste(): void {

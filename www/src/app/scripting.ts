@@ -8,7 +8,7 @@
  *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
 import type { ResultFile, RunSummary } from '@pkg/formicarium'
-import type { CompareOptions, Comparison } from '../lab/scripting'
+import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
 import {
   currentSession,
@@ -24,7 +24,7 @@ import {
   runToEnd,
   stepIteration,
 } from '../state'
-import { latest } from '../state/live'
+import { latest } from '../state/live_reports'
 
 export interface PanelResult {
   planner: string
@@ -41,17 +41,17 @@ export interface PanelResult {
 
 export interface Scripting {
   readonly version: string
-  /** Resolves to whether it was taken; why not, the page says. */
+  /** Resolves to whether it was opened; if not, the page says why. */
   load(source: string | Session): Promise<boolean>
-  /** Runs every panel to its end, or by so many iterations, and gives the results. */
+  /** Runs every panel to its end, or for a number of iterations, and gives the results. */
   run(options?: { iterations?: number }): Promise<PanelResult[]>
   pause(): void
-  /** Looks back at an iteration, in every panel; null for where the runs stand. What `results` tells is then of the past. */
+  /** Looks back at an iteration in every panel; null returns to the present. Meanwhile `results` tells of that iteration. */
   look(iteration: number | null): Promise<PanelResult[]>
   results(): PanelResult[]
   session(): Session | null
-  /** Runs every planner on the map with many seeds, or any experiment that a document holds. */
-  compare(options?: CompareOptions): Promise<Comparison>
+  /** Runs every planner on the map with many seeds, or any comparison that a document holds. */
+  compare(options?: CompareOptions): Promise<ComparisonResult>
   /** A result file of the comparison that is open, as text. */
   resultFile(kind: ResultFile): Promise<string>
 }
@@ -75,7 +75,7 @@ export function offerScripting(): void {
         pause()
         return taken
       }
-      // Scripts of before there were terrains do not speak of heights.
+      // Scripts older than terrains have no heights.
       const heights = source.scenario.heights ?? null
       loadSession({ ...source, scenario: { ...source.scenario, heights } })
       return true
@@ -137,7 +137,7 @@ async function oneIteration(): Promise<void> {
 
 const iterationOf = (panel: Panel) => latest(panel.id).summary?.iteration ?? 0
 
-/** Loaded, or refused for a reason that waiting will not mend. */
+/** Whether its run is loaded, or refused for a reason that will not go away by waiting. */
 function settled(panel: Panel): boolean {
   const { summary, error, crashed } = latest(panel.id)
   return summary !== null || error !== null || crashed !== null

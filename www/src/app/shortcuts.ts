@@ -69,7 +69,7 @@ export function listenForKeys(): void {
   })
 }
 
-/** Letters by what they mean, whatever Caps Lock says; signs such as ? need Shift on many keyboards and go without it. */
+/** Letters regardless of Caps Lock. Signs such as ? need Shift on many keyboards, so Shift is not part of their name. */
 function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
   const command = ctrlKey || metaKey ? 'Ctrl+' : ''
   if (key.length > 1) return `${command}${shiftKey ? 'Shift+' : ''}${key}`

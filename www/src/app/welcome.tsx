@@ -9,7 +9,7 @@ import { Button, IconButton } from '../ui/buttons'
 const SEEN_KEY = 'formicarium.welcomed'
 const visible = signal(recall(SEEN_KEY) === null)
 
-/** What this is and what to do next; gone for good once closed. */
+/** What this page is and what to do next. Once closed, it does not come back. */
 export function Welcome() {
   if (!visible.value) return null
   return (

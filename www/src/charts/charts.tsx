@@ -49,7 +49,7 @@ function Tabs() {
   )
 }
 
-/** As tabs do: arrows choose the other one. */
+/** As in tabs, arrow keys choose the other one. */
 function onKeyDown(event: KeyboardEvent): void {
   if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return
   event.preventDefault()

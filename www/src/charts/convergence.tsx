@@ -15,12 +15,12 @@ import {
 import { referenceValue } from '../words/gap_words'
 import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
-import { curvesOf } from './curves'
-import type { PlotStyle } from './plot'
+import { curvesOf } from './convergence_data'
+import type { PlotStyle } from './convergence_plot'
 
 const showIterationBest = signal(true)
 const showMean = signal(true)
-/** Curves need not move faster than a reader can follow. */
+/** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160
 
 export function Convergence() {
@@ -80,7 +80,7 @@ function Legend() {
 
 const LENGTHS = ['length', 'polyline-length', 'tour-length', 'slice-cost'] as const
 
-/** What the curves can be compared with: they show lengths, or costs by slices, whatever else the panels are measured by. */
+/** The references that fit the curves, which show lengths, or costs by slices, whatever the objectives of the panels. */
 function levels() {
   return LENGTHS.filter((id) => objectives.value.includes(id)).flatMap((objective) => {
     const length = referenceValue(references.value[objective] ?? null)
@@ -88,7 +88,7 @@ function levels() {
   })
 }
 
-/** By slices, what the curves show need not be a length. */
+/** By slices the curves may show costs instead of lengths. */
 const showsCost = () =>
   objectives.value.includes('slice-cost') && objectiveWord('slice-cost') === 'slice-cost'
 
@@ -109,7 +109,7 @@ function isEmpty(): boolean {
   return panels.value.every(({ live }) => !live.value.summary?.metrics)
 }
 
-/** The curve in words, for those who cannot see it; the table beside it has the numbers. */
+/** The curve in words, for screen readers; the table beside it has the numbers. */
 function describe(): string {
   const parts = panels.value.map(({ id, live }) => {
     const { metrics, value } = live.value.summary ?? {}
@@ -124,7 +124,7 @@ function describe(): string {
  * fetched when there is a first curve to draw: ants should not have to wait for it.
  */
 function keepDrawn(host: HTMLElement): () => void {
-  let library: typeof import('./plot') | null = null
+  let library: typeof import('./convergence_plot') | null = null
   let plot: uPlot | null = null
   let style = plotStyle()
   let timer = 0
@@ -139,7 +139,7 @@ function keepDrawn(host: HTMLElement): () => void {
   }
   const stopFetching = effect(() => {
     if (library || isEmpty()) return
-    import('./plot').then((fetched) => {
+    import('./convergence_plot').then((fetched) => {
       library ??= fetched
       remake()
     }, notifyError)

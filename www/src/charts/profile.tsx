@@ -3,13 +3,13 @@ import { computed, effect, useComputed } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
 import { numbers, t } from '../i18n'
-import { ground } from '../relief/terrain_now'
-import { marked } from '../stage/marked'
+import { ground } from '../relief/shown_ground'
+import { pointedPlaces } from '../stage/pointed_places'
 import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
 import { panelTitle } from '../words/planner_words'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 
-/** Curves need not move faster than a reader can follow. */
+/** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160
 
 interface PanelProfile {
@@ -18,10 +18,10 @@ interface PanelProfile {
   profile: PathProfile
 }
 
-/** The ground below one path is enough: that of the panel whose parameters are on show. */
+/** The ground is drawn below one path only, that of the selected panel. */
 const groundOf = computed(() => selectedPanel.value ?? panels.value[0]?.id)
 
-/** Much of what runs report changes several times a second; the same list comes back until a path has changed. */
+/** Runs report several times a second; the list stays the same object until a path has changed. */
 let lastSources: unknown[] = []
 let lastProfiles: PanelProfile[] = []
 
@@ -82,7 +82,7 @@ function Legend() {
   )
 }
 
-/** The profile in words, for those who cannot see it: with the numbers of the comparison. */
+/** The profile in words, for screen readers, with the numbers of the table. */
 function describe(): string {
   const parts = panels.value.map((panel) => {
     const planner = panelTitle(panel.id)
@@ -133,13 +133,13 @@ function keepDrawn(host: HTMLElement): () => void {
   }
 }
 
-/** Shows on each panel's map where its path is after so many metres. */
+/** Marks on each panel's map where its path is after this many metres. */
 function mark(distance: number | null): void {
   if (distance === null) {
-    if (marked.peek().size > 0) marked.value = new Map()
+    if (pointedPlaces.peek().size > 0) pointedPlaces.value = new Map()
     return
   }
-  marked.value = new Map(
+  pointedPlaces.value = new Map(
     profiles.peek().flatMap(({ panelId, profile }) => {
       const cell = profile.cells[nearest(profile, distance)]
       return cell ? [[panelId, cell] as const] : []

@@ -7,7 +7,7 @@ export interface Profile {
   distances: number[]
   /** Metres. */
   altitudes: number[]
-  /** Of the ground below, for a path by slices, where it is asked for; else the path is on it. */
+  /** Heights of the ground below a path by slices, if asked for; any other path lies on the ground. */
   ground: number[] | null
   /** Where on the map each point is. */
   cells: Cell[]

@@ -11,7 +11,7 @@ export interface Line {
 
 export interface ProfileStyle {
   axisLabels: { x: string; y: string }
-  /** Metres along the paths that the pointer is at; null when it has left. */
+  /** Called with the metres along the paths under the pointer; null when it has left. */
   onHover(distance: number | null): void
 }
 
@@ -19,7 +19,7 @@ export function makeProfilePlot(host: HTMLElement, lines: Line[], style: Profile
   return new uPlot(options(host, lines, style), data(lines), host)
 }
 
-/** All paths on one axis; where only others have a point there is none. */
+/** All paths on one axis, with holes where only other paths have a point. */
 function data(lines: Line[]): uPlot.AlignedData {
   if (lines.length === 0) return [[]]
   return uPlot.join(

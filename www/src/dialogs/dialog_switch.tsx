@@ -1,13 +1,13 @@
 import { effect, signal } from '@preact/signals'
-import { notifyError, rest, scenChoice, terrainFile } from '../state'
+import { notifyError, scenChoice, terrainFile, wholeEngine } from '../state'
 import { closeDialog, openDialog } from '../state/dialogs'
 
 const fetched = signal<typeof import('./all_dialogs') | null>(null)
 
-// Fetched when one is asked for, else with the rest of the engine, so that sharing and saving outlive the connection.
+// Fetched when one is asked for, or once the whole engine is here, so that sharing and saving outlive the connection.
 effect(() => {
   const asked = openDialog.value || scenChoice.value || terrainFile.value
-  if (fetched.value || (!asked && rest.value !== 'here')) return
+  if (fetched.value || (!asked && wholeEngine.value !== 'here')) return
   import('./all_dialogs').then(
     (dialogs) => {
       fetched.value = dialogs

@@ -5,19 +5,20 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import {
   download,
-  exportExperiment,
   exportGeotiff,
   exportMap,
+  exportSession,
   fileStem,
   notifyError,
   scenario,
 } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
-import { copyText } from '../ui/copy'
+import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 import { Segmented } from '../ui/fields'
 
+/** `experiment` is a session: the file's ending has kept its former name. */
 type Format = ExportFormat | 'geotiff' | 'experiment'
 
 const EXTENSIONS: Record<Format, string> = {
@@ -30,9 +31,9 @@ const EXTENSIONS: Record<Format, string> = {
   scenario: '.scenario.json',
   experiment: '.experiment.json',
 }
-/** Of maps without heights, in the order of a reader's likely wish. */
+/** For maps without heights, the likeliest first. */
 const PLANAR: Format[] = ['movingai-map', 'movingai-scen', 'matrix', 'scenario', 'experiment']
-/** Of terrains: those that keep the heights stand first. */
+/** For terrains, those that keep the heights first. */
 const OF_TERRAINS: Format[] = [
   'esri-ascii',
   'height-table',
@@ -43,7 +44,7 @@ const OF_TERRAINS: Format[] = [
   'movingai-scen',
   'matrix',
 ]
-/** They have cells only. */
+/** Formats without heights. */
 const FLATTENING: Format[] = ['movingai-map', 'movingai-scen', 'matrix']
 const TYPES: Partial<Record<Format, string>> = { geotiff: 'image/tiff', 'height-table': 'text/csv' }
 /** A preview is for recognising the format, not for reading a large map. */
@@ -118,7 +119,7 @@ export function ExportDialog() {
   )
 }
 
-/** The file in the chosen format; null while it is being made. What was made in another one is never taken for it. */
+/** The file in the chosen format; null while it is being made, even if one in another format is there. */
 function useExport(format: Format): string | Uint8Array | null {
   const [made, setMade] = useState<{ format: Format; content: string | Uint8Array } | null>(null)
   useEffect(() => {
@@ -135,6 +136,6 @@ function useExport(format: Format): string | Uint8Array | null {
 }
 
 function make(format: Format): Promise<string | Uint8Array> {
-  if (format === 'experiment') return exportExperiment()
+  if (format === 'experiment') return exportSession()
   return format === 'geotiff' ? exportGeotiff() : exportMap(format)
 }

@@ -41,7 +41,7 @@ interface Stage {
   draw(context: CanvasRenderingContext2D, x: number, y: number): void
 }
 
-/** What a panel shows: the canvases that are seen of it, in the order in which they lie upon each other. */
+/** The visible canvases of a panel, from the bottom one up. */
 function stageOf(panel: Panel, place: number): Stage | null {
   const host = document.querySelector(`[data-testid="panel-${place}"] .panel-stage`)
   const frame = host?.getBoundingClientRect()

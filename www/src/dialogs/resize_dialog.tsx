@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
-import { MOST_CELLS_A_SIDE } from '../model/limits'
+import { MOST_CELLS_A_SIDE } from '../model/map_limits'
 import { type Rules, scenario, setRules } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
@@ -9,7 +9,7 @@ import { NumberField, Select } from '../ui/fields'
 import { MOVEMENTS, movementId, toMovement } from '../words/movement_words'
 import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
 
-/** Size of the map and the moves allowed on it; on a terrain all that says how one moves there. */
+/** Size of the map and the moves allowed on it; on a terrain, all rules of moving. */
 export function ResizeDialog() {
   const now = scenario.value
   const [rules, setAll] = useState<Rules | null>(() => now && rulesOf(now.spec))
@@ -107,7 +107,7 @@ function rulesOf({ width, height, movement, resolution, terrain }: Rules): Rules
   return { width, height, movement, resolution, ...(terrain && { terrain }) }
 }
 
-/** How long a cell and a unit of height are: on a plane nothing but the tables would show it. */
+/** How long a cell and a unit of height are. Not shown on a plane, where only tables would use it. */
 function Scale({ rules, onChange }: { rules: Rules; onChange: (change: Partial<Rules>) => void }) {
   const { resolution, terrain } = rules
   if (!terrain) return null

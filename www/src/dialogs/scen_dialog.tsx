@@ -2,7 +2,7 @@ import { t } from '../i18n/dialogs'
 import { chooseScen, type ScenChoice, scenChoice } from '../state'
 import { Dialog } from '../ui/dialog'
 
-/** The long and hard ones stand last, so only a list beyond all measure is cut. */
+/** The long and hard ones stand last, so the limit is high. */
 const MOST_ROWS = 5000
 
 export function ScenDialog({ choice }: { choice: ScenChoice }) {

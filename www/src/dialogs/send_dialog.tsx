@@ -1,23 +1,23 @@
-/** The dialog by which anything is handed on: as a link, as a file, or as a picture that carries it. */
+/** A dialog that shares something as a link, a file, or a picture with it inside. */
 import { Copy, FileDown, ImageDown } from 'lucide'
 import type { ComponentChildren } from 'preact'
 import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { LINK_LIMIT } from '../share/envelope'
-import { LinkError } from '../share/error'
+import { LinkError } from '../share/link_error'
 import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
-import { copyText } from '../ui/copy'
+import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 
-/** In the place of a link that cannot be. */
+/** Stands for a link that cannot be made. */
 const TOO_LARGE = 'too large'
 
-/** An address, that there can be none, or null while it is being made. */
+/** An address, the mark that there can be none, or null while it is being made. */
 export type Link = string | typeof TOO_LARGE | null
 
-/** The address that ends with what is made, of one moment: runs may go on behind the dialog. Null: there is nothing to be made yet. */
+/** An address made once, as runs may go on behind the dialog. `make` is null while there is nothing to share. */
 export function useLink(prefix: string, make: (() => Promise<string>) | null): Link {
   const [link, setLink] = useState<Link>(null)
   useEffect(() => {
@@ -33,24 +33,24 @@ export function useLink(prefix: string, make: (() => Promise<string>) | null): L
   return link
 }
 
-/** Whether many programs would cut it, or there is none. */
+/** Whether there is no link, or one so long that many programs would cut it. */
 export const isTooLong = (link: Link) =>
   link === TOO_LARGE || (link !== null && link.length > LINK_LIMIT)
 
 interface SendDialogProps {
   title: string
-  /** What whoever opens it gets. */
+  /** What its receiver gets. */
   what: string
   link: Link
-  /** What to do instead where it is too long to be sent, and where there is none. */
+  /** What to do instead of a link that is too long, or of one that cannot be made. */
   tooLong: (lengths: { length: string; limit: string }) => string
   tooLarge: string
   savePicture: () => Promise<void>
   saveFile: () => Promise<void>
   onClose: () => void
-  /** Begins the ids of all parts for tests. */
+  /** Prefix of all test ids. */
   testId: string
-  /** What the link brings along, so that nothing is shared unseen. */
+  /** What the link holds, so that nothing is shared unseen. */
   children: ComponentChildren
 }
 

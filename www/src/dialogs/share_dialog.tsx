@@ -5,7 +5,7 @@ import { encodeSession, PREFIX } from '../share/link'
 import {
   currentSession,
   download,
-  exportExperiment,
+  exportSession,
   fileStem,
   latest,
   panels,
@@ -16,7 +16,7 @@ import { isSearch, plannerName } from '../words/planner_words'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
 export function ShareDialog() {
-  // Runs may go on behind the dialog: what it says and what the link carries are of one moment.
+  // Runs may go on behind the dialog, so both its words and the link are of the moment it was opened.
   const [session] = useState(currentSession)
   const [expanded] = useState(expandedCells)
   const link = useLink(PREFIX, session && (() => encodeSession(session)))
@@ -37,7 +37,7 @@ export function ShareDialog() {
   )
 }
 
-/** What the link will bring back, so that nothing is shared unseen. */
+/** What the link holds, so that nothing is shared unseen. */
 function Contents({ session, expanded }: { session: Session; expanded: (number | null)[] }) {
   const { spec } = session.scenario
   return (
@@ -59,7 +59,7 @@ function Contents({ session, expanded }: { session: Session; expanded: (number |
   )
 }
 
-/** Colonies count iterations, searches the cells they have looked at: known when the run on show is the recorded one. */
+/** Colonies count iterations, searches expanded cells; the latter are known only for the run on show. */
 function resultWords({ planner, result }: PanelSetup, expanded: number | null): string {
   if (!result) return t('share.noResult')
   const { iterations, digest } = result
@@ -80,13 +80,13 @@ function panelName(id: string): string {
   return entry ? plannerName(entry) : id
 }
 
-/** The panels as they stand; inside the link, or what the file has where that is too long. */
+/** A picture of the panels, with the link inside, or the session file where a link would be too long. */
 async function savePicture(link: string | null): Promise<void> {
   const { racePicture } = await import('./race_picture')
-  const png = await racePicture(link ?? (await exportExperiment()))
+  const png = await racePicture(link ?? (await exportSession()))
   download(`${fileStem()}.png`, png, 'image/png')
 }
 
 async function saveFile(): Promise<void> {
-  download(`${fileStem()}.experiment.json`, await exportExperiment(), 'application/json')
+  download(`${fileStem()}.experiment.json`, await exportSession(), 'application/json')
 }

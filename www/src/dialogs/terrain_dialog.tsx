@@ -1,11 +1,11 @@
-/** A raster of heights before it is opened: what it holds, which part of it to take, and in how many cells. */
+/** Asks how to open a raster of heights: which part of it, and in how many cells. */
 import type { Survey } from '@pkg/formicarium'
 import { Crop as CropIcon } from 'lucide'
 import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
-import { MOST_CELLS_A_SIDE } from '../model/limits'
+import { MOST_CELLS_A_SIDE } from '../model/map_limits'
 import {
   type Crop,
   cellOf,

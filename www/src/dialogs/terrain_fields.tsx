@@ -124,7 +124,7 @@ export function SliceFields({
   )
 }
 
-/** What a form may hand on: the engine would refuse the rest, and by then the dialog is gone. */
+/** Whether the engine would take these rules: it must be known before the dialog closes. */
 export function terrainFits({ vertical_unit, max_slope = 90, slices }: TerrainFields): boolean {
   if (!(vertical_unit > 0 && vertical_unit <= 1e6)) return false
   if (!slices) return max_slope > 0 && max_slope <= 90
@@ -142,7 +142,7 @@ function isWhole(value: number, least: number, most: number): boolean {
   return Number.isInteger(value) && value >= least && value <= most
 }
 
-/** Nobody reads a level's height any closer. */
+/** Precise enough for a level's height. */
 function rounded(level: number): number {
   return Number(level.toPrecision(6))
 }

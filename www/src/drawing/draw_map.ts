@@ -1,6 +1,6 @@
 /** What lies under ants and markers: raster, grid, best path; and the cursor over them. Pure functions of the view. */
 import type { ScenarioSpec } from '@pkg/formicarium'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 
 type Context = OffscreenCanvasRenderingContext2D
 
@@ -25,7 +25,7 @@ const COLOURS = {
 }
 
 /** Cells stay crisp squares when magnified; when a cell is under a pixel, averaging keeps thin walls visible. */
-export function drawRaster(context: Context, view: View, raster: OffscreenCanvas): void {
+export function drawRaster(context: Context, view: PanelView, raster: OffscreenCanvas): void {
   context.imageSmoothingEnabled = view.scale < 1
   context.imageSmoothingQuality = 'high'
   const width = raster.width * view.scale
@@ -33,8 +33,12 @@ export function drawRaster(context: Context, view: View, raster: OffscreenCanvas
   context.drawImage(raster, view.originX, view.originY, width, height)
 }
 
-/** Under the raster of a terrain: shows where it has no data. The strokes go with the map and are as wide at any zoom. */
-export function drawHatch(context: Context, view: View, { width, height }: ScenarioSpec): void {
+/** Hatching under the raster of a terrain, seen where there is no data. It moves with the map; its strokes keep their width at any zoom. */
+export function drawHatch(
+  context: Context,
+  view: PanelView,
+  { width, height }: ScenarioSpec,
+): void {
   const { scale, originX, originY, dpr } = view
   const pattern = context.createPattern(hatchTile(view.theme, Math.round(8 * dpr)), 'repeat')
   if (pattern === null) return
@@ -45,7 +49,7 @@ export function drawHatch(context: Context, view: View, { width, height }: Scena
 
 const tiles = new Map<string, OffscreenCanvas>()
 
-function hatchTile(theme: View['theme'], size: number): OffscreenCanvas {
+function hatchTile(theme: PanelView['theme'], size: number): OffscreenCanvas {
   const known = tiles.get(`${theme} ${size}`)
   if (known) return known
   const tile = new OffscreenCanvas(size, size)
@@ -66,7 +70,7 @@ function hatchTile(theme: View['theme'], size: number): OffscreenCanvas {
   return tile
 }
 
-export function drawGrid(context: Context, view: View, { width, height }: ScenarioSpec): void {
+export function drawGrid(context: Context, view: PanelView, { width, height }: ScenarioSpec): void {
   const { scale, originX, originY, dpr } = view
   if (scale < GRID_FROM * dpr) return
   const right = originX + width * scale
@@ -82,7 +86,7 @@ export function drawGrid(context: Context, view: View, { width, height }: Scenar
 }
 
 /** `path`: x0, y0, x1, y1, …; its cells need not be neighbours. */
-export function drawPath(context: Context, view: View, path: Uint32Array): void {
+export function drawPath(context: Context, view: PanelView, path: Uint32Array): void {
   if (path.length < 4) return
   const line = new Path2D()
   for (let i = 0; i + 1 < path.length; i += 2) {
@@ -99,8 +103,8 @@ export function drawPath(context: Context, view: View, path: Uint32Array): void 
   context.stroke(line)
 }
 
-/** A tint under the pointer, a double ring for the keyboard. */
-export function drawCursor(context: Context, view: View): void {
+/** The cell cursor: a tint under the pointer, a double ring for the keyboard. */
+export function drawCursor(context: Context, view: PanelView): void {
   if (view.cursor === null) return
   const { scale, dpr } = view
   const size = Math.max(scale, view.cursorFocus ? 9 * dpr : 3 * dpr)
@@ -123,6 +127,6 @@ export function drawCursor(context: Context, view: View): void {
   }
 }
 
-export function centre(view: View, x: number, y: number): [number, number] {
+export function centre(view: PanelView, x: number, y: number): [number, number] {
   return [view.originX + (x + 0.5) * view.scale, view.originY + (y + 0.5) * view.scale]
 }

@@ -1,9 +1,9 @@
 /** Start and goals, with names and visiting order where there are several. Pure functions of the view. */
 import type { ScenarioSpec } from '@pkg/formicarium'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import { centre } from './draw_map'
 
-/** What a canvas of the worker and one of the page have alike. */
+/** The methods that canvases of a worker and of the page share. */
 type Context = Pick<
   OffscreenCanvasRenderingContext2D,
   | 'arc'
@@ -25,7 +25,7 @@ type Context = Pick<
   | 'textBaseline'
 >
 type Point = [number, number]
-type Look = Pick<View, 'theme' | 'dpr' | 'width' | 'goalNames'>
+type Look = Pick<PanelView, 'theme' | 'dpr' | 'width' | 'goalNames'>
 
 /** Where the marks are on the canvas; null for one that is not to be drawn. */
 export interface MarkPlaces {
@@ -35,7 +35,7 @@ export interface MarkPlaces {
 
 const TURN = 2 * Math.PI
 const FONT = 'system-ui, sans-serif'
-/** Longer names are cut: a marker is a mark, the table has the rest. */
+/** Longer names are cut; the table of goals has them in full. */
 const MOST_LETTERS = 14
 
 const COLOURS = {
@@ -63,7 +63,7 @@ const COLOURS = {
  */
 export function drawMarks(
   context: Context,
-  view: View,
+  view: PanelView,
   spec: ScenarioSpec,
   places: number[],
 ): void {
@@ -83,7 +83,7 @@ export function drawMarksAt(
   places: number[],
 ): void {
   const several = goals.length > 1
-  // Labels beneath all diamonds: where goals are close, the marks stay whole.
+  // Labels first, so that they never cover a mark.
   if (several) {
     for (const [i, at] of goals.entries())
       if (at) drawName(context, look, at, look.goalNames[i] ?? '', radius)
@@ -97,8 +97,11 @@ export function drawMarksAt(
   if (start) drawDisc(context, look, start, radius)
 }
 
-/** Never smaller than can be seen and grasped, even when a cell is a pixel; one of several has room for its number. */
-export function markRadius({ scale, dpr }: Pick<View, 'scale' | 'dpr'>, several: boolean): number {
+/** At least as large as can be seen and grasped, even when a cell is a pixel; with several goals there is room for a number. */
+export function markRadius(
+  { scale, dpr }: Pick<PanelView, 'scale' | 'dpr'>,
+  several: boolean,
+): number {
   return Math.min(16 * dpr, Math.max((several ? 8 : 6) * dpr, 0.4 * scale))
 }
 

@@ -8,7 +8,7 @@ export type Build = 'core' | 'whole'
 
 const coreIds = new Set<string>()
 
-/** Takes note of what the core can do, before the first run is loaded. */
+/** Tells which planners the core has. To be called before the first run is loaded. */
 export function noteCore({ planners }: Catalog): void {
   for (const { id } of planners) coreIds.add(id)
 }

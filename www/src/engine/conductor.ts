@@ -1,23 +1,23 @@
 /** The animation-frame loop: posts each panel's next tick when all have answered the last. The work is done in the workers. */
 import type { PanelReply, RunSetup, Target } from '../model/messages'
 import { SPEEDS, type Speed, type Sync } from '../model/session'
-import { client, detach, ensure, listen } from './clients'
 import type { PanelClient } from './panel_client'
-import { Pace, planRound, SLICE_MS, sliceFor, standing } from './round'
+import { client, detach, ensure, listen } from './panel_clients'
+import { Pace, planRound, SLICE_MS, sliceFor, standing } from './plan_round'
 
-/** What the conductor asks of the page's state, and tells it. */
+/** What the conductor reads from the page's state, and what it reports. */
 export interface ConductorHost {
   panelIds(): number[]
   /** Index into SPEEDS. */
   speed(): number
   sync(): Sync
   onReply(panelId: number, reply: PanelReply): void
-  /** Every panel has ended (or failed); said once each time playing or stepping gets there. */
+  /** Every panel has ended or failed. Called once each time playing or stepping gets there. */
   onAllFinished(): void
 }
 
 export interface Conductor {
-  /** Replaces a panel's run; waits until the panel's worker stands. */
+  /** Replaces a panel's run; the request waits until the panel's worker has started. */
   load(panelId: number, runId: number, setup: RunSetup): void
   /** Ends a panel's worker. */
   drop(panelId: number): void
@@ -68,7 +68,7 @@ class FrameLoop implements Conductor {
     this.begin('to-end')
   }
 
-  /** What is under way ends with its slice; the answers still arrive. */
+  /** Ticks under way end with their slice and are still answered. */
   pause(): void {
     this.mode = 'idle'
     this.steps = []
@@ -76,7 +76,7 @@ class FrameLoop implements Conductor {
     cancelAnimationFrame(this.requested)
   }
 
-  /** Steps asked for faster than they are done wait in line. */
+  /** Steps are queued when they are asked for faster than they are done. */
   step(by: 'move' | 'iteration'): void {
     this.steps.push(by)
     if (this.mode !== 'step') this.begin('step')

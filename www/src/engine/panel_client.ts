@@ -5,29 +5,29 @@
 
 import { toEngineError } from '../model/errors'
 import type {
-  Answers,
   Frame,
+  PanelAnswers,
+  PanelQuestion,
   PanelReply,
   PanelRequest,
-  Question,
+  PanelView,
   RasterReply,
   RunSetup,
   Target,
-  View,
 } from '../model/messages'
 import { type Build, buildFor } from './builds'
 import { modules } from './load'
-import { newWorker } from './workers'
+import { newWorker } from './new_worker'
 
-type Answer = Answers[keyof Answers] | null
+type Answer = PanelAnswers[keyof PanelAnswers] | null
 
 interface Load {
   runId: number
   setup: RunSetup
 }
 
-/** A panel that is not on screen runs all the same. */
-const UNSEEN: View = {
+/** The view of a panel that is not on screen, which runs all the same. */
+const UNSEEN: PanelView = {
   width: 1,
   height: 1,
   scale: 1,
@@ -46,7 +46,7 @@ const UNSEEN: View = {
   cursorFocus: false,
 }
 
-/** Who draws a panel's raster elsewhere. */
+/** Draws a panel's raster in three dimensions. */
 export interface RasterWatcher {
   /** What lies on the map may have changed. */
   stale(): void
@@ -61,13 +61,13 @@ export class PanelClient {
   /** The newest answer of the current run. */
   frame: Frame | null = null
   private worker: Worker | null = null
-  /** Of the worker. */
+  /** The build that the worker runs on. */
   private build: Build = 'core'
   private canvas: HTMLCanvasElement | null = null
-  /** What a worker that was replaced has left on screen, until the next one has drawn. */
+  /** The canvas of a replaced worker, shown until the next one has drawn. */
   private faded: HTMLCanvasElement | null = null
   private host: HTMLElement | null = null
-  private view: View = UNSEEN
+  private view: PanelView = UNSEEN
   private started = false
   private current: Load | null = null
   /** Posted and not answered yet; while it is, only the newest later load is kept. */
@@ -86,7 +86,7 @@ export class PanelClient {
     else host.append(this.canvas)
   }
 
-  setView(view: View): void {
+  setView(view: PanelView): void {
     this.view = view
     if (this.started) this.post({ kind: 'view', view })
   }
@@ -101,28 +101,28 @@ export class PanelClient {
     else if (this.worker === null) void this.start()
   }
 
-  /** Tells `watcher`, and nobody else, of changes of the raster; null ends that. */
+  /** Tells `watcher` of changes of the raster, in place of any other watcher; null ends it. */
   watch(watcher: RasterWatcher | null): void {
     this.watcher = watcher
     watcher?.stale()
   }
 
-  /** Asks for a raster; the watcher gets it. False while there is nobody to ask. */
+  /** Asks for a raster, which goes to the watcher. False while there is no worker to ask. */
   askRaster(): boolean {
     if (this.started) this.post({ kind: 'raster' })
     return this.started
   }
 
   /** Asks about the current run; null when there is none, or none any more. */
-  ask<About extends keyof Answers>(
-    question: Extract<Question, { about: About }>,
-  ): Promise<Answers[About] | null> {
+  ask<About extends keyof PanelAnswers>(
+    question: Extract<PanelQuestion, { about: About }>,
+  ): Promise<PanelAnswers[About] | null> {
     const { current } = this
     if (!this.started || current === null) return Promise.resolve(null)
     const id = ++this.lastQuestion
     return new Promise((resolve) => {
-      // The worker answers each question in its kind.
-      this.waiting.set(id, (answer) => resolve(answer as Answers[About] | null))
+      // The answer has the type that belongs to the question.
+      this.waiting.set(id, (answer) => resolve(answer as PanelAnswers[About] | null))
       this.post({ kind: 'ask', runId: current.runId, id, question })
     })
   }
@@ -148,9 +148,9 @@ export class PanelClient {
     this.faded?.remove()
   }
 
-  /** A worker is bound to one build, so another build is another worker; what is on screen stays until that one has drawn. */
+  /** A worker is bound to one build, so another build needs a new worker. The old picture stays until the new worker has drawn. */
   private use(build: Build): void {
-    // The whole engine has all that the core has: where it runs already, it stays.
+    // The whole engine can do all that the core can: a worker that has it stays.
     if (this.build === build || (this.started && this.build === 'whole')) return
     this.build = build
     this.worker?.terminate()
@@ -235,7 +235,7 @@ export class PanelClient {
     this.onReply(reply)
   }
 
-  /** The canvas went down with its worker; a fresh one stands by for the next load. */
+  /** The canvas is lost with its worker; a fresh one is ready for the next load. */
   private crash(message: string): void {
     this.worker?.terminate()
     this.leaveUnanswered()

@@ -13,7 +13,7 @@ import type { Origin, RecordedResult, Scenario } from '../model/session'
 import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
 import { type Build, buildFor, noteCore } from './builds'
 import { modules } from './load'
-import { newWorker } from './workers'
+import { newWorker } from './new_worker'
 
 interface Waiting {
   resolve(value: unknown): void
@@ -23,7 +23,7 @@ interface Waiting {
 /** Calls as a worker offers them. */
 type Calls<C> = { [K in keyof C]: (...args: never[]) => unknown }
 
-/** One worker and the calls it still owes an answer. */
+/** One worker and its unanswered calls. */
 export class ToolBox<C extends Calls<C>> {
   private readonly waiting = new Map<number, Waiting>()
   private readonly ready: Promise<void>
@@ -92,12 +92,12 @@ function lazyBox<C extends Calls<C>>(make: () => ToolBox<C>): () => ToolBox<C> {
 
 const newCoreBox = () => new ToolBox<ToolCalls>('core')
 const newWholeBox = () => new ToolBox<ToolCalls & MapCalls>('whole')
-/** A box of its own: nobody else's calls queue in it. */
+/** A worker of its own, so that no other call has to wait. */
 const newBox = (build: Build): ToolBox<ToolCalls> =>
   build === 'core' ? newCoreBox() : (newWholeBox() as ToolBox<ToolCalls>)
 
 const toolBox = lazyBox(newCoreBox)
-/** Exact searches may take a while on large maps: nothing must queue behind them. */
+/** For exact searches, which take a while on large maps: no other call waits behind them. */
 const searchBox = lazyBox(newCoreBox)
 const wholeSearchBox = lazyBox(newWholeBox)
 const wholeBox = lazyBox(newWholeBox)
@@ -123,9 +123,10 @@ export const tools = {
     wholeBox().call('exportMap', spec, cells, heights, format),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
-  /** An experiment with the entries of a file of results; see the engine's `join_results`. */
+  /** The entries of an ablation, as JSON. */
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),
+  /** The comparison with the entries of a result file; see the engine's `join_results`. */
   joinResults: (document: string, bytes: Uint8Array, name: string, instance: string | null) =>
     wholeBox().call('joinResults', document, bytes, name, instance),
   generate: (
@@ -139,12 +140,12 @@ export const tools = {
   check: ({ spec, cells, heights }: Scenario) =>
     (heights ? wholeBox() : toolBox()).call('check', spec, cells, heights),
   proposeSeed: () => toolBox().call('proposeSeed'),
-  /** What results by this objective are compared with on the scenario. Only the whole engine knows more than lengths of step paths. */
+  /** The reference of the scenario for this objective. The core only knows the one for lengths of step paths. */
   reference: ({ spec, cells, heights }: Scenario, objective: Objective): Promise<Reference> =>
     objective === 'length' && heights === null
       ? searchBox().call('reference', spec, cells, heights, objective)
       : wholeSearchBox().call('reference', spec, cells, heights, objective),
-  /** Repeats a recorded run as far as it went, in a worker of its own: a long one holds nobody up. */
+  /** Repeats a recorded run as far as it went, in a worker of its own, so that no other call has to wait. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
     const own = newBox(buildFor({ planner: setup.planner, onTerrain: setup.heights !== null }))
     try {

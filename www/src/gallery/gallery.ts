@@ -22,7 +22,7 @@ export function firstScenario(): Scenario {
   return drawn('Two corridors', TWO_CORRIDORS)
 }
 
-/** From the one that shows most at a glance to the one that shows what no path looks like. */
+/** The most telling first; last, the one without a path. */
 const ready: Omit<GalleryEntry, 'group'>[] = [
   { id: 'two-corridors', scenario: async () => firstScenario() },
   { id: 'aco-20x20', scenario: async () => drawn('Scattered blocks, 20 × 20', SCATTERED) },
@@ -81,7 +81,7 @@ function bySlices(scenario: Scenario): Scenario {
   return { ...scenario, spec: { ...scenario.spec, terrain } }
 }
 
-/** Without obstacles every detour is the ants' own. */
+/** Without obstacles, every detour is the ants' doing. */
 function openField(): Scenario {
   const [width, height] = [40, 25]
   return {

@@ -1,4 +1,4 @@
-/** Scenarios in the style of the papers: the same files that the recorded experiments run on, and whom to let race there. */
+/** Scenarios in the style of the papers: the same files that the recorded comparisons run on, and whom to let race there. */
 /** A planner, and the preset of its values. */
 export type Racer = [planner: string, preset?: string]
 

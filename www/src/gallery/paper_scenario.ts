@@ -1,4 +1,4 @@
-/** Fetches the papers' scenarios: the very files that the recorded experiments run on. */
+/** Fetches the papers' scenarios: the very files that the recorded comparisons run on. */
 import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import type { Scenario } from '../model/session'

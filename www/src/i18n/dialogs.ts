@@ -1,4 +1,4 @@
-/** `t` for dialogs: whoever imports it brings their English along. */
+/** `t` for dialogs; importing it adds their English. */
 import { addEnglish, type KeyOf, type TextKey, t as tOfPage } from '.'
 import { enDialogs } from './en/dialogs'
 

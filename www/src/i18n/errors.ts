@@ -13,7 +13,7 @@ interface Coded extends Described {
   args?: Record<string, string>
 }
 
-/** What browsers, each in its own words, say of a part of the page that did not arrive. */
+/** What browsers say, each in its own words, when a part of the page could not be fetched. */
 const UNFETCHED = /dynamically imported module|importing a module script|unable to preload/i
 
 export function describeError(error: unknown): Described {
@@ -30,7 +30,7 @@ export function describeError(error: unknown): Described {
   return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
 }
 
-/** A way of moving comes as the engine's id of it. */
+/** The engine names a ground by its id. */
 function groundOf({ args }: Coded): { ground?: string } {
   return args?.ground ? { ground: engineText(`grounds.${args.ground}`, args.ground) } : {}
 }
@@ -43,7 +43,7 @@ function isCoded(error: unknown): error is Coded {
   return typeof error === 'object' && error !== null && 'kind' in error && 'hint' in error
 }
 
-/** The engine's messages start small and end without a stop, ready to stand after a colon. */
+/** The engine's messages start in lower case and have no full stop, so that they can follow a colon. */
 function sentence(text: string): string {
   if (text === '') return text
   const capital = text.charAt(0).toUpperCase() + text.slice(1)

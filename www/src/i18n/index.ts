@@ -15,7 +15,7 @@ type WithoutPlural<K extends string> = K extends `${infer Base}_one` | `${infer 
   : K
 /** The keys of an English dictionary; the other languages are checked against it by their type. */
 export type KeyOf<Dictionary> = WithoutPlural<Leaves<Dictionary>>
-/** What can be said from the beginning. */
+/** The keys that are there from the beginning. */
 export type TextKey = KeyOf<typeof en>
 
 const LANGUAGE_KEY = 'formicarium.language'
@@ -30,7 +30,7 @@ i18next.init({
 
 export const language = signal<Language>('en')
 
-/** English that comes with the parts of the page that need it. */
+/** Adds the English of a part of the page. */
 export function addEnglish(words: object): void {
   i18next.addResourceBundle('en', 'translation', words, true)
 }
@@ -38,7 +38,7 @@ export function addEnglish(words: object): void {
 type More = () => Promise<object>
 const chineseToCome = new Set<More>()
 
-/** Words of a part of the page that is fetched on demand: English at once, Chinese when it is spoken. */
+/** Adds the text of a part that is fetched on demand: English at once, Chinese when it is the language. */
 export async function addWords(english: object, chinese: More): Promise<void> {
   addEnglish(english)
   chineseToCome.add(chinese)
@@ -86,12 +86,12 @@ export function t(key: TextKey, args?: Record<string, unknown>): string {
   return i18next.t(key, { lng: language.value, ...args })
 }
 
-/** The engine's own text, translated when the language's dictionary has it. */
+/** Text of the engine, translated if the dictionary has it. */
 export function engineText(key: string, english: string, args?: Record<string, unknown>): string {
   return i18next.t(key, { lng: language.value, ns: 'engine', defaultValue: english, ...args })
 }
 
-/** Text that has no key, as sources in the catalog and questions of papers: by its English. What no dictionary has stays as it is. */
+/** Translates text that has no key, such as sources in the catalog and questions of papers, by its English. What no dictionary has stays as it is. */
 export function translated(english: string): string {
   const texts: Record<string, string> =
     i18next.getResourceBundle(language.value, 'translation').texts ?? {}
@@ -111,7 +111,7 @@ export const numbers = computed(() => ({
   }),
   /** Heights and sizes in metres, as precise as is worth reading. */
   metres: new Intl.NumberFormat(language.value, { maximumFractionDigits: 2 }),
-  /** How many times something is exaggerated, or, below 1, flattened. */
+  /** The factor by which heights are exaggerated or, below 1, flattened. */
   times: new Intl.NumberFormat(language.value, { maximumSignificantDigits: 2 }),
   share: new Intl.NumberFormat(language.value, { style: 'percent', maximumSignificantDigits: 2 }),
   percent: new Intl.NumberFormat(language.value, {

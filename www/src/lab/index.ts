@@ -1,18 +1,18 @@
-/** The laboratory: everything about comparisons, in one part of the page that is fetched when somebody wants to compare. */
+/** The laboratory: everything about comparisons, in a part of the page that is fetched on demand. */
 import '../styles/lab.css'
 import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { takeResults } from './build/take_results'
 import { Lab } from './view/lab'
-import { openAddress, openLabDocument } from './view/opening'
+import { openAddress, openComparisonDocument } from './view/open_address'
 
 export { resultFile } from './run/actions'
 export { compare } from './scripting'
-export { showPublished } from './view/published_offer'
-export { openLabDocument }
+export { showPublished } from './view/show_published'
+export { openComparisonDocument }
 
-/** A file of somebody's own runs. */
+/** Imports a file of results. */
 export async function takeImportedResults(name: string, bytes: Uint8Array): Promise<void> {
   await openAddress()
   await takeResults(name, bytes)
@@ -20,7 +20,7 @@ export async function takeImportedResults(name: string, bytes: Uint8Array): Prom
 
 let ready: Promise<typeof Lab> | null = null
 
-/** The view itself, with its words; what the address or this tab holds is opened on the way. */
+/** The view with its text. Also opens the comparison in the address, or the one this tab had open. */
 export function fetchLab(): Promise<typeof Lab> {
   ready ??= addLabWords().then(() => {
     void openAddress()

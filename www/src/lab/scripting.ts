@@ -1,10 +1,10 @@
-/** Experiments for scripts: `await formicarium.compare({ seeds: 30 })`. */
+/** Comparisons for scripts: `await formicarium.compare({ seeds: 30 })`. */
 import { effect } from '@preact/signals'
 import { showView } from '../state'
-import { compose } from './build/compose'
+import { compose } from './build/compose_document'
 import { seeds, takeRace } from './build/draft'
-import { phase, progress, resultFile, startStudy } from './run/actions'
-import { openAddress } from './view/opening'
+import { phase, progress, resultFile, startComparison } from './run/actions'
+import { openAddress } from './view/open_address'
 
 export interface CompareOptions {
   /** A `formicarium/comparison@1` document, as text; the map and the planners that race now, if none is given. */
@@ -17,7 +17,7 @@ export interface CompareOptions {
   command?: string
 }
 
-export interface Comparison {
+export interface ComparisonResult {
   /** Runs that are done, those of them without a path, and runs that could not be done. */
   runs: number
   pathless: number
@@ -30,18 +30,18 @@ export interface Comparison {
 
 const FILES = ['csv', 'markdown', 'tests', 'json'] as const
 
-export async function compare(options: CompareOptions = {}): Promise<Comparison> {
+export async function compare(options: CompareOptions = {}): Promise<ComparisonResult> {
   showView('lab')
   await openAddress()
   const { document, workers, command } = options
   const text = document ?? (await racing(options.seeds ?? 30))
   const began = performance.now()
-  await startStudy(text, workers === undefined ? {} : { workers })
+  await startComparison(text, workers === undefined ? {} : { workers })
   await atRest()
   const seconds = (performance.now() - began) / 1000
   const { done: runs, pathless, failed } = progress.peek()
   const written = FILES.map(async (kind) => [kind, await resultFile(kind, command)] as const)
-  const files = Object.fromEntries(await Promise.all(written)) as Comparison['files']
+  const files = Object.fromEntries(await Promise.all(written)) as ComparisonResult['files']
   return { runs, pathless, failed, seconds, files }
 }
 

@@ -1,4 +1,4 @@
-/** An experiment as it is written down (docs/formats.md, `formicarium/comparison@1`), as far as the page looks into it. */
+/** A comparison as a document (`formicarium/comparison@1`, docs/formats.md), as far as the page reads it. */
 import type { Axis, ScenarioSpec } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 
@@ -17,14 +17,14 @@ export interface Instance {
   note?: string
 }
 
-export interface Contender {
+export interface Entry {
   /** Small letters, digits, `-`. */
   id: string
   label: string
   role: 'baseline' | 'improved' | 'other'
   planner?: string | null
   missing?: string | null
-  /** The file whose runs it stands for. */
+  /** The file that its imported results come from. */
   results?: string | null
   preset?: string | null
   set?: ParamValues
@@ -39,7 +39,7 @@ export interface Question {
   seeds: { from: number; count: number }
   budget?: Budget
   instances: Instance[]
-  entries: Contender[]
+  entries: Entry[]
   claims?: Claim[]
 }
 
@@ -53,22 +53,24 @@ export interface Claim {
 /** A map of the question: `formicarium/scenario@1`. */
 export type MapOfQuestion = ScenarioSpec & Record<string, unknown>
 
-export interface LabDocument {
+export interface ComparisonDocument {
   format: typeof RESULT_FORMAT
   question: Question
   maps: MapOfQuestion[]
   recorded?: { engine: string; experiment: string }
+  /** Imported results. */
   given?: unknown[]
   rows?: unknown[]
 }
 
-export const textOf = (document: LabDocument): string => JSON.stringify(document)
+export const textOf = (document: ComparisonDocument): string => JSON.stringify(document)
 
 /** Of a document that the engine has accepted. */
-export const documentOf = (text: string): LabDocument => JSON.parse(text) as LabDocument
+export const documentOf = (text: string): ComparisonDocument =>
+  JSON.parse(text) as ComparisonDocument
 
-/** What can be run; the others have their results from elsewhere, or none. */
-export const runnable = ({ entries }: Question): Contender[] =>
+/** The entries that can be run; the others have imported results, or none. */
+export const runnable = ({ entries }: Question): Entry[] =>
   entries.filter(({ planner }) => planner != null)
 
 export function countRuns(question: Question): number {

@@ -42,7 +42,7 @@ export interface ImportedFile {
 }
 
 /** Everything of it, as the browser keeps it. */
-export interface KeptDraft extends Filling {
+export interface StoredDraft extends Filling {
   files: ImportedFile[]
   /** Milliseconds since 1970. */
   changed: number

@@ -3,7 +3,7 @@
 import type { Cell } from './cell'
 import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells } from './goals'
 import type { Scenario } from './session'
-import { keepInside } from './settle'
+import { keepInside } from './settle_ends'
 import { hasNoData, liftEnds } from './terrain'
 
 export type Edit =
@@ -37,7 +37,7 @@ export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
   }
 }
 
-/** Why the ground of a terrain does not take an edit, where that needs words. */
+/** Why the ground of a terrain refuses an edit, where the reader must be told. */
 export type Refusal = 'erase' | 'end' | 'level'
 
 /** Asked when an edit has changed nothing. */

@@ -7,7 +7,7 @@ const TINTS = [
   [222, 206, 170],
   [244, 240, 232],
 ] as const
-/** Slopes are drawn as steep as this on average: flat country shows its relief, too. */
+/** Slopes are drawn this steep on average, so that flat country shows its relief, too. */
 const DRAWN_SLOPE = 0.5
 /** Light from the north-west, 45° high. */
 const LIGHT = [-0.5, -0.5, Math.SQRT1_2] as const

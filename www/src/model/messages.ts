@@ -21,8 +21,8 @@ export interface RunSetup {
   seed: number
 }
 
-/** How the stage looks at the map: the same for every panel, so that maps can be compared cell by cell. */
-export interface View {
+/** How a panel looks at the map. Place and zoom are the same in every panel, so that maps can be compared cell by cell. */
+export interface PanelView {
   /** Canvas size in device pixels. */
   width: number
   height: number
@@ -63,19 +63,19 @@ export type Target =
   | { kind: 'slice' }
 
 export type PanelRequest =
-  | { kind: 'init'; module: WebAssembly.Module; canvas: OffscreenCanvas; view: View }
+  | { kind: 'init'; module: WebAssembly.Module; canvas: OffscreenCanvas; view: PanelView }
   /** Replaces the run. The map is shown at once; the planner allocates at its first step. */
   | { kind: 'load'; runId: number; setup: RunSetup }
-  | { kind: 'view'; view: View }
+  | { kind: 'view'; view: PanelView }
   /** Advance towards `target`, at most `sliceMs`, draw once, answer with a `frame`. */
   | { kind: 'tick'; runId: number; target: Target; sliceMs: number }
   /** Answer with a `raster` of how things stand. */
   | { kind: 'raster' }
   /** Answered by an `answer` with the same `id`. */
-  | { kind: 'ask'; runId: number; id: number; question: Question }
+  | { kind: 'ask'; runId: number; id: number; question: PanelQuestion }
 
-/** What one may ask about a run besides its frames. */
-export type Question =
+/** What a panel's worker can be asked about its run. */
+export type PanelQuestion =
   /** Look back: show the run as at the end of an iteration, until the next tick; null shows where it stands. */
   | { about: 'look'; iteration: number | null }
   /** The moves of an ant from a cell, by slices at a level; null for the level at which there is most to tell. */
@@ -86,7 +86,7 @@ export type Question =
   | { about: 'kept' }
 
 /** What is answered to each question; null where there is no answer, e.g. because the run has been replaced meanwhile. */
-export interface Answers {
+export interface PanelAnswers {
   look: { summary: RunSummary; bestPath: Uint32Array; bestAltitudes: Float64Array }
   moves: {
     /** By slices the level of the place, else 0. */
@@ -121,7 +121,7 @@ export interface Frame {
   workMs: number
 }
 
-/** What lies on a terrain, for who draws it in three dimensions. */
+/** What lies on a terrain, to be drawn in three dimensions. */
 export interface RasterReply {
   kind: 'raster'
   /** One pixel a cell, without light and shade; clear where there is no data. */
@@ -132,7 +132,7 @@ export interface RasterReply {
 
 export type PanelReply =
   | { kind: 'ready' }
-  | { kind: 'answer'; id: number; answer: Answers[keyof Answers] | null }
+  | { kind: 'answer'; id: number; answer: PanelAnswers[keyof PanelAnswers] | null }
   | RasterReply
   | Frame
   /** The request was refused; the panel shows the map alone. */

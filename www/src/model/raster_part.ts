@@ -1,6 +1,6 @@
 /** Which part of a raster is opened, and in how many cells. */
 import type { Window as Crop, Survey } from '@pkg/formicarium'
-import { MOST_CELLS_A_SIDE } from './limits'
+import { MOST_CELLS_A_SIDE } from './map_limits'
 
 export type { Crop }
 export type Size = [width: number, height: number]

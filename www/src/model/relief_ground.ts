@@ -3,7 +3,7 @@ import type { Scenario } from './session'
 
 export type Vector = [x: number, y: number, z: number]
 
-/** x and z are the map's columns and rows, y is up. Exaggeration is the viewer's: nothing here knows of it. */
+/** x and z are the map's columns and rows, y is up, without exaggeration. */
 export class Ground {
   readonly width: number
   readonly height: number

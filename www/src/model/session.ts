@@ -1,4 +1,4 @@
-/** What a session is: everything a link, an experiment file and undo must be able to bring back. */
+/** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
 import type { Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 
@@ -29,7 +29,7 @@ export interface Scenario {
   origin: Origin | null
 }
 
-/** A result a link carries, so that whoever opens it can verify it: after `iterations`, the digest was `digest`. */
+/** A recorded result, so that it can be verified: after `iterations`, the digest was `digest`. */
 export interface RecordedResult {
   iterations: number
   status: Status
@@ -67,7 +67,7 @@ export interface Speed {
   /** `max`: as much as a time slice holds. */
   unit: 'move' | 'iteration' | 'max'
   count: number
-  /** One round every so many frames. */
+  /** One round every this many frames. */
   everyFrames: number
 }
 

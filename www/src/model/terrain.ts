@@ -79,7 +79,7 @@ export function liftEnds(scenario: Scenario): Scenario | null {
   return withSlices(scenario, { ...slices, start_level, goal_level })
 }
 
-/** An end so many levels higher, as far as ground and highest level allow; the same object where nothing changes. */
+/** An end raised by a number of levels, as far as ground and highest level allow; the same object where nothing changes. */
 export function shiftLevel(scenario: Scenario, end: End, delta: number): Scenario {
   const { spec } = scenario
   const slices = spec.terrain?.slices

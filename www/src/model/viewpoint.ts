@@ -72,7 +72,7 @@ export function zoomAt(
   return settle({ zoom, centreX, centreY })
 }
 
-/** Shifts the map by so many pixels. */
+/** Shifts the map by a number of pixels. */
 export function panBy(view: Viewpoint, dx: number, dy: number, canvas: Size, map: Size): Viewpoint {
   const { scale } = placement(view, canvas, map)
   const centreX = view.centreX - dx / scale / map.width

@@ -2,14 +2,21 @@ import type { CatalogEntry } from '@pkg/formicarium'
 import { BookOpen, Plus, RotateCw } from 'lucide'
 import { t } from '../i18n'
 import { MAX_PANELS } from '../model/session'
-import { addPanel, catalog, fetchRest, fetchUnasked, panels, rest } from '../state'
+import {
+  addPanel,
+  catalog,
+  fetchWholeEngine,
+  fetchWholeEngineUnasked,
+  panels,
+  wholeEngine,
+} from '../state'
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Menu, MenuHeading, MenuIcon, MenuItem } from '../ui/menu'
 import { cardOf, showCard } from '../words/paper_cards'
 import { FAMILIES, plannerName, plannerSummary, whyNot } from '../words/planner_words'
 
-/** More would be a wall of buttons. */
+/** More buttons than this would be too many. */
 const MOST_BUTTONS = 8
 
 export function AddPlannerMenu() {
@@ -19,7 +26,7 @@ export function AddPlannerMenu() {
       label={t('panels.add')}
       testId="add-panel"
       align="end"
-      onOpen={fetchUnasked}
+      onOpen={fetchWholeEngineUnasked}
       face={
         <span class="menu-face">
           <Icon icon={Plus} size={16} />
@@ -48,7 +55,7 @@ function FamilyItems({ family }: { family: (typeof FAMILIES)[number] }) {
   )
 }
 
-/** What a planner that cannot be used on this map is good for can still be read. */
+/** The summary of a planner can be read even where it cannot be used. */
 function PlannerItem({ entry }: { entry: CatalogEntry }) {
   const card = cardOf(entry.id)
   const name = plannerName(entry)
@@ -73,17 +80,17 @@ function PlannerItem({ entry }: { entry: CatalogEntry }) {
   )
 }
 
-/** Whether the list is complete, and the way out when the rest did not come. */
+/** Says whether the list is complete, and offers to fetch what is missing. */
 function RestItem() {
-  if (rest.value === 'here') return null
-  if (rest.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />
+  if (wholeEngine.value === 'here') return null
+  if (wholeEngine.value !== 'failed') return <MenuHeading text={t('panels.fetchingMore')} />
   return (
     <MenuItem
       icon={RotateCw}
       label={t('panels.fetchMore')}
       note={t('panels.moreNotFetched')}
       testId="fetch-planners"
-      onClick={fetchRest}
+      onClick={fetchWholeEngine}
     />
   )
 }
@@ -101,8 +108,13 @@ export function AddPlannerButtons() {
           onClick={() => addPanel(entry.id)}
         />
       ))}
-      {rest.value === 'failed' && (
-        <Button icon={RotateCw} label={t('panels.fetchMore')} tone="quiet" onClick={fetchRest} />
+      {wholeEngine.value === 'failed' && (
+        <Button
+          icon={RotateCw}
+          label={t('panels.fetchMore')}
+          tone="quiet"
+          onClick={fetchWholeEngine}
+        />
       )}
     </div>
   )

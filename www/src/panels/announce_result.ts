@@ -1,4 +1,4 @@
-/** Says the outcome of a race to those who cannot see it. */
+/** Tells screen readers the outcome of a race. */
 import { effect, untracked } from '@preact/signals'
 import { numbers, t } from '../i18n'
 import { announce, type Panel, panels, phase } from '../state'
@@ -19,7 +19,7 @@ function results(): string {
     .join(', ')
 }
 
-/** The gap; the length where there is nothing to compare it with. */
+/** The gap; the length where there is no reference. */
 function outcome(panel: Panel): string {
   const gap = panelGap(panel)
   if (gap !== null) return numbers.peek().percent.format(gap)

@@ -5,7 +5,7 @@ import { goalWeight } from '../model/goals'
 
 type Quantity = 'area' | 'strength' | 'danger'
 
-/** As large as a link may carry. */
+/** As large as a link may hold. */
 const MOST = 1e6
 
 export function quantityError(goal: Goal, key: Quantity, text: string): EngineError | null {

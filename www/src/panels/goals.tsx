@@ -4,7 +4,7 @@ import { goalsOnShow } from './goals_shown'
 
 const GoalsCard = lazily(() => import('./goals_card').then((card) => card.default))
 
-/** There when there is more than one goal, or when somebody asks for it. */
+/** Shown when there are several goals, or when the reader asks for it. */
 export function Goals() {
   return goalsOnShow() ? <GoalsCard /> : null
 }

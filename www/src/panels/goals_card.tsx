@@ -8,8 +8,8 @@ import { describeError } from '../i18n/errors'
 import { goalName, goalWeight } from '../model/goals'
 import { MAX_GOALS } from '../model/session'
 import { activeGoal, applyEdit, goalsShown, scenario, tool } from '../state'
+import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button, IconButton } from '../ui/buttons'
-import { bringIntoSight } from '../ui/sight'
 import { placeError, quantityError, readPlace } from './goal_input'
 import { GOALS_ID, goalsSought } from './goals_shown'
 
@@ -18,7 +18,7 @@ const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const
 
 export default function GoalsCard() {
   const goals = scenario.value?.spec.goals ?? []
-  // One at a time is enough: the field that was refused last.
+  // One message at a time: for the field that was refused last.
   const refusal = useSignal<{ index: number; error: EngineError } | null>(null)
   useSignalEffect(() => {
     if (!goalsSought.value) return
@@ -193,7 +193,7 @@ interface CellProps {
 }
 
 function Cell({ label, value, testId, numeric, accept, class: extra = '' }: CellProps) {
-  // What was typed and refused; a change from elsewhere goes before it.
+  // What was typed and refused; a change from elsewhere replaces it.
   const draft = useSignal<string | null>(null)
   useEffect(() => {
     draft.value = null

@@ -51,7 +51,7 @@ interface Words {
   text: string
   /** A second line. */
   note?: string
-  /** Why there is but a dash. */
+  /** Why there is only a dash. */
   why?: string
 }
 

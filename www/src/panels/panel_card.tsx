@@ -12,11 +12,11 @@ import {
   plannerEntry,
   removePanel,
   reset,
-  rest,
   restart,
   selectedPanel,
   setPlanner,
   slotColour,
+  wholeEngine,
 } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
@@ -173,7 +173,7 @@ function UseAnother({ panel }: { panel: Panel }) {
 
 /** The page opens without most planners; one that a link names is fetched first. */
 function PlannerOnItsWay() {
-  if (rest.value !== 'failed') {
+  if (wholeEngine.value !== 'failed') {
     return (
       <div class="panel-waiting" role="status" data-testid="panel-waiting">
         <span class="spinner">

@@ -7,7 +7,7 @@ import { AddPlannerButtons } from './add_planner'
 import { PanelCard } from './panel_card'
 
 const Difference = lazily(async () => (await import('../playback')).fetchDifference())
-/** More are laid out as so many are. */
+/** With more panels the layout is the one for this many. */
 const MOST_COLUMNS = 6
 
 export function PanelGrid() {

@@ -15,10 +15,10 @@ import {
   setPreset,
   slotColour,
 } from '../state'
+import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
-import { bringIntoSight } from '../ui/sight'
 import { cardOf, showCard } from '../words/paper_cards'
 import { panelTitle, plannerSummary, presetName } from '../words/planner_words'
 import { ParameterControl } from './parameter_control'
@@ -141,7 +141,7 @@ export function paramsInForce({ params }: CatalogEntry, setup: PanelSetup): Para
   })
 }
 
-/** What its paper claims and what came out, where somebody wrote it down. */
+/** What its paper claims and what came out, if there is a card about it. */
 function About({ entry, preset }: { entry: CatalogEntry; preset: string | null }) {
   const card = cardOf(entry.id, preset)
   if (!card) return null
@@ -158,7 +158,7 @@ function About({ entry, preset }: { entry: CatalogEntry; preset: string | null }
   )
 }
 
-/** One seed for all: equal parameters make equal runs, which looks like a fault to those who expect chance. */
+/** All panels share a seed, so equal parameters make equal runs. To readers who expect chance this looks like a fault. */
 function TwinHint({ panel }: { panel: Panel }) {
   const twin = panels.value.find((other) => other.id !== panel.id && runAlike(other, panel))
   return twin ? (

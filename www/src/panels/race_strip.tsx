@@ -8,11 +8,11 @@ import {
   panels,
   plannerEntry,
   references,
-  rest,
   scenario,
   scenarioNotices,
   showAnts,
   showPath,
+  wholeEngine,
 } from '../state'
 import { show } from '../state/dialogs'
 import { fitWholeMap, onTerrain, zoomView } from '../state/relief'
@@ -24,11 +24,13 @@ import { objectiveWord } from '../words/objective_words'
 import { AddPlannerMenu } from './add_planner'
 import { showGoals } from './goals_shown'
 
-const ReliefControls = lazily(async () => (await import('../relief/controls')).ReliefControls)
+const ReliefControls = lazily(
+  async () => (await import('../relief/relief_controls')).ReliefControls,
+)
 
 const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
 
-/** What is being raced for, in one line, and how to look at it. The target comes last: finding it out must not push a link away. */
+/** What is being raced for, in one line, and how to look at it. The target comes last, so that nothing moves when it becomes known. */
 export function RaceStrip() {
   return (
     <section class="race-strip" aria-label={t('race.region')}>
@@ -88,14 +90,14 @@ const endLevels = ({ start_level, goal_level }: SliceRules) => ({
   goal: goal_level,
 })
 
-/** A limit of slope may be all that stands in the way. */
+/** A limit of slope may be the only reason why there is no path. */
 function surfaceWords({ movement: { moves }, terrain }: ScenarioSpec): string {
   const slope = terrain?.max_slope ?? 90
   if (slope >= 90) return t('terrain.surfaceNow', { moves })
   return t('terrain.slopeNow', { moves, slope: numbers.value.metres.format(slope) })
 }
 
-/** What can be reached at best, by everything the panels are measured by. */
+/** The reference for every objective of the panels. */
 function Target() {
   if (!scenario.value) return null
   const shown = objectives.value
@@ -134,7 +136,7 @@ function Best({ objective, testId }: { objective: Objective; testId: string }) {
   )
 }
 
-/** The engine's remarks; that there is no path, the target says already. */
+/** The engine's notices, without the one that there is no path: the target says so already. */
 function ScenarioRemarks() {
   const remarks = scenarioNotices.value.filter(({ kind }) => kind !== 'unreachable')
   return (
@@ -200,7 +202,7 @@ function ViewControls() {
           showPath.value = !showPath.value
         }}
       />
-      {panels.value.length > 1 && rest.value === 'here' && <CompareButton />}
+      {panels.value.length > 1 && wholeEngine.value === 'here' && <CompareButton />}
       {onTerrain.value && <ReliefControls />}
       <span class="divider" />
       <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomView(1 / 1.4)} />

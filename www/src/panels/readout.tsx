@@ -31,7 +31,7 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
   )
 }
 
-/** What objectives that are no length are called where there is little room. */
+/** Short names of objectives that are no length. */
 export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
   'turn-index': 'metrics.turnIndex',
   'tour-weight': 'metrics.weightShort',
@@ -120,7 +120,7 @@ function gapWords(panel: Panel, gap: number | null): string {
   return t(`gap.${comparison(gap, reference)}`, { what })
 }
 
-/** Which way a result differs from what is proven, or merely known. */
+/** Whether a result is above or below its reference, proven or not. */
 function comparison(gap: number, { kind }: Reference) {
   if (kind === 'proven') return gap === 0 ? 'equal' : 'above'
   if (gap === 0) return 'equalKnown'

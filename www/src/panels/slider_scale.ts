@@ -4,7 +4,7 @@ import type { ParamKind } from '@pkg/formicarium'
 type Ranged = Extract<ParamKind, { min: number }>
 
 export const SLIDER_STEPS = 200
-/** Wider ranges than this are bent: nobody looks for 970 of 1000 ants. */
+/** Wider ranges than this are bent: nobody needs 970 of 1000 ants exactly. */
 const EVEN_WIDTH = 20
 const BEND = 3
 

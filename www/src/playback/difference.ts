@@ -1,6 +1,6 @@
 /** How the pheromone of two panels differs, cell by cell. */
 import { computed, effect, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import {
   comparing,
   liveTick,
@@ -12,7 +12,7 @@ import {
   shownOf,
 } from '../state'
 
-/** Answers come when workers are between two slices of their runs; more often than this nobody could follow. */
+/** Trails are fetched no more often than a reader can follow. */
 const PAUSE_MS = 200
 
 /** The panels whose planners lay pheromone. */

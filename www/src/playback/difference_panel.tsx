@@ -4,7 +4,8 @@ import { X } from 'lucide'
 import { useEffect, useRef } from 'preact/hooks'
 import { language } from '../i18n'
 import { t } from '../i18n/playback'
-import { coalesced, measure } from '../stage/measure'
+import { watchSize } from '../stage/element_size'
+import { sendOnceAFrame } from '../stage/once_a_frame'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { comparing, scenario, theme } from '../state'
 import { IconButton } from '../ui/buttons'
@@ -30,11 +31,11 @@ export function DifferencePanel() {
   useEffect(() => {
     const element = host.current
     if (element === null) return
-    const stopMeasuring = measure(element, (measured) => {
+    const stopMeasuring = watchSize(element, (measured) => {
       size.value = measured
     })
     const stage = new DifferenceStage(element, size, cursor)
-    const stopDrawing = coalesced(
+    const stopDrawing = sendOnceAFrame(
       () => stage.picture(),
       (picture) => stage.draw(picture),
     )

@@ -14,8 +14,8 @@ import {
   zoomAt,
   zoomBy,
 } from '../model/viewpoint'
-import { MapHold } from '../stage/hold'
 import { ARROWS, STRIDE, shiftCursor } from '../stage/keyboard'
+import { PanZoomGesture } from '../stage/pan_zoom_gesture'
 import { type CanvasSize, type Cursor, place } from '../stage/panel_view'
 import { scenario, theme } from '../state'
 import { type Trails, trails } from './difference'
@@ -35,7 +35,7 @@ const ZOOM_PER_PIXEL = 1.0016
 
 export class DifferenceStage {
   private readonly canvas = document.createElement('canvas')
-  private readonly hold = new MapHold()
+  private readonly hold = new PanZoomGesture()
   private readonly listening = new AbortController()
   private raster: OffscreenCanvas | null = null
   /** What the raster was painted from. */

@@ -1,4 +1,4 @@
-/** Looking back at runs, into cells and at differences: one part of the page, fetched when somebody first looks. */
+/** Looking back at runs, into cells and at differences: one part of the page, fetched with the first look. */
 import '../styles/playback.css'
 import { addPlaybackWords } from '../i18n/playback'
 import { CompareButton } from './compare_button'

@@ -2,7 +2,7 @@
 import { type ReadonlySignal, useSignal, useSignalEffect } from '@preact/signals'
 import { ChevronDown, ChevronUp, X } from 'lucide'
 import { useLayoutEffect, useRef } from 'preact/hooks'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { type PlaybackKey, t } from '../i18n/playback'
 import type { Cell } from '../model/cell'
@@ -106,7 +106,7 @@ function keepAsking(panelId: number, take: (answer: Known) => void): void {
     })
 }
 
-/** Why a cell has no moves, in the order in which one would ask. */
+/** Why a cell has no moves, the first reason that applies. */
 function whyNone(panelId: number, cell: Cell): PlaybackKey {
   const family = plannerEntry(panelById(panelId)?.setup.planner ?? '')?.family
   if (family === 'swarm') return 'playback.moves.swarm'
@@ -139,7 +139,7 @@ function Card({ panelId, cell, size, children }: CardProps) {
       event.preventDefault()
       close()
     }
-    // Before the page's own Escape, which goes back to drawing walls.
+    // Handled before the page's own Escape, which goes back to drawing walls.
     addEventListener('keydown', onKey, { capture: true })
     return () => removeEventListener('keydown', onKey, { capture: true })
   }, [panelId])
@@ -184,7 +184,7 @@ function sideOf([x]: Cell, size: CanvasSize | null): 'left' | 'right' {
   return originX + (x + 0.5) * scale > size.width / 2 ? 'left' : 'right'
 }
 
-/** On a phone, which has no sides: above or below the cell. */
+/** On a phone there is no room beside the cell: above or below it. */
 function endOf([, y]: Cell, size: CanvasSize | null): 'top' | 'bottom' {
   if (!size) return 'bottom'
   const { scale, originY } = place(size)

@@ -1,6 +1,6 @@
 /** Which iteration all panels show, and what they had reached by then. */
 import { computed, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { addPlaybackWords, t } from '../i18n/playback'
 import { flushLive, leavePast, lookedAt, notify, type Panel, panels, pause, phase } from '../state'
 
@@ -59,7 +59,7 @@ async function goThere(): Promise<void> {
   }
 }
 
-/** No worker could look back: the part of it that does is fetched, and that may fail. */
+/** No worker could look back: the part of the worker that does is fetched on demand, which may fail. */
 function giveUp(): void {
   leavePast()
   notify('warning', t('playback.failed'), { hint: t('playback.failedHint') })

@@ -1,5 +1,5 @@
-/** What an ant weighs on a cell, as rows to be read and drawn. */
-import type { Answers } from '../model/messages'
+/** The moves of an ant from a cell, as rows to be read and drawn. */
+import type { PanelAnswers } from '../model/messages'
 
 export interface Move {
   /** Which of the planner's colonies: the leg of a tour, of two teams 1 for the one from the goal. */
@@ -15,7 +15,7 @@ export interface Move {
 /** Numbers in a row of `Run.moves_from`. */
 const ROW = 7
 
-export function movesOf({ rows }: Answers['moves']): Move[] {
+export function movesOf({ rows }: PanelAnswers['moves']): Move[] {
   return Array.from({ length: rows.length / ROW }, (_, row) => {
     const [colony = 0, x = 0, y = 0, level = 0, trail = 0, heuristic = 0, probability = 0] =
       rows.subarray(row * ROW, (row + 1) * ROW)

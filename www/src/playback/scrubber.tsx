@@ -1,7 +1,7 @@
 /** One slider for all panels: back through their iterations, and on again. */
 import { useSignal, useSignalEffect } from '@preact/signals'
 import { ChevronLeft, ChevronRight, LoaderCircle } from 'lucide'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/playback'
 import { leavePast, lookedAt, panels, phase } from '../state'
@@ -86,7 +86,7 @@ function Where() {
   )
 }
 
-/** How memory is kept, and what of it is used while nothing runs. */
+/** How much is kept to look back and, while nothing runs, how much memory that takes. */
 function useKeptNote(): string {
   const kept = useSignal('')
   useSignalEffect(() => {
@@ -112,7 +112,7 @@ async function keptNow(): Promise<string> {
   })
 }
 
-/** Beside numbers that are of the past. */
+/** A mark beside numbers of the past. */
 export function PastChip() {
   const iteration = lookedAt.value
   if (iteration === null) return null

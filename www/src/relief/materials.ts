@@ -1,6 +1,6 @@
 /** What the ground is made of: the panel's picture in the light of the north-west, with contour lines. */
 import { Color, DoubleSide, MeshBasicMaterial, MeshLambertMaterial } from 'three'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import type { Ground } from '../model/relief_ground'
 
 const LINES = { light: '#4e3a22', dark: '#f0e6d0' }
@@ -12,7 +12,7 @@ const MOST_LEVELS = 15
 export interface GroundMaterial {
   material: MeshLambertMaterial
   /** Which lines there are, if any. */
-  setLines(ground: Ground, theme: View['theme'], shown: boolean): void
+  setLines(ground: Ground, theme: PanelView['theme'], shown: boolean): void
 }
 
 export function groundMaterial(): GroundMaterial {
@@ -52,7 +52,7 @@ export function plinthMaterial(): MeshBasicMaterial {
   return new MeshBasicMaterial({ side: DoubleSide })
 }
 
-export function plinthColour(theme: View['theme']): string {
+export function plinthColour(theme: PanelView['theme']): string {
   return PLINTH[theme]
 }
 

@@ -10,7 +10,7 @@ import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { activeGoal, applyEdit, notify, refuseMoreGoals, scenario, tool } from '../state'
 import { showRelief } from '../state/relief'
 import { orbit, resetEye, shiftEye, zoomEye } from './eye'
-import { endsOf, markSize } from './overlay'
+import { endsOf, markSize } from './marks_overlay'
 import type { ReliefView } from './relief_view'
 
 type Point = [number, number]
@@ -185,7 +185,7 @@ export class ReliefPointer {
       Math.max(markSize(spec.goals.length > 1) + 2, pointerType === 'touch' ? FINGER : 0) *
       this.size.peek().dpr
     const found = endsOf(scene).flatMap(({ top }, i) => {
-      const place = scene.lens.project(top)
+      const place = scene.camera.project(top)
       const away = place ? distance(place, at) : Number.POSITIVE_INFINITY
       const goal = spec.goals[i - 1]
       const brush: Brush = goal ? { kind: 'goal', index: i - 1 } : { kind: 'start' }

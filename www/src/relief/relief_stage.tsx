@@ -3,8 +3,8 @@ import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { CellReadout } from '../stage/cell_readout'
+import { watchSize } from '../stage/element_size'
 import { Inspector, inspector, isInspected } from '../stage/inspected'
-import { measure } from '../stage/measure'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { scenario, tool } from '../state'
 import { leaveRelief } from '../state/relief'
@@ -28,7 +28,7 @@ export function ReliefStage({ panelId }: { panelId: number }) {
   useEffect(() => {
     const element = host.current
     if (element === null) return
-    const stopMeasuring = measure(element, (measured) => {
+    const stopMeasuring = watchSize(element, (measured) => {
       size.value = measured
     })
     let view: ReliefView

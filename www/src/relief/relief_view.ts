@@ -1,25 +1,25 @@
 /** One panel in three dimensions: fetches its picture from its worker, and draws when something it shows has changed. */
 import { computed, effect, type ReadonlySignal } from '@preact/signals'
-import { ensure } from '../engine/clients'
 import type { PanelClient, RasterWatcher } from '../engine/panel_client'
+import { ensure } from '../engine/panel_clients'
 import type { Cell } from '../model/cell'
 import type { RasterReply } from '../model/messages'
-import { markedCell } from '../stage/marked'
-import { coalesced } from '../stage/measure'
+import { sendOnceAFrame } from '../stage/once_a_frame'
 import { type CanvasSize, type Cursor, lookAt } from '../stage/panel_view'
+import { pointedCell } from '../stage/pointed_places'
 import { panelById, panelColour, scenario, showAnts, shownOf, showPath, theme } from '../state'
 import { leaveRelief, showContours } from '../state/relief'
-import { Content } from './content'
+import { cancelDraw, drawSoon } from './draw_queue'
 import { eye } from './eye'
-import { cancelDraw, drawSoon } from './frames'
-import { Lens } from './lens'
-import { drawOverlay, type Scene } from './overlay'
-import { enterRoom, leaveRoom, type Room } from './room'
-import { ground, stretch } from './terrain_now'
+import { drawOverlay, type Scene } from './marks_overlay'
+import { PanelCamera } from './panel_camera'
+import { PanelContent } from './panel_content'
+import { acquireRenderer, releaseRenderer, type SharedRenderer } from './shared_renderer'
+import { ground, stretch } from './shown_ground'
 
-/** While runs play, the picture on the ground follows at most so often. */
+/** While runs play, the picture on the ground is updated at most this often. */
 const RASTER_EVERY_MS = 350
-/** And so many times as long as it takes to draw it: the page has other things to do. */
+/** And it waits this many times as long as its drawing takes: the page has other work. */
 const PATIENCE = 8
 /** A machine that takes longer draws coarsely while the map is turned, and finely when it rests. */
 const SLOW_MS = 45
@@ -27,11 +27,11 @@ const REST_MS = 220
 const MOST_DPR = 2
 
 export class ReliefView implements RasterWatcher {
-  readonly lens = new Lens()
+  readonly camera = new PanelCamera()
   private readonly canvas = newCanvas()
   private readonly overlay = newCanvas()
-  private readonly content = new Content()
-  private readonly room: Room
+  private readonly content = new PanelContent()
+  private readonly renderer: SharedRenderer
   private readonly client: PanelClient
   private readonly stops: (() => void)[] = []
   // Much of what a run reports changes several times a second; its best path seldom does.
@@ -60,7 +60,7 @@ export class ReliefView implements RasterWatcher {
     private readonly size: ReadonlySignal<CanvasSize>,
     private readonly cursor: ReadonlySignal<Cursor | null>,
   ) {
-    this.room = enterRoom(() => leaveRelief('lost'))
+    this.renderer = acquireRenderer(() => leaveRelief('lost'))
     this.client = ensure(panelId)
     host.append(this.canvas, this.overlay)
     this.follow()
@@ -77,7 +77,7 @@ export class ReliefView implements RasterWatcher {
     this.content.dispose()
     this.canvas.remove()
     this.overlay.remove()
-    leaveRoom()
+    releaseRenderer()
   }
 
   stale(): void {
@@ -107,7 +107,7 @@ export class ReliefView implements RasterWatcher {
     const places: number[] = []
     const order = this.order.value === '' ? [] : this.order.value.split(',').map(Number)
     for (const [place, goal] of order.entries()) places[goal] = place + 1
-    return { scenario: now, ground: surface, lens: this.lens, stretch: stretch.value, places }
+    return { scenario: now, ground: surface, camera: this.camera, stretch: stretch.value, places }
   }
 
   get zoom(): number {
@@ -119,8 +119,8 @@ export class ReliefView implements RasterWatcher {
     const scene = this.scene()
     if (!scene) return null
     const { width, height } = this.size.peek()
-    this.lens.aim(eye.peek(), scene.ground, scene.stretch, width, height)
-    const hit = scene.ground.hit(this.lens.position, this.lens.ray(at), scene.stretch)
+    this.camera.aim(eye.peek(), scene.ground, scene.stretch, width, height)
+    const hit = scene.ground.hit(this.camera.position, this.camera.ray(at), scene.stretch)
     if (!hit) return null
     const { width: columns, height: rows } = scene.ground
     return [Math.min(columns - 1, Math.floor(hit[0])), Math.min(rows - 1, Math.floor(hit[2]))]
@@ -129,7 +129,7 @@ export class ReliefView implements RasterWatcher {
   private follow(): void {
     let picture = ''
     this.stops.push(
-      coalesced(
+      sendOnceAFrame(
         () => lookAt(this.panelId, this.size.value, null),
         (view) => {
           this.client.setView(view)
@@ -146,7 +146,7 @@ export class ReliefView implements RasterWatcher {
         this.scene()
         this.cursor.value
         theme.value
-        markedCell(this.panelId)
+        pointedCell(this.panelId)
         drawSoon(this.drawMarks)
       }),
     )
@@ -155,13 +155,13 @@ export class ReliefView implements RasterWatcher {
   private setGround(): void {
     const surface = ground.value
     if (!surface) return
-    this.room.setGround(surface, theme.value, showContours.value)
+    this.renderer.setGround(surface, theme.value, showContours.value)
     panelColour(this.panelId)
     drawSoon(this.draw)
   }
 
   private setPath(): void {
-    const { lattice } = this.room
+    const { lattice } = this.renderer
     const surface = ground.value
     const [bestPath, bestAltitudes] = [this.bestPath.value, this.bestAltitudes.value]
     const bySlices = scenario.value?.spec.terrain?.slices !== undefined
@@ -173,7 +173,7 @@ export class ReliefView implements RasterWatcher {
   }
 
   private placeAnts(): void {
-    const { lattice } = this.room
+    const { lattice } = this.renderer
     const surface = ground.value
     if (!surface || !lattice) return
     const ants = showAnts.value ? this.ants : new Uint32Array()
@@ -181,7 +181,7 @@ export class ReliefView implements RasterWatcher {
     drawSoon(this.draw)
   }
 
-  /** Keeps lines clear of the ground, by the same bit however it is stretched. */
+  /** Keeps lines clear of the ground, by the same distance however it is stretched. */
   private lift(): number {
     const surface = ground.value
     return surface ? (0.003 * Math.max(surface.width, surface.height)) / stretch.value : 0
@@ -210,10 +210,10 @@ export class ReliefView implements RasterWatcher {
     const { width, height, dpr } = this.size.peek()
     const detail = (Math.min(MOST_DPR, dpr) / dpr) * this.fineness
     resize(this.canvas, Math.round(width * detail), Math.round(height * detail))
-    this.lens.aim(eye.peek(), surface, stretch.peek(), width, height)
+    this.camera.aim(eye.peek(), surface, stretch.peek(), width, height)
     this.content.setLook(panelColour(this.panelId), theme.peek(), dpr * detail)
     const began = performance.now()
-    this.room.draw(this.content, this.lens, stretch.peek(), this.canvas, this.fineness < 1)
+    this.renderer.draw(this.content, this.camera, stretch.peek(), this.canvas, this.fineness < 1)
     const took = performance.now() - began
     // Coarse pictures say nothing about how long fine ones take.
     if (this.fineness === 1) this.drawMs = took
@@ -224,8 +224,8 @@ export class ReliefView implements RasterWatcher {
     if (!scene) return
     const { width, height, dpr } = this.size.peek()
     resize(this.overlay, width, height)
-    this.lens.aim(eye.peek(), scene.ground, scene.stretch, width, height)
-    drawOverlay(this.overlay, scene, this.cursor.peek() ?? markedCell(this.panelId), dpr)
+    this.camera.aim(eye.peek(), scene.ground, scene.stretch, width, height)
+    drawOverlay(this.overlay, scene, this.cursor.peek() ?? pointedCell(this.panelId), dpr)
   }
 }
 

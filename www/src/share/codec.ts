@@ -1,7 +1,7 @@
 /**
  * A session as bytes, and back:
  *
- *     u32 checksum · u8 container version · varint n · n bytes of JSON (experiment.ts) · the map · on a terrain its heights
+ *     u32 checksum · u8 container version · varint n · n bytes of JSON (session_document.ts) · the map · on a terrain its heights
  *
  * The checksum (FNV-1a, lowest byte first) covers all that follows and stands first in every version: a damaged link must never
  * pass for a newer one, or for another map.
@@ -13,10 +13,10 @@
  * Planes are written as version 1. A terrain is version 2, so that a page that knows no heights says so instead of showing a plane.
  */
 import type { Origin, Scenario, Session } from '../model/session'
-import { bitsOf, joined, Reader, readBits, varint } from './bytes'
-import { fieldsOf, invalid, oneOf } from './checks'
-import { damaged, LinkError } from './error'
+import { bitsOf, joined, Reader, readBits, varint } from './byte_stream'
+import { fieldsOf, invalid, oneOf } from './field_checks'
 import { packHeights, unpackHeights } from './heights'
+import { damaged, LinkError } from './link_error'
 import { type Described, documentOf, MAX_SIDE, readDocument } from './session_document'
 
 /** What a map consists of, whoever made it. */

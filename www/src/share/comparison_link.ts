@@ -5,10 +5,10 @@
  *
  * The same checksum and packing as a session's link (share/codec.ts, share/envelope.ts).
  */
-import { Reader, varint } from './bytes'
+import { Reader, varint } from './byte_stream'
 import { MAX_BYTES, verifiedBytes, withChecksum } from './codec'
 import { open, seal } from './envelope'
-import { damaged, LinkError } from './error'
+import { damaged, LinkError } from './link_error'
 
 export const PREFIX = '#q='
 

@@ -1,5 +1,5 @@
-/** Compression by the browser's own streams, with a lid on what a hostile payload may unfold to. */
-import { LinkError } from './error'
+/** Compression by the browser's own streams, with a limit on what a hostile payload may unpack to. */
+import { LinkError } from './link_error'
 
 /** With a zlib header, as PNG asks for it, `deflate`. */
 type Wrapping = 'deflate-raw' | 'deflate'

@@ -1,7 +1,7 @@
 /** Container bytes ⇄ fragment text: base64url of one byte (0 stored, 1 deflated) and the bytes, whichever is shorter. */
 import { MAX_BYTES } from './codec'
 import { deflate, inflate } from './deflate'
-import { damaged, LinkError } from './error'
+import { damaged, LinkError } from './link_error'
 
 /** Longer links are cut by some hosts and mail programs: offer a file instead. Characters of the fragment's payload. */
 export const LINK_LIMIT = 8000

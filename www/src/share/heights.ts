@@ -7,8 +7,8 @@
  *
  * Surveyed heights are whole numbers, or have a few decimals; only what was computed needs all its bits.
  */
-import { bitsOf, joined, type Reader, readBits, varint, varints } from './bytes'
-import { damaged } from './error'
+import { bitsOf, joined, type Reader, readBits, varint, varints } from './byte_stream'
+import { damaged } from './link_error'
 
 const DECIMALS = 0
 const FLOATS = 1

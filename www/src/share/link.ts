@@ -1,9 +1,8 @@
-/** Sessions as links and as experiment files. */
+/** Sessions as links and as files. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import type { Session } from '../model/session'
-import { type Fields, fieldsOf, invalid, list, real, text } from './checks'
 import {
   blockedWithoutData,
   type Generate,
@@ -13,10 +12,11 @@ import {
   unpack,
 } from './codec'
 import { open, seal } from './envelope'
-import { LinkError } from './error'
+import { type Fields, fieldsOf, invalid, list, real, text } from './field_checks'
+import { LinkError } from './link_error'
 import { documentOf, readDocument } from './session_document'
 
-export { LinkError } from './error'
+export { LinkError } from './link_error'
 
 export const PREFIX = '#x='
 const BLOCKED = '@'
@@ -39,11 +39,11 @@ export async function encodeSession(session: Session): Promise<string> {
 /** Throws a LinkError. `hash`: `location.hash` or any address that ends with it. */
 export async function decodeFragment(hash: string): Promise<Session> {
   const at = hash.indexOf(PREFIX)
-  if (at < 0) throw new LinkError('link-foreign', 'This link carries no experiment.')
+  if (at < 0) throw new LinkError('link-foreign', 'This link holds no session.')
   return unpack(await open(hash.slice(at + PREFIX.length)), generate)
 }
 
-/** The experiment file: readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */
+/** The session file (`.experiment.json`): readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */
 export function sessionToFile(session: Session, engine: string): string {
   const { cells, heights, spec } = session.scenario
   const map = rowsOf(cells, spec.width, (row) =>

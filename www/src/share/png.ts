@@ -6,15 +6,15 @@
  *     iTXt: keyword · 0 · 1 (compressed) · 0 (zlib) · language · 0 · translated keyword · 0 · zlib stream of UTF-8
  */
 import { buf as crc32 } from 'crc-32'
-import { joined } from './bytes'
+import { joined } from './byte_stream'
 import { deflate, inflate } from './deflate'
-import { damaged, LinkError } from './error'
+import { damaged, LinkError } from './link_error'
 
 const KEYWORD = 'formicarium'
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10]
 /** Length, letters and CRC of a chunk. */
 const FRAME = 12
-/** No experiment of ours is longer. */
+/** No session or comparison is longer. */
 const MOST_TEXT = 64 * 1024 * 1024
 
 const ascii = (text: string) => Uint8Array.from(text, (char) => char.charCodeAt(0))
@@ -36,17 +36,17 @@ export async function pngWith(png: Uint8Array, text: string): Promise<Uint8Array
 /** The text in a picture. Throws a LinkError where there is none. */
 export async function textOfPng(png: Uint8Array): Promise<string> {
   const ours = chunksOf(png).find(isOurs)
-  if (!ours) throw new LinkError('picture-bare', 'The picture carries no experiment.')
+  if (!ours) throw new LinkError('picture-bare', 'The picture holds no session or comparison.')
   if (crc32(ours.whole.subarray(4, -4)) !== intAt(ours.whole, ours.whole.length - 4))
-    throw damaged('the picture’s experiment is not the same as when it was made')
+    throw damaged('the text in the picture is not the same as when it was made')
   // Two flags, then language and translated keyword, each up to a zero.
   const data = ours.data.subarray(KEYWORD.length + 1)
   const language = data.indexOf(0, 2)
   const start = data.indexOf(0, language + 1) + 1
-  if (language < 0 || start === 0) throw damaged('the picture’s experiment ends too early')
+  if (language < 0 || start === 0) throw damaged('the text in the picture ends too early')
   const text = data.slice(start)
   if (data[0] === 0) return decoded(text)
-  if (data[1] !== 0) throw damaged('the picture’s experiment is packed in no known way')
+  if (data[1] !== 0) throw damaged('the text in the picture is packed in no known way')
   return decoded(await unpacked(text))
 }
 
@@ -87,9 +87,7 @@ const intAt = (bytes: Uint8Array, at: number) =>
 
 function unpacked(zlib: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   return inflate(zlib, MOST_TEXT, 'deflate').catch((error: unknown) => {
-    throw error instanceof LinkError
-      ? error
-      : damaged('the picture’s experiment cannot be unpacked')
+    throw error instanceof LinkError ? error : damaged('the text in the picture cannot be unpacked')
   })
 }
 
@@ -97,6 +95,6 @@ function decoded(bytes: Uint8Array): string {
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes)
   } catch {
-    throw damaged('the picture’s experiment is no text')
+    throw damaged('what the picture holds is no text')
   }
 }

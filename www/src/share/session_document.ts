@@ -1,5 +1,5 @@
 /**
- * The experiment document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
+ * The session document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
  * file carries it with the cells as rows of text (link.ts).
  */
 import type { Movement, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
@@ -14,8 +14,18 @@ import {
   SPEEDS,
 } from '../model/session'
 import { MAX_LEVELS, MAX_REACH } from '../model/terrain'
-import { cell, type Fields, fieldsOf, integer, invalid, list, oneOf, real, text } from './checks'
-import { LinkError } from './error'
+import {
+  cell,
+  type Fields,
+  fieldsOf,
+  integer,
+  invalid,
+  list,
+  oneOf,
+  real,
+  text,
+} from './field_checks'
+import { LinkError } from './link_error'
 
 export const FORMAT = 'formicarium/experiment@1'
 export const MAX_SIDE = 4096
@@ -90,11 +100,11 @@ function checkFormat(format: unknown): void {
   if (name.startsWith('formicarium/experiment@')) {
     throw new LinkError(
       'link-newer',
-      `This experiment says ${name}; this page reads ${FORMAT}.`,
+      `This session says ${name}; this page reads ${FORMAT}.`,
       'format',
     )
   }
-  throw new LinkError('link-foreign', `This is not a Formicarium experiment (${name}).`, 'format')
+  throw new LinkError('link-foreign', `This is not a Formicarium session (${name}).`, 'format')
 }
 
 function readSpec(fields: Fields): ScenarioSpec {

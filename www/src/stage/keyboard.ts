@@ -58,7 +58,7 @@ export function handleInspection(
   return true
 }
 
-/** True when the key was the stage's. */
+/** True when the stage has handled the key. */
 function handle(
   event: KeyboardEvent,
   now: Scenario,

@@ -1,7 +1,7 @@
-/** Puts together what one panel's worker needs to know to draw. */
+/** Makes the view that a panel's worker draws with. */
 import type { Cell } from '../model/cell'
 import { goalName } from '../model/goals'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import { type Placement, placement, type Size, viewpoint } from '../model/viewpoint'
 import { layer, panelColour, scenario, showAnts, showPath, theme } from '../state'
 import { inRelief, showContours } from '../state/relief'
@@ -15,7 +15,7 @@ export interface Cursor {
 }
 
 /** Read inside an effect: it depends on every signal a picture depends on. */
-export function lookAt(panelId: number, size: CanvasSize, cursor: Cursor | null): View {
+export function lookAt(panelId: number, size: CanvasSize, cursor: Cursor | null): PanelView {
   return {
     ...size,
     ...place(size),

@@ -8,8 +8,8 @@ import { isInside, sameCell } from '../model/edit'
 import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
 import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { type Brush, brushFor, newGesture, stroke } from './brush'
-import { type Grabbed, grabbed } from './grab'
-import { MapHold } from './hold'
+import { type MarkerUnder, markerUnder } from './marker_under'
+import { PanZoomGesture } from './pan_zoom_gesture'
 import { type CanvasSize, type Cursor, place } from './panel_view'
 
 interface Drawing {
@@ -29,7 +29,7 @@ const CLICK_SLOP = 5
 
 export class PointerInput {
   private drawing: Drawing | null = null
-  private readonly hold = new MapHold()
+  private readonly hold = new PanZoomGesture()
   /** A press with the tool that looks into cells. */
   private looking: { pointerId: number; at: Point } | null = null
   private requested = 0
@@ -67,7 +67,7 @@ export class PointerInput {
       this.joinPinch(event.pointerId, at)
     } else if (event.button === 1 || pans || looks) {
       event.preventDefault()
-      // The focus goes with the click all the same: keys are for this map from now on.
+      // The click gives the map the focus all the same: keys are for this map from now on.
       if (looks) this.element.focus()
       this.hold.take(event.pointerId, at)
       if (looks) this.looking = { pointerId: event.pointerId, at }
@@ -87,7 +87,7 @@ export class PointerInput {
     if (now && isInside(now, cell)) this.inspect(cell)
   }
 
-  private begin(event: PointerEvent, at: Point, end: Grabbed | null): void {
+  private begin(event: PointerEvent, at: Point, end: MarkerUnder | null): void {
     const now = scenario.peek()
     const cell = end?.at ?? this.cell(at)
     if (now === null || !isInside(now, cell)) return
@@ -130,7 +130,7 @@ export class PointerInput {
     this.drawing = null
   }
 
-  /** A second finger turns what the first one began into a pinch; what has not been drawn yet was not meant. */
+  /** A second finger turns a stroke into a pinch; what has not been drawn yet is dropped. */
   private joinPinch(pointerId: number, at: Point): void {
     if (this.drawing !== null) {
       this.hold.take(
@@ -187,10 +187,16 @@ export class PointerInput {
     pending.length = 0
   }
 
-  private endAt(event: PointerEvent, at: Point): Grabbed | null {
+  private endAt(event: PointerEvent, at: Point): MarkerUnder | null {
     const now = scenario.peek()
     if (now === null) return null
-    return grabbed(now, at, this.placement(), this.size.peek().dpr, event.pointerType === 'touch')
+    return markerUnder(
+      now,
+      at,
+      this.placement(),
+      this.size.peek().dpr,
+      event.pointerType === 'touch',
+    )
   }
 
   private placement(): Placement {

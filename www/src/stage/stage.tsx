@@ -1,16 +1,17 @@
 /** One panel's map: mounts the worker's canvas, tells it what to show, and turns pointer and keys into edits. */
 import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
-import { attach } from '../engine/clients'
+import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
 import { scenario, tool } from '../state'
 import { inRelief, relief } from '../state/relief'
 import { CellReadout } from './cell_readout'
+import { watchSize } from './element_size'
 import { Inspector, inspector, isInspected } from './inspected'
 import { keyboardHandler } from './keyboard'
-import { markedCell } from './marked'
-import { coalesced, measure } from './measure'
+import { sendOnceAFrame } from './once_a_frame'
 import { type CanvasSize, type Cursor, lookAt } from './panel_view'
+import { pointedCell } from './pointed_places'
 import { PointerInput } from './pointer'
 
 export function Stage({ panelId }: { panelId: number }) {
@@ -31,11 +32,11 @@ function FlatStage({ panelId }: { panelId: number }) {
     const element = host.current
     if (element === null) return
     const client = attach(panelId, element)
-    const stopMeasuring = measure(element, (measured) => {
+    const stopMeasuring = watchSize(element, (measured) => {
       size.value = measured
     })
-    const stopLooking = coalesced(
-      () => lookAt(panelId, size.value, cursor.value ?? markedCell(panelId)),
+    const stopLooking = sendOnceAFrame(
+      () => lookAt(panelId, size.value, cursor.value ?? pointedCell(panelId)),
       (view) => client.setView(view),
     )
     const inspect = inspector(panelId)

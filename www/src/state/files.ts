@@ -11,12 +11,12 @@ import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
 import { lazyParts } from './lazy_parts'
 import { notify, notifyError } from './notices'
+import { showView } from './page_view'
 import { setScenario } from './scenarios'
 import { autoplay, currentSession, loadSession } from './sessions'
 import { suitSpeed } from './speed'
 import { engineVersion, scenario } from './store'
 import { importPart, offerTerrain, type TerrainFile } from './terrain_files'
-import { showView } from './view'
 
 export interface ScenChoice {
   fileName: string
@@ -47,9 +47,9 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
     return openText(await textOfPng(bytes))
   }
   const kind = await tools.sniff(bytes, name)
-  if (kind === 'session') await openExperiment(bytes)
-  else if (kind === 'comparison') await openInLab(new TextDecoder().decode(bytes))
-  else if (kind === 'results') await takeInLab(bytes, name)
+  if (kind === 'session') await openSessionFile(bytes)
+  else if (kind === 'comparison') await openComparisonText(new TextDecoder().decode(bytes))
+  else if (kind === 'results') await importResults(bytes, name)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
   else if (RASTERS.includes(kind) && !opening.unasked) await offerTerrain(bytes, name)
   else await openMap(bytes, name, opening)
@@ -57,11 +57,11 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
 export async function openText(text: string, opening: Opening = {}): Promise<void> {
-  // A file may well mention a link.
+  // A file may contain a link, so only text that is no JSON is searched for one.
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    await openInLab(await decodeFragment(fragment))
+    await openComparisonText(await decodeFragment(fragment))
   } else if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
   else await openFile(new TextEncoder().encode(text), t('maps.pastedName'), opening)
 }
@@ -78,31 +78,31 @@ export async function openFiles(files: Iterable<File>): Promise<void> {
   }
 }
 
-/** As the open-functions, with refusals shown as messages. True when all was taken. */
+/** Like the functions above, but shows refusals as messages. True when all was opened. */
 export const importFile = (bytes: Uint8Array, name: string) => shown(openFile(bytes, name))
 export const importText = (text: string, opening?: Opening) => shown(openText(text, opening))
 export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
 
-async function openExperiment(bytes: Uint8Array): Promise<void> {
+async function openSessionFile(bytes: Uint8Array): Promise<void> {
   const { sessionFromFile } = await sessionFormat()
   replay(await sessionFromFile(new TextDecoder().decode(bytes)))
 }
 
-/** A comparison of many runs. */
-async function openInLab(text: string): Promise<void> {
-  const { openLabDocument } = await lazyParts.lab()
+/** Opens a comparison in the laboratory. */
+async function openComparisonText(text: string): Promise<void> {
+  const { openComparisonDocument } = await lazyParts.lab()
   showView('lab')
-  await openLabDocument(text)
+  await openComparisonDocument(text)
 }
 
-/** Runs that were made elsewhere. */
-async function takeInLab(bytes: Uint8Array, name: string): Promise<void> {
+/** Imports a file of results into the laboratory. */
+async function importResults(bytes: Uint8Array, name: string): Promise<void> {
   const { takeImportedResults } = await lazyParts.lab()
   showView('lab')
   await takeImportedResults(name, bytes)
 }
 
-/** PNG, as its first bytes say. */
+/** Whether it is a PNG, by its first bytes. */
 const isPicture = (bytes: Uint8Array) => bytes[0] === 137 && bytes[1] === 80
 
 function replay(session: Session): void {
@@ -155,7 +155,7 @@ export async function exportGeotiff(): Promise<Uint8Array> {
   return now ? tools.exportGeotiff(now) : new Uint8Array()
 }
 
-export async function exportExperiment(): Promise<string> {
+export async function exportSession(): Promise<string> {
   const { sessionToFile } = await sessionFormat()
   const session = currentSession()
   return session ? sessionToFile(session, engineVersion.peek()) : ''
@@ -184,7 +184,7 @@ export function fileStem(): string {
 
 async function openMap(bytes: Uint8Array, name: string, { scenFollows }: Opening): Promise<void> {
   const imported = await tools.importMap(bytes, name)
-  // Which cells stand in for start and goal is of no interest when the reader is about to choose them.
+  // Notices about start and goal are left out when a .scen is about to set them.
   const told = imported.warnings.filter(({ kind }) => !(scenFollows && kind === 'ends-chosen'))
   showMap({ ...imported, warnings: told }, name)
 }

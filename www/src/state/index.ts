@@ -1,9 +1,9 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
-export { slotColour } from './colours'
 export * from './files'
-export { flushLive, historyOf, latest, onReply } from './live'
+export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
+export { changeLevel, type Rules, setRules } from './movement_rules'
 export {
   announce,
   announcement,
@@ -14,6 +14,7 @@ export {
   toasts,
 } from './notices'
 export { objectives, referenceOf } from './optimum'
+export { showView, view } from './page_view'
 export {
   addPanel,
   paramValue,
@@ -23,7 +24,6 @@ export {
   setPreset,
   setSeed,
 } from './panels'
-export { changeLevel, type Rules, setRules } from './rules'
 export {
   pause,
   play,
@@ -36,9 +36,9 @@ export {
 } from './runs'
 export * from './scenarios'
 export { currentSession, loadSession, openFragment, startOver } from './sessions'
+export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'
-export { startPage } from './start'
+export { startPage } from './start_page'
 export * from './store'
 export { type TerrainFile, terrainFile } from './terrain_files'
-export { showView, view } from './view'
-export { fetchRest, fetchUnasked } from './whole_engine'
+export { fetchWholeEngine, fetchWholeEngineUnasked } from './whole_engine'

@@ -7,7 +7,7 @@ import type { ComponentType } from 'preact'
 /** Comparisons (lab/). */
 export interface LabPart {
   /** Opens the text of a comparison file. */
-  openLabDocument(text: string): Promise<void>
+  openComparisonDocument(text: string): Promise<void>
   /** Takes in a file of imported results. */
   takeImportedResults(name: string, bytes: Uint8Array): Promise<void>
   /** Shows what the papers ask. */

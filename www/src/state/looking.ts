@@ -1,6 +1,6 @@
-/** Looking back at the runs and into their cells: what is looked at. How that is done is fetched when somebody looks (playback/). */
+/** What the reader looks back at, or into. The code that does it is fetched with the first look (playback/). */
 import { batch, signal } from '@preact/signals'
-import { client } from '../engine/clients'
+import { client } from '../engine/panel_clients'
 import type { Cell } from '../model/cell'
 import { type Panel, type PanelLive, panels } from './store'
 
@@ -18,7 +18,7 @@ export function shownOf({ past, live }: Panel): PanelLive {
   return past.value ?? live.value
 }
 
-/** Back to where the runs stand; the canvas of a run that has ended must be told. */
+/** Back to the present. A run that has ended sends no frames, so its canvas must be told. */
 export function leavePast(): void {
   if (lookedAt.peek() === null) return
   batch(() => {

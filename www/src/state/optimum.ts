@@ -1,4 +1,4 @@
-/** Keeps the engine's remarks, and what results are compared with, in step with the scenario and the panels' objectives. */
+/** Keeps the engine's notices and the references in step with the scenario and the panels' objectives. */
 import type { Notice, Objective, Reference } from '@pkg/formicarium'
 import { computed, effect } from '@preact/signals'
 import { tools } from '../engine/tools'
@@ -12,10 +12,10 @@ const SETTLE_MS = 150
 
 type Known = Partial<Record<Objective, Reference>>
 
-/** By map, then by what is asked on it: undo and a change of planner find what was found out before. */
+/** References found so far, by map, then by question: undo and another planner need not ask again. */
 const known = new WeakMap<Uint8Array, Map<string, Known>>()
 
-/** What the panels are measured by, in their order; as a text, so that it changes only when they do. */
+/** The panels' objectives in order, as text, so that the signal changes only when they do. */
 const wanted = computed(() => {
   const used = panels.value.flatMap(({ live }) => live.value.objective ?? [])
   return [...new Set(used)].join()
@@ -29,7 +29,7 @@ export const objectives = computed((): Objective[] => {
   return [(spec?.goals.length ?? 1) > 1 ? 'tour-length' : 'length']
 })
 
-/** What a panel's result is compared with; null while that is being found out, or nobody knows what the panel is measured by. */
+/** The reference of a panel's result; null while it is being computed, or the panel's objective is not known yet. */
 export function referenceOf({ live }: Panel): Reference | null {
   const { objective } = live.value
   if (!objective) return null
@@ -77,7 +77,7 @@ async function remarks(asked: Scenario): Promise<Notice[]> {
   }
 }
 
-/** One after the other: the plain ones are not held up by those that take long. */
+/** One after the other, quick ones first. */
 async function compare(asked: Scenario, by: Objective[]): Promise<void> {
   for (const objective of by) {
     if (knownOf(asked)[objective]) continue
@@ -88,7 +88,7 @@ async function compare(asked: Scenario, by: Objective[]): Promise<void> {
   }
 }
 
-/** A scenario that cannot be used has nothing to compare with; why, the remarks say. */
+/** A scenario that cannot be used has no reference; the notices say why. */
 async function lookUp(asked: Scenario, objective: Objective): Promise<Reference | null> {
   try {
     return await tools.reference(asked, objective)

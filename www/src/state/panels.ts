@@ -34,7 +34,7 @@ export function presetSetup(planner: string, name: string | null): PanelSetup {
   return { ...bareSetup(planner), preset: preset?.name ?? null, params: { ...preset?.values } }
 }
 
-/** Other planners altogether; whoever calls loads their runs. */
+/** Replaces all planners; the caller loads their runs. */
 export function replacePanels(setups: PanelSetup[]): void {
   for (const { id } of panels.peek()) dropRun(id)
   panels.value = setups.slice(0, MAX_PANELS).map(makePanel)

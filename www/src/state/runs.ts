@@ -3,7 +3,7 @@ import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
 import type { Scenario } from '../model/session'
-import { clearLive, flushLive, forget, onReply } from './live'
+import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
 import {
   liveTick,
@@ -16,7 +16,7 @@ import {
   speed,
   sync,
 } from './store'
-import { fetchRest } from './whole_engine'
+import { fetchWholeEngine } from './whole_engine'
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
@@ -70,7 +70,7 @@ export function reset(): void {
   conductor.pause()
   leavePast()
   const now = scenario.peek()
-  if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchRest()
+  if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchWholeEngine()
   batch(() => {
     phase.value = 'editing'
     for (const panel of panels.peek()) {

@@ -9,7 +9,7 @@ import { applyEditTo, type Edit, refusalOf } from '../model/edit'
 import { askSame, takenCells } from '../model/goals'
 import { heightsOf } from '../model/height_bytes'
 import { MAX_GOALS, type Origin, type Scenario } from '../model/session'
-import { settleGoals } from '../model/settle'
+import { settleGoals } from '../model/settle_ends'
 import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
 import { createHistory } from './history'
@@ -18,8 +18,17 @@ import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
 import { pause, play, reset, restart } from './runs'
 import { suitSpeed } from './speed'
-import { activeGoal, galleryId, panels, phase, plannerEntry, rest, scenario, tool } from './store'
-import { fetchRest } from './whole_engine'
+import {
+  activeGoal,
+  galleryId,
+  panels,
+  phase,
+  plannerEntry,
+  scenario,
+  tool,
+  wholeEngine,
+} from './store'
+import { fetchWholeEngine } from './whole_engine'
 
 const history = createHistory()
 export const { canUndo, canRedo } = history
@@ -32,7 +41,7 @@ const galleryIds = new WeakMap<Scenario, string>()
  * left on becomes free.
  */
 let dragged: { gesture: number; before: Scenario } | null = null
-/** The gesture whose refusal has been told: once is enough. */
+/** The gesture whose refusal has been said: once is enough. */
 let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
@@ -57,7 +66,7 @@ export function commit(after: Scenario, gesture?: number): void {
   }
 }
 
-/** Why the ground does not take an edit: nothing is to be seen there that tells. */
+/** Says why the ground refuses an edit: the map itself does not show it. */
 function explain(now: Scenario, edit: Edit, gesture?: number): void {
   const refusal = refusalOf(now, edit)
   if (refusal === null || (gesture !== undefined && gesture === toldOf)) return
@@ -112,16 +121,16 @@ export function setScenario(next: Scenario, options: { undoable: boolean }): voi
   if (wasRunning) play()
 }
 
-/** Of several maps asked for while one is being fetched, the last counts. */
+/** When several maps are asked for while one is being fetched, the last counts. */
 let asked = 0
 
 export async function openGallery(id: string): Promise<void> {
   const entry = gallery.find((each) => each.id === id)
   if (!entry) return
   const mine = ++asked
-  if (entry.racers && rest.peek() !== 'here') notify('info', t('panels.fetchingMore'))
+  if (entry.racers && wholeEngine.peek() !== 'here') notify('info', t('panels.fetchingMore'))
   const opened = fromGallery(id, await entry.scenario())
-  if (entry.racers) await fetchRest()
+  if (entry.racers) await fetchWholeEngine()
   if (mine !== asked) return
   suitSpeed(opened)
   batch(() => {
@@ -131,7 +140,7 @@ export async function openGallery(id: string): Promise<void> {
   if (entry.group === 'papers') offerQuestion()
 }
 
-/** What the paper reports can be asked again, over many runs. */
+/** Offers to ask the paper's questions again, over many runs. */
 function offerQuestion(): void {
   const run = () =>
     void lazyParts

@@ -6,8 +6,9 @@ import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
-import { latest, setVerified } from './live'
+import { latest, setVerified } from './live_reports'
 import { notify, notifyError } from './notices'
+import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
 import { dropRun, pause, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
@@ -19,14 +20,13 @@ import {
   panels,
   phase,
   plannerEntry,
-  rest,
   scenario,
   seed,
   selectedPanel,
   speed,
   sync,
+  wholeEngine,
 } from './store'
-import { playWhenShown } from './view'
 
 const FIRST_PLANNERS = ['ant-system', 'astar']
 const FIRST_MAP = 'two-corridors'
@@ -56,13 +56,13 @@ export function loadSession(session: Session): void {
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
-    if (rest.peek() === 'here') dropUnknown(panels.value)
+    if (wholeEngine.peek() === 'here') dropUnknown(panels.value)
     reset()
   })
   for (const panel of panels.peek()) void verify(panel)
 }
 
-/** Now that the catalog is complete: what waited for it is verified, or leaves when even this version does not know it. */
+/** For when the catalog is complete: panels that waited for it are verified, or removed if this version does not know their planner. */
 export function admitWaiting(): void {
   const waiting = panels
     .peek()
@@ -72,7 +72,7 @@ export function admitWaiting(): void {
     const panel = panelById(id)
     if (panel) void verify(panel)
   }
-  // After a failure their workers have given up, and a race begins together.
+  // After a failure the workers of these panels have given up, and all panels must start together.
   if (waiting.some(({ id }) => latest(id).crashed !== null)) restart()
 }
 

@@ -15,7 +15,7 @@ import type {
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
 import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../model/session'
-import { slotColour } from './colours'
+import { slotColour } from './slot_colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
 export type Phase = 'editing' | 'running' | 'paused' | 'finished'
@@ -25,7 +25,7 @@ export type Verification = 'none' | 'pending' | 'verified' | 'differs'
 /** What a panel's run has reached. It changes many times a second, so it is a signal of its own. */
 export interface PanelLive {
   summary: RunSummary | null
-  /** What the run is measured by: known as soon as it is loaded, and kept while the next one is on its way. */
+  /** The objective: known as soon as the run is loaded, and kept while the next one loads. */
   objective: Objective | null
   /** Best path, x0, y0, x1, y1, …; null when none yet. */
   bestPath: Uint32Array | null
@@ -44,18 +44,18 @@ export interface Panel {
   slot: number
   setup: PanelSetup
   live: Signal<PanelLive>
-  /** What it had reached at the iteration that is looked at; null while nobody looks back. */
+  /** What it had reached at the iteration being looked back at; null for the present. */
   past: Signal<PanelLive | null>
 }
 
-/** Of the engine: not asked for · on its way · in the catalog · not to be had, until asked for again */
-export type Rest = 'absent' | 'fetching' | 'here' | 'failed'
+/** Not asked for · on its way · here, and its planners in the catalog · not to be had, until asked for again */
+export type WholeEngineState = 'absent' | 'fetching' | 'here' | 'failed'
 
 export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'inspect' | 'pan'
 
 export const catalog = signal<Catalog | null>(null)
-/** Whether the catalog is complete: at first it has what the core of the engine knows. */
-export const rest = signal<Rest>('absent')
+/** Once it is here the catalog is complete: until then it lists the planners of the core. */
+export const wholeEngine = signal<WholeEngineState>('absent')
 export const engineVersion = signal('')
 /** Set when the engine could not be started at all. */
 export const startError = signal<EngineError | null>(null)
@@ -65,7 +65,7 @@ export const scenario = signal<Scenario | null>(null)
 export const galleryId = signal<string | null>(null)
 /** What the engine says about the scenario as a whole (e.g. the goal cannot be reached). */
 export const scenarioNotices = signal<Notice[]>([])
-/** What results on the current scenario are compared with, by what they are measured by; absent while it is being found out. */
+/** The references of the current scenario, by objective; absent while they are being computed. */
 export const references = signal<Partial<Record<Objective, Reference>>>({})
 
 export const panels = signal<Panel[]>([])
@@ -79,7 +79,7 @@ export const phase = signal<Phase>('editing')
 export const tool = signal<Tool>('wall')
 /** The goal that the goal tool moves: the one last taken up. */
 export const activeGoal = signal(0)
-/** Whether the table of goals is on show though there is but one. */
+/** Whether the table of goals is on show though there is only one goal. */
 export const goalsShown = signal(false)
 export const layer = signal<Layer | 'none'>('trail')
 export const showAnts = signal(true)
@@ -100,7 +100,7 @@ export const blankLive = (): PanelLive => ({
 
 export const playing = computed(() => phase.value === 'running')
 
-/** Undefined for a planner that the catalog lacks, or lacks as yet. */
+/** Undefined for a planner that is not in the catalog, or not yet. */
 export function plannerEntry(id: string): CatalogEntry | undefined {
   return catalog.value?.planners.find((entry) => entry.id === id)
 }

@@ -1,9 +1,9 @@
-/** The rest of the engine: the planners a first visit does without, fetched when there is time, or at once when one is asked for. */
+/** The whole engine, with the planners that a first visit does without: fetched when there is time, or at once when one is needed. */
 
 import type { RunSummary } from '@pkg/formicarium'
 import { batch, effect } from '@preact/signals'
 import { tools } from '../engine/tools'
-import { catalog, type Phase, panels, phase, rest } from './store'
+import { catalog, type Phase, panels, phase, wholeEngine } from './store'
 
 /** A browser that cannot tell when it is idle gets this long instead. */
 const SOON_MS = 1500
@@ -12,32 +12,32 @@ const SOON_MS = 1500
 const FIELDS = 'input, select, textarea'
 
 let underWay: Promise<void> | null = null
-/** Ends the wait for somebody who types: somebody else has asked. */
+/** Ends the wait for a reader who is typing: the whole engine has been asked for. */
 let hurry = () => {}
 
-/** Where nobody has asked for it: a failure is not repeated until somebody does. */
-export function fetchUnasked(): void {
-  if (rest.peek() === 'absent') void fetchRest()
+/** For callers that can do without it: after a failure it is not tried again until somebody asks. */
+export function fetchWholeEngineUnasked(): void {
+  if (wholeEngine.peek() === 'absent') void fetchWholeEngine()
   else hurry()
 }
 
-/** May be called at any time, and again after it has failed; resolves when it is known whether it came. */
-export function fetchRest(): Promise<void> {
-  if (rest.peek() === 'here') return Promise.resolve()
+/** May be called at any time, also after a failure. Resolves when it has arrived or failed. */
+export function fetchWholeEngine(): Promise<void> {
+  if (wholeEngine.peek() === 'here') return Promise.resolve()
   hurry()
   return fetchOnce(() => Promise.resolve())
 }
 
-/** What arrives when nobody has asked for it waits until no field has the focus. */
+/** Fetched before anybody has asked, it takes effect only once no field has the focus. */
 function fetchIdly(): void {
-  if (rest.peek() !== 'absent') return
+  if (wholeEngine.peek() !== 'absent') return
   const asked = new Promise<void>((resolve) => {
     hurry = resolve
   })
   void fetchOnce(() => Promise.race([asked, untilNobodyTypes()]))
 }
 
-/** `ready`: when what has come may change the controls on the page. */
+/** `ready` resolves when the new planners may change the controls on the page. */
 function fetchOnce(ready: () => Promise<void>): Promise<void> {
   underWay ??= fetchNow(ready).finally(() => {
     underWay = null
@@ -46,20 +46,20 @@ function fetchOnce(ready: () => Promise<void>): Promise<void> {
 }
 
 async function fetchNow(ready: () => Promise<void>): Promise<void> {
-  rest.value = 'fetching'
+  wholeEngine.value = 'fetching'
   try {
     const whole = await tools.wholeCatalog()
     await ready()
     batch(() => {
       catalog.value = whole
-      rest.value = 'here'
+      wholeEngine.value = 'here'
     })
   } catch {
-    rest.value = 'failed'
+    wholeEngine.value = 'failed'
   }
 }
 
-/** Whoever leaves a field has said what they had to say, even if they go on to the next. */
+/** Leaving a field is enough, even for another one. */
 function untilNobodyTypes(): Promise<void> {
   return new Promise((resolve) => {
     if (document.activeElement?.matches(FIELDS))
@@ -68,8 +68,8 @@ function untilNobodyTypes(): Promise<void> {
   })
 }
 
-/** Once a run moves, or rests because the reader wants it so: nothing competes with what a visitor waits for. */
-export function fetchRestWhenIdle(): void {
+/** Waits until a run moves, or is paused on purpose: nothing may compete with what a visitor waits for. */
+export function fetchWholeEngineWhenIdle(): void {
   let asked = false
   effect(() => {
     if (asked || !panels.value.some(({ live }) => settled(live.value.summary, phase.value))) return

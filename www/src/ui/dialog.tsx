@@ -21,7 +21,7 @@ export function Dialog({ title, onClose, children, actions, wide, testId, onEnte
   const titleId = useId()
   useEffect(() => {
     dialog.current?.showModal()
-    // Not the first button, whose hint would cover what the dialog says.
+    // The dialog itself gets the focus: the hint of its first button would cover its text.
     dialog.current?.focus()
   }, [])
   return (

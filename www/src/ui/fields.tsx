@@ -85,11 +85,11 @@ interface NumberFieldProps {
   hideLabel?: boolean
   invalid?: boolean
   describedBy?: string
-  /** Replaces a number outside the limits by the nearest whole one inside, where nobody else would refuse it. */
+  /** Replaces a number outside the limits by the nearest whole one inside; for values that the engine does not check. */
   nearest?: boolean
 }
 
-/** Reports what can be read as a number and leaves the range to whoever knows it: the engine names the limits. */
+/** Reports what can be read as a number. The range is checked by the engine, which names the limits. */
 export function NumberField(props: NumberFieldProps) {
   const id = useId()
   return (
@@ -128,7 +128,7 @@ function nearestWhole(value: number, min: number, max: number): number {
   return Math.min(max, Math.max(min, Math.round(value)))
 }
 
-/** Choices under a visible label; the choices carry it themselves for those who cannot see it. */
+/** Choices under a visible label, which screen readers hear with each choice. */
 export function Labelled({ label, children }: { label: string; children: ComponentChildren }) {
   return (
     <div class="labelled">

@@ -85,7 +85,7 @@ interface MenuItemProps {
   note?: string
   testId?: string
   checked?: boolean
-  /** Shown in place of the note, and kept from being chosen. */
+  /** Why the item cannot be chosen; shown in place of the note. */
   unavailable?: string | null
 }
 

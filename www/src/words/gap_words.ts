@@ -1,10 +1,10 @@
-/** How far a result is from what it is compared with. */
+/** How far a result is from its reference. */
 import type { Reference } from '@pkg/formicarium'
 import { type Panel, referenceOf, shownOf } from '../state'
 
 const EQUAL = 1e-9
 
-/** What there is to compare with, proven or not. */
+/** The value of the reference, proven or not. */
 export function referenceValue(reference: Reference | null): number | null {
   return reference && 'value' in reference ? reference.value : null
 }

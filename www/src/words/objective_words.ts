@@ -1,4 +1,4 @@
-/** What a result is measured by, as far as words differ: by slices, it is the reader who chooses between cost and length. */
+/** The objective of a result in words; by slices the reader chooses between cost and length. */
 import type { Objective } from '@pkg/formicarium'
 import { scenario } from '../state'
 

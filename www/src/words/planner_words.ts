@@ -14,7 +14,7 @@ export function isSearch(planner: string): boolean {
   return family === 'search' || family === 'exact'
 }
 
-/** Why a planner cannot be used on a map, this one if none is named: it does not know the way of moving, or not so many goals. */
+/** Why a planner cannot be used on a map (by default the one on show): it does not know the ground, or not so many goals. */
 export function whyNot(
   { max_goals, grounds }: CatalogEntry,
   spec = scenario.value?.spec,
@@ -64,7 +64,7 @@ export function namesakeMark(panelId: number): string {
   return set === '' ? '' : ` (${set})`
 }
 
-/** A preset's name, nothing for the defaults; values of one's own have no name. */
+/** A preset's name; empty for the defaults and for values of the reader's own. */
 function setName({ planner, preset, params }: PanelSetup): string | null {
   const known = plannerEntry(planner)?.presets.find(({ name }) => name === preset)
   if (known) return presetName(known)

@@ -1,7 +1,7 @@
 /** Keeps all runs of the open comparison, and answers what they say. */
 import * as engine from '@pkg/formicarium'
 import type { AnalystCalls, KeptRun } from '../model/comparison_calls'
-import { answerCalls } from './answer'
+import { answerCalls } from './answer_calls'
 
 let open: engine.Comparison | null = null
 

@@ -3,7 +3,7 @@
  * beyond it: stroking them anew in every frame would cost more than all the rest. While the zoom changes, the old picture is
  * stretched; a moment later there is a crisp one. Lives in the worker.
  */
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 
 type Context = OffscreenCanvasRenderingContext2D
 
@@ -24,9 +24,9 @@ const COLOURS = {
 }
 const HALO = { light: 'rgba(244, 241, 232, 0.85)', dark: 'rgba(24, 28, 28, 0.85)' }
 
-/** Every so-manyth line is stronger and has its height written on it. */
+/** One in so many lines is stronger and labelled with its height. */
 const MAIN = 5
-/** Share of the view that the picture has around it. */
+/** How far the picture reaches beyond the view, as a share of it. */
 const MARGIN = 0.25
 /** A zoom has ended when it has stood still for so long. */
 const SETTLED_MS = 110
@@ -38,7 +38,7 @@ const LABEL_EVERY = 380
 interface Picture {
   canvas: OffscreenCanvas
   scale: number
-  theme: View['theme']
+  theme: PanelView['theme']
   dpr: number
   /** Where the picture's upper left corner lies on the map, in cells. */
   x: number
@@ -57,7 +57,7 @@ export class ContourLayer {
   ) {}
 
   /** `again` is called when there is a better picture. */
-  draw(context: Context, view: View, again: () => void): void {
+  draw(context: Context, view: PanelView, again: () => void): void {
     if (this.picture === null || !suits(this.picture, view)) this.picture = this.stroke(view)
     else if (this.picture.scale !== view.scale) this.strokeLater(view, again)
     const { canvas, scale, x, y } = this.picture
@@ -72,7 +72,7 @@ export class ContourLayer {
     )
   }
 
-  private strokeLater(view: View, again: () => void): void {
+  private strokeLater(view: PanelView, again: () => void): void {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => {
       this.picture = this.stroke(view)
@@ -80,7 +80,7 @@ export class ContourLayer {
     }, SETTLED_MS)
   }
 
-  private stroke(view: View): Picture {
+  private stroke(view: PanelView): Picture {
     clearTimeout(this.timer)
     this.data ??= this.trace()
     const { scale, theme, dpr } = view
@@ -97,7 +97,7 @@ export class ContourLayer {
 }
 
 /** Whether the view lies within the picture; one of another zoom may leave an edge free for a moment. */
-function suits({ canvas, scale, theme, dpr, x, y }: Picture, view: View): boolean {
+function suits({ canvas, scale, theme, dpr, x, y }: Picture, view: PanelView): boolean {
   if (theme !== view.theme || dpr !== view.dpr) return false
   if (scale !== view.scale) return true
   const left = view.originX + x * scale
@@ -107,7 +107,7 @@ function suits({ canvas, scale, theme, dpr, x, y }: Picture, view: View): boolea
     top <= 1 &&
     left + canvas.width >= view.width - 1 &&
     top + canvas.height >= view.height - 1
-  // A picture made for a much larger view would be a waste.
+  // A picture made for a much larger view wastes memory.
   return covers && canvas.width <= 3 * view.width
 }
 
@@ -160,7 +160,7 @@ function project(points: Float32Array, { scale, x, y, width, height }: Frame): n
   return seen && at.length > 2 ? at : null
 }
 
-function strokeLines(context: Context, lines: Line[], { theme, dpr }: View): void {
+function strokeLines(context: Context, lines: Line[], { theme, dpr }: PanelView): void {
   context.lineJoin = 'round'
   for (const main of [false, true]) {
     context.beginPath()
@@ -185,7 +185,12 @@ function trail(context: Context, at: number[]): void {
 }
 
 /** Along the main lines, where they run straight enough, never two close together. */
-function writeHeights(context: Context, lines: Line[], theme: View['theme'], dpr: number): void {
+function writeHeights(
+  context: Context,
+  lines: Line[],
+  theme: PanelView['theme'],
+  dpr: number,
+): void {
   const size = 10.5 * dpr
   context.font = `600 ${size}px system-ui, sans-serif`
   context.textAlign = 'center'

@@ -1,5 +1,5 @@
 /** Ants: three-part bodies that point where they go. All bodies of a crowd are one path, so hundreds cost a few calls. */
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import type { Ant } from './crowd'
 
 type Context = OffscreenCanvasRenderingContext2D
@@ -23,7 +23,7 @@ interface Pose {
 }
 
 /** `progress`: how far from the last cell to the present one, 0 to 1. */
-export function drawCrowd(context: Context, view: View, ants: Ant[], progress: number): void {
+export function drawCrowd(context: Context, view: PanelView, ants: Ant[], progress: number): void {
   if (ants.length === 0) return
   const { dpr, scale } = view
   const length = Math.min(24 * dpr, Math.max(7 * dpr, 0.85 * scale))
@@ -46,7 +46,7 @@ export function drawCrowd(context: Context, view: View, ants: Ant[], progress: n
   context.fill(bodies)
 }
 
-function pose(ant: Ant, view: View, progress: number): Pose {
+function pose(ant: Ant, view: PanelView, progress: number): Pose {
   const angle = ant.id * GOLDEN_ANGLE
   const spread = Math.max(0.28 * view.scale, 2 * view.dpr) * Math.sqrt((ant.id % 16) / 16)
   const x = ant.fromX + (ant.x - ant.fromX) * progress + 0.5
@@ -60,7 +60,7 @@ function pose(ant: Ant, view: View, progress: number): Pose {
   }
 }
 
-function isVisible({ x, y }: Pose, view: View, margin: number): boolean {
+function isVisible({ x, y }: Pose, view: PanelView, margin: number): boolean {
   return x > -margin && y > -margin && x < view.width + margin && y < view.height + margin
 }
 

@@ -3,13 +3,13 @@ import type { Run } from '@pkg/core/formicarium'
 import type { Layer, ScenarioSpec } from '@pkg/formicarium'
 import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
 import { drawMarks } from '../drawing/draw_marks'
-import type { View } from '../model/messages'
+import type { PanelView } from '../model/messages'
 import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
 
 type Context = OffscreenCanvasRenderingContext2D
-type PaintMap = (context: Context, theme: View['theme'], shaded: boolean) => void
+type PaintMap = (context: Context, theme: PanelView['theme'], shaded: boolean) => void
 
 /** Slow steps are shown as a walk rather than a jump, but never longer than this. */
 const LONGEST_GLIDE_MS = 140
@@ -36,7 +36,7 @@ export class Painter {
 
   constructor(
     private readonly canvas: OffscreenCanvas,
-    private view: View,
+    private view: PanelView,
   ) {
     this.context = contextOf(canvas)
     this.fitCanvas()
@@ -93,7 +93,7 @@ export class Painter {
     this.draw()
   }
 
-  setView(view: View): void {
+  setView(view: PanelView): void {
     const before = this.view
     this.view = view
     this.fitCanvas()

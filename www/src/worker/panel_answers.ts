@@ -1,24 +1,24 @@
 /** What a panel's worker answers about its run besides frames: looking back, the moves of a cell, a layer's values. */
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
-import type { Answers, Question } from '../model/messages'
+import type { PanelAnswers, PanelQuestion } from '../model/messages'
 
-/** Of either build. */
+/** A run of either build of the engine. */
 type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
 
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
-  repaint(look: Answers['look']): void
+  repaint(look: PanelAnswers['look']): void
 }
 
-type Answer = Answers[keyof Answers] | null
+type Answer = PanelAnswers[keyof PanelAnswers] | null
 
-/** A worker that repeats iterations must hear, meanwhile, that others are wanted. */
+/** Iterations are repeated in slices, so that the worker hears in between when another one is wanted. */
 const SLICE_MS = 12
 const MOST_AT_ONCE = 4096
 
-export async function answer(question: Question, run: Run, asked: Asked): Promise<Answer> {
+export async function answer(question: PanelQuestion, run: Run, asked: Asked): Promise<Answer> {
   if (!asked.isCurrent()) return null
   switch (question.about) {
     case 'look':
@@ -36,7 +36,7 @@ export async function answer(question: Question, run: Run, asked: Asked): Promis
   }
 }
 
-function keptOf(run: Run): Answers['kept'] {
+function keptOf(run: Run): PanelAnswers['kept'] {
   const [snapshots = 0, bytes = 0, , , mostRepeated = 0] = run.snapshots()
   return { snapshots, bytes, mostRepeated }
 }
@@ -52,7 +52,7 @@ async function look(iteration: number | null, run: Run, asked: Asked): Promise<A
   return look
 }
 
-/** Goes there in slices of time; false when it is not wanted any more. */
+/** Goes there slice by slice; false when it is not wanted any more. */
 async function goBack(iteration: number | null, run: Run, asked: Asked): Promise<boolean> {
   let atOnce = 1
   for (;;) {

@@ -5,11 +5,11 @@
 import type * as core from '@pkg/core/formicarium'
 import { isEngineError } from '../model/errors'
 import type {
-  Answers,
   Frame,
+  PanelAnswers,
+  PanelQuestion,
   PanelReply,
   PanelRequest,
-  Question,
   RunSetup,
   Target,
 } from '../model/messages'
@@ -130,7 +130,7 @@ async function ask({ runId, id, question }: Extract<PanelRequest, { kind: 'ask' 
 }
 
 /** The rarely asked questions are answered by a part that is fetched with the first of them. */
-async function answerTo(question: Question, running: Running) {
+async function answerTo(question: PanelQuestion, running: Running) {
   const looks = running.looks
   const { answer } = await import('./panel_answers')
   return answer(question, running.run, {
@@ -140,7 +140,7 @@ async function answerTo(question: Question, running: Running) {
 }
 
 /** Draws what the run answers now, be it of the past. */
-function showPast({ bestPath, summary }: Answers['look']): void {
+function showPast({ bestPath, summary }: PanelAnswers['look']): void {
   painter?.setPath(bestPath)
   painter?.setOrder(summary.tour?.order ?? [])
   painter?.refresh(false)

@@ -1,7 +1,7 @@
 /** Does the runs of one comparison, one at a time. */
 import * as engine from '@pkg/formicarium'
 import type { PoolCalls } from '../model/comparison_calls'
-import { answerCalls } from './answer'
+import { answerCalls } from './answer_calls'
 
 let comparison: engine.Comparison | null = null
 

@@ -1,4 +1,4 @@
-/** The contour lines of a panel's terrain. With the whole engine alone: the core is spared their code. */
+/** The contour lines of a panel's terrain. Only the whole engine has them, to keep the core small. */
 import { ContourLines } from '@pkg/formicarium'
 import { type ContourData, ContourLayer } from './contours'
 import type { GroundOf } from './panel_server'

@@ -2,7 +2,7 @@
 import * as engine from '@pkg/formicarium'
 import type { MapCalls, ToolCalls } from '../model/tool_calls'
 import { toolCalls } from './engine_calls'
-import { serve } from './serve'
+import { serve } from './serve_worker'
 import { contoursOf } from './terrain_contours'
 
 const calls: ToolCalls & MapCalls = {

@@ -119,8 +119,8 @@ export const enDialogs = {
       scen: 'MovingAI scenarios (.scen) for the map on show or dropped with it',
       matrix: 'Matrix of 0 (free) and 1 (blocked), with or without separators',
       raster: 'Heights: ESRI ASCII grid (.asc), GeoTIFF (.tif), SRTM (.hgt), table (.csv)',
-      json: 'Formicarium scenario, experiment or comparison (.json)',
-      link: 'Share link, or a picture saved here (.png): its experiment is in it',
+      json: 'Formicarium scenario, session or comparison (.json)',
+      link: 'Share link, or a picture saved here (.png): its session or comparison is in it',
     },
     format: 'Format',
     exports: {
@@ -153,7 +153,7 @@ export const enDialogs = {
         note: 'Map, movement rule, start, goal and vehicle. Opens here and in the command line tool.',
       },
       experiment: {
-        name: 'Experiment',
+        name: 'Session',
         note: 'Everything: scenario, planners, parameters, seed and recorded results.',
       },
     },
@@ -188,9 +188,9 @@ export const enDialogs = {
     picture: 'Save as picture',
     private: '{{length}} characters. Everything is in the link itself; nothing is uploaded.',
     tooLarge:
-      'This terrain has more heights than a link can carry. Save the experiment as a file instead: it opens here by drag and drop.',
+      'This terrain has more heights than a link can carry. Save the session as a file instead: it opens here by drag and drop.',
     tooLong:
-      'This map makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the experiment as a file instead: it carries the same and opens here by drag and drop.',
+      'This map makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the session as a file instead: it carries the same and opens here by drag and drop.',
   },
   help: {
     title: 'Help and keys',

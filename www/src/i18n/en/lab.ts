@@ -1,4 +1,4 @@
-/** The laboratory: putting experiments together, running and keeping them. */
+/** The laboratory: putting comparisons together, running and keeping them. */
 export const enLab = {
   start: {
     title: 'Compare planners over many runs',
@@ -112,10 +112,10 @@ export const enLab = {
     budgetIs: 'at most {{amount}} {{axis}} a run',
     noBudget: 'each planner as its parameters say',
   },
-  own: {
-    add: 'Add own results',
-    hint: 'Runs of your own planner join tables, tests and figures: a CSV with entry, seed and length (a line a run), or a data file of IOHanalyzer.',
-    files: 'Own results',
+  imported: {
+    add: 'Import results',
+    hint: 'Runs from elsewhere, such as those of your own planner, join tables, tests and figures: a CSV with entry, seed and length (a line a run), or a data file of IOHanalyzer.',
+    files: 'Imported results',
     compared: 'compared, not run',
     remove: 'Remove {{name}}',
     onWhich: '{{name}} does not say on which map its runs are',

@@ -1,4 +1,4 @@
-/** Results of an experiment: tabs, tables, figures. */
+/** Results of a comparison: tabs, tables, figures. */
 export const enLabResults = {
   results: {
     title: 'Results',
@@ -125,14 +125,14 @@ export const enLabResults = {
     failures_other: '{{count}} of {{runs}} found no path',
     failuresNote:
       'Lengths, gaps, turns and effort to best are those of runs that found a path. In tests and curves a run without one counts as worse than any.',
-    fromElsewhere: '* Results from elsewhere: compared, not run here.',
+    imported: '* Imported results: compared, not run here.',
     noPath: 'No path',
     noPathShort: 'none',
     noPaths: 'No run has found a path yet.',
     noReference: 'No optimum is proven on this map, so there are no gaps.',
     noEffort: 'The effort of these runs is not known on this axis.',
     noTimes: 'No times are known: they are not part of result files.',
-    oneMap: 'Ranks need at least two maps. Add a map to the experiment.',
+    oneMap: 'Ranks need at least two maps. Add a map to the comparison.',
     noRanks: 'There are no ranks yet: every entry needs a run on every map, and some must differ.',
     logarithmic: 'Logarithmic effort',
     ground: 'Downloads on',
@@ -254,7 +254,7 @@ export const enLabResults = {
     download: 'Download',
     files: {
       csv: 'Runs (CSV)',
-      json: 'Experiment (JSON)',
+      json: 'Comparison (JSON)',
       'summary-csv': 'Summary (CSV)',
       'summary-json': 'Summary (JSON)',
       markdown: 'Report (Markdown)',

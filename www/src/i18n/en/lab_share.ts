@@ -1,7 +1,7 @@
-/** Experiments as links, files and pictures, whether they come out again, and the papers' questions. */
+/** Sharing and verifying comparisons, and the papers' questions. */
 export const enLabShare = {
   share: {
-    title: 'Share this experiment',
+    title: 'Share this comparison',
     open: 'Share',
     what: 'Whoever opens it sees the same question, maps and planners, runs it again, and is told whether the same comes out, bit for bit.',
     carriesQuestion: '“{{title}}”: {{maps}}, {{entries}}, {{seeds}}',
@@ -16,10 +16,10 @@ export const enLabShare = {
       'Digests of {{count}} runs, not the runs themselves; file and picture carry these',
     carriesNoRuns: 'No runs yet: there is nothing to compare with',
     tooLong:
-      'This experiment makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save it as a file or a picture instead: they carry the runs as well, and open here by drag and drop.',
+      'This comparison makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save it as a file or a picture instead: they carry the runs as well, and open here by drag and drop.',
     tooLarge:
-      'This experiment is too large for a link. Save it as a file or a picture instead: they open here by drag and drop.',
-    cardFooter: 'Drop this picture on the Formicarium page: the experiment is in it.',
+      'This comparison is too large for a link. Save it as a file or a picture instead: they open here by drag and drop.',
+    cardFooter: 'Drop this picture on the Formicarium page: the comparison is in it.',
     cardRuns: '{{runs}} runs · engine {{engine}}',
     cardMore_one: 'and {{count}} more entry',
     cardMore_other: 'and {{count}} more entries',

@@ -1,8 +1,8 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enDialogs } from '../en/dialogs'
-import type { Shape } from '../shape'
 
-/** Chinese of en_dialogs.ts. */
-export const zhCNDialogs: Shape<typeof enDialogs> = {
+/** Chinese of en/dialogs.ts. */
+export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
   movement: {
     label: '允许的移动',
     notes: {
@@ -111,8 +111,8 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
       scen: 'MovingAI 场景（.scen），用于当前或一起拖入的地图',
       matrix: '由 0（空闲）和 1（障碍）组成的矩阵，有无分隔符均可',
       raster: '高程：ESRI ASCII 栅格（.asc）、GeoTIFF（.tif）、SRTM（.hgt）、表格（.csv）',
-      json: 'Formicarium 场景、实验或比较（.json）',
-      link: '分享链接，或此处保存的图片（.png）：实验就在其中',
+      json: 'Formicarium 场景、会话或比较（.json）',
+      link: '分享链接，或此处保存的图片（.png）：会话或比较就在其中',
     },
     format: '格式',
     exports: {
@@ -145,7 +145,7 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
         note: '地图、移动规则、起点、终点与车辆。可在此页与命令行工具中打开。',
       },
       experiment: {
-        name: '实验',
+        name: '会话',
         note: '全部内容：场景、规划器、参数、种子与记录的结果。',
       },
     },
@@ -177,9 +177,9 @@ export const zhCNDialogs: Shape<typeof enDialogs> = {
     file: '保存为文件',
     picture: '保存为图片',
     private: '{{length}} 个字符。所有内容都在链接里，不会上传任何数据。',
-    tooLarge: '这片地形的高程太多，链接无法容纳。请改为保存实验文件：拖放到此页即可打开。',
+    tooLarge: '这片地形的高程太多，链接无法容纳。请改为保存会话文件：拖放到此页即可打开。',
     tooLong:
-      '这张地图的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存实验文件：内容相同，拖放到此页即可打开。',
+      '这张地图的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存会话文件：内容相同，拖放到此页即可打开。',
   },
   help: {
     title: '帮助与快捷键',

@@ -444,8 +444,8 @@ export const zhCNEngine = {
       hint: '它不是由“分享”生成，或被手工改动过',
     },
     'picture-bare': {
-      message: '图片中没有实验',
-      hint: '此处保存的图片带有实验，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',
+      message: '图片中没有会话，也没有比较',
+      hint: '此处保存的图片带有会话或比较，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',
     },
     'engine-unreachable': {
       message: '无法获取引擎的这一部分',

@@ -1,7 +1,7 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLab } from '../en/lab'
-import type { Shape } from '../shape'
 
-export const zhCNLab: Shape<typeof enLab> = {
+export const zhCNLab: DictionaryShape<typeof enLab> = {
   start: {
     title: '用多次运行比较规划器',
     text: '单次运行说明不了什么：蚂蚁受偶然左右。在这里，每个规划器在每张地图上用同样的种子运行，表格、图和检验告诉你哪些是差异，哪些只是运气。一切都留在这个浏览器里。',
@@ -102,10 +102,10 @@ export const zhCNLab: Shape<typeof enLab> = {
     budgetIs: '每次运行至多 {{amount}}（{{axis}}）',
     noBudget: '各规划器按自己的参数',
   },
-  own: {
-    add: '添加自己的结果',
-    hint: '你自己的规划器的运行结果可与这里的一起列表、检验和作图：含 entry、seed、length 列的 CSV（每行一次运行），或 IOHanalyzer 的数据文件。',
-    files: '自己的结果',
+  imported: {
+    add: '导入结果',
+    hint: '别处的运行结果（例如你自己的规划器的）可与这里的一起列表、检验和作图：含 entry、seed、length 列的 CSV（每行一次运行），或 IOHanalyzer 的数据文件。',
+    files: '导入的结果',
     compared: '只比较，不运行',
     remove: '移除 {{name}}',
     onWhich: '{{name}} 没有说明是在哪张地图上运行的',

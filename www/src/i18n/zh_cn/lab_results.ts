@@ -1,8 +1,8 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLabResults } from '../en/lab_results'
-import type { Shape } from '../shape'
 
-/** Chinese of en_lab_results.ts. */
-export const zhCNLabResults: Shape<typeof enLabResults> = {
+/** Chinese of en/lab_results.ts. */
+export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
   results: {
     title: '结果',
     nothing: '完成首批运行后，这里显示数字和图。',
@@ -78,7 +78,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
       finding: '结论',
       pair: '配对',
       ranks: '平均秩',
-      ours: '本实验：中位数',
+      ours: '此处：中位数',
       distribution: '各次运行：{{measure}}',
       publishedTurns: '转弯',
       publishedIterations: '达到最优的迭代',
@@ -124,14 +124,14 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     failures_other: '{{runs}} 次中有 {{count}} 次未找到路径',
     failuresNote:
       '长度、差距、转弯和达到最优的工作量只统计找到路径的运行。在检验和曲线中，未找到路径的运行比任何运行都差。',
-    fromElsewhere: '* 外部结果：参与比较，不在此运行。',
+    imported: '* 导入的结果：参与比较，不在此运行。',
     noPath: '无路径',
     noPathShort: '无',
     noPaths: '尚无运行找到路径。',
     noReference: '此地图上没有经证明的最优值，因此没有差距。',
     noEffort: '这些运行在此单位下的工作量未知。',
     noTimes: '没有时间数据：结果文件不含时间。',
-    oneMap: '排名至少需要两张地图。请为实验添加地图。',
+    oneMap: '排名至少需要两张地图。请为比较添加地图。',
     noRanks: '尚无排名：每个参评项都需要在每张地图上有运行，且须有差别。',
     logarithmic: '对数刻度',
     ground: '下载背景',
@@ -242,7 +242,7 @@ export const zhCNLabResults: Shape<typeof enLabResults> = {
     download: '下载',
     files: {
       csv: '运行（CSV）',
-      json: '实验（JSON）',
+      json: '比较（JSON）',
       'summary-csv': '汇总（CSV）',
       'summary-json': '汇总（JSON）',
       markdown: '报告（Markdown）',

@@ -1,9 +1,9 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enLabShare } from '../en/lab_share'
-import type { Shape } from '../shape'
 
-export const zhCNLabShare: Shape<typeof enLabShare> = {
+export const zhCNLabShare: DictionaryShape<typeof enLabShare> = {
   share: {
-    title: '分享这个实验',
+    title: '分享这个比较',
     open: '分享',
     what: '打开它的人会看到同样的问题、地图和规划器，可以重新运行，并得知结果是否逐位一致。',
     carriesQuestion: '“{{title}}”：{{maps}}，{{entries}}，{{seeds}}',
@@ -13,9 +13,9 @@ export const zhCNLabShare: Shape<typeof enLabShare> = {
     carriesRuns_other: '{{count}} 次运行的摘要，不含运行本身；文件和图片包含运行',
     carriesNoRuns: '还没有运行：没有可比对的内容',
     tooLong:
-      '此实验的链接长达 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改存为文件或图片：它们还包含运行结果，拖放到此处即可打开。',
-    tooLarge: '此实验太大，无法放入链接。请改存为文件或图片：拖放到此处即可打开。',
-    cardFooter: '将此图片拖放到 Formicarium 页面：实验就在其中。',
+      '此比较的链接长达 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改存为文件或图片：它们还包含运行结果，拖放到此处即可打开。',
+    tooLarge: '此比较太大，无法放入链接。请改存为文件或图片：拖放到此处即可打开。',
+    cardFooter: '将此图片拖放到 Formicarium 页面：比较就在其中。',
     cardRuns: '{{runs}} 次运行 · 引擎 {{engine}}',
     cardMore_other: '另有 {{count}} 个参评项',
     cardMoreMaps_other: '另有 {{count}} 张地图',

@@ -1,8 +1,8 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enMaps } from '../en/maps'
-import type { Shape } from '../shape'
 
-/** Chinese of en_maps.ts. */
-export const zhCNMaps: Shape<typeof enMaps> = {
+/** Chinese of en/maps.ts. */
+export const zhCNMaps: DictionaryShape<typeof enMaps> = {
   movement: {
     '4': '4 方向',
     '8-both-free': '8 方向，不切角',

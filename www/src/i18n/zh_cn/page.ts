@@ -1,9 +1,9 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { en } from '../en/page'
-import type { Shape } from '../shape'
 import { zhCNMaps } from './maps'
 import { zhCNRelief } from './relief'
 
-export const zhCN: Shape<typeof en> = {
+export const zhCN: DictionaryShape<typeof en> = {
   app: {
     title: 'Formicarium 蚁巢 – 蚁群与精确规划器在你的地图上竞速',
     loading: '正在启动引擎…',

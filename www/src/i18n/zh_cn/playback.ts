@@ -1,7 +1,7 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enPlayback } from '../en/playback'
-import type { Shape } from '../shape'
 
-export const zhCNPlayback: Shape<typeof enPlayback> = {
+export const zhCNPlayback: DictionaryShape<typeof enPlayback> = {
   region: '回看',
   slider: '所示迭代',
   earlier: '上一次迭代',

@@ -1,7 +1,7 @@
+import type { DictionaryShape } from '../dictionary_shape'
 import type { enRelief } from '../en/relief'
-import type { Shape } from '../shape'
 
-export const zhCNRelief: Shape<typeof enRelief> = {
+export const zhCNRelief: DictionaryShape<typeof enRelief> = {
   relief: {
     group: '地形视图',
     flat: '二维',

@@ -1,9 +1,9 @@
-/** One click: a planner as it is, and without each of its components. */
+/** Turns an entry into an ablation: the planner as it is, and without each of its components. */
 import type { CatalogEntry, ComponentEntry } from '@pkg/formicarium'
 import { tools } from '../../engine/tools'
 import { engineText } from '../../i18n'
 import { t } from '../../i18n/lab'
-import type { Contender } from '../../model/comparison'
+import type { Entry } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
 import { notify, plannerEntry } from '../../state'
 import { plannerName } from '../../words/planner_words'
@@ -15,15 +15,15 @@ const FULL = 'full'
 
 const lacksOne = ({ id }: DraftEntry) => id?.startsWith(WITHOUT) ?? false
 
-/** Whether it stands in an ablation: nothing more is to be taken out of it. */
+/** Whether it belongs to an ablation, and so cannot be ablated again. */
 export const isOfAblation = (entry: DraftEntry) =>
   lacksOne(entry) || (entry.id === FULL && drafted.value.some(lacksOne))
 
-/** The entries of an ablation in the place of all others, with a way back to them; the engine knows which components these values leave. */
+/** Replaces all entries by those of an ablation, and offers to undo it. The engine knows which components the values leave. */
 export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {
   const known = plannerEntry(planner)
   if (!known) return
-  const entries = JSON.parse(await tools.ablation(planner, preset, params)) as Contender[]
+  const entries = JSON.parse(await tools.ablation(planner, preset, params)) as Entry[]
   const drafts = entries.map(({ id, label, set }) => ({
     planner,
     preset,

@@ -1,4 +1,4 @@
-/** How many runs, and what each may spend. */
+/** How many seeds, and the budget of each run. */
 import { useId } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import type { Budget } from '../../model/comparison'
@@ -8,7 +8,7 @@ import { budget, change, MAX_SEEDS, seeds, untilBudget } from './draft'
 import { refusalOf } from './refusals'
 
 const AXES = ['iterations', 'constructed-paths', 'ant-moves', 'cell-expansions', 'moves'] as const
-/** What most planners spend by themselves, by what is counted. */
+/** About what most planners spend by default, by what is counted. */
 const USUAL: Record<Budget['axis'], number> = {
   iterations: 100,
   'constructed-paths': 2000,
@@ -16,7 +16,7 @@ const USUAL: Record<Budget['axis'], number> = {
   'cell-expansions': 100_000,
   moves: 100_000,
 }
-/** Fewer, and nothing is tested (`FEWEST` of the tests' words). */
+/** With fewer runs nothing is tested (`FEWEST` in lab/results). */
 const FEW_SEEDS = 20
 
 export function BudgetFields() {

@@ -1,26 +1,26 @@
-/** A new experiment: maps × planners × seeds, and what a run may spend. */
+/** A form for a new comparison: maps × entries × seeds, and the budget of a run. */
 import { Play, RotateCcw } from 'lucide'
 import { useEffect, useId, useState } from 'preact/hooks'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { catalog, rest, scenario } from '../../state'
+import { catalog, scenario, wholeEngine } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
-import { startStudy } from '../run/actions'
+import { startComparison } from '../run/actions'
 import { withImportedFiles } from '../store/imported_files'
 import { BudgetFields } from './budget'
-import { compose } from './compose'
+import { compose } from './compose_document'
 import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
 import { Entries } from './entries'
-import { fillOnce } from './keep_draft'
 import { titleOf } from './labels'
 import { Maps } from './maps'
 import { isShownElsewhere } from './refusals'
+import { restoreDraft } from './stored_draft'
 
 export function Builder() {
   const ready = scenario.value !== null && catalog.value !== null
   useEffect(() => {
-    if (ready) void fillOnce()
+    if (ready) void restoreDraft()
   }, [ready])
   return (
     <section class="lab-card builder" aria-label={t('lab.build.title')} data-testid="builder">
@@ -75,7 +75,7 @@ function StartBar() {
     setBusy(true)
     refusal.value = null
     try {
-      await startStudy(await withImportedFiles(await compose()))
+      await startComparison(await withImportedFiles(await compose()))
     } catch (error) {
       refusal.value = error
     }
@@ -95,7 +95,7 @@ function StartBar() {
         tone="primary"
         testId="lab-start"
         busy={busy}
-        disabled={count === 0 || rest.value === 'fetching'}
+        disabled={count === 0 || wholeEngine.value === 'fetching'}
         onClick={() => void start()}
       />
     </footer>

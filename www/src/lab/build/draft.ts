@@ -1,4 +1,4 @@
-/** What is going to be asked, while it is being put together. */
+/** The draft of a comparison: what the builder is putting together. */
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
 import type { Budget } from '../../model/comparison'
 import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
@@ -14,22 +14,22 @@ export const maps = signal<DraftMap[]>([])
 export const entries = signal<DraftEntry[]>([])
 export const seeds = signal({ from: 1, count: USUAL_SEEDS })
 export const budget = signal<Budget | null>(null)
-/** Every planner goes on until the budget is spent, whatever its own parameters say. */
+/** Whether every planner runs until the budget is spent, whatever its own parameters say. */
 export const untilBudget = signal(false)
-/** As the reader wrote it; null: by what is compared. */
+/** As the reader wrote it; null: made from what is compared. */
 export const title = signal<string | null>(null)
-/** Of a planner whose components are looked at: its name. */
+/** The name of the planner whose components are taken out one by one; null when this is no ablation. */
 export const ablated = signal<string | null>(null)
-/** What the engine said when it was to start. */
+/** Why the engine refused to start it. */
 export const refusal = signal<unknown>(null)
 
 let nextKey = 1
 let filled = false
 
-/** Whether nothing is in it yet, and there is something to begin with. */
+/** Whether it is still empty, and there is a scenario to fill it with. */
 export const waitsToBeFilled = () => !filled && scenario.peek() !== null
 
-/** A map that somebody drops or pastes while making a comparison belongs to it. */
+/** Adds maps that are dropped or pasted while the builder is on show. */
 export function takeMapsThatCome(): void {
   effect(() => {
     scenario.value
@@ -37,7 +37,7 @@ export function takeMapsThatCome(): void {
   })
 }
 
-/** The map and the planners that race now, with their values. */
+/** Starts from the race: its map and its planners with their parameters. */
 export function takeRace(): void {
   batch(() => {
     filled = true
@@ -57,7 +57,7 @@ export function takeRace(): void {
   })
 }
 
-/** All of it as it stands; null while there is nothing in it. */
+/** The whole draft; null while it is empty. */
 export function drafted(): Required<Filling> | null {
   const now = {
     maps: maps.value,
@@ -71,7 +71,7 @@ export function drafted(): Required<Filling> | null {
   return filled ? now : null
 }
 
-/** Something else altogether. */
+/** Replaces the whole draft. */
 export function fillWith(all: Filling): void {
   change(() => {
     filled = true
@@ -85,7 +85,7 @@ export function fillWith(all: Filling): void {
   })
 }
 
-/** Two panels of one planner are told apart as they are in the race. */
+/** Two panels with the same planner keep the marks that tell them apart in the race. */
 function raceLabel(panelId: number, planner: string): string | null {
   const entry = plannerEntry(planner)
   const mark = namesakeMark(panelId)
@@ -97,7 +97,7 @@ export function addCurrentMap(): void {
   if (now) addMap(mapName(), now)
 }
 
-/** The same map twice would tell nothing new. */
+/** A map that is there already is not added again. */
 export function addMap(name: string, added: Scenario): void {
   if (maps.peek().some((map) => map.scenario === added)) return
   change(() => {
@@ -118,7 +118,7 @@ export function addEntry(planner: string): void {
   })
 }
 
-/** The same once more, to be changed in one value. */
+/** Copies an entry, usually to change one value. */
 export function copyEntry(key: number): void {
   change(() => {
     entries.value = entries.peek().flatMap((entry) => {
@@ -142,7 +142,7 @@ export function changeEntry(key: number, changes: Partial<Omit<DraftEntry, 'key'
   })
 }
 
-/** Other entries altogether. */
+/** Replaces all entries. */
 export function setEntries(all: Omit<DraftEntry, 'key'>[], ofPlanner: string | null): void {
   change(() => {
     entries.value = all.map((entry) => ({ ...entry, key: nextKey++ }))
@@ -151,7 +151,7 @@ export function setEntries(all: Omit<DraftEntry, 'key'>[], ofPlanner: string | n
   })
 }
 
-/** What was refused may fit now. */
+/** Changes the draft; an earlier refusal no longer holds. */
 export function change(how: () => void): void {
   batch(() => {
     refusal.value = null

@@ -1,12 +1,12 @@
-/** What is compared: planners with their parameters. */
+/** The entries of the draft: planners with their parameters, and imported results. */
 import type { CatalogEntry } from '@pkg/formicarium'
 import { Plus, RotateCw } from 'lucide'
 import { t } from '../../i18n/lab'
-import { catalog, fetchRest, rest } from '../../state'
+import { catalog, fetchWholeEngine, wholeEngine } from '../../state'
 import { Icon } from '../../ui/icon'
 import { Menu, MenuHeading, MenuItem } from '../../ui/menu'
 import { FAMILIES, plannerName, plannerSummary } from '../../words/planner_words'
-import { instanceIds } from './compose'
+import { instanceIds } from './compose_document'
 import { addEntry, entries, maps } from './draft'
 import { EntryRow } from './entry_row'
 import { ImportedFiles, ImportedResults } from './imported_results'
@@ -51,13 +51,13 @@ function AddEntry() {
       {FAMILIES.map((family) => (
         <Family key={family} of={planners(family)} heading={t(`family.${family}`)} />
       ))}
-      {rest.value === 'fetching' && <MenuHeading text={t('panels.fetchingMore')} />}
-      {rest.value === 'failed' && (
+      {wholeEngine.value === 'fetching' && <MenuHeading text={t('panels.fetchingMore')} />}
+      {wholeEngine.value === 'failed' && (
         <MenuItem
           icon={RotateCw}
           label={t('panels.fetchMore')}
           note={t('panels.moreNotFetched')}
-          onClick={fetchRest}
+          onClick={fetchWholeEngine}
         />
       )}
     </Menu>

@@ -1,4 +1,4 @@
-/** One planner of the experiment: its name in tables, its values, and what else one may do with it. */
+/** One entry of the draft: its name in tables, its preset and parameters, and the actions on it. */
 import type { CatalogEntry, EngineError } from '@pkg/formicarium'
 import { Copy, Scissors, X } from 'lucide'
 import { useState } from 'preact/hooks'

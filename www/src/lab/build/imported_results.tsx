@@ -1,4 +1,4 @@
-/** Where somebody's own runs come in: beside the planners, or into an experiment that is open. */
+/** Imports results: into the draft beside its entries, or into the open comparison. */
 import { FileChartColumn, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
@@ -21,19 +21,24 @@ interface Place {
   name: string
 }
 
-/** `maps`: on which of them runs can be that name none. */
+/** `maps`: the choices for a file that does not name its map. */
 export function ImportedResults({ maps }: { maps: Place[] }) {
   const { pick, element } = useFilePicker({
-    label: t('lab.own.add'),
+    label: t('lab.imported.add'),
     accept: '.csv,.tsv,.txt,.dat,.tdat',
     multiple: true,
     testId: 'own-file',
     onFiles: (files) => void takeResultFiles(files),
   })
   return (
-    <div class="own-results">
-      <Button icon={FileChartColumn} label={t('lab.own.add')} testId="own-add" onClick={pick} />
-      <p class="hint">{t('lab.own.hint')}</p>
+    <div class="imported-results">
+      <Button
+        icon={FileChartColumn}
+        label={t('lab.imported.add')}
+        testId="own-add"
+        onClick={pick}
+      />
+      <p class="hint">{t('lab.imported.hint')}</p>
       {element}
       {refusedFile.value && (
         <Refused key={refusedFile.value.name} file={refusedFile.value} maps={maps} />
@@ -46,15 +51,15 @@ export function ImportedResults({ maps }: { maps: Place[] }) {
 export function ImportedFiles() {
   if (importedFiles.value.length === 0) return null
   return (
-    <ul class="draft-entries" aria-label={t('lab.own.files')}>
+    <ul class="draft-entries" aria-label={t('lab.imported.files')}>
       {importedFiles.value.map(({ key, name }) => (
-        <li key={key} class="own-file" data-testid="own-file-item">
+        <li key={key} class="imported-file" data-testid="own-file-item">
           <Icon icon={FileChartColumn} size={16} />
           <strong>{name}</strong>
-          <span class="hint">{t('lab.own.compared')}</span>
+          <span class="hint">{t('lab.imported.compared')}</span>
           <IconButton
             icon={X}
-            label={t('lab.own.remove', { name })}
+            label={t('lab.imported.remove', { name })}
             tone="quiet"
             size={16}
             onClick={() => removeImportedFile(key)}
@@ -68,7 +73,7 @@ export function ImportedFiles() {
 function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
   if (asksForMap(file) && maps.length > 1) return <AskForMap file={file} maps={maps} />
   return (
-    <div class="own-refused" data-testid="own-refused">
+    <div class="imported-refused" data-testid="own-refused">
       <strong>{file.name}</strong>
       <FormError error={file.error} />
     </div>
@@ -78,16 +83,16 @@ function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
 function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
   const [chosen, choose] = useState(maps[0]?.id ?? '')
   return (
-    <div class="own-map" data-testid="own-map">
+    <div class="imported-map" data-testid="own-map">
       <Select
-        label={t('lab.own.onWhich', { name: file.name })}
+        label={t('lab.imported.onWhich', { name: file.name })}
         value={chosen}
         options={maps.map((map) => ({ value: map.id, label: map.name }))}
         onChange={choose}
         testId="own-map-choice"
       />
       <Button
-        label={t('lab.own.join')}
+        label={t('lab.imported.join')}
         tone="primary"
         testId="own-join"
         onClick={() => void takeResults(file.name, file.bytes, chosen)}

@@ -1,4 +1,4 @@
-/** What entries and the whole are called, unless the reader calls them otherwise. */
+/** Labels of entries and the title, unless the reader has written others. */
 import { t } from '../../i18n/lab'
 import type { DraftEntry } from '../../model/draft'
 import { plannerEntry } from '../../state'

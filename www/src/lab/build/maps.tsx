@@ -75,7 +75,7 @@ function MapItem({ map }: { map: DraftMap }) {
   )
 }
 
-/** The map itself, one pixel a cell: known at a glance. */
+/** A picture of the map, one pixel a cell. */
 function Thumbnail({ map: { scenario } }: { map: DraftMap }) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const { spec, cells } = scenario
@@ -161,7 +161,7 @@ function Group({ at }: { at: 0 | 1 | 2 }) {
   )
 }
 
-/** Rasters of heights come as they are: whoever wants a part of one opens it in the other view. */
+/** Rasters of heights are taken whole; a part of one can be opened in the race view. */
 async function openMapFiles(files: File[]): Promise<void> {
   for (const file of files) {
     const bytes = new Uint8Array(await file.arrayBuffer())

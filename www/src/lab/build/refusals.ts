@@ -1,4 +1,4 @@
-/** Where the engine's refusal of an experiment is shown: at the field that it names. */
+/** Shows the engine's refusal of a comparison at the field that it names. */
 import type { EngineError } from '@pkg/formicarium'
 import type { DraftEntry } from '../../model/draft'
 import { isEngineError } from '../../model/errors'
@@ -12,7 +12,7 @@ export function refusalOf(field: string): EngineError | null {
   return error.field === field || error.field.startsWith(`${field}.`) ? error : null
 }
 
-/** The refusal of an entry; of its parameters with the parameter's key alone as field. */
+/** The refusal of an entry. If it is about a parameter, its field is the parameter's key alone. */
 export function refusalOfEntry(entry: DraftEntry): EngineError | null {
   const all = entries.value
   const id = idsOf(all)[all.indexOf(entry)]

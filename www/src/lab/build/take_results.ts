@@ -1,11 +1,11 @@
-/** Files of imported results find their place: in the open comparison, or in the one that is being put together. */
+/** Imports result files into the open comparison, or into the draft. */
 import { tools } from '../../engine/tools'
 import type { ImportedFile } from '../../model/draft'
 import { joinResults, phase } from '../run/actions'
 import { addImportedFile, refusedFile } from '../store/imported_files'
-import { compose } from './compose'
+import { compose } from './compose_document'
 
-/** Joins a file to the open comparison or, where none is open, to the one that is being put together. */
+/** Joins a file to the open comparison or, where none is open, to the draft. */
 export async function takeResults(
   name: string,
   bytes: Uint8Array,
@@ -24,7 +24,7 @@ export async function takeResultFiles(files: Iterable<File>): Promise<void> {
   for (const file of files) await takeResults(file.name, new Uint8Array(await file.arrayBuffer()))
 }
 
-/** What does not fit is refused now, not when the runs are to start. */
+/** A file that does not fit is refused now, rather than when the runs start. */
 async function addToDraft(file: Omit<ImportedFile, 'key'>): Promise<void> {
   await tools.joinResults(await compose(), file.bytes, file.name, file.instance)
   addImportedFile(file)

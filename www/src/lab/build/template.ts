@@ -1,13 +1,13 @@
-/** An experiment as the beginning of another one: its maps, planners, values, seeds and budget, to be changed. */
+/** Takes a comparison as the draft of another one: its maps, entries, seeds and budget. */
 import { tools } from '../../engine/tools'
-import type { Contender, MapOfQuestion, Question } from '../../model/comparison'
+import type { Entry, MapOfQuestion, Question } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
 import { toScenario } from '../../state/files'
-import type { Study } from '../store/signals'
+import type { OpenComparison } from '../store/signals'
 import { fillWith } from './draft'
 import { usualLabel } from './labels'
 
-export async function takeAsTemplate({ question, maps }: Study): Promise<void> {
+export async function takeAsTemplate({ question, maps }: OpenComparison): Promise<void> {
   fillWith({
     maps: await Promise.all(maps.map(opened)),
     entries: question.entries.flatMap(drafted),
@@ -22,8 +22,8 @@ async function opened(map: MapOfQuestion) {
   return { name: map.name, scenario: toScenario(imported, map.name) }
 }
 
-/** What cannot be run here cannot be changed here either. */
-function drafted({ id, label, planner, preset, set }: Contender): Omit<DraftEntry, 'key'>[] {
+/** Entries that cannot be run here, such as imported results, are left out. */
+function drafted({ id, label, planner, preset, set }: Entry): Omit<DraftEntry, 'key'>[] {
   if (!planner) return []
   const draft = { planner, preset: preset ?? null, params: set ?? {}, id }
   return [{ ...draft, label: label === usualLabel(draft) ? null : label }]

@@ -1,4 +1,4 @@
-/** Which planners fit the maps of a comparison that is being put together. */
+/** Which planners fit the maps of the draft. */
 import type { CatalogEntry } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
 import { whyNot } from '../../words/planner_words'

@@ -1,14 +1,14 @@
-/** What becomes of the planner without each of its components: differences to the full one over runs of equal seed. */
+/** What each component of a planner does: differences between runs without it and runs of the full planner, with equal seeds. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Ablated, Difference, Effect } from '../../model/analysis'
 import { amount, chance, dash, measureWords } from '../words/numbers'
-import { pathless } from './curves'
+import { drawPlot, gridX, MARGIN } from './draw_plot'
+import { pathless } from './effort_curves'
+import { MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Plot, type Scene, shownEntries } from './figure'
 import { seriesOf } from './figure_style'
-import { gridX, MARGIN, plotted } from './plotted'
-import { MIDDLE, ROW, rowScale, rowTexts } from './rows'
-import { plotSymbol } from './symbols'
+import { plotSymbol } from './point_symbols'
 
 const TOP = 20
 
@@ -59,7 +59,7 @@ export const ablation: Figure = {
       difference ? [{ i, ...difference, colour: seriesOf(effect.entry, '').colour }] : [],
     )
     const statistic = t(`lab.results.statistics.${ablated(scene)?.statistic ?? 'mean'}`)
-    const picture = plotted(plot, scene, height, {
+    const picture = drawPlot(plot, scene, height, {
       marginTop: TOP,
       x: {
         domain: bothSides(all.flatMap(({ low, high }) => [low, high])),
@@ -139,7 +139,7 @@ export const ablation: Figure = {
   },
 }
 
-/** 0 stands well within: there is something to be said on either side of it. */
+/** 0 lies well inside the axis, with room for words on either side. */
 function bothSides(ends: number[]): [number, number] {
   const [least, most] = [Math.min(0, ...ends), Math.max(0, ...ends)]
   const span = Math.max(most - least, 1e-9)

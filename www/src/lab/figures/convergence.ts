@@ -1,7 +1,9 @@
-/** How good the best path is by then: the median of the runs, and their quartiles. */
+/** How good the best path is after so much effort: median and quartiles of the runs. */
 import { t } from '../../i18n/lab'
 import type { BandPoint, EntryAnalysis } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, effort, measureWords, optimaOf } from '../words/numbers'
+import { type Ends, endsOf, limitsOf, placed } from './curve_limits'
+import { DOTTED, drawPlot, effortScale, gridEffort, gridY } from './draw_plot'
 import {
   curve,
   curveColumns,
@@ -11,10 +13,8 @@ import {
   missingCurves,
   shownWith,
   TOP,
-} from './curves'
+} from './effort_curves'
 import type { Figure, LegendItem, Plot, Scene, Shown } from './figure'
-import { type Ends, endsOf, limitsOf, placed } from './limits'
-import { DOTTED, effortScale, gridEffort, gridY, plotted } from './plotted'
 
 /** Rows of a curve's table: as many as one reads. */
 const MOST_ROWS = 12
@@ -38,7 +38,7 @@ export const convergence: Figure = {
       inSight.map(({ x }) => x),
       scene.logarithmic,
     )
-    const picture = plotted(plot, scene, heightOf(scene), {
+    const picture = drawPlot(plot, scene, heightOf(scene), {
       marginLeft: LEFT,
       marginTop: TOP,
       x: effortScale(scene),
@@ -90,7 +90,7 @@ export const convergence: Figure = {
 
 const hasBand = ({ band }: EntryAnalysis) => band.some(({ lower }) => lower !== null)
 
-/** Of many bands on each other: curves must still stand out. */
+/** Faint, so that curves stand out from many overlapping bands. */
 const shade = (bands: number) => Math.min(0.14, 0.8 / bands)
 
 /** Where less than three quarters of the runs have a path, the upper quartile is beyond every length. */

@@ -2,8 +2,8 @@
 import { download } from '../../state'
 import fontUrl from '../../styles/figtree-basic.woff2?url'
 import type { Figure, Plot, Scene } from './figure'
+import { framed, type Heading } from './figure_frame'
 import { type Ground, LOOKS } from './figure_style'
-import { framed, type Heading } from './frame'
 import { element, svgText } from './svg'
 
 /** Pixels: as wide as a page of a paper at 96 dots an inch, less its margins. */
@@ -11,17 +11,17 @@ const FILE_WIDTH = 720
 /** Pixels of a PNG for each of the SVG's. */
 const PNG_SCALE = 2
 
-/** Puts the experiment into a picture. */
+/** Embeds the comparison in a picture. */
 type Embed = (png: Blob) => Promise<Blob>
 
 let embed: Embed | null = null
 
-/** From now on every PNG carries what `how` puts into it. */
+/** From now on `how` embeds the comparison in every PNG. */
 export function embedInPictures(how: Embed | null): void {
   embed = how
 }
 
-/** The figure as it leaves the page: with its heading, on the ground that was chosen, in a size that no screen decides. */
+/** The figure as a file: with its heading, on the chosen background, in a size that does not depend on the screen. */
 export async function figureFile(
   plot: Plot,
   figure: Figure,
@@ -46,7 +46,7 @@ export async function downloadPng(svg: SVGSVGElement, stem: string): Promise<voi
   download(`${stem}.png`, new Uint8Array(await png.arrayBuffer()), 'image/png')
 }
 
-/** A picture of so many pixels for each of the SVG's. */
+/** A PNG with this many pixels for each of the SVG's. */
 export async function figurePng(svg: SVGSVGElement, scale: number): Promise<Blob> {
   const url = URL.createObjectURL(new Blob([svgText(svg)], { type: 'image/svg+xml' }))
   try {

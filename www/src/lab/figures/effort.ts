@@ -2,11 +2,11 @@
 import { t } from '../../i18n/lab'
 import type { Summary } from '../../model/analysis'
 import { axisWords, dash, effort as effortOf } from '../words/numbers'
-import { type Box, boxMarks } from './boxes'
-import { timeNote } from './curves'
+import { type Box, boxMarks } from './box_marks'
+import { drawPlot, effortScale, gridEffort, MARGIN } from './draw_plot'
+import { timeNote } from './effort_curves'
+import { failures, ROW, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
-import { effortScale, gridEffort, MARGIN, plotted } from './plotted'
-import { failures, ROW, rowScale, rowTexts } from './rows'
 
 const FIVE = ['least', 'lower', 'median', 'upper', 'greatest'] as const satisfies (keyof Summary)[]
 
@@ -46,7 +46,7 @@ export const effort: Figure = {
       }
     })
     const height = 8 + ROW * rows.length + MARGIN.bottom
-    const picture = plotted(plot, scene, height, {
+    const picture = drawPlot(plot, scene, height, {
       marginTop: 8,
       x: effortScale(scene),
       y: rowScale(rows.length),

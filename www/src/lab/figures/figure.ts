@@ -53,13 +53,13 @@ export interface Figure {
   id: FigureId
   /** About all maps together rather than one of them. */
   overall: boolean
-  /** Whether there is anything to show in such a study at all. */
+  /** Whether the figure makes sense for such a comparison. */
   suits(analysis: Analysis): boolean
   /** Why there is nothing to draw yet. */
   missing(scene: Scene): LabKey | null
   draw(plot: Plot, scene: Scene): Drawing
   table(scene: Scene): FigureTable
-  /** What it shows, in a few words, for those who cannot see it. */
+  /** What it shows, in a few words, for screen readers. */
   words(scene: Scene): string
 }
 

@@ -1,4 +1,4 @@
-/** One figure: drawn as wide as there is room, as a table for who prefers numbers, as a file to take along. */
+/** One figure: drawn as wide as there is room, also as a table, and as files to download. */
 import { useSignal } from '@preact/signals'
 import { FileCode2, Image, Table2 } from 'lucide'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
@@ -8,13 +8,13 @@ import type { Analysis, MapAnalysis } from '../../model/analysis'
 import { notifyError, theme } from '../../state'
 import { Button } from '../../ui/buttons'
 import { fileStem } from '../store/names'
-import { phase, study } from '../store/signals'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
+import { openComparison, phase } from '../store/signals'
 import { DataTable } from './data_table'
 import { downloadPng, downloadSvg, figureFile } from './download'
 import type { Figure, Plot, Scene } from './figure'
+import { framed } from './figure_frame'
 import { type Ground, LOOKS } from './figure_style'
-import { framed } from './frame'
 
 interface FigureCardProps {
   figure: Figure
@@ -61,7 +61,7 @@ function watchWidth(
   return () => resized.disconnect()
 }
 
-/** While runs go on, a figure rests this many times as long as it took to draw: the page has other things to do. */
+/** While runs go on, a figure waits this many times as long as it took to draw: the page has other work. */
 const REST = 20
 
 function Picture({ figure, plot, scene }: FigureCardProps & { scene: Scene }) {
@@ -94,7 +94,7 @@ function Actions({ figure, plot, scene, ground, asTable }: Toggled) {
   const file = () => figureFile(plot, figure, scene, headingOf(figure, scene), ground)
   const stem = () => {
     const about = figure.overall ? '' : `-${scene.map.id}`
-    return `${fileStem(study.value?.title ?? '')}-${figure.id}${about}`
+    return `${fileStem(openComparison.value?.title ?? '')}-${figure.id}${about}`
   }
   const save = (how: (svg: SVGSVGElement, stem: string) => void | Promise<void>) => () => {
     file()
@@ -142,7 +142,11 @@ function headingOf(figure: Figure, { map, analysis }: Scene) {
   const about = figure.overall
     ? t('lab.results.onMaps', { count: analysis.instances.length })
     : map.name
-  const parts = [shownStudy.value?.title ?? '', about, t('lab.results.runsEach', { count: runs })]
+  const parts = [
+    shownComparison.value?.title ?? '',
+    about,
+    t('lab.results.runsEach', { count: runs }),
+  ]
   return {
     title: t(`lab.results.figures.${figure.id}`),
     subtitle: parts.filter((part) => part !== '').join(' · '),

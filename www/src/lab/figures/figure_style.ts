@@ -2,8 +2,8 @@
  * What figures look like. They leave the page, where no style sheet follows them: so their colours are written here, the same as
  * styles/tokens.css has for the two themes.
  */
-import { COLOURS as OF_RACE } from '../../state/colours'
-import { SYMBOLS, type SymbolName } from './symbols'
+import { COLOURS as OF_RACE } from '../../state/slot_colours'
+import { SYMBOLS, type SymbolName } from './point_symbols'
 
 export type Ground = 'light' | 'dark'
 

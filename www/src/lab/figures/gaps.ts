@@ -1,10 +1,10 @@
 /** How many runs end how far above the best there is: one small histogram an entry, all on one scale. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { drawPlot, LOW, MARGIN } from './draw_plot'
+import { failures, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
 import { FONT } from './figure_style'
-import { LOW, MARGIN, plotted } from './plotted'
-import { failures, rowScale, rowTexts } from './rows'
 import { widthOf } from './svg'
 
 /** Pixels. */
@@ -44,7 +44,7 @@ export const gaps: Figure = {
     const height = 4 + TALL * rows.length + MARGIN.bottom
     const failed = rows.some(({ entry }) => entry.with_path < entry.runs)
     const bins = map.gap_edges.length + (failed ? APART + 1 : 0)
-    const picture = plotted(plot, scene, height, {
+    const picture = drawPlot(plot, scene, height, {
       marginTop: 4,
       x: { domain: [0, bins] },
       y: rowScale(rows.length),

@@ -1,14 +1,14 @@
-/** Who does not differ from whom. */
+/** Which entries do not differ from each other. */
 import type { Ranks } from '../../model/analysis'
 
-/** From this p on a difference may be chance. */
+/** From this p on, a difference may be chance. */
 export const LEVEL = 0.05
 
 interface Placed {
   entry: number
 }
 
-/** Runs of neighbours of which no two differ; those within another are left out, and so is who stands alone. */
+/** Groups of neighbours of which no two differ, without those that lie within another group or hold one entry only. */
 export function groups(order: Placed[], { pairs }: Pick<Ranks, 'pairs'>): [number, number][] {
   const differ = (a: number, b: number) =>
     pairs.some(

@@ -3,13 +3,13 @@ import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Ranks } from '../../model/analysis'
 import { chance, significant } from '../words/numbers'
+import { drawPlot, LOW, MARGIN } from './draw_plot'
+import { MIDDLE, rowScale, rowTexts } from './entry_rows'
 import type { Figure, Scene } from './figure'
 import { seriesOf } from './figure_style'
-import { LOW, MARGIN, plotted } from './plotted'
-import { jitter } from './points'
+import { plotSymbol } from './point_symbols'
 import { groups } from './rank_groups'
-import { MIDDLE, rowScale, rowTexts } from './rows'
-import { plotSymbol } from './symbols'
+import { jitter } from './whiskers_and_jitter'
 
 /** Pixels. */
 const TALL = 46
@@ -78,7 +78,7 @@ export const ranks: Figure = {
         }),
       ]
     })
-    const picture = plotted(plot, scene, height, {
+    const picture = drawPlot(plot, scene, height, {
       marginTop: 4,
       marginRight: right,
       x: { domain: [1, order.length] },

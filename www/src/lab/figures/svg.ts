@@ -27,7 +27,7 @@ export function widthOf(text: string, font: string): number {
   return ruler.measureText(text).width
 }
 
-/** Cut where it would be wider than so many pixels. */
+/** Text, cut where it would be wider than this many pixels. */
 export function shortened(text: string, most: number, font: string): string {
   if (widthOf(text, font) <= most) return text
   let kept = text.length
@@ -35,7 +35,7 @@ export function shortened(text: string, most: number, font: string): string {
   return `${text.slice(0, kept).trimEnd()}…`
 }
 
-/** Words in lines of at most so many pixels. Chinese breaks anywhere, as it may. */
+/** Words in lines of at most this many pixels. Chinese may break anywhere. */
 export function wrapped(text: string, most: number, font: string): string[] {
   const words =
     text.match(/[\u3000-\u9fff\uff00-\uffef]|[^\s\u3000-\u9fff\uff00-\uffef]+\s*/g) ?? []

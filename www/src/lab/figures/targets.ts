@@ -1,12 +1,12 @@
-/** How many (run, target) pairs are solved by then: an empirical distribution of running times over several targets. */
+/** The share of (run, target) pairs solved after so much effort: an empirical distribution of running times over several targets. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis } from '../../model/analysis'
 import { dash, effort, optimaOf } from '../words/numbers'
-import { curve, finished, heightOf, LEFT, missingCurves, shownWith, TOP } from './curves'
+import { type Ends, endsOf, placed } from './curve_limits'
+import { drawPlot, effortScale, gridEffort, gridY } from './draw_plot'
+import { curve, finished, heightOf, LEFT, missingCurves, shownWith, TOP } from './effort_curves'
 import type { Figure } from './figure'
-import { type Ends, endsOf, placed } from './limits'
-import { effortScale, gridEffort, gridY, plotted } from './plotted'
 
 export const targets: Figure = {
   id: 'targets',
@@ -21,7 +21,7 @@ export const targets: Figure = {
       entry.total_effort?.greatest ?? 0,
     ])
     const ends = endsOf(efforts, scene.logarithmic)
-    const picture = plotted(plot, scene, heightOf(scene), {
+    const picture = drawPlot(plot, scene, heightOf(scene), {
       marginLeft: LEFT,
       marginTop: TOP,
       x: effortScale(scene),

@@ -1,8 +1,10 @@
-/** Every run's value, with its quartiles: the exact optimum and what is published stand in the same scale. */
+/** Every run's value, with the quartiles; the exact optimum and published numbers are on the same scale. */
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
-import { type Box, boxMarks } from './boxes'
+import { type Box, boxMarks } from './box_marks'
+import { DOTTED, drawPlot, gridX, MARGIN, POINT_RADIUS } from './draw_plot'
+import { failures, MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
 import {
   type Drawing,
   type Figure,
@@ -13,10 +15,8 @@ import {
   shownEntries,
 } from './figure'
 import { seriesOf } from './figure_style'
-import { DOTTED, gridX, MARGIN, POINT_RADIUS, plotted } from './plotted'
-import { jitter, whiskers } from './points'
-import { failures, MIDDLE, ROW, rowScale, rowTexts } from './rows'
-import { plotSymbol } from './symbols'
+import { plotSymbol } from './point_symbols'
+import { jitter, whiskers } from './whiskers_and_jitter'
 
 /** Room for the name of the line across all rows, and for each further one. Pixels. */
 const TOP = 22
@@ -84,7 +84,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
   const optima = optimaOf(map)
   const top = TOP + LABEL_LINE * Math.max(0, optima.length - 1)
   const height = top + ROW * rows.length + MARGIN.bottom
-  const picture = plotted(plot, scene, height, {
+  const picture = drawPlot(plot, scene, height, {
     marginTop: top,
     x: { nice: true },
     y: rowScale(rows.length),
@@ -101,7 +101,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
       publishedMarks(plot, scene, rows),
     ],
   })
-  const elsewhere = rows.some(({ entry }) => entry.origin === 'results')
+  const hasImported = rows.some(({ entry }) => entry.origin === 'results')
   const impossible = rows.some(({ entry }) => entry.published?.impossible)
   return {
     plot: picture,
@@ -109,7 +109,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
     legend: legend(rows),
     notes: [
       t('lab.results.boxes'),
-      ...(elsewhere ? [t('lab.results.fromElsewhere')] : []),
+      ...(hasImported ? [t('lab.results.imported')] : []),
       ...(impossible ? [t('lab.results.impossibleNote')] : []),
     ],
   }

@@ -1,7 +1,7 @@
-/** What papers claim, as questions that can be run here: the same as experiments/*.toml ask on the command line. */
+/** The papers' claims as questions that can be run here: those of experiments/*.toml, as on the command line. */
 import all from 'virtual:paper-questions'
 import { paperMaps } from '../../gallery/paper_maps'
-import { type LabDocument, textOf } from '../../model/comparison'
+import { type ComparisonDocument, textOf } from '../../model/comparison'
 import { poolSize } from '../run/pool'
 
 export interface PaperQuestion {
@@ -33,22 +33,22 @@ const MOVES_PER_SECOND = { plane: 12e6, terrain: 2.3e6 }
 /** To hand a run out and take it in. */
 const SECONDS_PER_RUN = 0.004
 
-/** Roughly how long so many seeds take on this machine. */
+/** A rough estimate of how long this many seeds take on this machine. */
 export function secondsFor({ moves, runs, onTerrain }: PaperQuestion, seeds: number): number {
   const each = moves / MOVES_PER_SECOND[onTerrain ? 'terrain' : 'plane'] + runs * SECONDS_PER_RUN
   return (seeds * each) / poolSize(runs * seeds)
 }
 
-/** The question of a map of the gallery, if it stands for one of a paper; a question of our own does not. */
+/** The question that belongs to a map of the gallery, if that map stands for a paper's. */
 export function questionOfMap(galleryId: string | null): PaperQuestion | null {
   const file = paperMaps.find(({ id }) => id === galleryId)?.file
   if (file === undefined) return null
   return questions.find(({ paper, maps }) => paper !== '' && maps.includes(file)) ?? null
 }
 
-/** The question with its maps, for the first so many of its seeds. */
+/** The question with its maps, for the first `seeds` of its seeds. */
 export async function documentFor(question: PaperQuestion, seeds: number): Promise<string> {
-  const document = JSON.parse(await question.document()) as LabDocument
+  const document = JSON.parse(await question.document()) as ComparisonDocument
   document.question.seeds.count = Math.min(seeds, question.seeds)
   return textOf(document)
 }

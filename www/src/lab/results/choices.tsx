@@ -15,7 +15,7 @@ export function shownMap({ instances }: Analysis): MapAnalysis | undefined {
   return instances.find(({ id }) => id === chosenMap.value) ?? instances[0]
 }
 
-/** Nothing while there is but one. */
+/** Not shown while there is only one. */
 export function MapChoice({ analysis }: { analysis: Analysis }) {
   if (analysis.instances.length < 2) return null
   return (
@@ -70,7 +70,7 @@ interface AlertProps {
   items?: string[]
 }
 
-/** What cannot be, in red. */
+/** An impossible value, in red. */
 export function Alert({ words, items = [] }: AlertProps) {
   return (
     <div class="result-impossible" data-testid="impossible">

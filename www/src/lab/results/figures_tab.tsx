@@ -5,10 +5,10 @@ import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import { notifyError } from '../../state'
 import { Labelled, Segmented } from '../../ui/fields'
+import { figuresOf } from '../figures/all_figures'
 import type { Plot } from '../figures/figure'
 import { FigureCard } from '../figures/figure_card'
 import type { Ground } from '../figures/figure_style'
-import { figuresOf } from '../figures/list'
 import { AxisChoice, MapChoice, shownMap } from './choices'
 
 const library = signal<Plot | null>(null)

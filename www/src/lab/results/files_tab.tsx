@@ -4,7 +4,7 @@ import { t } from '../../i18n/lab'
 import type { ResultFile } from '../../model/analysis'
 import { announce, download, notify, notifyError } from '../../state'
 import { Button } from '../../ui/buttons'
-import { resultFile, study, timesFile } from '../run/actions'
+import { openComparison, resultFile, timesFile } from '../run/actions'
 import { fileStem } from '../store/names'
 
 interface FileKind {
@@ -43,7 +43,7 @@ export function FilesTab() {
 
 function FileRow({ file }: { file: FileKind }) {
   const { kind, ending, type } = file
-  const name = `${fileStem(study.value?.title ?? '')}.${ending}`
+  const name = `${fileStem(openComparison.value?.title ?? '')}.${ending}`
   const save = () =>
     contents(kind)
       .then((text) => download(name, text, type))

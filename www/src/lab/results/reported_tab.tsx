@@ -1,11 +1,11 @@
-/** What publications report beside what came out here: numbers, and claims with their verdicts. */
+/** What papers report beside what came out here: numbers, and claims with their verdicts. */
 import { BookOpen } from 'lucide'
 import { language, numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
 import { Button } from '../../ui/buttons'
 import { METHODOLOGY, showCard } from '../../words/paper_cards'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
 import {
   amount,
   dash,
@@ -18,7 +18,7 @@ import {
 } from '../words/numbers'
 import { measureNamed, whyWords } from '../words/verdict_words'
 import { Alert, dotColour, MapHead } from './choices'
-import { Strip, stripScale } from './strip'
+import { Strip, stripScale } from './run_strip'
 
 export function hasReported({ instances, verdicts }: Analysis): boolean {
   return verdicts.length > 0 || instances.some((map) => reported(map).length > 0)
@@ -153,7 +153,7 @@ function placeOf({ published }: Reported): string {
   return t('lab.results.atOrBelow', { share: share(published.share_at_or_below) })
 }
 
-/** One box, however many published numbers cannot be. */
+/** One box for all published numbers that are impossible here. */
 function Impossible({ rows, map }: { rows: Reported[]; map: MapAnalysis }) {
   const write = amount(map.measure)
   const all = rows.flatMap(({ entry, published: { value, optimum, impossible } }) =>
@@ -200,9 +200,9 @@ function Verdicts({ analysis }: { analysis: Analysis }) {
   )
 }
 
-/** What a reader of the verdicts must know, each once, with the claims that it is about. */
+/** Reservations about the verdicts, each once, with the claims it is about. */
 function Reservations() {
-  const claims = shownStudy.value?.question.claims ?? []
+  const claims = shownComparison.value?.question.claims ?? []
   const notes = [...new Set(claims.map(({ note }) => note ?? ''))].filter((note) => note !== '')
   if (notes.length === 0) return null
   return (

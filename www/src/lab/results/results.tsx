@@ -1,11 +1,11 @@
-/** What the runs of the open experiment say, in tabs. */
+/** What the runs of the open comparison say, in tabs. */
 import '../../styles/lab_results.css'
 import { computed, signal } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import { FormError } from '../../ui/form_error'
-import { analysisError, progress, study } from '../store/signals'
-import { shownAnalysis } from '../store/translated'
+import { shownAnalysis } from '../store/shown_comparison'
+import { analysisError, openComparison, progress } from '../store/signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
 import { hasReported, ReportedTab } from './reported_tab'
@@ -28,7 +28,7 @@ const BODIES = {
 
 export function Results() {
   const now = shownAnalysis.value
-  if (!study.value) return null
+  if (!openComparison.value) return null
   const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
   const tab = tabs.includes(chosen.value) ? chosen.value : 'summary'
   const Body = BODIES[tab]
@@ -53,7 +53,7 @@ export function Results() {
 /** Whether any run is done. The number of them changes more often than anything here should be drawn. */
 const begun = computed(() => progress.value.done > 0)
 
-/** Runs from elsewhere stand before any is done here. */
+/** Imported results are shown before any run is done here. */
 const hasGiven = ({ instances }: Analysis) =>
   instances.some(({ entries }) =>
     entries.some(({ origin, runs }) => origin === 'results' && runs > 0),

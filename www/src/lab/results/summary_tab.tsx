@@ -5,7 +5,7 @@ import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Select } from '../../ui/fields'
 import { bestOf } from '../../words/metric_rows'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
 import { amount, dash, labelOf, measureWords, optimaOf } from '../words/numbers'
 import { Alert, AxisChoice, dotColour, MapChoice, MapHead, shownMap } from './choices'
 import { type Column, type ColumnId, columnsOf, headOf, type Table } from './summary_columns'
@@ -189,7 +189,7 @@ function Row({ entry, index, columns, best }: RowProps) {
 }
 
 const whyMissing = (id: string) =>
-  shownStudy.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
+  shownComparison.value?.question.entries.find((entry) => entry.id === id)?.missing ?? ''
 
 function Cell({
   column,
@@ -217,7 +217,7 @@ function Cell({
 }
 
 function Footnotes({ map }: { map: MapAnalysis }) {
-  const elsewhere = map.entries.some(({ origin }) => origin === 'results')
+  const hasImported = map.entries.some(({ origin }) => origin === 'results')
   const failed = map.entries.some(({ runs, with_path }) => with_path < runs)
   const wrong = map.entries.filter(({ impossible }) => impossible > 0)
   const shared = map.targets.length > 0 && optimaOf(map, map.curve_measure).length > 1
@@ -232,7 +232,7 @@ function Footnotes({ map }: { map: MapAnalysis }) {
       <ul class="footnotes">
         {failed && <li>{t('lab.results.failuresNote')}</li>}
         {shared && <li>{t('lab.results.targetsShared')}</li>}
-        {elsewhere && <li>{t('lab.results.fromElsewhere')}</li>}
+        {hasImported && <li>{t('lab.results.imported')}</li>}
       </ul>
     </>
   )

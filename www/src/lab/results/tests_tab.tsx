@@ -9,10 +9,10 @@ import { LEVEL } from '../figures/rank_groups'
 import { ranked } from '../figures/ranks'
 import { chance, labelOf, significant } from '../words/numbers'
 import { MapChoice, MapHead, shownMap } from './choices'
-import { type Compared, compared, differ, type Kind, shownEffect } from './compared'
+import { differ, type Kind, type PairTest, pairTest, shownEffect } from './pair_tests'
 import { sentences } from './tests_words'
 
-/** From so many on the approximation of Friedman's test is good (Demšar 2006). */
+/** From this many maps on, the approximation of Friedman's test is good (Demšar 2006). */
 const MANY_MAPS = 10
 
 const kind = signal<Kind>('wilcoxon')
@@ -85,7 +85,7 @@ function Matrix({ map }: { map: MapAnalysis }) {
               {shown.map((column) => (
                 <MatrixCell
                   key={column.entry.id}
-                  pair={compared(map, row.index, column.index, kind.value)}
+                  pair={pairTest(map, row.index, column.index, kind.value)}
                 />
               ))}
             </tr>
@@ -96,7 +96,7 @@ function Matrix({ map }: { map: MapAnalysis }) {
   )
 }
 
-function MatrixCell({ pair }: { pair: Compared | null }) {
+function MatrixCell({ pair }: { pair: PairTest | null }) {
   if (!pair) return <td class="diagonal">–</td>
   const { better, p } = pair
   const leaning = differ(pair) && better !== 0.5 ? (better > 0.5 ? 'ahead' : 'behind') : 'even'

@@ -3,16 +3,16 @@ import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { chance, labelOf } from '../words/numbers'
-import { type Compared, compared, differ, effectOf, type Kind } from './compared'
+import { differ, effectOf, type Kind, type PairTest, pairTest } from './pair_tests'
 
 /** Fewest runs that are tested (the engine's MIN_RUNS). */
 const FEWEST = 20
 
-/** What can be said, clearest first, and of which pairs nothing can. */
+/** Conclusions, clearest first, and the pairs that allow none. */
 export function sentences(map: MapAnalysis, kind: Kind): string[] {
   const all = map.pairs.flatMap(({ first, second }) => {
     const [a, b] = [map.entries[first], map.entries[second]]
-    const pair = compared(map, first, second, kind)
+    const pair = pairTest(map, first, second, kind)
     return a && b && pair ? [{ a, b, pair }] : []
   })
   if (all.length === 0) return [t('lab.results.onePlanner')]
@@ -39,7 +39,7 @@ const enough = ({ runs }: EntryAnalysis) => runs >= FEWEST
 interface Both {
   a: EntryAnalysis
   b: EntryAnalysis
-  pair: Compared
+  pair: PairTest
 }
 
 function ahead({ a, b, pair }: Both): string {

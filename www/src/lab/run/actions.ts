@@ -6,87 +6,88 @@ import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { KeptRun } from '../../model/comparison_calls'
 import { notify, notifyError } from '../../state'
-import { recallInTab, refreshKept, removeKept, STUDY_IN_TAB } from '../store/kept'
+import { deleteComparison, storedComparison } from '../store/browser_storage'
+import { refreshKeptComparisons, removeKeptComparison } from '../store/kept_comparisons'
 import { fileStem } from '../store/names'
-import { forgetStudy, keptStudy } from '../store/shelf'
-import { failures, finishing, phase, study, verification } from '../store/signals'
-import { takeAlone } from '../store/tab_lock'
+import { failures, finishing, openComparison, phase, verification } from '../store/signals'
+import { lockComparison } from '../store/tab_lock'
+import { COMPARISON_IN_TAB, recallInTab } from '../store/tab_memory'
 import {
   changed,
-  closeStudy,
-  opened,
-  openStudy,
-  rest,
-  take,
+  closeComparison,
+  comeToRest,
+  openKeptComparison,
+  openNew,
+  openParts,
   takeInFromOthers,
   waitForOther,
-} from './opened'
-import { timesCsv } from './times'
+} from './open_comparison'
+import { timesCsv } from './times_csv'
 
 export * from '../../model/comparison'
-export { refreshKept } from '../store/kept'
+export { refreshKeptComparisons } from '../store/kept_comparisons'
 export * from '../store/signals'
-export { closeStudy, openStudy } from './opened'
+export { closeComparison, openKeptComparison } from './open_comparison'
 
 export interface StartOptions {
-  /** Only the first so many seeds of each entry. */
+  /** Only this many seeds of each entry, the first ones. */
   firstSeeds?: number | null
   /** As many as the machine has processors, if nothing is said. */
   workers?: number
 }
 
-/** Runs an experiment in a study of its own. Rejects with the engine's typed error when it cannot be asked. */
-export async function startStudy(document: string, options: StartOptions = {}): Promise<void> {
+/** Opens a document as a new comparison and runs it. Rejects with the engine's typed error when the engine refuses the document. */
+export async function startComparison(document: string, options: StartOptions = {}): Promise<void> {
   const { firstSeeds = null, workers } = options
-  await take({ document, runs: 'own', firstSeeds, workers })
+  await openNew({ document, runs: 'own', firstSeeds, workers })
   await goOn()
 }
 
-/** Opens a document: the runs in it are shown, what is left of them can be run. */
+/** Opens a document: shows the runs in it; those that are missing can be run. */
 export async function openDocument(text: string): Promise<void> {
-  await take({ document: text, runs: 'file', firstSeeds: null })
+  await openNew({ document: text, runs: 'file', firstSeeds: null })
 }
 
-/** Once more, in a study of its own: whether the same comes out. */
+/** Runs the open comparison once more, as a new one, to see whether the same comes out. */
 export async function runAgain(options: StartOptions = {}): Promise<void> {
-  const now = study.peek()
-  if (now) await startStudy(now.document, options)
+  const now = openComparison.peek()
+  if (now) await startComparison(now.document, options)
 }
 
-/** The open experiment with somebody's own results beside its runs, in a study of its own. Rejects with the engine's typed error. */
+/** Opens the comparison anew, as another one, with imported results beside its runs. Rejects with the engine's typed error. */
 export async function joinResults(
   name: string,
   bytes: Uint8Array,
   instance: string | null,
 ): Promise<void> {
-  const mine = opened()
+  const mine = openParts()
   if (!mine) return
   pause()
-  const document = await tools.joinResults(mine.study.document, bytes, name, instance)
-  // Entries that are not run come last and change no other run's place.
-  await take({ ...mine.kept, document, done: mine.desk.all })
+  const document = await tools.joinResults(mine.comparison.document, bytes, name, instance)
+  // Imported entries come last, so that every other run keeps its place.
+  await openNew({ ...mine.stored, document, done: mine.analyst.all })
 }
 
-/** Runs under way are finished and kept. */
+/** Starts no more runs; those under way are finished and kept. */
 export function pause(): void {
-  const mine = opened()
+  const mine = openParts()
   if (!mine || phase.peek() !== 'running') return
   mine.runner.halt()
   phase.value = 'paused'
-  if (mine.runner.inFlight === 0) rest(mine)
+  if (mine.runner.inFlight === 0) comeToRest(mine)
   else finishing.value = mine.runner.inFlight
 }
 
-/** Runs what is left, unless another tab does. */
+/** Does the runs that are missing, unless another tab is doing them. */
 export async function goOn(): Promise<void> {
-  const mine = opened()
+  const mine = openParts()
   if (!mine || phase.peek() === 'running') return
-  if (mine.letGo === null) {
-    mine.letGo = await takeAlone(mine.study.id)
-    if (mine !== opened()) return mine.letGo?.()
-    if (mine.letGo === null) return waitForOther(mine)
+  if (mine.unlock === null) {
+    mine.unlock = await lockComparison(mine.comparison.id)
+    if (mine !== openParts()) return mine.unlock?.()
+    if (mine.unlock === null) return waitForOther(mine)
     await takeInFromOthers(mine)
-    if (mine !== opened()) return
+    if (mine !== openParts()) return
   }
   batch(() => {
     phase.value = 'running'
@@ -97,59 +98,62 @@ export async function goOn(): Promise<void> {
   changed(mine)
 }
 
-/** Ends the runs at once; what is finished stays as a study. */
+/** Ends the runs at once; a comparison with finished runs is kept. */
 export async function cancel(): Promise<void> {
-  const mine = opened()
+  const mine = openParts()
   if (!mine) return
   mine.runner.end()
   const { done } = mine.runner.progress
-  await mine.keeper.flush()
-  const { id, title } = mine.study
-  closeStudy()
-  if (done === 0) await forgetStudy(id).catch(() => {})
+  await mine.writer.flush()
+  const { id, title } = mine.comparison
+  closeComparison()
+  if (done === 0) await deleteComparison(id).catch(() => {})
   else
     notify('info', t('lab.run.stopped', { title: translated(title), count: done }), {
       hint: t('lab.run.stoppedHint'),
-      action: { label: t('lab.kept.open'), run: () => void openStudy(id).catch(notifyError) },
+      action: {
+        label: t('lab.kept.open'),
+        run: () => void openKeptComparison(id).catch(notifyError),
+      },
     })
-  await refreshKept()
+  await refreshKeptComparisons()
 }
 
-export async function removeStudy(id: string): Promise<void> {
-  if (opened()?.study.id === id) closeStudy()
-  await removeKept(id)
+export async function removeComparison(id: string): Promise<void> {
+  if (openParts()?.comparison.id === id) closeComparison()
+  await removeKeptComparison(id)
 }
 
-/** One of the result files of the runs that are done, as the command line writes it. */
+/** A result file of the runs that are done, as the command line writes it. */
 export function resultFile(kind: ResultFile, command = commandOf()): Promise<string> {
-  return opened()?.desk.file(kind, command) ?? Promise.resolve('')
+  return openParts()?.analyst.file(kind, command) ?? Promise.resolve('')
 }
 
-/** How long the runs took that were done in this browser. */
+/** A file of how long the runs took that were done in this browser. */
 export function timesFile(): string {
-  const mine = opened()
-  return mine ? timesCsv(mine.study.question, mine.desk.kept()) : ''
+  const mine = openParts()
+  return mine ? timesCsv(mine.comparison.question, mine.analyst.kept()) : ''
 }
 
-/** Takes in a run that was done again, only to be compared with the one that the document brought. */
+/** Takes in a repeated run, only to compare it with the recorded one. */
 export function checkRun(run: KeptRun): void {
-  opened()?.desk.check(run)
+  openParts()?.analyst.check(run)
 }
 
-/** Compares once more. */
+/** Compares repeated runs with the recorded ones. */
 export async function compareAgain(): Promise<void> {
-  const mine = opened()
-  const told = await mine?.desk.verify()
-  if (mine && mine === opened()) verification.value = told ?? null
+  const mine = openParts()
+  const told = await mine?.analyst.verify()
+  if (mine && mine === openParts()) verification.value = told ?? null
 }
 
-/** What this tab had open before a reload. */
+/** Opens what this tab had open before a reload. */
 export async function reopenInTab(): Promise<void> {
-  const id = recallInTab(STUDY_IN_TAB)
-  if (id !== null && (await keptStudy(id).catch(() => null))) await openStudy(id)
+  const id = recallInTab(COMPARISON_IN_TAB)
+  if (id !== null && (await storedComparison(id).catch(() => null))) await openKeptComparison(id)
 }
 
-/** How the same files come from the command line. */
+/** The command that makes the same files. */
 function commandOf(): string {
-  return `formicarium compare ${fileStem(study.peek()?.title ?? '')}.json --out DIR`
+  return `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
 }

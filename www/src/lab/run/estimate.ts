@@ -1,10 +1,10 @@
-/** How long the rest of the runs will take: entries differ a thousandfold, so each pair of map and entry is reckoned by its own runs. */
+/** How long the remaining runs will take. Entries differ a thousandfold, so each pair of map and entry is estimated from its own runs. */
 import type { Tasks } from './tasks'
 
-/** Fewer runs, or a shorter time, say nothing yet. */
+/** No estimate from fewer runs, or after a shorter time. */
 const LEAST_RUNS = 3
 const LEAST_SECONDS = 0.7
-/** What came last counts most: the machine may have got other work meanwhile. */
+/** Recent runs count most: the machine may have other work by now. */
 const MEMORY_SECONDS = 20
 
 interface Mean {
@@ -15,7 +15,7 @@ interface Mean {
 export class Estimate {
   private readonly byPair: Mean[]
   private readonly all: Mean = { sum: 0, count: 0 }
-  /** Seconds of work done, and of the clock, faded out. */
+  /** Seconds of work and of the clock, with the past fading out. */
   private worked = 0
   private passed = 0
   private last: number
@@ -46,7 +46,7 @@ export class Estimate {
     this.last = now
   }
 
-  /** Null while nobody can tell. */
+  /** Null while there is too little to go by. */
   secondsLeft(left: Iterable<number>): number | null {
     if (this.all.count < LEAST_RUNS || this.passed < LEAST_SECONDS) return null
     const mean = this.all.sum / this.all.count
@@ -55,7 +55,7 @@ export class Estimate {
       const pair = this.byPair[this.tasks.pairOf(index)]
       work += pair && pair.count > 0 ? pair.sum / pair.count : mean
     }
-    // How much work is done in a second by all workers together, messages and drawing included.
+    // Seconds of work that all workers do in a second of the clock, messages and drawing included.
     const rate = this.worked / this.passed
     return rate > 0 ? work / rate : null
   }

@@ -1,26 +1,26 @@
-/** Runs on as many workers as the machine has processors, each with an engine of its own: which one does a run changes nothing. */
+/** Does runs on as many workers as the machine has processors. Each has its own engine; a run's result does not depend on its worker. */
 import type { DoneRun, EngineError } from '@pkg/formicarium'
 import { ToolBox } from '../../engine/tools'
 import type { PoolCalls } from '../../model/comparison_calls'
 import { toEngineError } from '../../model/errors'
-import PoolWorker from '../../worker/pool.worker?worker'
+import PoolThread from '../../worker/pool.worker?worker'
 
 /** What a pool is to do, and whom it tells. */
 export interface Work {
-  /** The next run's place among the tasks; null: there is no more, or not now. */
+  /** The next run's number among the tasks; null when there is none, or none for now. */
   next(): number | null
   done(run: DoneRun): void
-  /** It cannot be done: the engine refuses it, or has stopped twice over it. */
+  /** The engine refuses the run, or has crashed twice over it. */
   failed(index: number, error: EngineError): void
   /** Every worker has come to rest. */
   rests(): void
 }
 
-/** A worker that answers goes on with the next run at once, while the page still reads the answer. */
+/** Short runs are queued in pairs, so that a worker goes on while the page reads its answer. */
 const SHORT_RUNS_AHEAD = 2
-/** Longer runs wait for nobody, and pausing must not wait for one that has not begun. */
+/** Longer runs are not queued: pausing must not wait for one that has not begun. */
 const SHORT_SECONDS = 0.1
-/** Memory, more than processors, is what runs out. */
+/** Memory runs out before processors do. */
 const MOST_WORKERS = 32
 
 export function poolSize(runs: number, wanted = navigator.hardwareConcurrency || 2): number {
@@ -28,8 +28,8 @@ export function poolSize(runs: number, wanted = navigator.hardwareConcurrency ||
 }
 
 export class Pool {
-  private readonly hands: Hand[]
-  /** Runs that are to be repeated, because their worker has stopped. */
+  private readonly workers: PoolWorker[]
+  /** Runs to be repeated because their worker has crashed. */
   private readonly again: number[] = []
   private readonly stopped = new Set<number>()
 
@@ -38,23 +38,23 @@ export class Pool {
     size: number,
     private readonly work: Work,
   ) {
-    this.hands = Array.from({ length: size }, () => new Hand(document, this))
+    this.workers = Array.from({ length: size }, () => new PoolWorker(document, this))
   }
 
   /** Runs that have begun or are next in line. */
   get inFlight(): number {
-    return this.hands.reduce((sum, hand) => sum + hand.inFlight, 0)
+    return this.workers.reduce((sum, worker) => sum + worker.inFlight, 0)
   }
 
   /** Every worker takes runs until there are no more. */
   start(): void {
-    for (const hand of this.hands) hand.takeUp()
+    for (const worker of this.workers) worker.takeUp()
     if (this.inFlight === 0) this.work.rests()
   }
 
   /** Ends at once; what has not been finished is lost. */
   terminate(): void {
-    for (const hand of this.hands) hand.terminate()
+    for (const worker of this.workers) worker.terminate()
   }
 
   next(): number | null {
@@ -74,7 +74,7 @@ export class Pool {
     this.work.failed(index, error)
   }
 
-  /** The first one was at work when its worker stopped; the others only waited. */
+  /** The first run was under way when its worker crashed; the others were waiting. */
   crashed([first, ...waiting]: number[], error: EngineError): void {
     this.again.push(...waiting)
     if (first === undefined) return
@@ -86,10 +86,10 @@ export class Pool {
   }
 }
 
-/** One worker and the runs it has been given, first come, first done. */
-class Hand {
+/** One worker and its queue of runs. */
+class PoolWorker {
   private box: ToolBox<PoolCalls> | null = null
-  private given: number[] = []
+  private assigned: number[] = []
   private longest = 0
   private ended = false
 
@@ -99,23 +99,23 @@ class Hand {
   ) {}
 
   get inFlight(): number {
-    return this.given.length
+    return this.assigned.length
   }
 
   takeUp(): void {
     if (this.ended) return
     const ahead = this.longest > SHORT_SECONDS ? 1 : SHORT_RUNS_AHEAD
-    while (this.given.length < ahead) {
+    while (this.assigned.length < ahead) {
       const index = this.pool.next()
       if (index === null) return
-      this.given.push(index)
+      this.assigned.push(index)
       void this.run(index)
     }
   }
 
   terminate(): void {
     this.ended = true
-    this.given = []
+    this.assigned = []
     this.box?.terminate()
   }
 
@@ -125,24 +125,24 @@ class Hand {
       const run = await box.call('run', index)
       if (this.ended) return
       this.longest = Math.max(this.longest, run.seconds.at(-1) ?? 0)
-      this.given = this.given.filter((other) => other !== index)
+      this.assigned = this.assigned.filter((other) => other !== index)
       this.pool.done(run)
     } catch (thrown) {
-      // Of a worker that has been replaced, the first run to hear of it has told for all.
-      if (this.ended || box !== this.box || !this.given.includes(index)) return
+      // When a worker has been replaced, its first run has reported for the others.
+      if (this.ended || box !== this.box || !this.assigned.includes(index)) return
       this.giveUp(index, toEngineError(thrown), box)
     }
     this.takeUp()
-    if (this.given.length === 0) this.pool.rests()
+    if (this.assigned.length === 0) this.pool.rests()
   }
 
   private giveUp(index: number, error: EngineError, box: ToolBox<PoolCalls>): void {
     if (box.dead) {
-      const lost = this.given
-      this.given = []
+      const lost = this.assigned
+      this.assigned = []
       this.pool.crashed(lost, error)
     } else {
-      this.given = this.given.filter((other) => other !== index)
+      this.assigned = this.assigned.filter((other) => other !== index)
       this.pool.failed(index, error)
     }
   }
@@ -150,7 +150,7 @@ class Hand {
   /** After a trap the instance's memory cannot be trusted: the next run gets a fresh worker. */
   private worker(): ToolBox<PoolCalls> {
     if (this.box === null || this.box.dead) {
-      this.box = new ToolBox<PoolCalls>('whole', new PoolWorker())
+      this.box = new ToolBox<PoolCalls>('whole', new PoolThread())
       // A document that cannot be opened makes its runs fail, one by one.
       this.box.call('open', this.document).catch(() => {})
     }

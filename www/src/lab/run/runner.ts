@@ -1,19 +1,19 @@
-/** The open experiment at work: which runs are to be done, who does them, what has come of them. */
+/** Does the runs of the open comparison: which are missing, which are done, which have failed. */
 import type { EngineError } from '@pkg/formicarium'
 import { translated } from '../../i18n'
 import type { KeptRun } from '../../model/comparison_calls'
-import type { Keeper } from '../store/shelf'
-import type { Failure, Progress, Study } from '../store/signals'
-import type { Desk } from './desk'
+import type { ComparisonWriter } from '../store/browser_storage'
+import type { Failure, OpenComparison, Progress } from '../store/signals'
+import type { AnalystClient } from './analyst_client'
 import { Estimate } from './estimate'
 import { Pool, poolSize, type Work } from './pool'
 import { Tasks } from './tasks'
 
 interface Parts {
-  study: Study
-  desk: Desk
-  keeper: Keeper
-  /** Runs that are there already. */
+  comparison: OpenComparison
+  analyst: AnalystClient
+  writer: ComparisonWriter
+  /** How many runs were there already. */
   kept: number
   workers?: number | undefined
   /** Something has changed that is worth showing. */
@@ -35,16 +35,16 @@ export class Runner implements Work {
   private doneSoFar = 0
 
   constructor(private readonly parts: Parts) {
-    const { question, firstSeeds } = parts.study
+    const { question, firstSeeds } = parts.comparison
     this.tasks = new Tasks(question)
     this.order = this.tasks.inOrder(firstSeeds ?? undefined)
     this.estimate = new Estimate(this.tasks, now())
     this.recount()
   }
 
-  /** After runs have been taken in that others have done. */
+  /** After runs of another tab have been taken in. */
   recount(): void {
-    this.doneSoFar = this.order.filter((index) => this.parts.desk.has(index)).length
+    this.doneSoFar = this.order.filter((index) => this.parts.analyst.has(index)).length
   }
 
   get progress(): Progress {
@@ -52,7 +52,7 @@ export class Runner implements Work {
       done: this.doneSoFar,
       total: this.order.length,
       kept: this.parts.kept,
-      pathless: this.parts.desk.pathless,
+      pathless: this.parts.analyst.pathless,
       failed: this.failures.length,
       secondsLeft: this.halted ? null : this.estimate.secondsLeft(this.left()),
     }
@@ -69,22 +69,22 @@ export class Runner implements Work {
 
   start(): void {
     this.halted = false
-    // Those that could not be done are tried again, those under way are not begun twice.
+    // Failed runs are tried again; runs under way are not started twice.
     if (this.inFlight === 0) {
       this.at = 0
       this.failures.length = 0
     }
     this.estimate.resume(now())
-    const { study, workers } = this.parts
+    const { comparison, workers } = this.parts
     this.pool ??= new Pool(
-      study.document,
+      comparison.document,
       poolSize(this.order.length - this.doneSoFar, workers),
       this,
     )
     this.pool.start()
   }
 
-  /** Runs that are under way are finished and kept. */
+  /** Starts no more runs; those under way are finished and kept. */
   halt(): void {
     this.halted = true
   }
@@ -99,16 +99,16 @@ export class Runner implements Work {
     if (this.halted) return null
     while (this.at < this.order.length) {
       const index = this.order[this.at++]
-      if (index !== undefined && !this.parts.desk.has(index)) return index
+      if (index !== undefined && !this.parts.analyst.has(index)) return index
     }
     return null
   }
 
   done(run: KeptRun): void {
-    const { desk, keeper, changed } = this.parts
-    if (desk.has(run.index)) return
-    desk.keep(run)
-    keeper.keep(run)
+    const { analyst, writer, changed } = this.parts
+    if (analyst.has(run.index)) return
+    analyst.keep(run)
+    writer.keep(run)
     this.doneSoFar += 1
     this.estimate.done(run.index, run.seconds.at(-1) ?? 0, now())
     changed()
@@ -124,13 +124,13 @@ export class Runner implements Work {
   }
 
   private whatOf(index: number): string {
-    const { entries, seeds } = this.parts.study.question
+    const { entries, seeds } = this.parts.comparison.question
     const able = entries.filter(({ planner }) => planner != null)
     const entry = able[this.tasks.pairOf(index) % able.length]
     return `${translated(entry?.label ?? '')} · ${seeds.from + this.tasks.seedOf(index)}`
   }
 
   private *left(): Iterable<number> {
-    for (const index of this.order) if (!this.parts.desk.has(index)) yield index
+    for (const index of this.order) if (!this.parts.analyst.has(index)) yield index
   }
 }

@@ -1,4 +1,4 @@
-/** The runs of a question, as the engine numbers them: by instance, entry, seed. */
+/** The runs of a question as the engine numbers them: by instance, then entry, then seed. */
 import { countRuns, type Question } from '../../model/comparison'
 
 export interface Place {
@@ -30,7 +30,7 @@ export class Tasks {
     return Math.floor(index / this.seeds)
   }
 
-  /** Seed by seed, so that every entry is seen early and none is all alone at the end; of each entry the first `seeds` seeds. */
+  /** Seed by seed, so that every entry has runs early on. Only the first `seeds` seeds of each entry. */
   inOrder(seeds = this.seeds): number[] {
     const order: number[] = []
     for (let seed = 0; seed < Math.min(seeds, this.seeds); seed++)

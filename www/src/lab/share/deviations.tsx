@@ -1,9 +1,9 @@
 /** Differences in plain words, causes first, as the engine lists them. */
 import type { Deviation } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
-import { shownStudy } from '../store/translated'
+import { shownComparison } from '../store/shown_comparison'
 
-/** Hundreds of entries differ for one cause: a few of each kind are enough. */
+/** One cause may make hundreds of entries differ: a few of each kind are shown. */
 const SHOWN_OF_KIND = 8
 
 type Kind = Deviation['kind']
@@ -68,10 +68,10 @@ function bitsWords(one: Deviation & { kind: 'bits' }): string {
 }
 
 function namesOf({ entry, instance }: { entry: string; instance: string }) {
-  const now = shownStudy.peek()
+  const now = shownComparison.peek()
   const at = now?.question.instances.findIndex(({ id }) => id === instance) ?? -1
   return { entry: labelOf(entry), map: now?.maps[at]?.name || instance }
 }
 
 const labelOf = (entry: string) =>
-  shownStudy.peek()?.question.entries.find(({ id }) => id === entry)?.label ?? entry
+  shownComparison.peek()?.question.entries.find(({ id }) => id === entry)?.label ?? entry

@@ -1,18 +1,18 @@
-/** Handing the open study on, and whether what was handed on comes out again. */
+/** The button that shares the open comparison, and the panel that verifies a shared one. */
 import '../../styles/lab_share.css'
 import { Share2 } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import { Button } from '../../ui/buttons'
 import { embedInPictures } from '../figures/download'
-import { withStudy } from './picture'
-import { ShareStudyDialog } from './share_comparison_dialog'
+import { embedComparison } from './embed_comparison'
+import { ShareComparisonDialog } from './share_comparison_dialog'
 
 export { VerificationPanel } from './verification_panel'
 
-embedInPictures(withStudy)
+embedInPictures(embedComparison)
 
-export function ShareStudy() {
+export function ShareComparison() {
   const [open, setOpen] = useState(false)
   return (
     <>
@@ -22,7 +22,7 @@ export function ShareStudy() {
         testId="lab-share"
         onClick={() => setOpen(true)}
       />
-      {open && <ShareStudyDialog onClose={() => setOpen(false)} />}
+      {open && <ShareComparisonDialog onClose={() => setOpen(false)} />}
     </>
   )
 }

@@ -1,15 +1,15 @@
-/** The open study as a link, a file or a picture. */
+/** Shares the open comparison as a link, a file or a picture. */
 
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
 import { t } from '../../i18n/lab'
 import { encodeDocument, PREFIX } from '../../share/comparison_link'
 import { download } from '../../state'
-import { progress, resultFile, study } from '../run/actions'
+import { openComparison, progress, resultFile } from '../run/actions'
 import { fileStem } from '../store/names'
-import { shownStudy } from '../store/translated'
-import { resultCard } from './card'
+import { shownComparison } from '../store/shown_comparison'
+import { resultCard } from './result_card'
 
-export function ShareStudyDialog({ onClose }: { onClose: () => void }) {
+export function ShareComparisonDialog({ onClose }: { onClose: () => void }) {
   const link = useLink(PREFIX, async () => encodeDocument(await resultFile('link')))
   return (
     <SendDialog
@@ -28,9 +28,9 @@ export function ShareStudyDialog({ onClose }: { onClose: () => void }) {
   )
 }
 
-/** What the link will bring along, so that nothing is shared unseen. */
+/** Lists what the link holds, so that nothing is shared unseen. */
 function Contents() {
-  const now = shownStudy.value
+  const now = shownComparison.value
   if (!now) return null
   const { instances, entries, seeds } = now.question
   const { done } = progress.value
@@ -51,7 +51,7 @@ function Contents() {
   )
 }
 
-const stem = () => fileStem(study.peek()?.title ?? '')
+const stem = () => fileStem(openComparison.peek()?.title ?? '')
 
 async function saveFile(): Promise<void> {
   download(`${stem()}.result.json`, await resultFile('json'), 'application/json')

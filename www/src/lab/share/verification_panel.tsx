@@ -1,4 +1,4 @@
-/** How far the runs of an experiment from elsewhere come out here, and what may be the cause where they do not. */
+/** How far recorded runs come out the same here, and the possible causes where they do not. */
 import type { Recorded, Verification } from '@pkg/formicarium'
 import { CheckCheck, CircleAlert, Square } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
@@ -6,15 +6,15 @@ import { t } from '../../i18n/lab'
 import { notifyError } from '../../state'
 import { Button } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
-import { goOn, phase, study, verification } from '../run/actions'
+import { goOn, openComparison, phase, verification } from '../run/actions'
 import { Deviations } from './deviations'
 import { forgetVerifying, stopVerifying, verifyAgain, verifying } from './verifier'
 
 const USUAL_SPOT = 3
 
 export function VerificationPanel() {
-  const now = study.value
-  // What was verified of another study says nothing about this one.
+  const now = openComparison.value
+  // Verification of another comparison says nothing about this one.
   useEffect(() => forgetVerifying, [now?.id])
   if (!now || (!now.recorded && now.runs !== 'file')) return null
   const told = verification.value
@@ -45,7 +45,7 @@ function recordedWords({ of }: Verification, recorded: Recorded | null): string 
 
 type State = 'none' | 'same' | 'partly' | 'differs' | 'refuted'
 
-/** A change that may be a cause makes no difference by itself. */
+/** A possible cause alone is no difference: the runs may agree all the same. */
 function stateOf({ runs, of, refuted, deviations }: Verification): State {
   if (refuted) return 'refuted'
   if (deviations.some(({ kind }) => kind === 'bits')) return 'differs'
@@ -96,7 +96,7 @@ function Differences({ told }: { told: Verification }) {
   )
 }
 
-/** A link has no runs: they are done, and kept. */
+/** A link has no runs: they are done here, and kept. */
 function LinkActions({ told }: { told: Verification }) {
   if (told.of === 0 || phase.value !== 'paused') return null
   return (
@@ -135,7 +135,7 @@ function FileActions({ of }: { of: number }) {
 }
 
 function Choices({ of }: { of: number }) {
-  const most = study.value?.question.seeds.count ?? 1
+  const most = openComparison.value?.question.seeds.count ?? 1
   const [seeds, setSeeds] = useState(Math.min(USUAL_SPOT, most))
   const busy = phase.value === 'running'
   return (

@@ -1,11 +1,11 @@
 /**
- * Runs of a file once more, only to compare them: what the file brought stays as it is. Runs of a link need none of this: there are none
- * to stay, they are simply run.
+ * Repeats the runs of a file to compare them with the recorded ones, which stay as they are. A link has no runs, so its runs are simply
+ * done.
  */
 import { signal } from '@preact/signals'
 import type { KeptRun } from '../../model/comparison_calls'
 import { notifyError } from '../../state'
-import { checkRun, compareAgain, study } from '../run/actions'
+import { checkRun, compareAgain, openComparison } from '../run/actions'
 import { Pool, poolSize, type Work } from '../run/pool'
 import { Tasks } from '../run/tasks'
 
@@ -17,16 +17,16 @@ export interface Verifying {
   isRunning: boolean
 }
 
-/** Of the open study; null while nobody has asked for it. */
+/** Progress of the repeated runs; null until the reader asks for them. */
 export const verifying = signal<Verifying | null>(null)
 
 const COMPARE_MS = 500
 
 let job: Job | null = null
 
-/** Of each entry on each map the first `seeds` seeds; null: all. */
+/** Repeats the first `seeds` seeds of each entry on each map; null: all. */
 export function verifyAgain(seeds: number | null): void {
-  const now = study.peek()
+  const now = openComparison.peek()
   if (!now) return
   stopVerifying()
   job = new Job(now.id, now.document, new Tasks(now.question).inOrder(seeds ?? undefined))
@@ -37,7 +37,7 @@ export function stopVerifying(): void {
   job = null
 }
 
-/** Another study has been opened. */
+/** For when another comparison has been opened. */
 export function forgetVerifying(): void {
   stopVerifying()
   verifying.value = null
@@ -52,7 +52,7 @@ class Job implements Work {
   private timer = 0
 
   constructor(
-    private readonly study: string,
+    private readonly comparison: string,
     document: string,
     private readonly order: number[],
   ) {
@@ -74,7 +74,7 @@ class Job implements Work {
   }
 
   done(run: KeptRun): void {
-    if (this.study !== study.peek()?.id) {
+    if (this.comparison !== openComparison.peek()?.id) {
       this.end()
       return
     }
@@ -104,7 +104,7 @@ class Job implements Work {
   }
 
   private show(): void {
-    if (this.study !== study.peek()?.id) return
+    if (this.comparison !== openComparison.peek()?.id) return
     verifying.value = {
       done: this.done_,
       total: this.order.length,

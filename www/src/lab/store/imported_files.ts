@@ -1,10 +1,10 @@
-/** Results from elsewhere: files of runs that are compared with what is run here. */
+/** Imported results: files of runs from elsewhere, to be compared with the runs done here. */
 import { signal } from '@preact/signals'
 import { tools } from '../../engine/tools'
 import type { ImportedFile } from '../../model/draft'
 import { isEngineError } from '../../model/errors'
 
-/** A file that cannot be joined as it is. */
+/** A file whose results could not be joined. */
 export interface RefusedFile {
   name: string
   bytes: Uint8Array
@@ -12,7 +12,7 @@ export interface RefusedFile {
 }
 
 export const importedFiles = signal<ImportedFile[]>([])
-/** The one that was refused last, until the reader does something about it. */
+/** The file that was refused last, until the reader deals with it. */
 export const refusedFile = signal<RefusedFile | null>(null)
 
 let nextKey = 1
@@ -25,12 +25,12 @@ export function removeImportedFile(key: number): void {
   importedFiles.value = importedFiles.peek().filter((file) => file.key !== key)
 }
 
-/** Files that were taken before. */
+/** Files of a stored draft. */
 export function takeImportedFiles(files: Omit<ImportedFile, 'key'>[]): void {
   importedFiles.value = files.map((file) => ({ ...file, key: nextKey++ }))
 }
 
-/** Whether all that is missing is on which map the runs are. */
+/** Whether the file was refused only because it does not name its map. */
 export const asksForMap = ({ error }: RefusedFile): boolean =>
   isEngineError(error) && error.field === 'results.instance'
 

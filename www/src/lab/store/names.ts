@@ -1,13 +1,13 @@
-/** Names that files, entries and maps go by. */
+/** Names of files, ids of entries, maps and stored things. */
 
 const LONGEST = 60
 
-/** Of a title, what every file system takes as it is. */
+/** A title as a file name that every file system takes. */
 export function fileStem(title: string): string {
   return joined(title.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '-')) || 'comparison'
 }
 
-/** Small letters, digits and hyphens, told apart from those that are taken. */
+/** An id of lower-case letters, digits and hyphens that is not taken yet. */
 export function uniqueId(wanted: string, taken: Iterable<string>): string {
   const all = new Set(taken)
   const plain = wanted.normalize('NFKD').toLowerCase()
@@ -17,7 +17,7 @@ export function uniqueId(wanted: string, taken: Iterable<string>): string {
   return id
 }
 
-/** Of something the browser keeps. `crypto.randomUUID` is for secure pages alone. */
+/** An id for something stored. `crypto.randomUUID` exists on secure pages only. */
 export function newId(): string {
   const random = crypto.getRandomValues(new Uint32Array(2))
   return `${Date.now().toString(36)}-${[...random].map((part) => part.toString(36)).join('')}`

@@ -1,9 +1,9 @@
-/** What every part of the laboratory reads. Written by the actions in state.ts alone, but for `axis`, which is a mere choice of the reader. */
+/** What every part of the laboratory reads. Only lab/run writes it, except `axis`, which the reader chooses. */
 import type { Axis, EngineError, Verification } from '@pkg/formicarium'
 import { computed, signal } from '@preact/signals'
 import type { Analysis } from '../../model/analysis'
-import type { LabDocument, MapOfQuestion, Question } from '../../model/comparison'
-import type { KeptStudy } from './shelf'
+import type { ComparisonDocument, MapOfQuestion, Question } from '../../model/comparison'
+import type { StoredComparison } from './browser_storage'
 
 /** idle: nothing is open · opening · running · paused: some runs are to be done · done */
 export type Phase = 'idle' | 'opening' | 'running' | 'paused' | 'done'
@@ -15,20 +15,20 @@ export interface Failure {
   error: EngineError
 }
 
-/** An experiment that is open. */
-export interface Study {
-  /** Its key in the storage. */
+/** The comparison that is open. */
+export interface OpenComparison {
+  /** Its key in the browser's storage. */
   id: string
   title: string
-  /** `formicarium/comparison@1` without its runs, but with what was recorded of them, if it came from elsewhere. */
+  /** `formicarium/comparison@1` without its runs; a file or link also brings what was recorded of them. */
   document: string
   question: Question
   maps: MapOfQuestion[]
-  /** What was recorded by whoever ran it before, when it was opened from a file or a link. */
-  recorded: LabDocument['recorded'] | null
-  /** Where its runs come from: they were done here, or stood in the file that was opened. */
+  /** What was recorded when it was run elsewhere; null where nothing was. */
+  recorded: ComparisonDocument['recorded'] | null
+  /** Where its runs come from: done here (`own`), or read from a file. */
   runs: 'own' | 'file'
-  /** Only the first so many seeds of each entry are to be run; null: all. */
+  /** Only this many seeds of each entry are to be run, the first ones; null: all. */
   firstSeeds: number | null
   /** Another tab is running it. */
   elsewhere: boolean
@@ -38,13 +38,13 @@ export interface Progress {
   /** Runs that are done, and to be done altogether. */
   done: number
   total: number
-  /** Of the done ones those that were there before this page was opened. */
+  /** Of the done ones, those that were there when it was opened. */
   kept: number
-  /** Of the done ones those that found no path. */
+  /** Of the done ones, those that found no path. */
   pathless: number
-  /** Runs that could not be done; none of them is among the done ones. */
+  /** Runs that could not be done; they are not counted as done. */
   failed: number
-  /** How long the rest will take; null while nobody can tell. */
+  /** Estimated time for the remaining runs; null while there is too little to go by. */
   secondsLeft: number | null
 }
 
@@ -57,30 +57,30 @@ export const NO_PROGRESS: Progress = {
   secondsLeft: null,
 }
 
-/** Runs that are under way though it was paused: they are finished first. */
+/** Runs still under way after a pause: they are finished. */
 export const finishing = signal(0)
-/** Why runs could not be done; of each entry and map the first. */
+/** Why runs could not be done, each reason once. */
 export const failures = signal<Failure[]>([])
 /** Why there is no analysis. */
 export const analysisError = signal<EngineError | null>(null)
-/** Experiments of this browser, the newest first; null while they are being read, or where nothing can be kept. */
-export const keptList = signal<KeptStudy[] | null>(null)
+/** The list of comparisons that this browser has stored, newest first; null while it is being read, or where nothing can be stored. */
+export const keptComparisons = signal<StoredComparison[] | null>(null)
 
-export const study = signal<Study | null>(null)
+export const openComparison = signal<OpenComparison | null>(null)
 export const phase = signal<Phase>('idle')
 export const progress = signal<Progress>(NO_PROGRESS)
-/** Of the runs that are done so far; at most twice a second while more are done. Its intervals come at rest. */
+/** What the finished runs say; updated while runs go on, with intervals once they rest. */
 export const analysis = signal<Analysis | null>(null)
 /** What effort is counted in. */
 export const axis = signal<Axis>('constructed-paths')
-/** How far the runs are what was recorded; null where nothing was recorded. */
+/** How far the runs agree with what was recorded; null where nothing was recorded. */
 export const verification = signal<Verification | null>(null)
 
-/** What the switch of fair budgets offers. */
+/** The axes that the reader can choose from. */
 export const AXES = ['iterations', 'constructed-paths', 'moves', 'time'] as const satisfies Axis[]
 
 /** Entries `full` and `without-…`: what each component of a planner is good for. */
 export const isAblation = computed(() => {
-  const ids = study.value?.question.entries.map(({ id }) => id) ?? []
+  const ids = openComparison.value?.question.entries.map(({ id }) => id) ?? []
   return ids.includes('full') && ids.some((id) => id.startsWith('without-'))
 })

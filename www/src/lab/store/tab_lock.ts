@@ -1,27 +1,27 @@
-/** An experiment is run by one tab at a time: two would do the same runs. Browsers without locks have to do without. */
+/** Lets only one tab at a time run a comparison: two would do the same runs. Without the Web Locks API there is no such guard. */
 
-const nameOf = (study: string) => `formicarium.study.${study}`
+const nameOf = (comparison: string) => `formicarium.study.${comparison}`
 
-/** Gives back how to let go, or null when another tab has it. */
-export function takeAlone(study: string): Promise<(() => void) | null> {
+/** Resolves to a function that unlocks it, or to null when another tab holds the lock. */
+export function lockComparison(comparison: string): Promise<(() => void) | null> {
   if (!navigator.locks) return Promise.resolve(() => {})
   return new Promise((resolve, reject) => {
     const hold = (lock: Lock | null) => {
       if (!lock) return resolve(null)
-      return new Promise<void>((letGo) => resolve(letGo))
+      return new Promise<void>((unlock) => resolve(unlock))
     }
-    navigator.locks.request(nameOf(study), { ifAvailable: true }, hold).catch(reject)
+    navigator.locks.request(nameOf(comparison), { ifAvailable: true }, hold).catch(reject)
   })
 }
 
-export async function isTaken(study: string): Promise<boolean> {
+export async function isLocked(comparison: string): Promise<boolean> {
   const locks = await navigator.locks?.query()
-  return locks?.held?.some(({ name }) => name === nameOf(study)) ?? false
+  return locks?.held?.some(({ name }) => name === nameOf(comparison)) ?? false
 }
 
-/** Resolves once no tab has it; never, when `signal` ends the wait. */
-export function whenFree(study: string, signal: AbortSignal): Promise<void> {
+/** Resolves once no tab holds the lock; never, when `signal` ends the wait. */
+export function whenUnlocked(comparison: string, signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
-    navigator.locks?.request(nameOf(study), { signal }, () => resolve()).catch(() => {})
+    navigator.locks?.request(nameOf(comparison), { signal }, () => resolve()).catch(() => {})
   })
 }

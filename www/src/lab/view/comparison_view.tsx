@@ -1,16 +1,15 @@
-/** The experiment that is open: how far it is, what is asked, what came out. */
-
+/** The open comparison: how far it is, what it asks, what came out. */
 import { Results } from '../results/results'
 import { VerificationPanel } from '../share/share_comparison'
-import { Asked } from './question_card'
+import { QuestionCard } from './question_card'
 import { RunBar } from './run_bar'
 
-export function StudyView() {
+export function ComparisonView() {
   return (
-    <div class="study">
+    <div class="open-comparison">
       <RunBar />
       <VerificationPanel />
-      <Asked />
+      <QuestionCard />
       <Results />
     </div>
   )

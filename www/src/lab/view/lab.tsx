@@ -1,21 +1,27 @@
-/** The laboratory's view: where experiments are made, or the one that is open. */
+/** The laboratory's view: the open comparison, or else the builder and the lists. */
 import { LoaderCircle } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { t } from '../../i18n/lab'
-import { fetchRest } from '../../state'
+import { fetchWholeEngine } from '../../state'
 import { Icon } from '../../ui/icon'
-import { phase, study } from '../run/actions'
-import { StudyView } from './comparison_view'
+import { openComparison, phase } from '../run/actions'
+import { ComparisonView } from './comparison_view'
 import { Start } from './start'
 
 export function Lab() {
   useEffect(() => {
     // Every planner can be compared, not only those of a first visit.
-    void fetchRest()
+    void fetchWholeEngine()
   }, [])
   return (
     <main class="page lab" data-testid="lab" data-phase={phase.value}>
-      {study.value ? <StudyView /> : phase.value === 'opening' ? <Opening /> : <Start />}
+      {openComparison.value ? (
+        <ComparisonView />
+      ) : phase.value === 'opening' ? (
+        <Opening />
+      ) : (
+        <Start />
+      )}
     </main>
   )
 }

@@ -1,4 +1,4 @@
-/** What the open experiment asks, folded away once one knows it, and how to ask it again. */
+/** What the open comparison asks, folded, with buttons to change it or run it again. */
 import { PenLine, RotateCcw } from 'lucide'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
@@ -7,11 +7,17 @@ import { Button } from '../../ui/buttons'
 import { ImportedResults } from '../build/imported_results'
 import { labelOfPlanner } from '../build/labels'
 import { takeAsTemplate } from '../build/template'
-import { closeStudy, phase, runAgain, type Study, study } from '../run/actions'
-import { shownStudy } from '../store/translated'
+import {
+  closeComparison,
+  type OpenComparison,
+  openComparison,
+  phase,
+  runAgain,
+} from '../run/actions'
+import { shownComparison } from '../store/shown_comparison'
 
-export function Asked() {
-  const now = study.value
+export function QuestionCard() {
+  const now = openComparison.value
   if (!now) return null
   return (
     <section class="lab-card asked" aria-label={t('lab.run.asked')}>
@@ -21,11 +27,11 @@ export function Asked() {
   )
 }
 
-/** Not among the buttons of the runs: who wants to pause when they have just ended must not begin anew. */
-function Again({ of }: { of: Study }) {
+/** Kept apart from the run bar: a click meant for "Pause" that comes too late must not start the runs again. */
+function Again({ of }: { of: OpenComparison }) {
   const change = async () => {
     await takeAsTemplate(of)
-    closeStudy()
+    closeComparison()
   }
   return (
     <div class="asked-actions">
@@ -46,7 +52,7 @@ function Again({ of }: { of: Study }) {
 }
 
 function Question() {
-  const now = shownStudy.value
+  const now = shownComparison.value
   if (!now) return null
   const { asks, paper, seeds, budget, instances, entries } = now.question
   const { whole } = numbers.value

@@ -1,4 +1,4 @@
-/** How far the runs are, and what one may do about it. */
+/** How far the runs are, with the buttons to pause, go on and share. */
 import { ArrowLeft, Pause, Play, Square, TriangleAlert } from 'lucide'
 import { useEffect, useRef } from 'preact/hooks'
 import { translated } from '../../i18n'
@@ -10,22 +10,22 @@ import { Icon } from '../../ui/icon'
 import {
   analysisError,
   cancel,
-  closeStudy,
+  closeComparison,
   failures,
   finishing,
   goOn,
+  openComparison,
   pause,
   phase,
   progress,
-  study,
 } from '../run/actions'
-import { ShareStudy } from '../share/share_comparison'
+import { ShareComparison } from '../share/share_comparison'
 
 export function RunBar() {
-  const now = study.value
+  const now = openComparison.value
   const heading = useRef<HTMLHeadingElement>(null)
   const isRunning = phase.value === 'running'
-  // What had the focus before is gone.
+  // The control that had the focus is gone.
   useEffect(() => heading.current?.focus({ preventScroll: true }), [now?.id])
   useAnnouncedEnd()
   if (!now) return null
@@ -36,14 +36,14 @@ export function RunBar() {
           icon={ArrowLeft}
           label={t('lab.run.back')}
           testId="lab-back"
-          onClick={() => (isRunning ? void cancel() : closeStudy())}
+          onClick={() => (isRunning ? void cancel() : closeComparison())}
         />
         <h2 ref={heading} tabIndex={-1}>
           {translated(now.title)}
         </h2>
         <div class="run-actions">
           <Actions />
-          <ShareStudy />
+          <ShareComparison />
         </div>
       </div>
       <ProgressBar />
@@ -78,7 +78,7 @@ function Actions() {
         label={t('lab.run.goOn')}
         tone="primary"
         testId="lab-go-on"
-        disabled={study.value?.elsewhere ?? false}
+        disabled={openComparison.value?.elsewhere ?? false}
         onClick={() => goOn().catch(notifyError)}
       />
     )
@@ -113,14 +113,14 @@ function words(): string[] {
   if (finishing.value > 0) said.push(t('lab.run.finishing', { count: finishing.value }))
   else if (phase.value === 'paused') said.push(t('lab.run.paused'))
   if (phase.value === 'running' && secondsLeft !== null) said.push(timeLeft(secondsLeft))
-  if (kept > 0 && study.value?.runs === 'own' && phase.value !== 'done')
+  if (kept > 0 && openComparison.value?.runs === 'own' && phase.value !== 'done')
     said.push(t('lab.run.kept', { count: kept }))
   if (pathless > 0) said.push(t('lab.run.pathless', { count: pathless }))
   if (failed > 0) said.push(t('lab.run.failed', { count: failed }))
   return said
 }
 
-/** As precise as it is worth: nobody counts the seconds of an hour. */
+/** Rounded: nobody counts the seconds of an hour. */
 function timeLeft(seconds: number): string {
   if (seconds < 90) return t('lab.run.secondsLeft', { count: Math.max(1, Math.ceil(seconds)) })
   if (seconds < 5400) return t('lab.run.minutesLeft', { count: Math.ceil(seconds / 60) })
@@ -164,7 +164,7 @@ function NoAnalysis() {
   )
 }
 
-/** Somebody who reads something else, or hears it, is told when it is done. */
+/** Tells screen readers when the runs are done. */
 function useAnnouncedEnd(): void {
   const before = useRef(phase.value)
   const now = phase.value

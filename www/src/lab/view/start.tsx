@@ -1,4 +1,4 @@
-/** Where an experiment begins: a new one, one of before, one of a paper, one from a file. */
+/** Where a comparison begins: a new one, an earlier one, a question of a paper, a file. */
 import { signal } from '@preact/signals'
 import { FolderOpen } from 'lucide'
 import { t } from '../../i18n/lab'
@@ -7,8 +7,8 @@ import { Button } from '../../ui/buttons'
 import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Builder } from '../build/builder'
-import { PublishedList } from '../published/list'
-import { KeptList } from './kept_list'
+import { PublishedList } from '../published/published_list'
+import { KeptComparisons } from './kept_comparisons'
 
 export function Start() {
   return (
@@ -19,7 +19,7 @@ export function Start() {
       </header>
       <Builder />
       <div class="lab-side">
-        <KeptList />
+        <KeptComparisons />
         <OpenFile />
         <PublishedList />
       </div>
@@ -27,7 +27,7 @@ export function Start() {
   )
 }
 
-/** Why a file was not taken. It outlives the component: while a file is being opened something else is on show. */
+/** Why a file was not opened. A signal outside the component, which is gone while a file is being opened. */
 const refused = signal<unknown>(null)
 
 function OpenFile() {

@@ -1,14 +1,14 @@
-/** How far the runs are, in the tab's name: people look at something else meanwhile. */
+/** Shows the progress of the runs in the tab's title, for readers who are in another tab. */
 import { effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
+import { shownComparison } from '../store/shown_comparison'
 import { phase, progress } from '../store/signals'
-import { shownStudy } from '../store/translated'
 
 export function showProgressInTitle(): void {
   effect(() => {
     const { done, total } = progress.value
     const percent = Math.floor((100 * done) / Math.max(1, total))
-    const name = shownStudy.value?.title
+    const name = shownComparison.value?.title
     document.title = phase.value === 'running' ? `${percent} % · ${name}` : t('app.title')
   })
 }

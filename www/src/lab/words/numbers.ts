@@ -94,6 +94,6 @@ const OBJECTIVES: Partial<Record<Measure, Objective[]>> = {
   weight: ['tour-weight'],
 }
 
-/** Results from elsewhere are marked wherever they stand. */
+/** Imported results are marked wherever they are named. */
 export const labelOf = ({ label, origin }: Pick<EntryAnalysis, 'label' | 'origin'>) =>
   origin === 'results' ? `${label}\u00a0*` : label

@@ -1,7 +1,7 @@
 /** The engine's words about verdicts in the reader's language. */
 import { t } from '../../i18n/lab'
 
-/** As src/experiment/claims.rs has them; what is not among them is shown as it is. */
+/** As src/comparison/claims.rs has them; what is not among them is shown as it is. */
 const WHYS = {
   'one of the two cannot be run': 'notRun',
   'the baseline finds no path in half of its runs or more': 'noBaseline',
@@ -14,7 +14,7 @@ export function whyWords(why: string): string {
   return known ? t(`lab.results.whys.${known}`) : why
 }
 
-/** Names of measures, as src/experiment/question.rs has them. */
+/** Names of measures, as src/comparison/question.rs has them. */
 const MEASURES = {
   length: 'length',
   cost: 'cost',

@@ -1,0 +1,102 @@
+/** uPlot, set up for convergence curves in the page's colours. */
+import 'uplot/dist/uPlot.min.css'
+import uPlot from 'uplot'
+import { chartLook } from './chart_style'
+import type { Curves } from './convergence_data'
+
+const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
+
+export interface PlotStyle {
+  colours: string[]
+  showIterationBest: boolean
+  showMean: boolean
+  /** References, drawn as lines. */
+  levels: number[]
+  axisLabels: { x: string; y: string }
+  /** The iteration being looked back at, read at every drawing; null for none. */
+  marker: () => number | null
+}
+
+export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
+  return new uPlot(options(host, style), [[]], host)
+}
+
+export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
+  const levels = style.levels.map((level) => curves.iterations.map(() => level))
+  const panels = curves.panels.flatMap(({ best, iterationBest, mean }) => [
+    mean,
+    iterationBest,
+    best,
+  ])
+  return [curves.iterations, ...levels, ...panels]
+}
+
+function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
+  const { colour, axis, frame } = chartLook(host)
+  return {
+    ...frame,
+    padding: [10, 12, 0, 0],
+    cursor: { drag: { x: false, y: false }, points: { show: false } },
+    scales: { x: { time: false, range: xRange }, y: { range: yRange } },
+    axes: [
+      { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
+      { ...axis, label: style.axisLabels.y, size: 40 },
+    ],
+    hooks: { draw: [(plot) => drawMarker(plot, style.marker(), colour('--info'))] },
+    series: [
+      {},
+      ...style.levels.map(() => levelSeries(colour('--text'))),
+      ...style.colours.flatMap(panelSeries(style)),
+    ],
+  }
+}
+
+/** A line across all lengths. */
+function drawMarker(plot: uPlot, iteration: number | null, colour: string): void {
+  if (iteration === null) return
+  const { ctx, bbox } = plot
+  const x = Math.round(Math.max(bbox.left, plot.valToPos(iteration, 'x', true)))
+  ctx.save()
+  ctx.strokeStyle = colour
+  ctx.lineWidth = 2 * devicePixelRatio
+  ctx.beginPath()
+  ctx.moveTo(x, bbox.top)
+  ctx.lineTo(x, bbox.top + bbox.height)
+  ctx.stroke()
+  ctx.restore()
+}
+
+function levelSeries(stroke: string): uPlot.Series {
+  return { stroke, width: 1.5, dash: [2, 4], points: { show: false } }
+}
+
+function panelSeries({ showIterationBest, showMean }: PlotStyle) {
+  return (stroke: string): uPlot.Series[] => {
+    const points = { show: isLone, size: 7, stroke, fill: stroke }
+    const faint = { stroke: `${stroke}99`, width: 1, points, spanGaps: true }
+    const stepped = uPlot.paths.stepped?.({ align: 1 })
+    return [
+      { ...faint, dash: [4, 3], show: showMean },
+      { ...faint, show: showIterationBest },
+      { stroke, width: 2.5, paths: stepped, points, spanGaps: true },
+    ]
+  }
+}
+
+/** One value makes no line: it is shown as a point. */
+const isLone: uPlot.Series.Points.Show = (plot, series) => {
+  let values = 0
+  for (const value of plot.data[series] ?? []) {
+    if (value != null && ++values > 1) return false
+  }
+  return values === 1
+}
+
+const xRange: uPlot.Range.Function = (_, min, max) => [min ?? 1, max ?? 10]
+
+/** Room above and below, so that the lines to compare with never lie on the frame. */
+const yRange: uPlot.Range.Function = (_, min, max) => {
+  if (min == null || max == null) return [0, 1]
+  const room = Math.max((max - min) * 0.08, max * 0.01, 0.5)
+  return [min - room, max + room]
+}

@@ -1,0 +1,43 @@
+/** A draft outlives a reload of its tab; a new tab begins with what races there. */
+import { effect } from '@preact/signals'
+import { fetchWholeEngine, plannerEntry, wholeEngine } from '../../state'
+import { storeDraft, storedDraft } from '../store/browser_storage'
+import { importedFiles, takeImportedFiles } from '../store/imported_files'
+import { newId } from '../store/names'
+import { recallInTab, rememberInTab } from '../store/tab_memory'
+import { drafted, entries, fillWith, removeEntry, takeRace, waitsToBeFilled } from './draft'
+
+/** Waits for a pause in typing. */
+const CALM_MS = 250
+const TAB_KEY = 'formicarium.draft'
+
+/** Fills the builder with the draft of this tab, or else with what races. */
+export async function restoreDraft(): Promise<void> {
+  if (!waitsToBeFilled()) return
+  const id = recallInTab(TAB_KEY)
+  const kept = id === null ? null : await storedDraft(id).catch(() => null)
+  if (!waitsToBeFilled()) return
+  if (!kept) return takeRace()
+  fillWith(kept)
+  takeImportedFiles(kept.files)
+  // This version of the page may not know every planner of the draft: the complete catalog tells.
+  await fetchWholeEngine()
+  if (wholeEngine.peek() !== 'here') return
+  for (const { key, planner } of entries.peek()) if (!plannerEntry(planner)) removeEntry(key)
+}
+
+/** Stores every change from now on. Where the browser refuses, a reload loses the draft and nothing else. */
+export function storeDraftChanges(): void {
+  let timer = 0
+  effect(() => {
+    const draft = drafted()
+    const files = importedFiles.value
+    if (!draft) return
+    clearTimeout(timer)
+    timer = window.setTimeout(() => {
+      const id = recallInTab(TAB_KEY) ?? newId()
+      rememberInTab(TAB_KEY, id)
+      void storeDraft(id, { ...draft, files, changed: Date.now() }).catch(() => {})
+    }, CALM_MS)
+  })
+}

@@ -1,0 +1,13 @@
+/** Opens the comparison in a link. */
+import { decodeFragment, PREFIX } from '../../share/comparison_link'
+import { openDocument } from '../run/actions'
+
+/** False when the address holds no comparison. Throws a LinkError, or the engine's error, when it cannot be opened. */
+export async function openComparisonLink(hash: string): Promise<boolean> {
+  if (!hash.startsWith(PREFIX)) return false
+  const document = await decodeFragment(hash)
+  await openDocument(document)
+  // A reload goes on with this comparison instead of opening the link once more.
+  history.replaceState(null, '', '#lab')
+  return true
+}

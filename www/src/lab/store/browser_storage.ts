@@ -1,0 +1,172 @@
+/** The browser's storage for comparisons, their runs and drafts (IndexedDB). A closed tab loses only the runs of the last moment. */
+import { type DBSchema, type IDBPDatabase, openDB } from 'idb'
+import type { KeptRun } from '../../model/comparison_calls'
+import type { StoredDraft } from '../../model/draft'
+
+/** A comparison as it is stored, without its runs. */
+export interface StoredComparison {
+  id: string
+  title: string
+  /** `formicarium/comparison@1` without its runs. */
+  document: string
+  runs: 'own' | 'file'
+  firstSeeds: number | null
+  /** Milliseconds since 1970. */
+  created: number
+  /** Runs that are done, and to be done altogether. */
+  done: number
+  total: number
+}
+
+/** Drafts of closed tabs are deleted after this time. */
+const DRAFT_MS = 7 * 24 * 3600 * 1000
+
+interface LabDatabase extends DBSchema {
+  studies: { key: string; value: StoredComparison }
+  rows: { key: [comparison: string, index: number]; value: KeptRun }
+  drafts: { key: string; value: StoredDraft; indexes: { changed: number } }
+}
+
+const NAME = 'formicarium.lab'
+let opening: Promise<IDBPDatabase<LabDatabase>> | null = null
+
+function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
+  opening ??= openDB<LabDatabase>(NAME, 2, {
+    upgrade(database, from) {
+      if (from < 1) {
+        database.createObjectStore('studies', { keyPath: 'id' })
+        database.createObjectStore('rows')
+      }
+      database.createObjectStore('drafts').createIndex('changed', 'changed')
+    },
+    // A newer version of the page in another tab must not wait for this tab.
+    blocking: () => closeDatabase(),
+    terminated: () => closeDatabase(),
+  }).catch((error: unknown) => {
+    opening = null
+    throw error
+  })
+  return opening
+}
+
+function closeDatabase(): void {
+  void opening?.then((database) => database.close())
+  opening = null
+}
+
+/** Newest first. How far an interrupted one got is counted from its runs. */
+export async function storedComparisons(): Promise<StoredComparison[]> {
+  const database = await openDatabase()
+  const all = await database.getAll('studies')
+  const counted = all.map(async (comparison) => {
+    if (comparison.done >= comparison.total) return comparison
+    return { ...comparison, done: await database.count('rows', rowsOf(comparison.id)) }
+  })
+  return (await Promise.all(counted)).sort((a, b) => b.created - a.created)
+}
+
+export async function storedComparison(
+  id: string,
+): Promise<{ comparison: StoredComparison; runs: KeptRun[] } | null> {
+  const database = await openDatabase()
+  const [comparison, runs] = await Promise.all([
+    database.get('studies', id),
+    database.getAll('rows', rowsOf(id)),
+  ])
+  return comparison ? { comparison, runs } : null
+}
+
+export async function deleteComparison(id: string): Promise<void> {
+  const change = (await openDatabase()).transaction(['studies', 'rows'], 'readwrite')
+  await Promise.all([
+    change.objectStore('studies').delete(id),
+    change.objectStore('rows').delete(rowsOf(id)),
+    change.done,
+  ])
+}
+
+/** The keys of all runs of a comparison: in IndexedDB an array is greater than any number. */
+const rowsOf = (id: string) => IDBKeyRange.bound([id], [id, []])
+
+/**
+ * Stores a comparison and its runs as they come. A tab may be closed at any moment, so a run is written at once; runs that come during
+ * a write are written together after it. When the browser refuses, `trouble` is called and nothing more is written.
+ */
+export class ComparisonWriter {
+  private waiting: KeptRun[] = []
+  private writing: Promise<void> = Promise.resolve()
+  private refused = false
+
+  constructor(
+    private readonly comparison: StoredComparison,
+    private readonly trouble: (error: unknown) => void,
+  ) {}
+
+  /** The comparison itself, before any run. */
+  begin(): Promise<void> {
+    return this.flush()
+  }
+
+  keep(run: KeptRun): void {
+    this.comparison.done += 1
+    this.waiting.push(run)
+    if (this.waiting.length === 1) this.next((runs) => storeRuns(this.comparison.id, runs))
+  }
+
+  /** Resolves when all runs are stored, and the comparison with their number. */
+  flush(): Promise<void> {
+    return this.next((runs) => storeComparison({ ...this.comparison }, runs))
+  }
+
+  private next(put: (runs: KeptRun[]) => Promise<void>): Promise<void> {
+    this.writing = this.writing.then(async () => {
+      const runs = this.waiting
+      this.waiting = []
+      if (!this.refused) await put(runs).catch((error: unknown) => this.refuse(error))
+    })
+    return this.writing
+  }
+
+  private refuse(error: unknown): void {
+    this.refused = true
+    this.trouble(error)
+  }
+}
+
+async function storeRuns(comparison: string, runs: KeptRun[]): Promise<void> {
+  const change = (await openDatabase()).transaction('rows', 'readwrite')
+  await Promise.all([
+    ...runs.map((run) => change.store.put(run, [comparison, run.index])),
+    change.done,
+  ])
+}
+
+/** Stores a comparison as it stands, with some of its runs. */
+export async function storeComparison(
+  comparison: StoredComparison,
+  runs: KeptRun[],
+): Promise<void> {
+  const change = (await openDatabase()).transaction(['studies', 'rows'], 'readwrite')
+  const rows = change.objectStore('rows')
+  await Promise.all([
+    change.objectStore('studies').put(comparison),
+    ...runs.map((run) => rows.put(run, [comparison.id, run.index])),
+    change.done,
+  ])
+}
+
+export async function storedDraft(id: string): Promise<StoredDraft | null> {
+  return (await (await openDatabase()).get('drafts', id)) ?? null
+}
+
+/** Replaces the stored draft, and deletes old drafts of other tabs. */
+export async function storeDraft(id: string, draft: StoredDraft): Promise<void> {
+  const change = (await openDatabase()).transaction('drafts', 'readwrite')
+  const left = IDBKeyRange.upperBound(draft.changed - DRAFT_MS)
+  const old = await change.store.index('changed').getAllKeys(left)
+  await Promise.all([
+    ...old.map((key) => change.store.delete(key)),
+    change.store.put(draft, id),
+    change.done,
+  ])
+}

@@ -1,0 +1,54 @@
+/**
+ * The open comparison and its analysis as the page shows them: known texts, such as those of the papers' questions, in the reader's
+ * language. Files are made from the comparison itself, so they are the same in every language.
+ */
+import { computed } from '@preact/signals'
+import { translated } from '../../i18n'
+import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
+import type { Claim, Entry, Instance, Question } from '../../model/comparison'
+import { analysis, type OpenComparison, openComparison } from './signals'
+
+type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>
+
+export const shownComparison = computed(
+  () => openComparison.value && ofComparison(openComparison.value),
+)
+export const shownAnalysis = computed(() => analysis.value && ofAnalysis(analysis.value))
+
+/** Null and empty text stay as they are. */
+const told = <T extends string | null | undefined>(text: T) =>
+  (text ? translated(text) : text) as T | string
+
+function ofComparison({ id, title, question, maps }: OpenComparison): ShownComparison {
+  return {
+    id,
+    title: told(title),
+    question: ofQuestion(question),
+    maps: maps.map((map) => ({ ...map, name: told(map.name) })),
+  }
+}
+
+function ofQuestion(question: Question): Question {
+  const { title, paper, asks, instances, entries, claims = [] } = question
+  return {
+    ...question,
+    title: told(title),
+    paper: told(paper),
+    asks: told(asks),
+    instances: instances.map((one): Instance => ({ ...one, note: told(one.note) })),
+    entries: entries.map(
+      (one): Entry => ({ ...one, label: told(one.label), missing: told(one.missing) }),
+    ),
+    claims: claims.map((one): Claim => ({ ...one, says: told(one.says), note: told(one.note) })),
+  }
+}
+
+function ofAnalysis(of: Analysis): Analysis {
+  const verdicts = of.verdicts.map((line): VerdictLine => ({ ...line, says: told(line.says) }))
+  return { ...of, instances: of.instances.map(ofMap), verdicts }
+}
+
+function ofMap(map: MapAnalysis): MapAnalysis {
+  const entries = map.entries.map((one): EntryAnalysis => ({ ...one, label: told(one.label) }))
+  return { ...map, name: told(map.name), note: told(map.note), entries }
+}

@@ -1,0 +1,43 @@
+/** From an empty page to a running one. */
+
+import { effect, untracked } from '@preact/signals'
+import { tools } from '../engine/tools'
+import { toEngineError } from '../model/errors'
+import { watchScenario } from './optimum'
+import { followAddress } from './page_view'
+import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
+import { catalog, engineVersion, startError, wholeEngine } from './store'
+import { openStoredSession, storeSessionChanges } from './stored_session'
+import { fetchWholeEngineWhenIdle } from './whole_engine'
+
+let watching = false
+
+/** May be called again after it failed. */
+export async function startPage(): Promise<void> {
+  startError.value = null
+  try {
+    const [planners, version] = await Promise.all([tools.catalog(), tools.version()])
+    catalog.value = planners
+    engineVersion.value = version
+  } catch (error) {
+    startError.value = toEngineError(error)
+    return
+  }
+  if (!watching) watch()
+  if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
+  autoplay()
+}
+
+function watch(): void {
+  watching = true
+  watchScenario()
+  storeSessionChanges()
+  fetchWholeEngineWhenIdle()
+  effect(() => {
+    if (wholeEngine.value === 'here') untracked(admitWaiting)
+  })
+  addEventListener('hashchange', async () => {
+    followAddress()
+    if (await openFragment(location.hash)) autoplay()
+  })
+}

@@ -1,0 +1,97 @@
+/**
+ * Keeps the session through a reload: in the tab's own storage, written as a share link is, so that two tabs never mix. A link
+ * in the address goes before it.
+ */
+import { effect } from '@preact/signals'
+import { gallery } from '../gallery/gallery'
+import type { Session } from '../model/session'
+import { fromGallery } from './scenarios'
+import { currentSession, firstSession, loadSession } from './sessions'
+import { galleryId, layer, panels, scenario, seed, speed, sync } from './store'
+
+const KEY = 'formicarium.session'
+/** Waits until a drag has ended. */
+const SETTLE_MS = 400
+/** Larger maps would take too long to pack while the reader draws, and fill the storage. */
+const MOST_CELLS = 1 << 20
+
+export function storeSessionChanges(): void {
+  let timer = 0
+  effect(() => {
+    scenario.value
+    panels.value
+    seed.value
+    sync.value
+    speed.value
+    layer.value
+    clearTimeout(timer)
+    timer = window.setTimeout(storeSession, SETTLE_MS)
+  })
+}
+
+/** Opens the session that the tab has stored. False when there is none that this version can read. */
+export async function openStoredSession(): Promise<boolean> {
+  const kept = read()
+  if (!kept) return false
+  try {
+    const { decodeFragment } = await import('../share/link')
+    const session = await decodeFragment(kept)
+    const [id] = kept.split('#')
+    if (gallery.some((entry) => entry.id === id)) fromGallery(id ?? '', session.scenario)
+    loadSession(session)
+    return true
+  } catch {
+    write(null)
+    return false
+  }
+}
+
+let latest = 0
+
+async function storeSession(): Promise<void> {
+  const turn = ++latest
+  const session = unrun(currentSession())
+  if (!session) return
+  const text = await packed(session).catch(() => null)
+  // A session packed meanwhile is newer.
+  if (turn === latest) write(text)
+}
+
+/** The key of the built-in map, if it is one, then a link's fragment; null when there is nothing worth storing. */
+async function packed(session: Session): Promise<string | null> {
+  if (session.scenario.cells.length > MOST_CELLS || isFirst(session)) return null
+  const id = galleryId.peek() ?? ''
+  const { encodeSession } = await import('../share/link')
+  return `${id}#x=${await encodeSession(session)}`
+}
+
+/** Without results: after a reload the runs begin again, and nothing is to be verified. */
+function unrun(session: Session | null): Session | null {
+  return session && { ...session, panels: session.panels.map((p) => ({ ...p, result: null })) }
+}
+
+function isFirst(session: Session): boolean {
+  const plain = ({ scenario: { cells, ...rest }, ...others }: Session) =>
+    JSON.stringify({ ...others, ...rest, cells: cells.join('') })
+  const first = firstSession()
+  // Most sessions differ in size already.
+  return (
+    first.scenario.cells.length === session.scenario.cells.length && plain(first) === plain(session)
+  )
+}
+
+/** Private windows may refuse storage, and it may be full: then nothing is stored. */
+function write(text: string | null): void {
+  try {
+    sessionStorage.removeItem(KEY)
+    if (text !== null) sessionStorage.setItem(KEY, text)
+  } catch {}
+}
+
+function read(): string | null {
+  try {
+    return sessionStorage.getItem(KEY)
+  } catch {
+    return null
+  }
+}
