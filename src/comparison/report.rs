@@ -12,10 +12,12 @@ use std::fmt::Write;
 
 use super::ablation::effects;
 use super::analysis::{Analysis, EntryAnalysis, MapAnalysis};
-use super::question::{Entry, Measure, Published, Role};
+use super::measure::RunMeasure;
+use super::question::{Entry, Published, Role};
 use super::row::Row;
-use super::setting::{Comparison, Map, Yardstick};
+use super::samples::{Samples, Seen};
 use super::statistics::Summary;
+use super::{Comparison, Map, Yardstick};
 use crate::exact::Reference;
 use crate::map::{CornerRule, Movement, Moves};
 use crate::scenario::Scenario;
@@ -37,7 +39,7 @@ pub fn markdown(comparison: &Comparison, rows: &[Row], analysis: &Analysis, comm
         map_table(&mut out, comparison, map, of);
     }
     verdicts::claims_table(&mut out, comparison, &analysis.judged);
-    ablation::tables(&mut out, comparison, &effects(comparison, rows));
+    ablation::tables(&mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
     out
 }
 
@@ -156,7 +158,7 @@ fn moves(scenario: &Scenario) -> String {
     format!("{} moves{rule}{surface}", u8::from(moves))
 }
 
-fn published(main: Measure, row: &Published) -> String {
+fn published(main: RunMeasure, row: &Published) -> String {
     let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| v.to_string());
     let also = |name: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {name} = {v}"));
     let extra = also("V", row.turn_index) + &also("R", row.weight);

@@ -13,9 +13,9 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 use serde_json::Value as Json;
 
+use super::Comparison;
 use super::question::Question;
 use super::row::{Row, Task};
-use super::setting::Comparison;
 use crate::params::Values;
 
 pub use deviation::Deviation;
@@ -51,7 +51,7 @@ pub struct Record {
 
 impl Record {
     /// `comparison` as the document has it.
-    pub(super) fn new(comparison: &Comparison, recorded: Option<Recorded>) -> Self {
+    pub(crate) fn new(comparison: &Comparison, recorded: Option<Recorded>) -> Self {
         Self { recorded, comparison: comparison.digest().hex() }
     }
 

@@ -1,15 +1,16 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`sniff`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`import_results`] results of runs from elsewhere; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! path, [`import_results`] results of runs from elsewhere, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
+pub mod comparison_json;
 mod ends;
 mod matrix;
 mod movingai;
 mod path_list;
-pub mod results;
+mod results;
 mod scen;
 mod scenario_json;
 mod table;
@@ -18,12 +19,14 @@ mod text;
 
 use serde::{Deserialize, Serialize};
 
+use crate::comparison::names::stem;
 use crate::error::{Error, FormatError, Notice};
 use crate::map::{Grid, Point, Window};
 use crate::scenario::{Goal, ScenarioSpec, TerrainMoves};
 
+pub use comparison_json::ComparisonDocument;
 pub use path_list::{path_kind, read_path, read_places};
-pub use results::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep, import_results};
+pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 
@@ -321,7 +324,7 @@ fn complete(
 ) -> Result<Imported, FormatError> {
     let ends = ends::complete(&grid, start, goal)?;
     notices.extend(ends.notice);
-    let spec = ScenarioSpec { name: text::stem(name).into(), ..ScenarioSpec::new(&grid, ends.start, ends.goal) };
+    let spec = ScenarioSpec { name: stem(name).into(), ..ScenarioSpec::new(&grid, ends.start, ends.goal) };
     Ok(Imported { kind, grid, spec, notices })
 }
 

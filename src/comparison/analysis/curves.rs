@@ -4,8 +4,9 @@
 use serde::Serialize;
 
 use super::TARGET_GAPS;
-use super::samples::Seen;
-use crate::comparison::question::Axis;
+use crate::comparison::budget::Axis;
+use crate::comparison::gap::reaches;
+use crate::comparison::samples::Seen;
 use crate::comparison::statistics::{quantile, sorted};
 
 /// Most points of a band.
@@ -13,9 +14,6 @@ const BAND_POINTS: usize = 200;
 
 /// Most points of an ECDF.
 const ECDF_POINTS: usize = 400;
-
-/// A value that is larger than its target by this part of it, or by less, has reached it: a rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// Quartiles of what runs would have answered, after some effort. A run without a path so far is infinitely long: null.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -118,10 +116,6 @@ impl Course {
     fn last(&self) -> Option<f64> {
         self.end.or_else(|| self.steps.last().map(|step| step.0))
     }
-}
-
-fn reaches(value: f64, target: f64) -> bool {
-    value <= target + target.abs() * ROUNDING
 }
 
 /// What the runs of an entry have come to over the axis.

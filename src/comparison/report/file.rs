@@ -2,9 +2,9 @@
 
 use serde::Deserialize;
 
+use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 use crate::comparison::row::Row;
-use crate::comparison::setting::Comparison;
 
 /// One of them; in kebab case on the command line and in the browser.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]

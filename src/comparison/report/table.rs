@@ -4,8 +4,10 @@ use serde::Serialize;
 
 use super::{length, middle, moves, short};
 use crate::comparison::analysis::{Analysis, EntryAnalysis, MapAnalysis, Origin, Pair, Ranks, RunningTime, VerdictLine};
-use crate::comparison::question::{Axis, Budget, Measure, Question, Role, Seeds};
-use crate::comparison::setting::{Comparison, Map};
+use crate::comparison::budget::{Axis, Budget};
+use crate::comparison::measure::RunMeasure;
+use crate::comparison::question::{Question, Role, Seeds};
+use crate::comparison::{Comparison, Map};
 
 /// What `format` says in JSON.
 const FORMAT: &str = "formicarium/summary@1";
@@ -21,7 +23,7 @@ pub struct Line<'a> {
     label: &'a str,
     role: Role,
     origin: Origin,
-    measure: Measure,
+    measure: RunMeasure,
     runs: usize,
     with_path: usize,
     success_low: f64,
@@ -161,7 +163,7 @@ pub fn json(comparison: &Comparison, analysis: &Analysis) -> String {
         ranks: &analysis.ranks,
         verdicts: &analysis.verdicts,
     };
-    serde_json::to_string_pretty(&whole).unwrap_or_default() + "\n"
+    serde_json::to_string_pretty(&whole).expect("plain data can always be written as JSON") + "\n"
 }
 
 /// The entries that the tests of a map count from 0.
