@@ -70,7 +70,7 @@ pub struct Args {
     /// Another map in place of an instance's; with --ablate a map, its ID= may be left out; may be repeated
     #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
     pub map: Vec<(Option<String>, PathBuf)>,
-    /// Results of your own planner, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
+    /// Imported results, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
     /// may be repeated
     #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
     pub results: Vec<(Option<String>, PathBuf)>,
