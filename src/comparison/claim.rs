@@ -47,7 +47,7 @@ impl Statistic {
     }
 }
 
-/// What a publication, or whoever asks, expects of two entries: one is said to have smaller or larger values than the other.
+/// What is expected of two entries: one is said to have smaller or larger values than the other.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -80,7 +80,7 @@ pub struct Claim {
 
 impl Claim {
     /// What decides. Means tell small shifts of values that come in few steps, which medians and their bootstrap do not; but a mean
-    /// over the runs that happened to find a path would favour whoever fails where it is hard: then medians decide, asked for or not.
+    /// over the runs that happened to find a path would favour the entry that fails on the hard ones. Then medians decide, whatever was asked for.
     pub fn statistic(&self, every_run_counts: bool) -> Statistic {
         if every_run_counts { self.statistic.unwrap_or(Statistic::Mean) } else { Statistic::Median }
     }

@@ -135,7 +135,7 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
 }
 
 /// Whether the baseline's optimum is one by the claim's measure, and no path of the improved entry can have less: a polyline is shorter than
-/// the shortest path of steps, and who makes V small need not have the shortest one.
+/// the shortest path of steps, and the path of the smallest V need not be the shortest one.
 fn is_bound(map: &Map, measure: RunMeasure, entries: [Option<usize>; 2]) -> bool {
     let best = |entry: Option<usize>| {
         let objective = map.objective(entry?).filter(|o| RunMeasure::of(*o) == measure)?;

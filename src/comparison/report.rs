@@ -4,6 +4,7 @@ mod ablation;
 mod csv;
 mod file;
 mod latex;
+mod printed;
 mod table;
 mod tests;
 mod verdicts;
@@ -26,7 +27,8 @@ pub use ablation::components;
 pub use csv::{HEADER, csv, line};
 pub use file::{Reports, ResultFile};
 pub use latex::latex;
-pub use table::{csv as summary_csv, json as summary_json, markdown as summary_markdown};
+pub use printed::markdown as summary_markdown;
+pub use table::{csv as summary_csv, json as summary_json};
 pub use tests::{tests, tests_csv};
 pub use verdicts::verdicts;
 

@@ -11,7 +11,7 @@ use crate::metrics::Metrics;
 use crate::planner::{Granularity, Planner, Status};
 use crate::scenario::Scenario;
 
-/// A clock's reading in seconds, from any beginning. Engines have none: who runs a task brings one.
+/// A clock's reading in seconds, from any beginning. The engine has none: the caller brings one.
 pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// A run that is done, and what no two machines agree on: when.

@@ -55,7 +55,7 @@ impl Record {
         Self { recorded, comparison: comparison.digest().hex() }
     }
 
-    /// What whoever ran it had; none where nothing had been run, or a document has runs alone.
+    /// What was recorded with the runs; none where nothing had been run, or a document has runs alone.
     pub fn recorded(&self) -> Option<&Recorded> {
         self.recorded.as_ref()
     }

@@ -216,7 +216,7 @@ impl Comparison {
         Ok((index, row))
     }
 
-    /// What is to be told about the runs: this engine's words, or those of whoever has done them, perhaps with another one.
+    /// What is recorded of the runs: by this engine, or as it came with those that were done elsewhere, perhaps by another engine.
     fn recorded_now(&self, done: &[Row]) -> Option<Recorded> {
         let then = self.record.recorded();
         let foreign = self.done.values().filter(|timed| timed.seconds.is_empty()).count();

@@ -18,7 +18,7 @@ fn jobs(args: &Args) -> usize {
     args.jobs.map_or_else(cores, usize::from)
 }
 
-/// Does every run that is not kept from before; rows in the order of the tasks, whoever finishes first.
+/// Does every run that is not kept from before. The rows are in the order of the tasks, not in that in which they finish.
 pub fn run_all(args: &Args, comparison: &Comparison, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
     let all = comparison.tasks();
     let mut rows: Vec<Option<Row>> = vec![None; all.len()];

@@ -1,6 +1,6 @@
 //! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
-use super::table::{Cell, Printed, printed, sentence};
+use super::printed::{Cell, Printed, printed, sentence};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 

@@ -15,7 +15,7 @@ use crate::params::Values;
 /// Between the versions of engines whose runs were put together.
 const MIXED: &str = " and ";
 
-/// What whoever ran it had, and what came out.
+/// What the runs were made with, and what came out.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
