@@ -18,7 +18,7 @@ const MIXED: &str = " and ";
 /// What the runs were made with, and what came out.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Recorded {
     /// The engine's version; more than one where runs of several were put together.
     pub engine: String,
