@@ -179,6 +179,16 @@ fn scen_line(place: &str) -> Result<ScenLine, CliError> {
     found.ok_or_else(|| CliError::usage(format!("{file} has no scenario in line {number} (its last line is {last})"), hint))
 }
 
+/// A file's name without its folders.
+pub fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The same without its ending.
+pub fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
 /// Reads a map of any format.
 pub fn import(path: &Path) -> Result<Imported, CliError> {
     in_file(path, formats::import)

@@ -8,9 +8,7 @@ mod convert;
 mod error;
 mod generate;
 mod input;
-mod journal;
 mod plan;
-mod question;
 mod terrain;
 mod text;
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use formicarium::catalog;
+use formicarium::comparison::gap::relative_gap;
 use formicarium::exact::{self, Reference};
 use formicarium::map::Point;
 use formicarium::metrics::Metrics;
@@ -82,9 +83,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let metrics = best.map(|b| Metrics::of(&scenario, b.result().0));
     let value = metrics.as_ref().and_then(|m| planner.value(m));
     let reference = reference(&scenario, planner.as_ref(), status, value);
-    let gap = value.zip(reference.value()).map(|(v, o)| if o > 0.0 { v / o - 1.0 } else { 0.0 });
-    // Rounding may put an optimal result a hair below.
-    let gap = gap.map(|g| if g.abs() < 1e-9 { 0.0 } else { g });
+    let gap = value.zip(reference.value()).map(|(value, best)| relative_gap(value, best));
     let report =
         Report { args, scenario: &scenario, name: entry.name, planner: planner.as_ref(), status, metrics, value, reference, gap };
     let text = match args.format {

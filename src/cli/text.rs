@@ -20,8 +20,7 @@ pub enum TextOrJson {
 pub fn json(value: &impl Serialize, depth: usize) -> String {
     let mut out = Vec::new();
     let mut serializer = serde_json::Serializer::with_formatter(&mut out, Layout { open: depth, depth: 0, empty: true });
-    // Writing plain data to memory cannot fail; were it to, the output would visibly end early.
-    let _ = value.serialize(&mut serializer);
+    value.serialize(&mut serializer).expect("plain data can always be written to memory as JSON");
     out.push(b'\n');
     String::from_utf8_lossy(&out).into_owned()
 }

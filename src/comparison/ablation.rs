@@ -1,17 +1,20 @@
 //! What each component of a planner does: the full planner beside the same without one component, on the same maps and seeds. How to read
 //! it, and what it cannot tell: docs/methodology.md.
 //!
-//! An ablation is a question like any other. It is told by its entries: `full`, and `without-` with the id of a component for each one.
+//! An ablation is a question like any other. Its entries tell that it is one: `full`, and `without-` with the id of a component for each
+//! component; [`roles`] reads them.
 
 mod effects;
+mod roles;
 
-use super::check::QuestionError;
 use super::question::{Entry, FORMAT, Instance, Question, Role, Seeds};
 use crate::catalog::{self, CATALOG};
+use crate::error::QuestionError;
 use crate::params::{ParamSpec, Values};
 use crate::planner::{Component, PlannerEntry};
 
 pub use effects::{Ablated, Effect, Finding, LEVEL, effects};
+pub use roles::{AblationRole, roles};
 
 /// Id of the entry with all components.
 pub const FULL: &str = "full";
@@ -19,12 +22,12 @@ pub const FULL: &str = "full";
 /// What the id of an entry without a component begins with.
 pub const WITHOUT: &str = "without-";
 
-/// The entries of an ablation: the planner with preset and values as they are given, and the same without each of its components. A
+/// The entries of an ablation with their parts in it: the planner with this preset and these values, and the same without each of its components. A
 /// component that these values turn off already, or whose parameters have no effect beside them, is left out.
 ///
 /// # Errors
 /// [`QuestionError`] where the catalog refuses planner, preset or values, and where nothing is left to take out.
-pub fn ablation(planner: &str, preset: Option<&str>, set: &Values) -> Result<Vec<Entry>, QuestionError> {
+pub fn ablation(planner: &str, preset: Option<&str>, set: &Values) -> Result<Vec<(Entry, AblationRole)>, QuestionError> {
     let make = |id: String, label: String, role, set: Values| Entry {
         id,
         label,
@@ -37,19 +40,20 @@ pub fn ablation(planner: &str, preset: Option<&str>, set: &Values) -> Result<Vec
         published: [].into(),
     };
     let full = make(FULL.into(), String::new(), Role::Improved, set.clone());
-    let refused = |error| QuestionError::planner(&full, error);
+    let refused = |error| QuestionError::planner(&full.id, error);
     let entry = catalog::find(planner).map_err(refused)?;
     let values = catalog::values(planner, preset, set).map_err(refused)?;
     let without = |component: &Component| {
         let set = set.clone().into_iter().chain(component.values()).collect();
-        make(format!("{WITHOUT}{}", component.id), format!("without {}", component.name), Role::Other, set)
+        let entry = make(format!("{WITHOUT}{}", component.id), format!("without {}", component.name), Role::Other, set);
+        (entry, AblationRole::Without { component: component.id.into() })
     };
     let specs = (entry.specs)();
-    let rest: Vec<Entry> = entry.components.iter().filter(|c| is_there(c, &specs, &values)).map(without).collect();
+    let rest: Vec<_> = entry.components.iter().filter(|c| is_there(c, &specs, &values)).map(without).collect();
     if rest.is_empty() {
         return Err(nothing_to_take_out(entry));
     }
-    Ok(std::iter::once(Entry { label: entry.name.into(), ..full }).chain(rest).collect())
+    Ok(std::iter::once((Entry { label: entry.name.into(), ..full }, AblationRole::Full)).chain(rest).collect())
 }
 
 /// Whether a run with these values has the component: one of its rows has an effect, and another value than the one that turns it off.
@@ -80,7 +84,7 @@ pub fn question(
     instances: Vec<Instance>,
     seeds: Seeds,
 ) -> Result<Question, QuestionError> {
-    let entries = ablation(planner, preset, set)?;
+    let entries: Vec<Entry> = ablation(planner, preset, set)?.into_iter().map(|(entry, _)| entry).collect();
     let label = entries.first().map_or(planner, |full| &full.label);
     Ok(Question {
         format: FORMAT.into(),
@@ -102,7 +106,7 @@ mod tests {
 
     fn ids(planner: &str, preset: Option<&str>, set: &[(&str, &str)]) -> Vec<String> {
         let set = set.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect();
-        ablation(planner, preset, &set).unwrap().into_iter().map(|e| e.id).collect()
+        ablation(planner, preset, &set).unwrap().into_iter().map(|(e, _)| e.id).collect()
     }
 
     fn refused(planner: &str, set: &[(&str, &str)]) -> (String, String) {
@@ -114,7 +118,10 @@ mod tests {
     #[test]
     fn every_component_is_taken_out_once_and_all_else_stays() {
         let set: Values = [("ants".to_string(), Value::from(7.0))].into();
-        let entries = ablation("rank-based-ant-system", None, &set).unwrap();
+        let (entries, roles): (Vec<Entry>, Vec<AblationRole>) =
+            ablation("rank-based-ant-system", None, &set).unwrap().into_iter().unzip();
+        let without = |component: &str| AblationRole::Without { component: component.into() };
+        assert_eq!(roles, [AblationRole::Full, without("ranking"), without("best-so-far-deposit")]);
         assert_eq!(
             entries.iter().map(|e| e.id.as_str()).collect::<Vec<_>>(),
             ["full", "without-ranking", "without-best-so-far-deposit"]

@@ -6,30 +6,29 @@
 
 mod curves;
 mod entry;
-mod intervals;
 mod pairs;
 mod published;
 mod ranks;
-pub(super) mod samples;
 mod verdicts;
 
 use serde::Serialize;
 
-use super::claims::{JudgedClaim, judge};
-use super::question::{Axis, Measure};
-use super::setting::{Map, Yardstick};
-use crate::planner::Objective;
+use super::ablation::roles;
+use super::budget::Axis;
+use super::intervals::Intervals;
+use super::judge::{JudgedClaim, judge};
+use super::maps::{Map, Yardstick};
+use super::measure::RunMeasure;
+use super::samples::Samples;
 
 #[cfg(test)]
 mod tests;
 
 pub use curves::{BandPoint, EcdfPoint, RunningTime};
 pub use entry::{EntryAnalysis, Origin};
-pub use intervals::Intervals;
 pub use pairs::Pair;
 pub use published::PublishedAnalysis;
 pub use ranks::{RankPair, Ranks};
-pub use samples::{Samples, Seen};
 pub use verdicts::{VerdictKind, VerdictLine};
 
 /// What the runs of a comparison say.
@@ -60,15 +59,13 @@ pub struct MapAnalysis {
     /// What it stands for, and whose it is.
     pub note: String,
     /// What paths are compared by: their length, by slices their cost.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "RunMeasure"))]
-    pub measure: Measure,
+    pub measure: RunMeasure,
     /// Its name in tables.
     pub measure_name: String,
-    /// The best there is, by each objective of an entry.
+    /// The best there is by each objective of an entry, in the order of the entries, with the measure that the objective belongs to.
     pub references: Vec<Yardstick>,
     /// What curves, targets and running times are about: the measure, or where no planner of the map minimises it, what the first one does.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "RunMeasure"))]
-    pub curve_measure: Measure,
+    pub curve_measure: RunMeasure,
     /// Its name in tables.
     pub curve_name: String,
     /// Values to be reached, easiest first: the best known value times 1 + each of `target_gaps`. None where no value is known.
@@ -86,7 +83,7 @@ pub struct MapAnalysis {
 /// Relative distances of the targets from the best known value.
 pub const TARGET_GAPS: [f64; 6] = [0.2, 0.1, 0.05, 0.02, 0.01, 0.0];
 
-/// What all runs so far say, those from elsewhere among them. Intervals and verdicts take long, and are told where there is a place to keep
+/// What all runs so far say, the imported ones among them. Intervals and verdicts take long, and are told where there is a place to keep
 /// them.
 pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Intervals>) -> Analysis {
     let comparison = samples.comparison();
@@ -102,7 +99,9 @@ fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mu
     let curve_measure = curve_measure(map, comparison.question.entries.len());
     let targets = best_known(samples, index, curve_measure).map_or_else(Vec::new, curves::targets);
     let gap_edges = entry::gap_edges(samples, index);
-    let about = entry::About { samples, map: index, axis, curve_measure, targets: &targets, gap_edges: &gap_edges };
+    let roles = roles(&comparison.question);
+    let about =
+        entry::About { samples, map: index, axis, curve_measure, targets: &targets, gap_edges: &gap_edges, roles: &roles };
     let entry = |entry| about.entry(entry, intervals.as_deref_mut());
     let entries = (0..comparison.question.entries.len()).map(entry).collect();
     let named = !map.scenario.spec.name.is_empty();
@@ -123,18 +122,8 @@ fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mu
     }
 }
 
-/// What an objective is about: two of them can be about the same, over different paths.
-pub(super) fn measure_of(objective: Objective) -> Measure {
-    match objective {
-        Objective::Length | Objective::PolylineLength | Objective::TourLength => Measure::Length,
-        Objective::SliceCost => Measure::Cost,
-        Objective::TurnIndex => Measure::TurnIndex,
-        Objective::TourWeight => Measure::Weight,
-    }
-}
-
-fn curve_measure(map: &Map, entries: usize) -> Measure {
-    let mut all = (0..entries).filter_map(|entry| map.objective(entry)).map(measure_of);
+fn curve_measure(map: &Map, entries: usize) -> RunMeasure {
+    let mut all = (0..entries).filter_map(|entry| map.objective(entry)).map(RunMeasure::of);
     let first = all.next();
     if first.is_none_or(|m| m == map.measure()) || all.any(|m| m == map.measure()) {
         map.measure()
@@ -144,9 +133,9 @@ fn curve_measure(map: &Map, entries: usize) -> Measure {
 }
 
 /// The best value by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
-fn best_known(samples: &Samples, index: usize, measure: Measure) -> Option<f64> {
+fn best_known(samples: &Samples, index: usize, measure: RunMeasure) -> Option<f64> {
     let map = &samples.comparison().maps[index];
-    let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| measure_of(y.objective) == measure).collect();
+    let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| y.measure == measure).collect();
     let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
     if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
         known
@@ -155,9 +144,9 @@ fn best_known(samples: &Samples, index: usize, measure: Measure) -> Option<f64> 
     }
 }
 
-fn best_of_runs(samples: &Samples, index: usize, measure: Measure, known: Option<f64>) -> Option<f64> {
+fn best_of_runs(samples: &Samples, index: usize, measure: RunMeasure, known: Option<f64>) -> Option<f64> {
     let map = &samples.comparison().maps[index];
-    let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| measure_of(o) == measure);
+    let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| RunMeasure::of(o) == measure);
     let entries = (0..samples.comparison().question.entries.len()).filter(of_measure);
     let values = entries.flat_map(|entry| samples.of(index, entry)).filter_map(|seen| Some(seen.row.found?.value));
     values.chain(known).reduce(f64::min)

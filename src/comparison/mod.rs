@@ -1,34 +1,127 @@
-//! Comparisons: a committed question is run, measured and judged the same way everywhere.
+//! Comparisons: a question is run, measured and judged the same way everywhere.
 //!
 //! A [`Question`] asks what a publication claims: which entries (planner, preset, values), on which instances (maps), over which seeds.
-//! An [`Comparison`] is a question with its maps; each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was
-//! found, and tells each improvement on the way. [`document`] is all of it in one file. [`claims`] compares rows by [`statistics`] and gives a verdict by the rule of docs/methodology.md; [`ablation`] asks and tells what
-//! each component of a planner does; [`report`] prints.
+//! A [`Comparison`] is a question with its maps. Each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was found; the
+//! row tells every improvement on the way. [`imported`] joins runs from elsewhere. [`analysis`] makes the numbers, [`judge`] gives a verdict
+//! on each claim by the rule of docs/methodology.md, [`ablation`] tells what each component of a planner does, and [`report`] prints.
 //!
-//! No clock, no threads, no files: who calls decides where the tasks run, so that the browser can do it too.
+//! No clock, no threads, no files: the caller decides where the tasks run, so that the browser can do it too.
 
 pub mod ablation;
 pub mod analysis;
-pub mod check;
-pub mod claims;
-pub mod document;
-pub mod given;
+mod budget;
+mod check;
+mod claim;
+pub mod gap;
+pub mod imported;
 pub mod inference;
+mod intervals;
+mod json;
+pub mod judge;
+mod maps;
+mod measure;
+pub mod names;
+mod order;
+mod printed_digits;
 pub mod question;
 pub mod report;
 mod row;
 mod run;
-mod setting;
+mod samples;
 pub mod statistics;
 mod verify;
 
-pub use ablation::{Ablated, Effect, Finding, effects};
-pub use analysis::{Analysis, Intervals, Samples, Seen, analyse};
-pub use check::QuestionError;
-pub use claims::{JudgedClaim, Verdict};
-pub use document::Opened;
-pub use question::{Axis, Budget, Claim, Direction, Entry, Instance, Measure, Published, Question, Role, Seeds, Statistic};
+use std::sync::Arc;
+
+use crate::digest::Digest;
+use crate::error::QuestionError;
+use crate::scenario::Scenario;
+
+pub use ablation::{Ablated, AblationRole, Effect, Finding, effects};
+pub use analysis::{Analysis, analyse};
+pub use budget::{Axis, Budget};
+pub use claim::{Claim, Direction, Statistic};
+pub use intervals::Intervals;
+pub(crate) use json::json;
+pub use judge::{JudgedClaim, Verdict};
+pub use maps::{Map, Yardstick};
+pub use measure::RunMeasure;
+pub use question::{Entry, Instance, Published, Question, Role, Seeds};
 pub use row::{Found, Improvement, Row, Spent, Task};
 pub use run::{Clock, Timed};
-pub use setting::{Comparison, Map, Yardstick};
+pub use samples::{Samples, Seen};
 pub use verify::{Deviation, Record, Recorded, Runs, Verification};
+
+/// A question with its maps, ready to run.
+#[derive(Debug)]
+pub struct Comparison {
+    /// What is asked.
+    pub question: Question,
+    /// One map for each instance of the question.
+    pub maps: Vec<Map>,
+    /// The runs of entries whose results come from elsewhere, in the order of the rows.
+    pub imported: Vec<Row>,
+    /// For each entry half a unit of the last digit that its values are printed with, in cells; 0 for what is run here.
+    half_units: Vec<f64>,
+}
+
+impl Comparison {
+    /// Checks the question, and that every entry can be run on every map. `scenarios` has one for each instance, in their order.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the field that does not fit.
+    pub fn new(question: Question, scenarios: Vec<Arc<Scenario>>) -> Result<Self, QuestionError> {
+        question.check()?;
+        let map = |scenario| Map::new(scenario, &question);
+        let maps = scenarios.into_iter().map(map).collect::<Result<_, _>>()?;
+        let half_units = vec![0.0; question.entries.len()];
+        Ok(Self { question, maps, imported: Vec::new(), half_units })
+    }
+
+    /// Takes in the runs of entries whose results come from elsewhere, in place of those it had.
+    ///
+    /// # Errors
+    /// [`QuestionError`] for a run of an entry that has no such results, or of an instance that does not exist.
+    pub fn with_imported(mut self, mut imported: Vec<Row>) -> Result<Self, QuestionError> {
+        let is_asked = |row: &Row| self.question.entries.get(row.task.entry).is_some_and(|e| e.results.is_some());
+        if imported.iter().any(|row| row.task.instance >= self.maps.len() || !is_asked(row)) {
+            return Err(QuestionError::outside("entry"));
+        }
+        imported.sort_by_key(|row| row.task);
+        self.half_units = printed_digits::half_units(self.question.entries.len(), &imported);
+        self.imported = imported;
+        Ok(self)
+    }
+
+    /// Over the question, its maps and the imported runs: comparisons with equal digests have equal runs, under one version of the engine.
+    pub fn digest(&self) -> Digest {
+        let mut digest = Digest::default();
+        digest.bytes(json(&self.question).as_bytes());
+        for Map { scenario, .. } in &self.maps {
+            digest.bytes(json(&scenario.spec).as_bytes());
+            digest.bytes(&scenario.grid.to_bytes());
+            scenario.grid.heights().iter().flat_map(|h| h.iter()).for_each(|&h| digest.f64(f64::from(h)));
+        }
+        self.imported.iter().for_each(|row| digest.bytes(json(row).as_bytes()));
+        digest
+    }
+
+    /// Does one run to its end. The clock tells times, which are not part of the row.
+    ///
+    /// # Errors
+    /// [`QuestionError`] for a task that is none of [`Comparison::tasks`].
+    pub fn run(&self, task: Task, clock: Clock) -> Result<Timed, QuestionError> {
+        let outside = |field| QuestionError::outside(field);
+        let entry = self.question.entries.get(task.entry).ok_or_else(|| outside("entry"))?;
+        let map = self.maps.get(task.instance).ok_or_else(|| outside("instance"))?;
+        let planner = run::build(&map.scenario, entry, task.seed)?.ok_or_else(|| outside("entry"))?;
+        Ok(run::run(task, &map.scenario, planner, self.question.budget, clock))
+    }
+
+    /// The runs that were done and the imported ones, in the order of the rows.
+    pub fn all_rows(&self, done: &[Row]) -> Vec<Row> {
+        let mut rows: Vec<Row> = done.iter().chain(&self.imported).cloned().collect();
+        rows.sort_by_key(|row| row.task);
+        rows
+    }
+}

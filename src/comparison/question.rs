@@ -1,12 +1,12 @@
 //! The question as it is written down: `formicarium/question@1`.
 
 use std::collections::BTreeMap;
-use std::fmt;
-use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::check::QuestionError;
+use super::budget::Budget;
+use super::claim::Claim;
+use crate::error::QuestionError;
 use crate::params::Values;
 
 /// What `format` must say.
@@ -15,12 +15,14 @@ pub const FORMAT: &str = "formicarium/question@1";
 /// What is asked of a publication, and how it is to be answered.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Question {
     /// [`FORMAT`].
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"formicarium/question@1\""))]
     pub format: String,
     /// One line.
     pub title: String,
-    /// The publication, as one cites it; empty for a question of our own.
+    /// The publication, as one cites it; empty for a question that comes from none.
     #[serde(default)]
     pub paper: String,
     /// The question in a sentence or two.
@@ -29,6 +31,7 @@ pub struct Question {
     pub seeds: Seeds,
     /// What a run may spend; absent: what its planner's own parameters say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub budget: Option<Budget>,
     /// The maps.
     pub instances: Vec<Instance>,
@@ -42,6 +45,7 @@ pub struct Question {
 /// `count` seeds from `from` on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Seeds {
     /// The first.
     pub from: u32,
@@ -50,79 +54,16 @@ pub struct Seeds {
 }
 
 impl Seeds {
-    /// All of them.
+    /// All of them, in ascending order.
     pub fn iter(self) -> impl Iterator<Item = u32> {
         (0..self.count).map(move |i| self.from.saturating_add(i))
-    }
-}
-
-/// What a run may spend. It ends runs, it does not lengthen them: a planner whose own parameters end it earlier ends earlier.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Budget {
-    /// What is counted; not [`Axis::Time`], by which no two machines agree.
-    pub axis: Axis,
-    /// How much of it, at least 1. Only iterations that end within the budget count.
-    pub amount: u64,
-}
-
-/// What effort is counted in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Axis {
-    /// Finished iterations.
-    Iterations,
-    /// Walks begun and ended.
-    ConstructedPaths,
-    /// Moves of ants, and steps by which a swarm's positions are decoded.
-    AntMoves,
-    /// Cells taken from the open list of a search.
-    CellExpansions,
-    /// Ant moves and cell expansions together: what one planner of any kind has looked at.
-    Moves,
-    /// Seconds on the machine that ran it. Not part of any result file.
-    Time,
-}
-
-impl fmt::Display for Budget {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let id = serde_json::to_value(self.axis).unwrap_or_default();
-        write!(f, "{}={}", id.as_str().unwrap_or_default(), self.amount)
-    }
-}
-
-impl FromStr for Budget {
-    type Err = QuestionError;
-
-    /// Reads `AXIS=AMOUNT`, as it prints itself.
-    fn from_str(text: &str) -> Result<Self, QuestionError> {
-        const ALLOWED: &str = "AXIS=AMOUNT such as constructed-paths=5000";
-        let wrong = || QuestionError::field("budget", text, ALLOWED);
-        let (axis, amount) = text.split_once('=').ok_or_else(wrong)?;
-        let axis = serde_json::from_value(axis.into()).map_err(|_| wrong())?;
-        let budget = Self { axis, amount: amount.parse().map_err(|_| wrong())? };
-        budget.check().map(|()| budget)
-    }
-}
-
-impl Axis {
-    /// Its name in tables.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Iterations => "iterations",
-            Self::ConstructedPaths => "constructed paths",
-            Self::AntMoves => "ant moves",
-            Self::CellExpansions => "cell expansions",
-            Self::Moves => "ant moves and cell expansions",
-            Self::Time => "seconds",
-        }
     }
 }
 
 /// One map of the question.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Instance {
     /// Stable id: small letters, digits, `-`.
     pub id: String,
@@ -136,6 +77,7 @@ pub struct Instance {
 /// What an entry is in the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum Role {
     /// What the publication compares with.
     Baseline,
@@ -148,6 +90,7 @@ pub enum Role {
 /// One algorithm with its parameters.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Entry {
     /// Stable id: small letters, digits, `-`.
     pub id: String,
@@ -156,169 +99,102 @@ pub struct Entry {
     /// What it is in the comparison.
     pub role: Role,
     /// Its id in the catalog; absent where nothing can be run.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
     pub planner: Option<String>,
-    /// Why nothing can be run; given where neither `planner` nor `results` is.
+    /// Why nothing can be run; there where neither `planner` nor `results` is.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
     pub missing: Option<String>,
     /// The file whose runs it stands for: results from elsewhere, which are compared and never run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
     pub results: Option<String>,
     /// A named parameter set of the planner.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
     pub preset: Option<String>,
     /// Values over preset and default.
     #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, number | string | boolean>"))]
     pub set: Values,
     /// What is published of it, by the instance that stands for the publication's map.
     #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, Published>"))]
     pub published: BTreeMap<String, Published>,
 }
 
 /// The numbers of one row of a published table.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Published {
     /// Path length in cells.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub length: Option<f64>,
     /// Cost of a path by slices, by the scenario's measure.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub cost: Option<f64>,
     /// Turns of the path.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub turns: Option<f64>,
     /// The turn-weighted index V(d, r) in cells.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub turn_index: Option<f64>,
     /// Σ R in cells of a tour by several goals.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub weight: Option<f64>,
     /// Iterations until the final best was found.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub iterations: Option<f64>,
 }
 
-/// What is measured on a run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Measure {
-    /// Length of the path in cells.
-    Length,
-    /// Cost of a path by slices, by the scenario's measure; elsewhere the value by the planner's own objective.
-    Cost,
-    /// Its turns.
-    Turns,
-    /// Its turn-weighted index V(d, r) in cells.
-    TurnIndex,
-    /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
-    Weight,
-    /// The iteration that found the best path.
-    IterationOfBest,
-    /// Constructed paths up to the end of that iteration.
-    PathsToBest,
-    /// Moves of all ants of the run.
-    AntMoves,
-    /// Whether a path was found: 1 or 0.
-    Success,
-    /// Whether the exact optimum was found: 1 or 0.
-    Optimal,
-}
+impl Question {
+    /// Leaves out every other instance, what is published about it, and claims that are about none that is left.
+    ///
+    /// # Errors
+    /// [`QuestionError`] for an id that no instance has.
+    pub fn keep_instances(&mut self, ids: &[String]) -> Result<(), QuestionError> {
+        ids.iter().try_for_each(|id| self.check_instance("instances", id))?;
+        self.instances.retain(|i| ids.contains(&i.id));
+        self.entries.iter_mut().for_each(|e| e.published.retain(|id, _| ids.contains(id)));
+        self.claims.retain(|c| c.instances.is_empty() || c.instances.iter().any(|i| ids.contains(i)));
+        self.claims.iter_mut().for_each(|c| c.instances.retain(|i| ids.contains(i)));
+        Ok(())
+    }
 
-impl Measure {
-    /// Its name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Length => "length",
-            Self::Cost => "cost",
-            Self::Turns => "turns",
-            Self::TurnIndex => "turn index V",
-            Self::Weight => "weight R",
-            Self::IterationOfBest => "iteration of best",
-            Self::PathsToBest => "constructed paths to best",
-            Self::AntMoves => "ant moves",
-            Self::Success => "share of runs with a path",
-            Self::Optimal => "share of runs with the optimum",
+    /// The instance of an id, to be changed.
+    ///
+    /// # Errors
+    /// [`QuestionError`] if there is none.
+    pub fn instance_mut(&mut self, id: &str) -> Result<&mut Instance, QuestionError> {
+        self.check_instance("instances", id)?;
+        self.instances.iter_mut().find(|i| i.id == id).ok_or_else(|| QuestionError::outside("instance"))
+    }
+
+    /// The place of an instance among the question's.
+    ///
+    /// # Errors
+    /// [`QuestionError`] if there is none of this id.
+    pub fn place(&self, id: &str) -> Result<usize, QuestionError> {
+        self.check_instance("instances", id)?;
+        self.instances.iter().position(|i| i.id == id).ok_or_else(|| QuestionError::outside("instance"))
+    }
+
+    /// The places of the entries that can be run, in their order; the others have their results from elsewhere, or none.
+    pub fn runnable(&self) -> Vec<usize> {
+        (0..self.entries.len()).filter(|&entry| self.entries[entry].planner.is_some()).collect()
+    }
+
+    /// The entry of an id.
+    pub fn entry(&self, id: &str) -> Option<&Entry> {
+        self.entries.iter().find(|e| e.id == id)
+    }
+
+    /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts.
+    pub fn claimed_size(&self, claim: &Claim, instance: &str) -> Option<f64> {
+        if claim.size.is_some() {
+            return claim.size;
         }
-    }
-
-    /// Whether it is 1 or 0 for a run, and so a share of all runs.
-    pub fn is_share(self) -> bool {
-        matches!(self, Self::Success | Self::Optimal)
-    }
-
-    /// The published number of this measure.
-    pub fn published(self, row: &Published) -> Option<f64> {
-        match self {
-            Self::Length => row.length,
-            Self::Cost => row.cost,
-            Self::Turns => row.turns,
-            Self::TurnIndex => row.turn_index,
-            Self::Weight => row.weight,
-            Self::IterationOfBest => row.iterations,
-            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal => None,
-        }
-    }
-}
-
-/// Which way the improved entry is said to differ from the baseline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Direction {
-    /// Its values are smaller.
-    Less,
-    /// Its values are larger.
-    More,
-}
-
-impl Direction {
-    /// A difference, counted so that what the claim says is positive.
-    pub fn signed(self, difference: f64) -> f64 {
-        match self {
-            Self::Less => -difference,
-            Self::More => difference,
-        }
-    }
-}
-
-/// What stands for all runs of an entry.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Statistic {
-    /// The middle run; a run without a path counts as longer than any.
-    Median,
-    /// The mean over the pairs of runs that both found a path.
-    Mean,
-}
-
-/// A comparison of two entries that a publication (or we) expect to come out one way.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Claim {
-    /// Stable id: small letters, digits, `-`. The bootstrap draws from a stream of this name.
-    pub id: String,
-    /// The claim in words.
-    pub says: String,
-    /// What a reader of the verdict must know.
-    #[serde(default)]
-    pub note: String,
-    /// Id of the entry that is said to differ.
-    pub improved: String,
-    /// Id of the entry it is compared with.
-    pub baseline: String,
-    /// What is compared.
-    pub measure: Measure,
-    /// Which way it is said to differ.
-    pub direction: Direction,
-    /// By which part of the baseline's value, above 0. Absent: what the published numbers of both entries say, if there are any.
-    pub size: Option<f64>,
-    /// What decides; absent: the mean where every run has a value, else the median.
-    pub statistic: Option<Statistic>,
-    /// Ids of the instances it is about; empty: all.
-    #[serde(default)]
-    pub instances: Vec<String>,
-}
-
-impl Claim {
-    /// What decides. Means tell small shifts of values that come in few steps, which medians and their bootstrap do not; but a mean
-    /// over the runs that happened to find a path would favour whoever fails where it is hard: then medians decide, asked for or not.
-    pub fn statistic(&self, every_run_counts: bool) -> Statistic {
-        if every_run_counts { self.statistic.unwrap_or(Statistic::Mean) } else { Statistic::Median }
-    }
-
-    /// Whether it is about an instance.
-    pub fn is_about(&self, instance: &str) -> bool {
-        self.instances.is_empty() || self.instances.iter().any(|i| i == instance)
+        let published = |id: &str| claim.measure.published(self.entry(id)?.published.get(instance)?);
+        let (improved, baseline) = (published(&claim.improved)?, published(&claim.baseline)?);
+        (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
     }
 }

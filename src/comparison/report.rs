@@ -4,6 +4,7 @@ mod ablation;
 mod csv;
 mod file;
 mod latex;
+mod printed;
 mod table;
 mod tests;
 mod verdicts;
@@ -12,10 +13,12 @@ use std::fmt::Write;
 
 use super::ablation::effects;
 use super::analysis::{Analysis, EntryAnalysis, MapAnalysis};
-use super::question::{Entry, Measure, Published, Role};
+use super::measure::RunMeasure;
+use super::question::{Entry, Published, Role};
 use super::row::Row;
-use super::setting::{Comparison, Map, Yardstick};
+use super::samples::{Samples, Seen};
 use super::statistics::Summary;
+use super::{Comparison, Map, Yardstick};
 use crate::exact::Reference;
 use crate::map::{CornerRule, Movement, Moves};
 use crate::scenario::Scenario;
@@ -24,7 +27,8 @@ pub use ablation::components;
 pub use csv::{HEADER, csv, line};
 pub use file::{Reports, ResultFile};
 pub use latex::latex;
-pub use table::{csv as summary_csv, json as summary_json, markdown as summary_markdown};
+pub use printed::markdown as summary_markdown;
+pub use table::{csv as summary_csv, json as summary_json};
 pub use tests::{tests, tests_csv};
 pub use verdicts::verdicts;
 
@@ -37,7 +41,7 @@ pub fn markdown(comparison: &Comparison, rows: &[Row], analysis: &Analysis, comm
         map_table(&mut out, comparison, map, of);
     }
     verdicts::claims_table(&mut out, comparison, &analysis.judged);
-    ablation::tables(&mut out, comparison, &effects(comparison, rows));
+    ablation::tables(&mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
     out
 }
 
@@ -156,7 +160,7 @@ fn moves(scenario: &Scenario) -> String {
     format!("{} moves{rule}{surface}", u8::from(moves))
 }
 
-fn published(main: Measure, row: &Published) -> String {
+fn published(main: RunMeasure, row: &Published) -> String {
     let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| v.to_string());
     let also = |name: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {name} = {v}"));
     let extra = also("V", row.turn_index) + &also("R", row.weight);

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::question::{Axis, Measure};
+use super::budget::Axis;
+use super::json;
+use super::measure::RunMeasure;
 use crate::planner::{Effort, Status};
 
 /// One run that is to be done; tasks are in the order of the rows.
@@ -116,38 +118,47 @@ impl From<Effort> for Spent {
 impl Spent {
     /// What it amounts to on an axis; none where that is not known, and by time.
     pub fn on(&self, axis: Axis) -> Option<f64> {
-        let count = match axis {
+        self.count(axis).map(|n| n as f64)
+    }
+
+    /// The same as a whole number.
+    pub fn count(&self, axis: Axis) -> Option<u64> {
+        match axis {
             Axis::Iterations => self.iterations,
             Axis::ConstructedPaths => self.constructed_paths,
             Axis::AntMoves => self.ant_moves,
             Axis::CellExpansions => self.cell_expansions,
             Axis::Moves => self.ant_moves.zip(self.cell_expansions).map(|(moves, expansions)| moves + expansions),
             Axis::Time => None,
-        };
-        count.map(|n| n as f64)
+        }
     }
 }
 
 impl Row {
+    /// As one line of JSON without its end: what a journal keeps.
+    pub fn to_line(&self) -> String {
+        json(self)
+    }
+
     /// A measure of the run, none where it is not known: a run from elsewhere may tell no turns. Without a path it is infinite, except for
-    /// shares, which are 0, and for ant moves. [`Measure::Optimal`] is [`super::Comparison::value`]'s to tell.
-    pub fn value(&self, measure: Measure) -> Option<f64> {
+    /// shares, which are 0, and for ant moves. [`RunMeasure::Optimal`] is [`super::Comparison::value`]'s to tell.
+    pub fn value(&self, measure: RunMeasure) -> Option<f64> {
         let of_path = |value: fn(&Found) -> Option<f64>| self.found.as_ref().map_or(Some(f64::INFINITY), value);
         let to_best = |axis| match (&self.found, self.trace.last()) {
             (None, _) => Some(f64::INFINITY),
             (Some(_), last) => last?.spent.on(axis),
         };
         match measure {
-            Measure::Length => of_path(|f| Some(f.length)),
-            Measure::Cost => of_path(|f| Some(f.value)),
-            Measure::Turns => of_path(|f| f.turns.map(f64::from)),
-            Measure::TurnIndex => of_path(|f| f.turn_index),
-            Measure::Weight => of_path(|f| Some(f.weight.unwrap_or(f64::INFINITY))),
-            Measure::IterationOfBest => to_best(Axis::Iterations),
-            Measure::PathsToBest => to_best(Axis::ConstructedPaths),
-            Measure::AntMoves => self.effort.on(Axis::AntMoves),
-            Measure::Success => Some(f64::from(u8::from(self.found.is_some()))),
-            Measure::Optimal => None,
+            RunMeasure::Length => of_path(|f| Some(f.length)),
+            RunMeasure::Cost => of_path(|f| Some(f.value)),
+            RunMeasure::Turns => of_path(|f| f.turns.map(f64::from)),
+            RunMeasure::TurnIndex => of_path(|f| f.turn_index),
+            RunMeasure::Weight => of_path(|f| Some(f.weight.unwrap_or(f64::INFINITY))),
+            RunMeasure::IterationOfBest => to_best(Axis::Iterations),
+            RunMeasure::PathsToBest => to_best(Axis::ConstructedPaths),
+            RunMeasure::AntMoves => self.effort.on(Axis::AntMoves),
+            RunMeasure::Success => Some(f64::from(u8::from(self.found.is_some()))),
+            RunMeasure::Optimal => None,
         }
     }
 }
@@ -167,6 +178,6 @@ mod tests {
         assert!(json.contains(r#""trace":[[0.30000000000000004,3,60,null,0]]"#), "{json}");
         assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
         assert_eq!((spent.on(Axis::ConstructedPaths), spent.on(Axis::Moves), spent.on(Axis::Time)), (Some(60.0), None, None));
-        assert_eq!((row.value(Measure::IterationOfBest), row.value(Measure::TurnIndex)), (Some(3.0), None));
+        assert_eq!((row.value(RunMeasure::IterationOfBest), row.value(RunMeasure::TurnIndex)), (Some(3.0), None));
     }
 }

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
+use super::budget::Budget;
+use super::question::Entry;
+use super::row::{Found, Improvement, Row, Spent, Task};
 use crate::catalog;
+use crate::error::QuestionError;
 use crate::metrics::Metrics;
-use crate::planner::{Effort, Granularity, Objective, Planner, Solution, Status};
+use crate::planner::{Granularity, Planner, Status};
 use crate::scenario::Scenario;
 
-use super::check::QuestionError;
-use super::question::{Axis, Budget, Entry};
-use super::row::{Found, Improvement, Row, Spent, Task};
-
-/// A clock's reading in seconds, from any beginning. Engines have none: who runs a task brings one.
+/// A clock's reading in seconds, from any beginning. The engine has none: the caller brings one.
 pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 
 /// A run that is done, and what no two machines agree on: when.
@@ -27,7 +27,7 @@ pub struct Timed {
 pub(super) fn build(scenario: &Arc<Scenario>, entry: &Entry, seed: u32) -> Result<Option<Box<dyn Planner>>, QuestionError> {
     let Some(id) = &entry.planner else { return Ok(None) };
     let built = catalog::build(scenario, id, entry.preset.as_deref(), &entry.set, seed);
-    built.map(Some).map_err(|error| QuestionError::planner(entry, error))
+    built.map(Some).map_err(|error| QuestionError::planner(&entry.id, error))
 }
 
 /// Runs a planner to its end, or to the budget's.
@@ -36,7 +36,7 @@ pub(super) fn run(task: Task, scenario: &Scenario, mut planner: Box<dyn Planner>
     let mut log = Log::default();
     let status = loop {
         let status = planner.advance(Granularity::Iteration);
-        let spent = budget.map(|b| (amount(planner.effort(), b.axis), b.amount));
+        let spent = budget.and_then(|b| Some((Spent::from(planner.effort()).count(b.axis)?, b.amount)));
         let is_over = spent.is_some_and(|(spent, most)| spent > most);
         if !is_over {
             log.note(scenario, planner.as_ref(), || clock() - began);
@@ -49,21 +49,8 @@ pub(super) fn run(task: Task, scenario: &Scenario, mut planner: Box<dyn Planner>
         }
     };
     log.seconds.push(clock() - began);
-    let digest = planner.digest().hex();
-    let found = log.best.map(|best| found(scenario, &best, log.weight, log.trace.last()));
-    Timed { row: Row { task, status, found, effort: planner.effort().into(), trace: log.trace, digest }, seconds: log.seconds }
-}
-
-/// What an effort amounts to on an axis; nothing by time.
-fn amount(effort: Effort, axis: Axis) -> u64 {
-    match axis {
-        Axis::Iterations => effort.iterations.into(),
-        Axis::ConstructedPaths => effort.constructed_paths,
-        Axis::AntMoves => effort.ant_moves,
-        Axis::CellExpansions => effort.cell_expansions,
-        Axis::Moves => effort.ant_moves + effort.cell_expansions,
-        Axis::Time => 0,
-    }
+    let (digest, effort) = (planner.digest().hex(), planner.effort().into());
+    Timed { row: Row { task, status, found: log.found, effort, trace: log.trace, digest }, seconds: log.seconds }
 }
 
 /// The improvements of a run, and its best path that counts.
@@ -71,37 +58,31 @@ fn amount(effort: Effort, axis: Axis) -> u64 {
 struct Log {
     trace: Vec<Improvement>,
     seconds: Vec<f64>,
-    best: Option<Solution>,
-    weight: Option<f64>,
+    found: Option<Found>,
+    /// The iteration that found it.
+    iteration: Option<u32>,
 }
 
 impl Log {
     fn note(&mut self, scenario: &Scenario, planner: &dyn Planner, elapsed: impl FnOnce() -> f64) {
         let Some(best) = planner.best() else { return };
-        if self.best.as_ref().is_some_and(|known| known.iteration == best.iteration) {
+        if self.iteration == Some(best.iteration) {
             return;
         }
-        let (weight, value) = (planner.tour().and_then(|t| t.walked_weight), value(scenario, planner, best));
+        let (path, length) = best.result();
+        let metrics = Metrics::of(scenario, path);
+        let value = planner.value(&metrics).unwrap_or(length);
         // The iteration that found it, which is none where no search was needed.
         let spent = Spent { iterations: Some(best.iteration.into()), ..planner.effort().into() };
         self.trace.push(Improvement { value, spent });
         self.seconds.push(elapsed());
-        (self.best, self.weight) = (Some(best.clone()), weight);
+        self.iteration = Some(best.iteration);
+        self.found = Some(Found {
+            length: metrics.length,
+            turns: Some(metrics.turns),
+            turn_index: Some(metrics.turn_index),
+            weight: planner.tour().and_then(|t| t.walked_weight),
+            value,
+        });
     }
-}
-
-/// The best path's value by the planner's own objective. Metrics are taken only where it is one of them: they look at every cell.
-fn value(scenario: &Scenario, planner: &dyn Planner, best: &Solution) -> f64 {
-    let (path, length) = best.result();
-    match planner.objective() {
-        Objective::TurnIndex => Metrics::of(scenario, path).turn_index,
-        Objective::TourWeight => planner.tour().and_then(|t| t.walked_weight).unwrap_or(length),
-        Objective::Length | Objective::PolylineLength | Objective::SliceCost | Objective::TourLength => length,
-    }
-}
-
-fn found(scenario: &Scenario, best: &Solution, weight: Option<f64>, last: Option<&Improvement>) -> Found {
-    let m = Metrics::of(scenario, best.result().0);
-    let value = last.map_or(m.length, |improvement| improvement.value);
-    Found { length: m.length, turns: Some(m.turns), turn_index: Some(m.turn_index), weight, value }
 }

@@ -13,9 +13,9 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 use serde_json::Value as Json;
 
+use super::Comparison;
 use super::question::Question;
 use super::row::{Row, Task};
-use super::setting::Comparison;
 use crate::params::Values;
 
 pub use deviation::Deviation;
@@ -51,11 +51,11 @@ pub struct Record {
 
 impl Record {
     /// `comparison` as the document has it.
-    pub(super) fn new(comparison: &Comparison, recorded: Option<Recorded>) -> Self {
+    pub(crate) fn new(comparison: &Comparison, recorded: Option<Recorded>) -> Self {
         Self { recorded, comparison: comparison.digest().hex() }
     }
 
-    /// What whoever ran it had; none where nothing had been run, or a document has runs alone.
+    /// What was recorded with the runs; none where nothing had been run, or a document has runs alone.
     pub fn recorded(&self) -> Option<&Recorded> {
         self.recorded.as_ref()
     }

@@ -3,7 +3,6 @@
 use thiserror::Error;
 
 use super::{ErrorReport, ScenarioError};
-use crate::map::Window;
 
 /// A file cannot be read.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -46,10 +45,16 @@ pub enum FormatError {
         expected: String,
     },
     /// A window that does not lie on the map.
-    #[error("the window of {} × {} cells at ({}, {}) does not lie within {width} × {height} cells", .window.width, .window.height, .window.x, .window.y)]
+    #[error("the window of {columns} × {rows} cells at ({x}, {y}) does not lie within {width} × {height} cells")]
     Window {
-        /// The window asked for.
-        window: Window,
+        /// First column asked for.
+        x: u32,
+        /// First row asked for.
+        y: u32,
+        /// Columns asked for.
+        columns: u32,
+        /// Rows asked for.
+        rows: u32,
         /// Columns there are.
         width: u32,
         /// Rows there are.
@@ -150,11 +155,10 @@ impl FormatError {
                     .with("what", what)
                     .with("expected", expected)
             }
-            Self::Window { window, width, height } => {
+            Self::Window { x, y, columns, rows, width, height } => {
                 let hint = format!("columns run from 0 to {}, rows from 0 to {}", width - 1, height - 1);
-                let Window { x, y, .. } = window;
                 let report = ErrorReport::new("window", "crop", message, hint).with("width", width).with("height", height);
-                report.with("x", x).with("y", y).with("columns", window.width).with("rows", window.height)
+                report.with("x", x).with("y", y).with("columns", columns).with("rows", rows)
             }
             Self::NoFreeCell => {
                 let hint = "clear at least one cell, or invert the map if it means 1 as free";

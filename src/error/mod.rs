@@ -5,6 +5,7 @@
 
 mod format;
 mod param;
+mod question;
 mod scenario;
 
 use std::collections::BTreeMap;
@@ -12,10 +13,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::comparison::QuestionError;
-
 pub use format::FormatError;
 pub use param::ParamError;
+pub use question::QuestionError;
 pub use scenario::ScenarioError;
 
 /// The flat form of any error, for the page and for `--format json`.

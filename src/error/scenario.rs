@@ -7,13 +7,15 @@ use super::ErrorReport;
 /// A scenario cannot be planned on.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ScenarioError {
-    /// The map has no cells or more than [`crate::map::MAX_SIDE`] a side.
+    /// The map has no cells, or too many a side.
     #[error("a map of {width} × {height} cells cannot be used")]
     MapSize {
         /// Width in cells.
         width: u64,
         /// Height in cells.
         height: u64,
+        /// Most cells a side.
+        most: u32,
     },
     /// The cell list does not have width × height entries.
     #[error("the map has {got} cells where {width} × {height} = {} are needed", u64::from(*.width) * u64::from(*.height))]
@@ -49,11 +51,13 @@ pub enum ScenarioError {
         /// Row.
         y: u32,
     },
-    /// The scenario has no goal, or more than [`crate::scenario::MAX_GOALS`].
-    #[error("the scenario has {got} goals where 1 to {} are possible", crate::scenario::MAX_GOALS)]
+    /// The scenario has no goal, or too many.
+    #[error("the scenario has {got} goals where 1 to {most} are possible")]
     GoalCount {
         /// Goals found.
         got: usize,
+        /// Most goals there can be.
+        most: usize,
     },
     /// Two goals share a cell.
     #[error("two goals lie on the cell ({x}, {y})")]
@@ -96,11 +100,11 @@ impl ScenarioError {
     pub fn report(&self) -> ErrorReport {
         let message = self.to_string();
         match self {
-            Self::MapSize { width, height } => {
-                ErrorReport::new("map-size", "map", message, format!("use 1 to {} cells a side", crate::map::MAX_SIDE))
+            Self::MapSize { width, height, most } => {
+                ErrorReport::new("map-size", "map", message, format!("use 1 to {most} cells a side"))
                     .with("width", width)
                     .with("height", height)
-                    .with("max", crate::map::MAX_SIDE)
+                    .with("max", most)
             }
             Self::CellCount { got, .. } => {
                 ErrorReport::new("cell-count", "cells", message, "give one cell for each place of the map").with("value", got)
@@ -118,9 +122,9 @@ impl ScenarioError {
                     .with("x", x)
                     .with("y", y)
             }
-            Self::GoalCount { got } => {
-                let hint = format!("use 1 to {} goals", crate::scenario::MAX_GOALS);
-                ErrorReport::new("goal-count", "goals", message, hint).with("value", got).with("max", crate::scenario::MAX_GOALS)
+            Self::GoalCount { got, most } => {
+                let hint = format!("use 1 to {most} goals");
+                ErrorReport::new("goal-count", "goals", message, hint).with("value", got).with("max", most)
             }
             Self::GoalTwice { x, y } => {
                 ErrorReport::new("goal-twice", "goals", message, "move one of them, or remove it").with("x", x).with("y", y)

@@ -1,157 +1,37 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`sniff`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`import_results`] results of runs from elsewhere; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! path, [`import_results`] results of runs from elsewhere, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
+pub mod comparison_json;
 mod ends;
+mod imported_map;
 mod matrix;
 mod movingai;
 mod path_list;
-pub mod results;
+mod results;
 mod scen;
 mod scenario_json;
+mod sniff;
 mod table;
 mod terrain;
 mod text;
 
-use serde::{Deserialize, Serialize};
-
+use crate::comparison::names::stem;
 use crate::error::{Error, FormatError, Notice};
-use crate::map::{Grid, Point, Window};
-use crate::scenario::{Goal, ScenarioSpec, TerrainMoves};
+use crate::map::{Grid, Point};
+use crate::scenario::ScenarioSpec;
 
+pub use comparison_json::ComparisonDocument;
+pub use imported_map::Imported;
 pub use path_list::{path_kind, read_path, read_places};
-pub use results::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep, import_results};
+pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
+use sniff::kind_of;
+pub use sniff::{Kind, sniff};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
-
-/// What a file is. Serialized as `movingai-map`, `movingai-scen`, `matrix`, `esri-ascii`, `height-table`, `geotiff`, `srtm`, `scenario`,
-/// `session`, `comparison`, `results`, `unknown`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Kind {
-    /// A map of the MovingAI benchmarks.
-    MovingaiMap,
-    /// A list of scenarios of the MovingAI benchmarks.
-    MovingaiScen,
-    /// Numbers in rows and columns.
-    Matrix,
-    /// Heights as an ESRI ASCII grid.
-    EsriAscii,
-    /// Heights in rows and columns.
-    HeightTable,
-    /// Heights as a GeoTIFF.
-    Geotiff,
-    /// Heights as an SRTM tile.
-    Srtm,
-    /// A scenario with its map, as JSON.
-    Scenario,
-    /// A race as it is shared (`formicarium/experiment@1`), as JSON.
-    Session,
-    /// Many runs with their question and maps, as JSON.
-    Comparison,
-    /// Runs from elsewhere, as a table or a data file of IOHanalyzer.
-    Results,
-    /// None of these.
-    Unknown,
-}
-
-/// A map with everything that can be planned on it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Imported {
-    /// What the file was.
-    pub kind: Kind,
-    /// The map.
-    pub grid: Grid,
-    /// The question asked on it; its name is the file's where the format has none.
-    pub spec: ScenarioSpec,
-    /// What was assumed, chosen or left out.
-    pub notices: Vec<Notice>,
-}
-
-impl Kind {
-    /// Whether files of this kind are rasters of heights.
-    pub const fn is_raster(self) -> bool {
-        matches!(self, Self::EsriAscii | Self::HeightTable | Self::Geotiff | Self::Srtm)
-    }
-}
-
-impl Imported {
-    /// Whether start or goal had to be chosen because the file names none.
-    pub fn ends_were_chosen(&self) -> bool {
-        self.notices.iter().any(|n| n.kind == ends::CHOSEN)
-    }
-
-    /// A window of the map, and the same ground in another number of cells.
-    fn piece(mut self, TerrainOptions { crop, size }: TerrainOptions) -> Result<Self, FormatError> {
-        let window = crop.unwrap_or(Window { x: 0, y: 0, width: self.grid.width(), height: self.grid.height() });
-        self.grid = self.grid.cropped(window)?;
-        let (width, height) = size.unwrap_or((window.width, window.height));
-        self.grid = self.grid.resampled(width, height)?;
-        let scaled = |at: u32, from: u32, of: u32, to: u32| {
-            (u64::from(at.checked_sub(from)?) * u64::from(to) / u64::from(of)).try_into().ok()
-        };
-        let moved = |p: Point| {
-            let x = scaled(p.x, window.x, window.width, width)?;
-            let y = scaled(p.y, window.y, window.height, height)?;
-            Some(Point::new(x, y)).filter(|&p| self.grid.is_free_at(i64::from(p.x), i64::from(p.y)))
-        };
-        let [of, to] = [f64::from(window.width) * f64::from(window.height), f64::from(width) * f64::from(height)];
-        let chosen = self.ends_were_chosen();
-        let mut goals = Vec::new();
-        for goal in self.spec.goals.drain(..).filter(|_| !chosen) {
-            let at = moved(goal.at).filter(|&at| goals.iter().all(|g: &Goal| g.at != at));
-            goals.extend(at.map(|at| Goal { at, ..goal }));
-        }
-        let start = moved(self.spec.start).filter(|_| !chosen);
-        let ends = ends::complete(&self.grid, start, goals.first().map(|g| g.at))?;
-        if goals.is_empty() {
-            goals.push(Goal::new(ends.goal, ""));
-        }
-        let resolution = self.spec.resolution * libm::sqrt(of / to);
-        self.spec = ScenarioSpec { width, height, resolution, start: ends.start, goals, ..self.spec };
-        lift_ends(&self.grid, &mut self.spec);
-        self.notices.retain(|n| n.kind != ends::CHOSEN);
-        self.notices.extend(ends.notice);
-        Ok(self)
-    }
-
-    /// Swaps free and blocked cells. Ends that the file names stay free, others are chosen anew.
-    ///
-    /// # Errors
-    /// [`FormatError::NoFreeCell`].
-    pub fn invert(mut self) -> Result<Self, FormatError> {
-        let chosen = self.ends_were_chosen();
-        let goal = self.spec.goals.first().map_or(self.spec.start, |g| g.at);
-        for cell in 0..self.grid.len() as u32 {
-            let point = self.grid.point(cell);
-            let is_end = !chosen && (point == self.spec.start || point == goal);
-            let blocked = !is_end && !self.grid.is_blocked(cell);
-            self.grid.set_blocked(cell, blocked);
-        }
-        if chosen {
-            let ends = ends::complete(&self.grid, None, None)?;
-            self.spec = ScenarioSpec { start: ends.start, ..self.spec };
-            self.spec.goals.iter_mut().for_each(|g| g.at = ends.goal);
-            self.notices.retain(|n| n.kind != ends::CHOSEN);
-            self.notices.extend(ends.notice);
-        }
-        Ok(self)
-    }
-}
-
-/// By slices: raises the levels of start and goal to the ground on which they have come to lie.
-fn lift_ends(grid: &Grid, spec: &mut ScenarioSpec) {
-    let (Some(heights), Some(terrain)) = (grid.heights(), &mut spec.terrain) else { return };
-    let TerrainMoves::Slices(rules) = &mut terrain.moves else { return };
-    let (level, unit) = (rules.level, terrain.vertical_unit);
-    let lowest = |at: Point| libm::ceil(f64::from(heights[grid.cell(at) as usize]) * unit / level) as u32;
-    rules.start_level = rules.start_level.max(lowest(spec.start));
-    rules.goal_level = spec.goals.first().map_or(rules.goal_level, |goal| rules.goal_level.max(lowest(goal.at)));
-}
 
 /// A format that can be written.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,66 +60,6 @@ pub enum BinaryExport {
     Geotiff,
     /// Whole metres, 1201 × 1201 or 3601 × 3601 cells.
     Srtm,
-}
-
-/// Tells what a file is. Its contents decide; the name only lets a `.scen` pass that lacks its version line.
-pub fn sniff(bytes: &[u8], name: &str) -> Kind {
-    match kind_of(bytes, name) {
-        Kind::Matrix if holds_heights(bytes) => Kind::HeightTable,
-        kind => kind,
-    }
-}
-
-/// The same, except that a table may be a map or hold heights.
-fn kind_of(bytes: &[u8], name: &str) -> Kind {
-    if terrain::geotiff::looks_like(bytes) {
-        return Kind::Geotiff;
-    }
-    let text = text::decode_up_to(bytes, text::MAX_RASTER_BYTES);
-    let called_hgt = name.to_ascii_lowercase().ends_with(".hgt");
-    if terrain::srtm::side_of(bytes.len()).is_some() && (called_hgt || text.is_err()) {
-        return Kind::Srtm;
-    }
-    text.map_or(Kind::Unknown, |text| sniff_text(&text, name))
-}
-
-fn holds_heights(bytes: &[u8]) -> bool {
-    text::decode(bytes).is_ok_and(|text| table::read(&text).is_ok_and(|table| !matrix::is_map(&table)))
-}
-
-fn sniff_text(text: &str, name: &str) -> Kind {
-    if text.trim_start().starts_with('{') {
-        return sniff_json(text);
-    }
-    let called_scen = name.to_ascii_lowercase().ends_with(".scen");
-    if scen::has_version(text) || (called_scen && scen::has_fields(text)) {
-        Kind::MovingaiScen
-    } else if movingai::looks_like(text) {
-        Kind::MovingaiMap
-    } else if results::looks_like(text) {
-        Kind::Results
-    } else if terrain::esri_ascii::looks_like(text) {
-        Kind::EsriAscii
-    } else if table::looks_like(text) {
-        Kind::Matrix
-    } else {
-        Kind::Unknown
-    }
-}
-
-fn sniff_json(text: &str) -> Kind {
-    // Broken JSON still tells what it was meant to be, so that the error is about the line and not about the format.
-    let format = scenario_json::format_of(text).unwrap_or_else(|| text.into());
-    let place = |word| format.find(word).unwrap_or(usize::MAX);
-    let named = [
-        (place("formicarium/scenario@"), Kind::Scenario),
-        (place("formicarium/experiment@"), Kind::Session),
-        (place("formicarium/comparison@"), Kind::Comparison),
-        // Of a single run: the reader of comparisons says so.
-        (place("formicarium/result@"), Kind::Comparison),
-    ];
-    let first = named.into_iter().filter(|(place, _)| *place < usize::MAX).min_by_key(|(place, _)| *place);
-    first.map_or(Kind::Unknown, |(_, kind)| kind)
 }
 
 /// Reads a map in any format that holds one. Where the file names no start or goal, the cells nearest the upper-left and the
@@ -321,7 +141,7 @@ fn complete(
 ) -> Result<Imported, FormatError> {
     let ends = ends::complete(&grid, start, goal)?;
     notices.extend(ends.notice);
-    let spec = ScenarioSpec { name: text::stem(name).into(), ..ScenarioSpec::new(&grid, ends.start, ends.goal) };
+    let spec = ScenarioSpec { name: stem(name).into(), ..ScenarioSpec::new(&grid, ends.start, ends.goal) };
     Ok(Imported { kind, grid, spec, notices })
 }
 

@@ -5,7 +5,7 @@
 
 use super::text::{lines, quote};
 use crate::error::{FormatError, Notice, ScenarioError};
-use crate::map::{Grid, Point, check_size};
+use crate::map::{Grid, MAX_SIDE, Point, check_size};
 
 /// Header lines that are looked at before a file is given up.
 const HEADER_LINES: usize = 20;
@@ -108,7 +108,7 @@ impl Header {
         let width = self.width.ok_or_else(|| missing("width"))?;
         let height = self.height.ok_or_else(|| missing("height"))?;
         check_size(width, height)?;
-        let narrow = |n| u32::try_from(n).map_err(|_| ScenarioError::MapSize { width, height });
+        let narrow = |n| u32::try_from(n).map_err(|_| ScenarioError::MapSize { width, height, most: MAX_SIDE });
         Ok((narrow(width)?, narrow(height)?))
     }
 

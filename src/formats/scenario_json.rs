@@ -85,26 +85,24 @@ fn complete(object: &mut Object) {
 
 fn read_spec(mut object: Object) -> Result<ScenarioSpec, FormatError> {
     complete(&mut object);
-    let given = Value::Object(object);
+    let read = Value::Object(object);
     let spec: ScenarioSpec =
-        serde_json::from_value(given.clone()).map_err(|e| field_error(e.to_string(), "the fields of docs/formats.md"))?;
+        serde_json::from_value(read.clone()).map_err(|e| field_error(e.to_string(), "the fields of docs/formats.md"))?;
     // Written out again, a scenario shows every field there is: what the file has beyond them is unknown.
-    match unknown_field(&given, &json_value(&spec), "") {
+    match unknown_field(&read, &json_value(&spec), "") {
         None => Ok(spec),
         Some((field, known)) => Err(field_error(format!("there is no field `{field}`"), format!("only {known} here"))),
     }
 }
 
-/// The first field of `given` that `known` lacks, with its path, and the names that stand there.
-fn unknown_field(given: &Value, known: &Value, path: &str) -> Option<(String, String)> {
-    match (given, known) {
-        (Value::Object(given), Value::Object(known)) => given.iter().find_map(|(key, value)| match known.get(key) {
+/// The first field of `read` that `known` lacks, with its path, and the names that stand there.
+fn unknown_field(read: &Value, known: &Value, path: &str) -> Option<(String, String)> {
+    match (read, known) {
+        (Value::Object(read), Value::Object(known)) => read.iter().find_map(|(key, value)| match known.get(key) {
             Some(k) => unknown_field(value, k, &format!("{path}{key}.")),
             None => Some((format!("{path}{}", quote(key)), known.keys().cloned().collect::<Vec<_>>().join(", "))),
         }),
-        (Value::Array(given), Value::Array(known)) => {
-            given.iter().zip(known).find_map(|(value, k)| unknown_field(value, k, path))
-        }
+        (Value::Array(read), Value::Array(known)) => read.iter().zip(known).find_map(|(value, k)| unknown_field(value, k, path)),
         _ => None,
     }
 }
@@ -199,10 +197,13 @@ fn write_heights(grid: &Grid) -> String {
     format!(", \"heights\": [\n{}\n  ]", rows.join(",\n"))
 }
 
+/// Why writing cannot fail.
+const PLAIN: &str = "a scenario is numbers, texts and lists, which can always be written as JSON";
+
 fn json_value(value: &impl Serialize) -> Value {
-    serde_json::to_value(value).unwrap_or_default()
+    serde_json::to_value(value).expect(PLAIN)
 }
 
 fn text(value: &impl Serialize) -> String {
-    serde_json::to_string(value).unwrap_or_default()
+    serde_json::to_string(value).expect(PLAIN)
 }

@@ -75,15 +75,6 @@ pub(super) fn quote(text: &str) -> String {
     short
 }
 
-/// The end of a file name without folder and extension, e.g. `arena2` of `maps/dao/arena2.map`.
-pub(super) fn stem(name: &str) -> &str {
-    let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
-    match file.rsplit_once('.') {
-        Some((stem, _)) if !stem.is_empty() => stem,
-        _ => file,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -105,13 +96,5 @@ mod tests {
             let error = decode(bytes).unwrap_err().to_string();
             assert!(error.contains(name), "{error}");
         }
-    }
-
-    #[test]
-    fn stems_of_file_names() {
-        assert_eq!(stem("maps/dao/arena2.map"), "arena2");
-        assert_eq!(stem("C:\\maps\\a.b.csv"), "a.b");
-        assert_eq!(stem(".map"), ".map");
-        assert_eq!(stem(""), "");
     }
 }

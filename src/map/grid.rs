@@ -178,5 +178,9 @@ impl Grid {
 /// [`ScenarioError::MapSize`] when a side is 0 or above [`MAX_SIDE`]. `u64`, so that a file's claim can be checked before it is believed.
 pub fn check_size(width: u64, height: u64) -> Result<(), ScenarioError> {
     let side = 1..=u64::from(MAX_SIDE);
-    if side.contains(&width) && side.contains(&height) { Ok(()) } else { Err(ScenarioError::MapSize { width, height }) }
+    if side.contains(&width) && side.contains(&height) {
+        Ok(())
+    } else {
+        Err(ScenarioError::MapSize { width, height, most: MAX_SIDE })
+    }
 }

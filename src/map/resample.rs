@@ -30,7 +30,8 @@ impl Window {
     pub fn check(&self, size: (u32, u32)) -> Result<(), FormatError> {
         let fits = |from: u32, length: u32, of: u32| length > 0 && from < of && length <= of - from;
         let ok = fits(self.x, self.width, size.0) && fits(self.y, self.height, size.1);
-        if ok { Ok(()) } else { Err(FormatError::Window { window: *self, width: size.0, height: size.1 }) }
+        let Self { x, y, width: columns, height: rows } = *self;
+        if ok { Ok(()) } else { Err(FormatError::Window { x, y, columns, rows, width: size.0, height: size.1 }) }
     }
 }
 

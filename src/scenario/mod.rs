@@ -257,7 +257,7 @@ fn quantity(field: &'static str, value: f64, ok: bool, allowed: &'static str) ->
 fn goal_cells(grid: &Grid, goals: &[Goal]) -> Result<Vec<Cell>, ScenarioError> {
     const POSITIVE: &str = "a positive number";
     if !(1..=MAX_GOALS).contains(&goals.len()) {
-        return Err(ScenarioError::GoalCount { got: goals.len() });
+        return Err(ScenarioError::GoalCount { got: goals.len(), most: MAX_GOALS });
     }
     let mut cells = Vec::with_capacity(goals.len());
     for goal in goals {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{ScenarioSpec, quantity};
 use crate::error::ScenarioError;
-use crate::map::{Cell, Grid, MAX_LEVELS, MAX_REACH, SliceRules, Slices};
+use crate::map::{Cell, Grid, MAX_LEVELS, MAX_REACH, MAX_SIDE, SliceRules, Slices};
 
 /// How one moves on a terrain.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,7 +124,7 @@ pub(super) fn slices(grid: &Grid, spec: &ScenarioSpec, start: Cell, goals: &[Cel
     let heights = grid.heights().ok_or(ScenarioError::Heights { missing: true })?;
     if grid.len() as u64 * (u64::from(rules.levels) + 1) > u64::from(u32::MAX) {
         let (width, height) = (u64::from(spec.width), u64::from(spec.height));
-        return Err(ScenarioError::MapSize { width, height });
+        return Err(ScenarioError::MapSize { width, height, most: MAX_SIDE });
     }
     let slices = Slices::new(grid, rules, vertical_unit, start, goals[0]);
     let ground = |c: Cell| f64::from(heights[c as usize]) * vertical_unit;

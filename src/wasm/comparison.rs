@@ -10,17 +10,11 @@ use super::run::ParamInput;
 use super::{Answer, argument, object, throw};
 use crate::comparison::report::{Reports, ResultFile};
 use crate::comparison::{
-    self, Ablated, Analysis, Axis, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed, Verification, analyse, analysis,
-    document,
+    self, Ablated, AblationRole, Analysis, Axis, Entry, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed,
+    Verification, analyse, analysis,
 };
 use crate::error::FormatError;
-
-/// `Measure` is what slices are measured by.
-#[wasm_bindgen(typescript_custom_section)]
-const RUN_MEASURE: &str = r#"
-/** What is measured on a run. */
-export type RunMeasure = "length" | "cost" | "turns" | "turn-index" | "weight" | "iteration-of-best" | "paths-to-best" | "ant-moves" | "success" | "optimal"
-"#;
+use crate::formats::comparison_json;
 
 /// A run that is done.
 #[derive(Serialize, Tsify)]
@@ -35,13 +29,34 @@ pub struct DoneRun {
     pub found: bool,
 }
 
-/// The entries of a question that asks what each component of a planner does, as JSON: the full planner with these values, and the same
-/// without each component.
+/// What the page must know of a comparison before anything has run. Of entries and instances it tells their places in the question.
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+pub struct ComparisonOutline {
+    /// The entries that can be run; the others have their results from elsewhere, or none.
+    pub runnable: Vec<usize>,
+    /// For each entry its part in an ablation; null for one that has no part in it, and for all where the question is none.
+    pub ablation_roles: Vec<Option<AblationRole>>,
+    /// Runs of each runnable entry on each map.
+    pub seeds: u32,
+}
+
+/// One entry of an ablation.
+#[derive(Serialize, Tsify)]
+pub struct AblationEntry {
+    /// The entry, as a question has it.
+    pub entry: Entry,
+    /// Its part.
+    pub role: AblationRole,
+}
+
+/// The entries of a question that asks what each component of a planner does: the full planner with these values first, then the same without
+/// each component. Throws where the catalog refuses planner, preset or values, and where nothing can be taken out.
 #[wasm_bindgen]
-pub fn ablation(planner: &str, preset: Option<String>, set: Ts<ParamInput>) -> Answer<String> {
+pub fn ablation(planner: &str, preset: Option<String>, set: Ts<ParamInput>) -> Answer<Vec<Ts<AblationEntry>>> {
     let ParamInput(set) = set.to_rust().map_err(|e| argument("set", &e.to_string()))?;
     let entries = comparison::ablation::ablation(planner, preset.as_deref(), &set).map_err(throw)?;
-    Ok(serde_json::to_string(&entries).unwrap_or_default())
+    Ok(entries.into_iter().map(|(entry, role)| object(&AblationEntry { entry, role })).collect())
 }
 
 /// A question with its maps and the runs of it that are done.
@@ -65,7 +80,7 @@ impl Comparison {
     /// Opens a document (`formicarium/comparison@1`); the runs in it are kept.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &str) -> Answer<Comparison> {
-        let opened = document::open(document).map_err(throw)?;
+        let opened = comparison_json::open(document).map_err(throw)?;
         let (record, tasks) = (opened.record(), opened.comparison.tasks());
         let place = |row: Row| Some((tasks.binary_search(&row.task).ok()?, Timed { row, seconds: Vec::new() }));
         let done: BTreeMap<usize, Timed> = opened.rows.into_iter().filter_map(place).collect();
@@ -86,6 +101,27 @@ impl Comparison {
         self.tasks.len()
     }
 
+    /// What must be known of the comparison before anything has run.
+    pub fn outline(&self) -> Ts<ComparisonOutline> {
+        let question = &self.inner.question;
+        object(&ComparisonOutline {
+            runnable: question.runnable(),
+            ablation_roles: comparison::ablation::roles(question),
+            seeds: question.seeds.count,
+        })
+    }
+
+    /// Every task in its place, three numbers each: instance and entry as places in the question, and the seed.
+    pub fn task_table(&self) -> Vec<u32> {
+        self.tasks.iter().flat_map(|task| [task.instance as u32, task.entry as u32, task.seed]).collect()
+    }
+
+    /// The places of the tasks in the order in which they are handed out: seed by seed, so that every entry is seen early on every map. Of each
+    /// entry and map only the first `seeds` seeds; all where it is left out.
+    pub fn seed_by_seed(&self, seeds: Option<u32>) -> Vec<u32> {
+        self.inner.seed_by_seed(seeds.unwrap_or(u32::MAX)).into_iter().map(|place| place as u32).collect()
+    }
+
     /// The places of the tasks that are not done yet.
     pub fn open_tasks(&self) -> Vec<u32> {
         (0..self.tasks.len()).filter(|i| !self.done.contains_key(i)).map(|i| i as u32).collect()
@@ -93,7 +129,7 @@ impl Comparison {
 
     /// The rows that are done, as lines of JSON in the order of the tasks.
     pub fn rows(&self) -> Vec<String> {
-        self.done.values().map(|timed| line(&timed.row)).collect()
+        self.done.values().map(|timed| timed.row.to_line()).collect()
     }
 
     /// 16 hexadecimal digits over question and maps: comparisons with equal digests have equal runs, under one version of the engine.
@@ -106,7 +142,7 @@ impl Comparison {
         let task = *self.tasks.get(index).ok_or_else(|| argument("index", "there is no such run"))?;
         let mut clock = || now.call0(&JsValue::NULL).ok().and_then(|t| t.as_f64()).unwrap_or(0.0);
         let Timed { row, seconds } = self.inner.run(task, &mut clock).map_err(throw)?;
-        Ok(object(&DoneRun { index: index as u32, row: line(&row), found: row.found.is_some(), seconds }))
+        Ok(object(&DoneRun { index: index as u32, row: row.to_line(), found: row.found.is_some(), seconds }))
     }
 
     /// Takes in a run that is done, from any worker or from before; `seconds` as `run` tells them, empty for a run that somebody else has done.
@@ -126,11 +162,11 @@ impl Comparison {
         Ok(())
     }
 
-    /// What the runs so far say, those from elsewhere among them, with effort counted on an axis. Bootstrap intervals and the verdicts that
+    /// What the runs so far say, the imported ones among them, with effort counted on an axis. Bootstrap intervals and the verdicts that
     /// follow from them take long, but only once for the same runs.
     pub fn analysis(&mut self, axis: Ts<Axis>, intervals: bool) -> Answer<Ts<Analysis>> {
         let axis = axis.to_rust().map_err(|e| argument("axis", &e.to_string()))?;
-        let runs = self.done.values().map(Seen::from).chain(self.inner.given.iter().map(Seen::from));
+        let runs = self.done.values().map(Seen::from).chain(self.inner.imported.iter().map(Seen::from));
         let samples = Samples::new(&self.inner, runs);
         Ok(object(&analyse(&samples, axis, intervals.then_some(&mut self.intervals))))
     }
@@ -142,7 +178,7 @@ impl Comparison {
         let rows = self.inner.all_rows(&done);
         let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
         let recorded = self.recorded_now(&done);
-        let document = |with_rows| document::write_as(&self.inner, &done, with_rows, recorded.as_ref());
+        let document = |with_rows| comparison_json::write_as(&self.inner, &done, with_rows, recorded.as_ref());
         let reports = Reports { comparison: &self.inner, rows: &rows, analysis: &analysis, command, document: &document };
         Ok(reports.contents(file))
     }
@@ -151,7 +187,7 @@ impl Comparison {
     /// found no path.
     pub fn effects(&self) -> Vec<Ts<Ablated>> {
         let rows = self.inner.all_rows(&self.done_rows());
-        comparison::effects(&self.inner, &rows).iter().map(object).collect()
+        comparison::effects(&Samples::new(&self.inner, rows.iter().map(Seen::from))).iter().map(object).collect()
     }
 
     /// What was recorded when the document was written; null where nothing had been run.
@@ -166,8 +202,8 @@ impl Comparison {
             return None;
         }
         let then: Vec<Row> = self.brought.values().cloned().collect();
-        let own = self.done.values().filter(|timed| !timed.seconds.is_empty()).map(|timed| &timed.row);
-        let now: Vec<Row> = own.chain(self.again.values()).cloned().collect();
+        let done_here = self.done.values().filter(|timed| !timed.seconds.is_empty()).map(|timed| &timed.row);
+        let now: Vec<Row> = done_here.chain(self.again.values()).cloned().collect();
         Some(object(&self.record.verify(&self.inner, &then, &now)))
     }
 }
@@ -180,7 +216,7 @@ impl Comparison {
         Ok((index, row))
     }
 
-    /// What is to be told about the runs: this engine's words, or those of whoever has done them, perhaps with another one.
+    /// What is recorded of the runs: by this engine, or as it came with those that were done elsewhere, perhaps by another engine.
     fn recorded_now(&self, done: &[Row]) -> Option<Recorded> {
         let then = self.record.recorded();
         let foreign = self.done.values().filter(|timed| timed.seconds.is_empty()).count();
@@ -194,8 +230,4 @@ impl Comparison {
     fn done_rows(&self) -> Vec<Row> {
         self.done.values().map(|timed| timed.row.clone()).collect()
     }
-}
-
-fn line(row: &Row) -> String {
-    serde_json::to_string(row).unwrap_or_default()
 }

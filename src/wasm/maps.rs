@@ -106,10 +106,20 @@ pub enum ExportFormat {
     Scenario,
 }
 
+/// What a file is.
+#[derive(Serialize, Tsify)]
+pub struct Sniffed {
+    /// The format found.
+    pub kind: Kind,
+    /// Whether files of this kind are rasters of heights, which are looked at and cut to size before they are opened.
+    pub raster: bool,
+}
+
 /// Tells a file's format; contents decide, the name helps.
 #[wasm_bindgen]
-pub fn sniff(bytes: &[u8], name: &str) -> Ts<Kind> {
-    object(&formats::sniff(bytes, name))
+pub fn sniff(bytes: &[u8], name: &str) -> Ts<Sniffed> {
+    let kind = formats::sniff(bytes, name);
+    object(&Sniffed { kind, raster: kind.is_raster() })
 }
 
 /// Reads a map or scenario of any known format.

@@ -5,9 +5,9 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::{Answer, object, throw};
-use crate::comparison::{document, given};
+use crate::comparison::imported::{self, ImportedEntry};
 use crate::error::Notice;
-use crate::formats::import_results;
+use crate::formats::{comparison_json, import_results};
 
 /// What a file of results holds.
 #[derive(Serialize, Tsify)]
@@ -35,7 +35,7 @@ pub struct SurveyedEntry {
 #[wasm_bindgen]
 pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
     let results = import_results(bytes, name).map_err(throw)?;
-    let entry = |e: &crate::formats::ImportedEntry| SurveyedEntry {
+    let entry = |e: &ImportedEntry| SurveyedEntry {
         label: e.label.clone(),
         runs: e.runs.len() as u32,
         with_path: e.runs.iter().filter(|run| !run.steps.is_empty()).count() as u32,
@@ -49,9 +49,9 @@ pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
 /// has one map.
 #[wasm_bindgen]
 pub fn join_results(document: &str, bytes: &[u8], name: &str, instance: Option<String>) -> Answer<String> {
-    let opened = document::open(document).map_err(throw)?;
+    let opened = comparison_json::open(document).map_err(throw)?;
     let results = import_results(bytes, name).map_err(throw)?;
     let place = instance.map(|id| opened.comparison.question.place(&id)).transpose().map_err(throw)?;
-    let comparison = given::join(opened.comparison, &results, place).map_err(throw)?;
-    Ok(document::write(&comparison, &opened.rows, true))
+    let comparison = imported::join(opened.comparison, &results, place).map_err(throw)?;
+    Ok(comparison_json::write(&comparison, &opened.rows, true))
 }

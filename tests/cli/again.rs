@@ -2,7 +2,7 @@
 use super::folder::Folder;
 
 #[test]
-fn a_written_experiment_is_compared_again_and_verified() {
+fn a_written_comparison_is_compared_again_and_verified() {
     let folder = Folder::with_question("verified");
     assert_eq!(folder.compare(&["q.toml", "--out", "one", "--seeds", "4"]).0, 0);
     let whole = folder.read("one/q.json");
@@ -61,7 +61,7 @@ fn digest_of_runs(document: &str) -> &str {
 }
 
 #[test]
-fn the_result_of_one_run_is_no_experiment() {
+fn the_result_of_one_run_is_no_comparison() {
     let folder = Folder::with_question("one-run");
     folder.write("run.json", r#"{"format": "formicarium/result@1", "planner": "astar", "path": [[0,0],[1,1]]}"#);
     let (code, said) = folder.compare(&["run.json", "--out", "out"]);
@@ -69,4 +69,19 @@ fn the_result_of_one_run_is_no_experiment() {
         code == 2 && said.contains("the result of a single run") && said.contains("as `compare` or the page writes it"),
         "{said}"
     );
+}
+
+#[test]
+fn a_document_without_runs_asks_the_same_question() {
+    let folder = Folder::with_question("document");
+    let printed = folder.run(&["compare", "q.toml", "--document", "--seeds", "2"]);
+    assert!(printed.code == 0 && printed.out.starts_with(r#"{"format": "formicarium/comparison@1","#), "{}", printed.out);
+    assert!(!printed.out.contains("\"rows\"") && !printed.out.contains("\"recorded\""), "{}", printed.out);
+    folder.write("asked.json", &printed.out);
+    assert_eq!(folder.compare(&["asked.json", "--out", "one"]).0, 0);
+    assert_eq!(folder.compare(&["q.toml", "--out", "two", "--seeds", "2"]).0, 0);
+    for ending in ["csv", "json"] {
+        assert_eq!(folder.read(&format!("one/asked.{ending}")), folder.read(&format!("two/q.{ending}")), "{ending}");
+    }
+    assert_eq!(folder.compare(&["q.toml", "--document", "--out", "three"]).0, 2);
 }

@@ -1,7 +1,7 @@
 //! A whole comparison as JSON, and its schema.
 
-use formicarium::comparison::{Comparison, Question, Row, Task, document};
-use formicarium::formats::{Kind, sniff};
+use formicarium::comparison::{Comparison, Question, Row, Task};
+use formicarium::formats::{Kind, comparison_json, sniff};
 use formicarium::map::{Grid, Point};
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use serde_json::{Value, json};
@@ -56,15 +56,15 @@ fn a_comparison_comes_out_as_it_went_in() {
     assert_eq!(rows.len(), 8);
     assert_eq!(rows[1].task.seed, u32::MAX);
     for (some, with_rows) in [(&rows[..], true), (&rows[..3], true), (&rows[..], false), (&[], true)] {
-        let text = document::write(&first, some, with_rows);
+        let text = comparison_json::write(&first, some, with_rows);
         assert_eq!(sniff(text.as_bytes(), "anything"), Kind::Comparison);
-        let again = document::open(&text).unwrap();
+        let again = comparison_json::open(&text).unwrap();
         assert_eq!(again.rows, if with_rows { some } else { &[] });
         assert_eq!(again.comparison.digest().hex(), first.digest().hex());
-        assert_eq!(document::write_as(&again.comparison, &again.rows, true, again.recorded.as_ref()), text);
+        assert_eq!(comparison_json::write_as(&again.comparison, &again.rows, true, again.recorded.as_ref()), text);
     }
     // What was opened runs as what was written.
-    let again = document::open(&document::write(&first, &[], true)).unwrap();
+    let again = comparison_json::open(&comparison_json::write(&first, &[], true)).unwrap();
     assert_eq!(run_all(&again.comparison), rows);
 }
 
@@ -73,11 +73,11 @@ fn every_comparison_fits_the_schema() {
     let schema = load("comparison");
     let e = comparison();
     let rows = run_all(&e);
-    for text in [document::write(&e, &rows, true), document::write(&e, &[], true)] {
+    for text in [comparison_json::write(&e, &rows, true), comparison_json::write(&e, &[], true)] {
         let written: Value = serde_json::from_str(&text).unwrap();
         assert_eq!(violations(&schema, &written), Vec::<String>::new());
     }
-    let written: Value = serde_json::from_str(&document::write(&e, &rows, true)).unwrap();
+    let written: Value = serde_json::from_str(&comparison_json::write(&e, &rows, true)).unwrap();
     for (place, value) in [
         ("/format", json!("formicarium/comparison@2")),
         ("/question/seeds/count", json!(0)),
@@ -88,7 +88,7 @@ fn every_comparison_fits_the_schema() {
         let mut spoilt = written.clone();
         *spoilt.pointer_mut(place).unwrap() = value;
         assert!(!violations(&schema, &spoilt).is_empty(), "{place}");
-        assert!(document::open(&spoilt.to_string()).is_err() || place.starts_with("/recorded"), "{place}");
+        assert!(comparison_json::open(&spoilt.to_string()).is_err() || place.starts_with("/recorded"), "{place}");
     }
 }
 
@@ -116,16 +116,16 @@ fn every_committed_question_fits_the_schema() {
 #[test]
 fn no_spoilt_byte_makes_it_panic() {
     let e = comparison();
-    let text = document::write(&e, &run_all(&e), true);
+    let text = comparison_json::write(&e, &run_all(&e), true);
     for at in (0..text.len()).step_by(61) {
         for byte in [b'"', b'9', b'-', b'{'] {
             let mut spoilt = text.clone().into_bytes();
             spoilt[at] = byte;
             let Ok(spoilt) = String::from_utf8(spoilt) else { continue };
-            if let Ok(opened) = document::open(&spoilt) {
+            if let Ok(opened) = comparison_json::open(&spoilt) {
                 opened.record().verify(&opened.comparison, &opened.rows, &opened.rows);
             }
         }
-        let _ = document::open(&text[..text.floor_char_boundary(at)]);
+        let _ = comparison_json::open(&text[..text.floor_char_boundary(at)]);
     }
 }

@@ -1,8 +1,9 @@
 //! Results from elsewhere: tables in every spelling, data files of IOHanalyzer, and what is refused.
 
 use formicarium::comparison::Spent;
+use formicarium::comparison::imported::{ImportedResults, ImportedRun};
 use formicarium::error::ErrorReport;
-use formicarium::formats::{ImportedResults, ImportedRun, Kind, import_results, sniff};
+use formicarium::formats::{Kind, import_results, sniff};
 use formicarium::planner::Status;
 
 fn results(text: &str) -> ImportedResults {

@@ -157,7 +157,7 @@ fn other_versions_and_other_files_are_refused() {
 }
 
 #[test]
-fn sniffing_tells_scenario_from_experiment() {
+fn sniffing_tells_scenario_from_session() {
     assert_eq!(sniff(FULL.as_bytes(), "a.map"), Kind::Scenario);
     assert_eq!(sniff(&FULL.as_bytes()[..80], ""), Kind::Scenario);
     let session = format!("{{\"format\": \"formicarium/experiment@1\", \"scenario\": {FULL}}}");

@@ -2,14 +2,14 @@
 
 use serde::Serialize;
 
-use super::super::inference::{holm, rank_biserial, wilcoxon};
-use super::super::question::{Entry, Measure, Question, Statistic};
-use super::super::row::Row;
-use super::super::setting::Comparison;
-use super::super::statistics::{Difference, a12, mean, mean_difference, median_difference, quantile, sorted};
-use super::{FULL, WITHOUT};
-use crate::catalog;
-use crate::planner::{Component, Objective};
+use super::WITHOUT;
+use super::roles::parts;
+use crate::comparison::claim::Statistic;
+use crate::comparison::inference::{holm, rank_biserial, wilcoxon};
+use crate::comparison::measure::RunMeasure;
+use crate::comparison::samples::{Samples, paired, without_seeds};
+use crate::comparison::statistics::{Difference, a12, mean, mean_difference, median_difference};
+use crate::planner::Component;
 
 /// From which p (adjusted by Holm over the components of a map) on a difference may be chance.
 pub const LEVEL: f64 = 0.05;
@@ -71,10 +71,8 @@ pub struct Ablated {
     /// Which instance of the question.
     pub instance: usize,
     /// What is measured: what the full planner makes small.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "RunMeasure"))]
-    pub measure: Measure,
+    pub measure: RunMeasure,
     /// What stands for all runs and orders the components: the mean where every run of the ablation found a path, else the median.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"median\" | \"mean\""))]
     pub statistic: Statistic,
     /// What stands for the full planner's runs.
     pub full: Option<f64>,
@@ -83,48 +81,25 @@ pub struct Ablated {
 }
 
 /// What each component does, on each map; empty where the question is no ablation.
-pub fn effects(comparison: &Comparison, rows: &[Row]) -> Vec<Ablated> {
+pub fn effects(samples: &Samples) -> Vec<Ablated> {
+    let comparison = samples.comparison();
     let Some((full, components)) = parts(&comparison.question) else { return Vec::new() };
-    (0..comparison.maps.len()).map(|instance| on_map(comparison, rows, instance, full, &components)).collect()
+    (0..comparison.maps.len()).map(|instance| on_map(samples, instance, full, &components)).collect()
 }
 
-/// The full entry, and the entries without a component.
-fn parts(question: &Question) -> Option<(usize, Vec<(usize, &'static Component)>)> {
-    let entries = &question.entries;
-    let full = entries.iter().position(|e| e.id == FULL)?;
-    let planner = entries[full].planner.as_deref()?;
-    let known = catalog::find(planner).ok()?.components;
-    let component = |e: &Entry| {
-        let id = e.id.strip_prefix(WITHOUT).filter(|_| e.planner.as_deref() == Some(planner))?;
-        known.iter().find(|c| c.id == id)
+fn on_map(samples: &Samples, instance: usize, full: usize, components: &[(usize, &'static Component)]) -> Ablated {
+    let comparison = samples.comparison();
+    let measure = comparison.maps[instance].objective(full).map_or(RunMeasure::Length, RunMeasure::of);
+    let sample = |entry| Sample {
+        values: samples.values(instance, entry, measure),
+        found: samples.values(instance, entry, RunMeasure::Success),
     };
-    let without: Vec<_> = entries.iter().enumerate().filter_map(|(place, e)| Some((place, component(e)?))).collect();
-    (!without.is_empty()).then_some((full, without))
-}
-
-fn on_map(
-    comparison: &Comparison,
-    rows: &[Row],
-    instance: usize,
-    full: usize,
-    components: &[(usize, &'static Component)],
-) -> Ablated {
-    let measure = match comparison.maps[instance].objective(full) {
-        Some(Objective::SliceCost) => Measure::Cost,
-        Some(Objective::TourWeight) => Measure::Weight,
-        Some(Objective::TurnIndex) => Measure::TurnIndex,
-        Some(Objective::Length | Objective::PolylineLength | Objective::TourLength) | None => Measure::Length,
-    };
-    let place = &comparison.question.instances[instance].id;
-    let sample = |entry, measure| by_seed(comparison, rows, instance, entry, measure);
-    let base = Sample { values: sample(full, measure), found: sample(full, Measure::Success) };
-    let samples: Vec<Sample> = components
-        .iter()
-        .map(|&(entry, _)| Sample { values: sample(entry, measure), found: sample(entry, Measure::Success) })
-        .collect();
-    let all_found = samples.iter().chain([&base]).flat_map(|s| &s.values).all(|(_, v)| v.is_finite());
+    let base = sample(full);
+    let without: Vec<Sample> = components.iter().map(|&(entry, _)| sample(entry)).collect();
+    let all_found = without.iter().chain([&base]).flat_map(|s| &s.values).all(|(_, v)| v.is_finite());
     let statistic = if all_found { Statistic::Mean } else { Statistic::Median };
-    let measured = components.iter().zip(&samples).map(|(&(entry, component), sample)| {
+    let place = &comparison.question.instances[instance].id;
+    let measured = components.iter().zip(&without).map(|(&(entry, component), sample)| {
         let name = format!("{WITHOUT}{}/{place}", component.id);
         let effect = effect(&base, sample, statistic, &name);
         Effect { component: component.id.into(), name: component.name.into(), entry, ..effect }
@@ -132,7 +107,7 @@ fn on_map(
     let mut effects: Vec<Effect> = measured.collect();
     judge(&mut effects);
     effects.sort_by(|a, b| weight(b, statistic).partial_cmp(&weight(a, statistic)).unwrap_or(std::cmp::Ordering::Equal));
-    let standing = standing(statistic, base.values.iter().map(|(_, v)| *v).collect());
+    let standing = statistic.of(&without_seeds(&base.values));
     Ablated { instance, measure, statistic, full: standing, effects }
 }
 
@@ -140,17 +115,6 @@ fn on_map(
 struct Sample {
     values: Vec<(u32, f64)>,
     found: Vec<(u32, f64)>,
-}
-
-fn by_seed(comparison: &Comparison, rows: &[Row], instance: usize, entry: usize, measure: Measure) -> Vec<(u32, f64)> {
-    let of = rows.iter().filter(|r| (r.task.instance, r.task.entry) == (instance, entry));
-    of.filter_map(|r| Some((r.task.seed, comparison.value(r, measure)?))).collect()
-}
-
-/// The values of the seeds that both have, as (without, full).
-fn paired(without: &[(u32, f64)], full: &[(u32, f64)]) -> Vec<(f64, f64)> {
-    let of = |seed: u32| full.iter().find(|(other, _)| *other == seed).map(|(_, value)| *value);
-    without.iter().filter_map(|&(seed, value)| Some((value, of(seed)?))).collect()
 }
 
 /// Everything but what depends on the other components.
@@ -173,14 +137,7 @@ fn effect(full: &Sample, without: &Sample, statistic: Statistic, name: &str) -> 
         worse: a12(&first, &second),
         success: mean(&found.iter().map(|(a, b)| a - b).collect::<Vec<_>>()).unwrap_or(0.0),
         finding: Finding::TooFew,
-        without: standing(statistic, first),
-    }
-}
-
-fn standing(statistic: Statistic, values: Vec<f64>) -> Option<f64> {
-    match statistic {
-        Statistic::Mean => mean(&values),
-        Statistic::Median => quantile(&sorted(values), 0.5),
+        without: statistic.of(&first),
     }
 }
 
@@ -210,124 +167,4 @@ fn weight(effect: &Effect, statistic: Statistic) -> (bool, f64, f64) {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::sync::Arc;
-
-    use super::super::super::question::{Instance, Seeds};
-    use super::super::super::row::{Found, Spent, Task};
-    use super::*;
-    use crate::map::{Grid, Movement, Point};
-    use crate::params::Values;
-    use crate::planner::Status;
-    use crate::scenario::Scenario;
-
-    const SEEDS: Seeds = Seeds { from: 1, count: 20 };
-
-    /// An ablation with the entries full, without-ranking and without-best-so-far-deposit, on a corridor.
-    fn comparison() -> Comparison {
-        let grid = Grid::open(6, 1).expect("a usable size");
-        let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(5, 0)).expect("usable");
-        let instance = Instance { id: "a".into(), map: "a.json".into(), note: String::new() };
-        let question = super::super::question("rank-based-ant-system", None, &Values::new(), vec![instance], SEEDS).unwrap();
-        Comparison::new(question, vec![Arc::new(scenario)]).unwrap()
-    }
-
-    /// Lengths by entry, for seeds from 1 on; infinite: no path.
-    fn rows(lengths: [Vec<f64>; 3]) -> Vec<Row> {
-        let row = |entry, seed, length: f64| Row {
-            task: Task { instance: 0, entry, seed },
-            status: Status::BudgetSpent,
-            found: length.is_finite().then_some(Found { length, turns: None, turn_index: None, weight: None, value: length }),
-            effort: Spent::default(),
-            trace: Vec::new(),
-            digest: String::new(),
-        };
-        let all = lengths.into_iter().enumerate();
-        all.flat_map(|(entry, of)| (1..).zip(of).map(move |(seed, length)| row(entry, seed, length))).collect()
-    }
-
-    fn judged(lengths: [Vec<f64>; 3]) -> Ablated {
-        effects(&comparison(), &rows(lengths)).remove(0)
-    }
-
-    fn close(a: Option<f64>, b: f64) {
-        assert!(a.is_some_and(|a| (a - b).abs() <= 1e-4 * b), "{a:?} is not {b}");
-    }
-
-    #[test]
-    fn one_that_matters_and_one_that_does_not() {
-        let full: Vec<f64> = (0..20).map(|i| 30.0 + f64::from(i)).collect();
-        let longer = full.iter().map(|v| v + 1.0).collect();
-        let a = judged([full.clone(), full.clone(), longer]);
-        assert_eq!((a.measure, a.statistic, a.full), (Measure::Length, Statistic::Mean, Some(39.5)));
-        let [deposit, ranking] = &a.effects[..] else { panic!("two components") };
-        assert_eq!((deposit.component.as_str(), ranking.component.as_str()), ("best-so-far-deposit", "ranking"));
-        // 20 equal differences: W = 0, z = 105 / √(717.5 − 166.25) = √20, p = 7.7442e-6; times 2 by Holm.
-        close(deposit.p, 7.744_2e-6);
-        close(deposit.holm, 1.548_84e-5);
-        assert_eq!((deposit.finding, deposit.leaning, deposit.without), (Finding::Helps, 1.0, Some(40.5)));
-        assert_eq!((deposit.pairs, deposit.finite_pairs, deposit.success), (20, 20, 0.0));
-        let means = deposit.means.unwrap();
-        assert_eq!((means.value, means.low, means.high), (1.0, 1.0, 1.0));
-        // 31 to 50 against 30 to 49: of 400 pairs 19 are equal and 210 larger.
-        close(deposit.worse, (210.0 + 9.5) / 400.0);
-        assert_eq!((ranking.finding, ranking.p, ranking.holm), (Finding::NotShown, Some(1.0), Some(1.0)));
-        assert_eq!((ranking.leaning, ranking.worse), (0.0, Some(0.5)));
-    }
-
-    #[test]
-    fn a_run_without_a_path_is_worse_than_any() {
-        let full = vec![30.0; 20];
-        let lost = |n: usize| [vec![f64::INFINITY; n], vec![29.0; 20 - n]].concat();
-        // 11 of 20: W⁺ = 165, W⁻ = 45, z = 60 / √(717.5 − 42.5) = 2.3094, p = 0.020921, times 2.
-        let a = judged([full.clone(), lost(11), full.clone()]);
-        let ranking = &a.effects[0];
-        assert_eq!((a.statistic, ranking.component.as_str()), (Statistic::Median, "ranking"));
-        close(ranking.holm, 0.041_842);
-        close(Some(ranking.leaning), 120.0 / 210.0);
-        assert_eq!((ranking.finding, ranking.success, ranking.finite_pairs), (Finding::Helps, -0.55, 9));
-        assert_eq!((ranking.without, ranking.medians.unwrap().value), (Some(f64::INFINITY), f64::INFINITY));
-        // The nine runs that arrive are shorter; their mean alone would say the opposite.
-        assert_eq!(ranking.means.unwrap().value, -1.0);
-        // 10 of 20: p = 0.0545.
-        assert_eq!(judged([full.clone(), lost(10), full]).effects[0].finding, Finding::NotShown);
-    }
-
-    #[test]
-    fn without_a_component_that_harms_runs_are_better() {
-        let a = judged([vec![30.0; 20], vec![29.0; 20], vec![31.0; 20]]);
-        let findings: Vec<Finding> = a.effects.iter().map(|e| e.finding).collect();
-        // As large and as clear as each other: in the order of the catalog.
-        assert_eq!(findings, [Finding::Harms, Finding::Helps]);
-        assert_eq!((a.effects[0].leaning, a.effects[0].worse), (-1.0, Some(0.0)));
-    }
-
-    #[test]
-    fn the_larger_difference_comes_first() {
-        let a = judged([vec![30.0; 20], vec![31.0; 20], vec![34.0; 20]]);
-        assert_eq!(a.effects.iter().map(|e| e.component.as_str()).collect::<Vec<_>>(), ["best-so-far-deposit", "ranking"]);
-    }
-
-    #[test]
-    fn runs_are_paired_by_seed_and_below_twenty_there_is_no_test() {
-        let a = judged([vec![30.0; 20], vec![31.0; 19], vec![]]);
-        let [ranking, deposit] = &a.effects[..] else { panic!("two components") };
-        assert_eq!((ranking.pairs, ranking.p, ranking.finding), (19, None, Finding::TooFew));
-        assert_eq!((deposit.pairs, deposit.means, deposit.worse), (0, None, None));
-    }
-
-    #[test]
-    fn other_questions_are_no_ablations() {
-        let mut other = comparison();
-        other.question.entries[0].id = "all".into();
-        assert_eq!(effects(&other, &[]), []);
-    }
-
-    #[test]
-    fn infinite_numbers_are_null_in_json() {
-        let a = judged([vec![30.0; 20], vec![f64::INFINITY; 20], vec![30.0; 20]]);
-        let json = serde_json::to_value(&a).unwrap();
-        assert_eq!(json["effects"][0]["finding"], "helps");
-        assert!(json["effects"][0]["medians"]["value"].is_null() && json["full"] == 30.0);
-    }
-}
+mod tests;

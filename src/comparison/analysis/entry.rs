@@ -3,11 +3,14 @@
 use serde::Serialize;
 
 use super::curves::{self, BandPoint, Curves, EcdfPoint, RunningTime};
-use super::intervals::Intervals;
-use super::measure_of;
 use super::published::{self, PublishedAnalysis};
-use super::samples::{Samples, Seen};
-use crate::comparison::question::{Axis, Entry, Measure, Role};
+use crate::comparison::ablation::AblationRole;
+use crate::comparison::budget::Axis;
+use crate::comparison::gap::ROUNDING;
+use crate::comparison::intervals::Intervals;
+use crate::comparison::measure::RunMeasure;
+use crate::comparison::question::{Entry, Role};
+use crate::comparison::samples::{Samples, Seen};
 use crate::comparison::statistics::{Summary, quantile, sorted, wilson};
 use crate::planner::Objective;
 
@@ -33,8 +36,9 @@ pub struct EntryAnalysis {
     /// Its name in tables.
     pub label: String,
     /// What it is in the comparison.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"baseline\" | \"improved\" | \"other\""))]
     pub role: Role,
+    /// Its part in an ablation; null where the question is none, or the entry has no part in it.
+    pub ablation_role: Option<AblationRole>,
     /// Where its runs come from.
     pub origin: Origin,
     /// What its planner makes small here; null where nothing can be run.
@@ -97,9 +101,10 @@ pub(super) struct About<'a> {
     pub samples: &'a Samples<'a>,
     pub map: usize,
     pub axis: Axis,
-    pub curve_measure: Measure,
+    pub curve_measure: RunMeasure,
     pub targets: &'a [f64],
     pub gap_edges: &'a [f64],
+    pub roles: &'a [Option<AblationRole>],
 }
 
 impl EntryAnalysis {
@@ -127,6 +132,7 @@ impl About<'_> {
             id: asked.id.clone(),
             label: asked.label.clone(),
             role: asked.role,
+            ablation_role: self.roles.get(entry).cloned().flatten(),
             origin: origin(asked),
             objective: map.objective(entry),
             runs: runs.len(),
@@ -139,13 +145,13 @@ impl About<'_> {
             median_interval: median,
             best: runs.iter().filter_map(|seen| Some(seen.row.found?.value)).reduce(f64::min),
             proven: map.reference(entry).is_proven(),
-            optimal: runs.iter().filter(|seen| comparison.value(seen.row, Measure::Optimal) == Some(1.0)).count(),
+            optimal: runs.iter().filter(|seen| comparison.value(seen.row, RunMeasure::Optimal) == Some(1.0)).count(),
             impossible: runs.iter().filter(|seen| comparison.impossible(seen.row)).count(),
             gap_counts: counts(&gaps, self.gap_edges),
             gap: Summary::of(&gaps),
-            turns: of(Measure::Turns),
-            iteration_of_best: of(Measure::IterationOfBest),
-            paths_to_best: of(Measure::PathsToBest),
+            turns: of(RunMeasure::Turns),
+            iteration_of_best: of(RunMeasure::IterationOfBest),
+            paths_to_best: of(RunMeasure::PathsToBest),
             effort_to_best: summary(runs.iter().filter_map(|seen| curves::to_best(*seen, self.axis))),
             total_effort: summary(runs.iter().filter_map(|seen| curves::end(*seen, self.axis))),
             published: asked.published.get(instance).map(|row| published::analyse(map, entry, row, &values)),
@@ -159,11 +165,11 @@ impl About<'_> {
     /// The whole course of the runs, as far as it tells of what the curves are about.
     fn curves(&self, entry: usize, runs: &[Seen]) -> Curves {
         let objective = self.samples.comparison().maps[self.map].objective(entry);
-        let tells = objective.is_some_and(|o| measure_of(o) == self.curve_measure);
+        let tells = objective.is_some_and(|o| RunMeasure::of(o) == self.curve_measure);
         if tells { self.told_curves(entry, runs) } else { Curves::default() }
     }
 
-    /// A value from elsewhere reaches a target within the digits it was printed with.
+    /// An imported value reaches a target within the digits it was printed with.
     fn told_curves(&self, entry: usize, runs: &[Seen]) -> Curves {
         let comparison = self.samples.comparison();
         let within: Vec<f64> = self.targets.iter().map(|&target| target + comparison.slack(entry, target)).collect();
@@ -222,7 +228,6 @@ fn round_step(least: f64) -> (f64, f64) {
 
 /// How many gaps lie in each bin, a rounding below an edge counting as on it; a negative one, possible where the reference is not proven, in the first.
 fn counts(gaps: &[f64], edges: &[f64]) -> Vec<u32> {
-    const ROUNDING: f64 = 1e-9;
     let mut counts = vec![0; edges.len()];
     for gap in gaps {
         let bin = edges.partition_point(|edge| *edge <= gap + ROUNDING).saturating_sub(1);

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::samples::{Samples, paired, plain};
 use crate::comparison::inference::{Test, holm, mann_whitney, wilcoxon};
+use crate::comparison::samples::{Samples, paired, without_seeds};
 use crate::comparison::statistics::a12;
 
 /// Two entries on one map, compared by the map's measure; runs without a path rank last.
@@ -52,7 +52,7 @@ pub(super) fn all(samples: &Samples, map: usize) -> Vec<Pair> {
 }
 
 fn pair(first: usize, second: usize, values: [Vec<(u32, f64)>; 2]) -> Option<Pair> {
-    let [a, b] = values.each_ref().map(|sample| plain(sample));
+    let [a, b] = values.each_ref().map(|sample| without_seeds(sample));
     let pairs = paired(&values[0], &values[1]);
     Some(Pair {
         first,

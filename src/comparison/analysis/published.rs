@@ -2,9 +2,11 @@
 
 use serde::Serialize;
 
-use super::measure_of;
+use crate::comparison::gap::is_below;
+use crate::comparison::maps::Map;
+use crate::comparison::measure::RunMeasure;
+use crate::comparison::printed_digits::half_unit;
 use crate::comparison::question::Published;
-use crate::comparison::setting::{Map, half_unit};
 use crate::exact::Reference;
 
 /// Published numbers, and where they lie among our runs.
@@ -45,12 +47,6 @@ pub(super) fn analyse(map: &Map, entry: usize, row: &Published, values: &[Option
     }
 }
 
-/// By more than the rounding of sums.
-fn is_below(value: f64, optimum: f64) -> bool {
-    const ROUNDING: f64 = 1e-9;
-    value < optimum * (1.0 - ROUNDING)
-}
-
 /// The best that an entry's paths could have by the map's measure: the reference of its objective; where that is about something else, or
 /// nothing can be run, the best of any kind of path that an entry of the question has. Only what is proven.
 fn optimum(map: &Map, entry: usize) -> Option<f64> {
@@ -58,10 +54,10 @@ fn optimum(map: &Map, entry: usize) -> Option<f64> {
         Reference::Proven { value } => Some(value),
         _ => None,
     };
-    if map.objective(entry).is_some_and(|o| measure_of(o) == map.measure()) {
+    if map.objective(entry).is_some_and(|o| RunMeasure::of(o) == map.measure()) {
         return proven(map.reference(entry));
     }
-    let of_measure = map.yardsticks().iter().filter(|y| measure_of(y.objective) == map.measure());
+    let of_measure = map.yardsticks().iter().filter(|y| y.measure == map.measure());
     let all: Option<Vec<f64>> = of_measure.map(|y| proven(y.reference)).collect();
     all?.into_iter().reduce(f64::min)
 }

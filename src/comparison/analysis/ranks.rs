@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::pairs::indices;
-use super::samples::{Samples, plain};
 use crate::comparison::inference::{Friedman, friedman, holm};
+use crate::comparison::samples::{Samples, without_seeds};
 use crate::comparison::statistics::{quantile, sorted};
 
 /// Friedman's test over the medians of the maps: of the entries that have runs on every map.
@@ -51,7 +51,7 @@ pub(super) fn over_maps(samples: &Samples) -> Option<Ranks> {
     let entries: Vec<usize> = (0..comparison.question.entries.len()).filter(everywhere).collect();
     let median = |map: usize, entry| {
         let measure = comparison.maps[map].measure();
-        let values = plain(&samples.values(map, entry, measure));
+        let values = without_seeds(&samples.values(map, entry, measure));
         comparison.in_common_digits(&entries, measure, quantile(&sorted(values), 0.5).unwrap_or(f64::INFINITY))
     };
     let medians: Vec<Vec<f64>> = (0..maps).map(|map| entries.iter().map(|&entry| median(map, entry)).collect()).collect();

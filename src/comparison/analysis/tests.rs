@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::comparison::Comparison;
 use crate::comparison::question::Question;
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
+use crate::comparison::{Comparison, Seen};
 use crate::map::{Grid, Movement, Point};
 use crate::planner::Status;
 use crate::scenario::Scenario;

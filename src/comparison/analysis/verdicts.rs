@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use crate::comparison::claims::{JudgedClaim, Verdict};
-use crate::comparison::question::{Direction, Question, Statistic};
+use crate::comparison::claim::{Direction, Statistic};
+use crate::comparison::judge::{JudgedClaim, Verdict};
+use crate::comparison::question::Question;
 use crate::comparison::statistics::Difference;
 
 /// What became of a claim on one map.
@@ -44,10 +45,8 @@ pub struct VerdictLine {
     /// Whether that is a share of runs, from 0 to 1.
     pub is_share: bool,
     /// Which way it is said to differ.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"less\" | \"more\""))]
     pub direction: Direction,
     /// What stands for all runs and decides.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"median\" | \"mean\""))]
     pub statistic: Statistic,
     /// By which part of the baseline's value they are said to differ, positive as the claim says; null where no size is claimed.
     pub claimed: Option<f64>,
@@ -71,7 +70,7 @@ pub struct VerdictLine {
     pub why: String,
 }
 
-/// A comparison for a table.
+/// A judged claim for a table.
 pub(super) fn line(question: &Question, c: &JudgedClaim) -> Option<VerdictLine> {
     let (claim, instance) = (question.claims.get(c.claim)?, question.instances.get(c.instance)?);
     let finite = |v: Option<f64>| v.filter(|v| v.is_finite());

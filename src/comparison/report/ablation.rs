@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use super::verdicts::{amount, difference, signed};
+use crate::comparison::Comparison;
 use crate::comparison::ablation::{Ablated, Effect, Finding, LEVEL};
-use crate::comparison::question::Statistic;
-use crate::comparison::setting::Comparison;
+use crate::comparison::claim::Statistic;
 use crate::comparison::statistics::{CONFIDENCE, Difference};
 
 /// A table for each map; nothing where the question is no ablation.
@@ -57,7 +57,7 @@ fn row(out: &mut String, map: &Ablated, e: &Effect) {
     );
 }
 
-/// Measure and statistic.
+/// RunMeasure and statistic.
 fn what(map: &Ablated) -> String {
     let statistic = if map.statistic == Statistic::Mean { "mean" } else { "median" };
     format!("{}, {statistic}", map.measure.name())
@@ -99,7 +99,7 @@ pub fn components(comparison: &Comparison, ablated: &[Ablated]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::comparison::question::Measure;
+    use crate::comparison::measure::RunMeasure;
 
     #[test]
     fn a_row_of_the_table() {
@@ -120,7 +120,7 @@ mod tests {
             finding: Finding::Helps,
         };
         let map =
-            Ablated { instance: 0, measure: Measure::Length, statistic: Statistic::Median, full: Some(30.0), effects: vec![] };
+            Ablated { instance: 0, measure: RunMeasure::Length, statistic: Statistic::Median, full: Some(30.0), effects: vec![] };
         let mut out = String::new();
         row(&mut out, &map, &effect);
         assert_eq!(

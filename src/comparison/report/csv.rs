@@ -1,11 +1,11 @@
 //! One line a run.
 
 use serde::Serialize;
-use serde_json::Value;
 
-use crate::comparison::question::Axis;
+use crate::comparison::Comparison;
+use crate::comparison::budget::Axis;
+use crate::comparison::json;
 use crate::comparison::row::{Found, Row};
-use crate::comparison::setting::Comparison;
 use crate::exact::Reference;
 
 /// The columns of [`csv`].
@@ -39,9 +39,9 @@ pub fn line(comparison: &Comparison, row: &Row) -> String {
 /// Lines of equal columns, named by their fields.
 pub(super) fn of_lines(lines: impl IntoIterator<Item = impl Serialize>) -> String {
     let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
-    // Writing plain data to memory cannot fail; were it to, the output would visibly end early.
-    let _ = lines.into_iter().try_for_each(|line| writer.serialize(line));
-    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+    const PLAIN: &str = "plain data can always be written to memory as CSV";
+    lines.into_iter().try_for_each(|line| writer.serialize(line)).expect(PLAIN);
+    String::from_utf8(writer.into_inner().expect(PLAIN)).expect("texts are UTF-8")
 }
 
 fn path_fields(f: Found) -> String {
@@ -61,11 +61,7 @@ fn six(v: f64) -> String {
     format!("{v:.6}")
 }
 
-/// As it stands in JSON.
+/// The name of a variant, as it stands in JSON.
 fn id(value: impl Serialize) -> String {
-    match serde_json::to_value(value) {
-        Ok(Value::String(id)) => id,
-        Ok(other) => other.to_string(),
-        Err(_) => String::new(),
-    }
+    json(&value).trim_matches('"').into()
 }

@@ -2,9 +2,9 @@
 
 use serde::Deserialize;
 
+use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 use crate::comparison::row::Row;
-use crate::comparison::setting::Comparison;
 
 /// One of them; in kebab case on the command line and in the browser.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -56,7 +56,7 @@ pub struct Reports<'a> {
     pub rows: &'a [Row],
     /// What they say, with intervals.
     pub analysis: &'a Analysis,
-    /// How whoever reads them repeats them.
+    /// The command that repeats them, for the reader.
     pub command: &'a str,
     /// The document, with its runs or without.
     pub document: &'a dyn Fn(bool) -> String,

@@ -1,8 +1,8 @@
 //! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
-use super::table::{Cell, Printed, printed, sentence};
+use super::printed::{Cell, Printed, printed, sentence};
+use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
-use crate::comparison::setting::Comparison;
 
 /// One table a map, its caption with everything that is needed to repeat it. A table that is wider than the text is shrunk to fit it.
 /// Letters beyond Latin and Greek need XeLaTeX or LuaLaTeX.

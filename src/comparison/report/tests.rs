@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
+use crate::comparison::Comparison;
 use crate::comparison::analysis::{Analysis, MapAnalysis, Pair, Ranks};
 use crate::comparison::inference::{MIN_RUNS, Test};
-use crate::comparison::setting::Comparison;
 
 /// The page of tests: a table of pairs for each map, then ranks over the maps. Which measure is compared follows from the map.
 pub fn tests(comparison: &Comparison, analysis: &Analysis) -> String {

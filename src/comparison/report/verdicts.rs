@@ -3,9 +3,10 @@
 use std::fmt::Write;
 
 use super::{length, short};
-use crate::comparison::claims::{JudgedClaim, Verdict};
-use crate::comparison::question::{Claim, Direction, Measure, Statistic};
-use crate::comparison::setting::Comparison;
+use crate::comparison::Comparison;
+use crate::comparison::claim::{Claim, Direction, Statistic};
+use crate::comparison::judge::{JudgedClaim, Verdict};
+use crate::comparison::measure::RunMeasure;
 use crate::comparison::statistics::{CONFIDENCE, Difference};
 
 /// The table, its totals, and what a reader must know beside it.
@@ -71,21 +72,21 @@ fn change(direction: Direction, size: Option<f64>) -> String {
     size.map_or_else(|| "–".into(), |s| signed(100.0 * direction.signed(s), |v| format!("{v:.1}")) + " %")
 }
 
-pub(super) fn amount(measure: Measure, v: f64) -> String {
+pub(super) fn amount(measure: RunMeasure, v: f64) -> String {
     if !v.is_finite() {
         return "no path".into();
     }
     match measure {
-        Measure::Length | Measure::Cost | Measure::TurnIndex | Measure::Weight => length(v),
-        Measure::Success | Measure::Optimal => format!("{:.0} %", 100.0 * v),
-        Measure::Turns | Measure::IterationOfBest | Measure::PathsToBest | Measure::AntMoves => short(v),
+        RunMeasure::Length | RunMeasure::Cost | RunMeasure::TurnIndex | RunMeasure::Weight => length(v),
+        RunMeasure::Success | RunMeasure::Optimal => format!("{:.0} %", 100.0 * v),
+        RunMeasure::Turns | RunMeasure::IterationOfBest | RunMeasure::PathsToBest | RunMeasure::AntMoves => short(v),
     }
 }
 
-pub(super) fn difference(measure: Measure, d: &Difference) -> String {
+pub(super) fn difference(measure: RunMeasure, d: &Difference) -> String {
     let one = |v: f64| match measure {
         _ if v.is_infinite() => signed(v, |_| "∞".into()),
-        Measure::Success | Measure::Optimal => signed(100.0 * v, |v| format!("{v:.0}")),
+        RunMeasure::Success | RunMeasure::Optimal => signed(100.0 * v, |v| format!("{v:.0}")),
         _ => signed(v, |v| amount(measure, v)),
     };
     let unit = if measure.is_share() { " points" } else { "" };
@@ -152,10 +153,10 @@ mod tests {
         assert_eq!(change(Direction::Less, Some(0.087)), "−8.7 %");
         assert_eq!(change(Direction::More, Some(0.5)), "+50.0 %");
         let d = Difference { value: -1.5, low: -2.0, high: 0.0 };
-        assert_eq!(difference(Measure::Length, &d), "−1.500 [−2.000, 0.000]");
-        assert_eq!(difference(Measure::Turns, &d), "−1.5 [−2, 0]");
+        assert_eq!(difference(RunMeasure::Length, &d), "−1.500 [−2.000, 0.000]");
+        assert_eq!(difference(RunMeasure::Turns, &d), "−1.5 [−2, 0]");
         let share = Difference { value: -0.66, low: -0.75, high: -0.57 };
-        assert_eq!(difference(Measure::Success, &share), "−66 points [−75, −57]");
-        assert_eq!(amount(Measure::Length, f64::INFINITY), "no path");
+        assert_eq!(difference(RunMeasure::Success, &share), "−66 points [−75, −57]");
+        assert_eq!(amount(RunMeasure::Length, f64::INFINITY), "no path");
     }
 }

@@ -5,19 +5,20 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::catalog;
+use crate::comparison::Comparison;
+use crate::comparison::json;
 use crate::comparison::question::{Entry, Question};
 use crate::comparison::row::{Row, Task};
-use crate::comparison::setting::Comparison;
 use crate::digest::Digest;
 use crate::params::Values;
 
 /// Between the versions of engines whose runs were put together.
 const MIXED: &str = " and ";
 
-/// What whoever ran it had, and what came out.
+/// What the runs were made with, and what came out.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Recorded {
     /// The engine's version; more than one where runs of several were put together.
     pub engine: String,
@@ -89,17 +90,13 @@ impl Runs {
     pub(super) fn first(most: u32, from: u32, rows: &ByTask, (instance, entry): (usize, usize)) -> Option<Self> {
         let row = |i| rows.get(&Task { instance, entry, seed: from.checked_add(i)? });
         let mut digest = Digest::default();
-        let count = (0..most).map_while(row).map(|row| digest.bytes(&bytes(row))).count() as u32;
+        let count = (0..most).map_while(row).map(|row| digest.bytes(json(row).as_bytes())).count() as u32;
         (count > 0).then(|| Self { count, digest: digest.hex() })
     }
 }
 
-fn bytes(row: &Row) -> Vec<u8> {
-    serde_json::to_vec(row).unwrap_or_default()
-}
-
 pub(super) fn digest(row: &Row) -> String {
     let mut digest = Digest::default();
-    digest.bytes(&bytes(row));
+    digest.bytes(json(row).as_bytes());
     digest.hex()
 }

@@ -6,8 +6,8 @@ use serde_json::json;
 
 use super::recorded::digest;
 use super::*;
-use crate::comparison::document;
 use crate::comparison::question::FORMAT;
+use crate::formats::comparison_json;
 use crate::map::{Grid, Point};
 use crate::scenario::{Scenario, ScenarioSpec};
 
@@ -32,7 +32,7 @@ fn run_all(comparison: &Comparison) -> Vec<Row> {
 
 /// Writes a document after some runs, opens it, and compares.
 fn verified(then: &[Row], with_rows: bool, now: &[Row]) -> Verification {
-    let opened = document::open(&document::write(&comparison(), then, with_rows)).unwrap();
+    let opened = comparison_json::open(&comparison_json::write(&comparison(), then, with_rows)).unwrap();
     opened.record().verify(&opened.comparison, &opened.rows, now)
 }
 
@@ -105,9 +105,9 @@ fn every_difference_is_told_with_what_may_be_its_cause() {
 fn rows_that_were_changed_in_the_file_are_told_from_runs_that_differ() {
     let e = comparison();
     let rows = run_all(&e);
-    let text = document::write(&e, &rows, true);
+    let text = comparison_json::write(&e, &rows, true);
     let changed = text.replacen(&rows[5].digest, "0123456789abcdef", 1);
-    let opened = document::open(&changed).unwrap();
+    let opened = comparison_json::open(&changed).unwrap();
     let told = opened.record().verify(&e, &opened.rows, &rows);
     let edited = Deviation::Edited { instance: "open".into(), entry: "exact".into() };
     // The digest in the file is still that of the runs that come out.

@@ -4,11 +4,10 @@
 //! The older loggers write `"function evaluation" "best-so-far f(x)"`, perhaps with `"current f(x)"` and more columns between; newer ones
 //! (IOHexperimenter 0.3) write `evaluations raw_y` and what else was asked for.
 
-use super::{
-    ImportedEntry, ImportedResults, ImportedRun, ImportedStep, MAX_ROWS, cell, counted, ended, file_name, label, measured, plain,
-    too_many_rows,
-};
+use super::{MAX_ROWS, cell, counted, ended, label, measured, plain, too_many_rows};
 use crate::comparison::Spent;
+use crate::comparison::imported::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep};
+use crate::comparison::names::file_name;
 use crate::error::{FormatError, Notice};
 use crate::formats::text::{lines, quote};
 
@@ -89,7 +88,7 @@ pub(super) fn read(text: &str, name: &str) -> Result<ImportedResults, FormatErro
     let notices = file.notices();
     let runs = file.runs.into_iter().map(|run| ImportedRun { status: ended(&run.steps), ..run }).collect();
     let entries = vec![ImportedEntry { id: plain(&label), label, runs }];
-    Ok(ImportedResults { file: file_name(name), instances: Vec::new(), entries, notices })
+    Ok(ImportedResults { file: file_name(name).into(), instances: Vec::new(), entries, notices })
 }
 
 /// A file on its way in.

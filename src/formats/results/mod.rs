@@ -1,16 +1,17 @@
 //! Results of runs that were made elsewhere: what somebody's own planner has found, to be compared with what is run here.
 //!
 //! [`import_results`] reads tables with a header (`table`) and the data files of IOHanalyzer (`ioh`). Nothing here knows which maps the
-//! runs belong to: [`crate::comparison::given`] joins them to a question. docs/formats.md lists the columns.
+//! runs belong to: [`crate::comparison::imported`] joins them to a question. docs/formats.md lists the columns.
 
 mod columns;
 mod ioh;
 mod run;
 mod table;
 
-use super::text::{self, quote, stem};
-use crate::comparison::Spent;
-use crate::error::{FormatError, Notice};
+use super::text::{self, quote};
+use crate::comparison::imported::{ImportedResults, ImportedStep};
+use crate::comparison::names::stem;
+use crate::error::FormatError;
 use crate::planner::Status;
 
 /// Most lines of a file.
@@ -31,102 +32,6 @@ const MISSING: [&str; 12] = ["", "-", "–", "inf", "+inf", "infinity", "∞", "
 /// Largest whole number that every f64 below it tells apart from its neighbours.
 const MAX_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// The runs of a file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImportedResults {
-    /// The file's name without folders.
-    pub file: String,
-    /// The names of maps that stand in the file, in their order; empty where it names none.
-    pub instances: Vec<String>,
-    /// Whose runs they are, in the order of the file; at least one.
-    pub entries: Vec<ImportedEntry>,
-    /// What was assumed or left out.
-    pub notices: Vec<Notice>,
-}
-
-/// The runs of one algorithm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImportedEntry {
-    /// Its name made plain: small letters, digits, `-`. May be the same for two of them.
-    pub id: String,
-    /// Its name as it stands in the file, or the file's without ending.
-    pub label: String,
-    /// Its runs, in the order of the file.
-    pub runs: Vec<ImportedRun>,
-}
-
-/// One run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImportedRun {
-    /// Which of [`ImportedResults::instances`] it is on; none where the file does not say.
-    pub instance: Option<usize>,
-    /// Its seed; where the file does not say, runs are counted from 1.
-    pub seed: u32,
-    /// How it ended; where the file does not say, [`Status::Complete`] with a path and [`Status::BudgetSpent`] without.
-    pub status: Status,
-    /// What it had spent when it ended, as far as that is known.
-    pub effort: Spent,
-    /// Its improvements in the order in which they came, the last one its result; empty for a run without a path.
-    pub steps: Vec<ImportedStep>,
-}
-
-/// A path that a run has found.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ImportedStep {
-    /// Its length in cells.
-    pub length: Option<f64>,
-    /// Its value by whatever it was searched for: on terrains by slices the cost. One of length and value is always there.
-    pub value: Option<f64>,
-    /// Its turns.
-    pub turns: Option<u32>,
-    /// V(d, r) in cells.
-    pub turn_index: Option<f64>,
-    /// Σ R in cells, of a tour by several goals.
-    pub weight: Option<f64>,
-    /// What had been spent when it was found, as far as that is known.
-    pub spent: Spent,
-}
-
-impl ImportedStep {
-    /// What it is compared by: on terrains by slices its value, elsewhere its length, or the only number there is. None where the cost by
-    /// slices is asked for and a length is all that is known.
-    pub fn compared(&self, by_slices: bool) -> Option<f64> {
-        if by_slices { self.value } else { self.length.or(self.value) }
-    }
-
-    /// Whether it has a smaller length or a smaller value than another one.
-    fn improves(&self, than: &Self) -> bool {
-        let less = |new: Option<f64>, old: Option<f64>| new.is_some_and(|n| old.is_none_or(|o| n < o));
-        less(self.length, than.length) || less(self.value, than.value)
-    }
-}
-
-impl ImportedResults {
-    /// Number of runs of all entries.
-    pub fn runs(&self) -> usize {
-        self.entries.iter().map(|e| e.runs.len()).sum()
-    }
-
-    /// Leaves out the runs on maps of these names, in small or large letters.
-    pub fn leave_out(&mut self, names: &[String]) {
-        let is_left_out = |instance: &String| names.iter().any(|name| name.to_lowercase() == instance.to_lowercase());
-        let (mut left, mut place) = (Vec::new(), Vec::new());
-        for instance in std::mem::take(&mut self.instances) {
-            let stays = !is_left_out(&instance);
-            place.push(stays.then_some(left.len()));
-            left.extend(stays.then_some(instance));
-        }
-        self.instances = left;
-        for entry in &mut self.entries {
-            entry.runs.retain_mut(|run| {
-                let Some(instance) = run.instance else { return true };
-                run.instance = place[instance];
-                run.instance.is_some()
-            });
-        }
-    }
-}
-
 /// Reads the results of runs: a table with one line a run or one line an improvement, or a data file of IOHanalyzer.
 ///
 /// # Errors
@@ -144,11 +49,6 @@ pub fn import_results(bytes: &[u8], name: &str) -> Result<ImportedResults, Forma
 /// Whether a text begins as such a file does: with a line of column names, one of them a length or a value.
 pub(super) fn looks_like(text: &str) -> bool {
     ioh::looks_like(text) || columns::looks_like(text)
-}
-
-/// The name of a file without its folders.
-fn file_name(name: &str) -> String {
-    name.rsplit(['/', '\\']).next().unwrap_or(name).into()
 }
 
 /// A name as it may stand in a table: on one line, not endless; the file's where there is none.

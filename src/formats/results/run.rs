@@ -1,8 +1,9 @@
 //! A run of a table on its way in: its lines become its improvements and its effort.
 
 use super::columns::{Column, Columns};
-use super::{ImportedRun, ended};
+use super::ended;
 use crate::comparison::Spent;
+use crate::comparison::imported::ImportedRun;
 use crate::planner::Status;
 
 /// A run of which not all lines may have been read.

@@ -6,12 +6,10 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 use super::columns::{self, Column, Columns};
 use super::run::{Run, goes_back};
-use super::{
-    ImportedEntry, ImportedResults, ImportedRun, ImportedStep, MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, cell, counted, file_name,
-    label, measured, plain,
-};
-use super::{quote, too_many_rows};
+use super::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, cell, counted, label, measured, plain, quote, too_many_rows};
 use crate::comparison::Spent;
+use crate::comparison::imported::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep};
+use crate::comparison::names::file_name;
 use crate::error::{FormatError, Notice};
 use crate::formats::text::lines;
 use crate::planner::Status;
@@ -257,7 +255,7 @@ impl Table<'_> {
             runs: runs.into_iter().map(finished).collect(),
         };
         let entries = entries.map(entry).collect();
-        Ok(ImportedResults { file: file_name(self.file), entries, notices: self.notices(), instances: self.instances })
+        Ok(ImportedResults { file: file_name(self.file).into(), entries, notices: self.notices(), instances: self.instances })
     }
 
     fn notices(&self) -> Vec<Notice> {

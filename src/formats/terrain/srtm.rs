@@ -2,8 +2,8 @@
 //! −32768 stands for no data. The size tells the format, the name (`N40W106.hgt`: the lower left corner) the latitude.
 
 use super::super::Kind;
-use super::super::text::stem;
 use super::{Raster, ground};
+use crate::comparison::names::stem;
 use crate::error::{FormatError, Notice};
 use crate::map::Grid;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::comparison::statistics::{Difference, mean_difference, mean_interval, median_difference, median_interval};
+use super::statistics::{Difference, mean_difference, mean_interval, median_difference, median_interval};
 use crate::digest::Digest;
 
 /// Intervals by their names, as long as their samples are the same.

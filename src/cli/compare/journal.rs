@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use formicarium::comparison::{Comparison, Row};
 
-use super::error::CliError;
+use crate::cli::error::CliError;
 
 /// An open journal.
 pub struct Journal {
@@ -22,7 +22,7 @@ impl Journal {
     /// format is begun anew.
     pub fn open(path: PathBuf, comparison: &Comparison) -> Result<(Self, Vec<Row>), CliError> {
         let head = head(comparison);
-        let kept = std::fs::read(&path).unwrap_or_default();
+        let kept = kept(&path)?;
         let (rows, length) = read(&kept, &head);
         let journal = begin(&path, &head, length).map_err(|error| failure(&path, error))?;
         Ok((Self { path, file: journal }, rows))
@@ -30,7 +30,7 @@ impl Journal {
 
     /// Writes a run down.
     pub fn note(&mut self, row: &Row) -> Result<(), CliError> {
-        let line = serde_json::to_string(row).unwrap_or_default() + "\n";
+        let line = row.to_line() + "\n";
         self.file.write_all(line.as_bytes()).map_err(|error| failure(&self.path, error))
     }
 
@@ -43,6 +43,15 @@ impl Journal {
 
 fn failure(path: &Path, error: std::io::Error) -> CliError {
     CliError::File { action: "write", path: path.display().to_string(), error }
+}
+
+/// What an earlier start has left; nothing where there is no journal.
+fn kept(path: &Path) -> Result<Vec<u8>, CliError> {
+    match std::fs::read(path) {
+        Ok(bytes) => Ok(bytes),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Vec::new()),
+        Err(error) => Err(CliError::File { action: "read", path: path.display().to_string(), error }),
+    }
 }
 
 /// What the first line says.

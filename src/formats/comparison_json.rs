@@ -1,5 +1,5 @@
-//! A comparison in one file: `formicarium/comparison@1`. The question, its maps and, as far as they are done, its runs; with them what is needed to
-//! tell whether they come out again: the engine's version, every parameter's value, and a digest of each entry's runs on each map.
+//! A comparison in one file: `formicarium/comparison@1`. It holds the question, its maps and, as far as they are done, its runs; with them what
+//! is needed to tell whether they come out again: the engine's version, every parameter's value, and a digest of each entry's runs on each map.
 //!
 //! Without its runs the same document is short enough for a link.
 
@@ -8,12 +8,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
-use super::question::Question;
-use super::row::Row;
-use super::setting::Comparison;
-use super::verify::{Record, Recorded};
+use super::scenario_json;
+use crate::comparison::{Comparison, Question, Record, Recorded, Row, json};
 use crate::error::{Error, FormatError};
-use crate::formats;
 use crate::scenario::Scenario;
 
 /// What `format` must say.
@@ -22,37 +19,46 @@ pub const FORMAT: &str = "formicarium/comparison@1";
 /// What the result of a single run says, which is often at hand in its place.
 const ONE_RUN: &str = "formicarium/result@";
 
-/// As it stands in the file.
+/// A comparison as it stands in a file.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Document {
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ComparisonDocument {
+    /// [`FORMAT`].
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"formicarium/comparison@1\""))]
     format: String,
+    /// What is asked.
     question: Question,
-    /// A scenario for each instance, as docs/schema/scenario@1.json says.
+    /// A scenario for each instance, as docs/schema/scenario.schema.json says.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, unknown>[]"))]
     maps: Vec<Json>,
+    /// What was recorded of the runs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     recorded: Option<Recorded>,
-    /// Runs from elsewhere: they are part of what is asked.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    given: Vec<Row>,
+    /// Runs from elsewhere: they are part of what is asked. Their name in files is older than ours.
+    #[serde(rename = "given", default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "unknown[]"))]
+    imported: Vec<Row>,
     /// Runs that are done, in the order of the tasks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "unknown[]"))]
     rows: Vec<Row>,
 }
 
 /// What a file holds.
 #[derive(Debug)]
 pub struct Opened {
-    /// The question with its maps and the runs from elsewhere.
+    /// The question with its maps and the imported runs.
     pub comparison: Comparison,
     /// What was recorded, if anything had been run.
     pub recorded: Option<Recorded>,
-    /// The recorded runs; of no other comparison.
+    /// The runs that are done, in the order of the tasks; those that the question does not ask for are left out.
     pub rows: Vec<Row>,
 }
 
 impl Opened {
-    /// What to compare runs with that are done here. To be taken before the question is narrowed.
+    /// What runs that are done here are compared with. Take it before the question is narrowed.
     pub fn record(&self) -> Record {
         Record::new(&self.comparison, self.recorded.clone())
     }
@@ -61,28 +67,18 @@ impl Opened {
 /// Reads a comparison.
 ///
 /// # Errors
-/// [`FormatError`] for another format or version and for broken JSON; [`super::QuestionError`] for a question that cannot be asked.
+/// [`FormatError`] for another format or version and for broken JSON; [`crate::error::QuestionError`] for a question that cannot be asked.
 pub fn open(text: &str) -> Result<Opened, Error> {
-    let document: Document = serde_json::from_str(text).map_err(|e| match formats::format_of(text) {
-        Some(format) if format.starts_with(ONE_RUN) => FormatError::syntax(
-            0,
-            "this is the result of a single run, as `plan --format json` prints it",
-            "a comparison as `compare` or the page writes it",
-        ),
-        Some(format) if format == FORMAT => FormatError::syntax(e.line(), e.to_string(), "the fields of docs/formats.md"),
-        Some(format) => FormatError::Version { found: format.chars().take(60).collect(), expected: FORMAT },
-        None => FormatError::syntax(e.line(), e.to_string(), format!(r#"an object with "format": "{FORMAT}""#)),
-    })?;
-    if document.format != FORMAT {
-        return Err(FormatError::Version { found: document.format.chars().take(60).collect(), expected: FORMAT }.into());
+    let ComparisonDocument { format, question, maps, recorded, imported, mut rows } = parse(text)?;
+    if format != FORMAT {
+        return Err(other_version(&format).into());
     }
-    let Document { question, maps, recorded, given, mut rows, .. } = document;
     if maps.len() != question.instances.len() {
         let what = format!("`maps` has {} maps where the question has {} instances", maps.len(), question.instances.len());
         return Err(FormatError::syntax(0, what, "one map for each instance").into());
     }
     let scenarios = maps.iter().map(scenario).collect::<Result<Vec<_>, _>>()?;
-    let comparison = Comparison::new(question, scenarios)?.with_given(given)?;
+    let comparison = Comparison::new(question, scenarios)?.with_imported(imported)?;
     let tasks = comparison.tasks();
     rows.retain(|row| tasks.binary_search(&row.task).is_ok());
     rows.sort_by_key(|row| row.task);
@@ -90,8 +86,26 @@ pub fn open(text: &str) -> Result<Opened, Error> {
     Ok(Opened { comparison, recorded, rows })
 }
 
+/// Reads the fields; where that fails, says what the text is instead.
+fn parse(text: &str) -> Result<ComparisonDocument, FormatError> {
+    serde_json::from_str(text).map_err(|e| match scenario_json::format_of(text) {
+        Some(format) if format.starts_with(ONE_RUN) => FormatError::syntax(
+            0,
+            "this is the result of a single run, as `plan --format json` prints it",
+            "a comparison as `compare` or the page writes it",
+        ),
+        Some(format) if format == FORMAT => FormatError::syntax(e.line(), e.to_string(), "the fields of docs/formats.md"),
+        Some(format) => other_version(&format),
+        None => FormatError::syntax(e.line(), e.to_string(), format!(r#"an object with "format": "{FORMAT}""#)),
+    })
+}
+
+fn other_version(format: &str) -> FormatError {
+    FormatError::Version { found: format.chars().take(60).collect(), expected: FORMAT }
+}
+
 fn scenario(map: &Json) -> Result<Arc<Scenario>, Error> {
-    let (grid, spec) = formats::read_scenario(&map.to_string())?;
+    let (grid, spec) = scenario_json::read(&map.to_string())?;
     Ok(Arc::new(Scenario::new(grid, spec)?))
 }
 
@@ -101,16 +115,16 @@ pub fn write(comparison: &Comparison, rows: &[Row], with_rows: bool) -> String {
     write_as(comparison, rows, with_rows, recorded.as_ref())
 }
 
-/// The same, with what is to be said about the runs: they may be another engine's, and elsewhere.
+/// The same, with what is to be told of the runs: another engine may have done them, on another machine.
 pub fn write_as(comparison: &Comparison, rows: &[Row], with_rows: bool, recorded: Option<&Recorded>) -> String {
-    let maps = comparison.maps.iter().map(|m| formats::export(&m.scenario.grid, &m.scenario.spec, formats::Export::Scenario));
+    let maps = comparison.maps.iter().map(|m| scenario_json::write(&m.scenario.grid, &m.scenario.spec));
     let list = |items: Vec<String>| items.join(",\n");
     let mut out = format!("{{\"format\": \"{FORMAT}\",\n\"question\": {},\n", json(&comparison.question));
     out += &format!("\"maps\": [\n{}]", list(maps.map(|m| m.trim_end().to_owned()).collect()));
     if let Some(recorded) = recorded {
         out += &format!(",\n\"recorded\": {}", json(recorded));
     }
-    for (name, rows) in [("given", &comparison.given[..]), ("rows", if with_rows { rows } else { &[] })] {
+    for (name, rows) in [("given", &comparison.imported[..]), ("rows", if with_rows { rows } else { &[] })] {
         if !rows.is_empty() {
             out += &format!(",\n\"{name}\": [\n{}]", list(rows.iter().map(json).collect()));
         }
@@ -118,22 +132,17 @@ pub fn write_as(comparison: &Comparison, rows: &[Row], with_rows: bool, recorded
     out + "}\n"
 }
 
-/// On one line.
-fn json(value: &impl Serialize) -> String {
-    serde_json::to_string(value).unwrap_or_default()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::question::{Axis, Budget};
     use super::*;
+    use crate::comparison::{Axis, Budget, question};
     use crate::map::{Grid, Point};
     use crate::scenario::ScenarioSpec;
     use serde_json::json;
 
     fn comparison(budget: Option<Budget>) -> Comparison {
         let question: Question = serde_json::from_value(json!({
-            "format": super::super::question::FORMAT, "title": "t", "asks": "?", "seeds": { "from": 1, "count": 2 },
+            "format": question::FORMAT, "title": "t", "asks": "?", "seeds": { "from": 1, "count": 2 },
             "instances": [{ "id": "open", "map": "open.json" }],
             "entries": [
                 { "id": "ants", "label": "ants", "role": "other", "planner": "ant-system", "set": { "iterations": 5, "ants": 4 } },

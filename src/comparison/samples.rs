@@ -1,9 +1,9 @@
 //! The runs of a comparison by map and entry, each sample in the order of its seeds.
 
-use crate::comparison::question::Measure;
-use crate::comparison::row::Row;
-use crate::comparison::run::Timed;
-use crate::comparison::setting::Comparison;
+use super::Comparison;
+use super::measure::RunMeasure;
+use super::row::Row;
+use super::run::Timed;
 
 /// A run, and when its improvements came.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,7 @@ pub struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    /// Sorts runs; those from elsewhere must be among them ([`Comparison::given`]). Runs of no entry or map are left out.
+    /// Sorts runs; the imported ones must be among them ([`Comparison::all_rows`]). Runs of no entry or map are left out.
     pub fn new(comparison: &'a Comparison, runs: impl IntoIterator<Item = Seen<'a>>) -> Self {
         let mut sorted = vec![vec![Vec::new(); comparison.question.entries.len()]; comparison.maps.len()];
         for seen in runs {
@@ -59,14 +59,14 @@ impl<'a> Samples<'a> {
     }
 
     /// A measure of these runs by seed, infinite for those without a path; runs that do not tell it are left out.
-    pub fn values(&self, instance: usize, entry: usize, measure: Measure) -> Vec<(u32, f64)> {
+    pub fn values(&self, instance: usize, entry: usize, measure: RunMeasure) -> Vec<(u32, f64)> {
         let value = |seen: &Seen| Some((seen.row.task.seed, self.comparison.value(seen.row, measure)?));
         self.of(instance, entry).iter().filter_map(value).collect()
     }
 }
 
 /// The values of the seeds that both samples have.
-pub fn paired(first: &[(u32, f64)], second: &[(u32, f64)]) -> Vec<(f64, f64)> {
+pub(super) fn paired(first: &[(u32, f64)], second: &[(u32, f64)]) -> Vec<(f64, f64)> {
     let mut rest = second.iter().peekable();
     let pair = |&(seed, value): &(u32, f64)| {
         while rest.next_if(|other| other.0 < seed).is_some() {}
@@ -76,7 +76,7 @@ pub fn paired(first: &[(u32, f64)], second: &[(u32, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Values without their seeds.
-pub fn plain(sample: &[(u32, f64)]) -> Vec<f64> {
+pub(super) fn without_seeds(sample: &[(u32, f64)]) -> Vec<f64> {
     sample.iter().map(|&(_, value)| value).collect()
 }
 

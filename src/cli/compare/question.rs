@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use formicarium::comparison::{
-    Budget, Comparison, Instance, Question, QuestionError, Record, Row, Seeds, Verification, ablation, document, given,
-};
-use formicarium::error::{Error, FormatError};
-use formicarium::formats::{ImportedResults, import_results};
+use formicarium::comparison::imported::{self, ImportedResults};
+use formicarium::comparison::{Comparison, Instance, Question, Record, Row, Seeds, Verification, ablation};
+use formicarium::error::{Error, FormatError, QuestionError};
+use formicarium::formats::{comparison_json, import_results};
 use formicarium::scenario::Scenario;
 
-use super::compare::Args;
-use super::error::CliError;
-use super::{input, text};
+use super::args::Args;
+use crate::cli::error::CliError;
+use crate::cli::input::{file_name, stem};
+use crate::cli::{input, text};
 
 /// What a file tells of runs that were done before.
 pub struct Before {
@@ -36,7 +36,7 @@ pub fn load(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
 fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
     let mut left_out = Vec::new();
     let mut question = match (&args.ablate, &args.question) {
-        (Some(planner), _) => components(args, planner).map_err(|e| in_question(args, e))?,
+        (Some(planner), _) => components(args, planner).map_err(|e| args.wrong(e))?,
         (None, Some(file)) if file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => {
             return reopen(args, file);
         }
@@ -48,11 +48,11 @@ fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
     question.instances.iter_mut().for_each(|i| i.map = file_name(Path::new(&i.map)));
     let files: Vec<Option<PathBuf>> = question.entries.iter().map(|e| e.results.as_ref().map(PathBuf::from)).collect();
     question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = file_name(Path::new(file)));
-    let mut comparison = Comparison::new(question, scenarios).map_err(|e| in_question(args, e))?;
+    let mut comparison = Comparison::new(question, scenarios).map_err(|e| args.wrong(e))?;
     for (entry, file) in files.iter().enumerate().filter_map(|(entry, file)| Some((entry, file.as_ref()?))) {
         let mut results = results(file)?;
         results.leave_out(&left_out);
-        comparison = given::fill(comparison, entry, &results).map_err(|e| in_results(file, e))?;
+        comparison = imported::fill(comparison, entry, &results).map_err(|e| in_results(file, e))?;
     }
     Ok((comparison, None))
 }
@@ -60,8 +60,8 @@ fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
 /// With the entries of `--results`.
 fn joined(args: &Args, mut comparison: Comparison) -> Result<Comparison, CliError> {
     for (instance, file) in &args.results {
-        let place = instance.as_ref().map(|id| comparison.question.place(id)).transpose().map_err(|e| in_question(args, e))?;
-        comparison = given::join(comparison, &results(file)?, place).map_err(|e| in_results(file, e))?;
+        let place = instance.as_ref().map(|id| comparison.question.place(id)).transpose().map_err(|e| args.wrong(e))?;
+        comparison = imported::join(comparison, &results(file)?, place).map_err(|e| in_results(file, e))?;
     }
     Ok(comparison)
 }
@@ -80,7 +80,7 @@ fn in_results(file: &Path, error: QuestionError) -> CliError {
 /// A question from a file; `left_out` takes the names of the maps that the arguments leave out.
 fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Question, CliError> {
     let mut question = input::in_file(file, |bytes, _| read(bytes))?;
-    question.check().map_err(|e| in_question(args, e))?;
+    question.check().map_err(|e| args.wrong(e))?;
     let folder = file.parent().unwrap_or(Path::new(""));
     // A map that is named here is looked for here, a question's own beside it.
     question.instances.iter_mut().for_each(|i| i.map = folder.join(&i.map).display().to_string());
@@ -90,7 +90,7 @@ fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Que
         return Err(CliError::usage(message, "write ID=FILE such as ship-20x20=mine.csv"));
     }
     let all = question.instances.clone();
-    narrow(args, &mut question).map_err(|e| in_question(args, e))?;
+    narrow(args, &mut question).map_err(|e| args.wrong(e))?;
     let is_asked = |i: &&Instance| question.instances.iter().any(|left| left.id == i.id);
     left_out.extend(all.iter().filter(|i| !is_asked(i)).map(|i| i.id.clone()));
     Ok(question)
@@ -99,7 +99,7 @@ fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Que
 /// What each component of a planner does, on the maps that are named.
 fn components(args: &Args, planner: &str) -> Result<Question, QuestionError> {
     let instance = |(id, file): &(Option<String>, PathBuf)| Instance {
-        id: id.clone().unwrap_or_else(|| plain(&file.file_stem().unwrap_or_default().to_string_lossy())),
+        id: id.clone().unwrap_or_else(|| instance_id(&stem(file))),
         map: file.display().to_string(),
         note: String::new(),
     };
@@ -113,8 +113,8 @@ fn components(args: &Args, planner: &str) -> Result<Question, QuestionError> {
     Ok(question)
 }
 
-/// A name as an id: small letters, digits, `-`.
-fn plain(name: &str) -> String {
+/// A map's name as the id of an instance: small letters and digits, `-` for every other letter.
+fn instance_id(name: &str) -> String {
     let keep = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     let id: String = name.chars().map(keep).collect();
     if id.is_empty() { "map".into() } else { id }
@@ -129,21 +129,17 @@ fn reopen(args: &Args, file: &Path) -> Result<(Comparison, Option<Before>), CliE
     }
     let opened = input::in_file(file, |bytes, _| {
         let text = std::str::from_utf8(bytes).map_err(|_| FormatError::NotText { found: "binary data".into() })?;
-        document::open(text)
+        comparison_json::open(text)
     })?;
     let record = opened.record();
     let is_any = opened.recorded.is_some() || !opened.rows.is_empty();
     let mut comparison = opened.comparison;
     let budget = comparison.question.budget;
-    narrow(args, &mut comparison.question).map_err(|e| in_question(args, e))?;
+    narrow(args, &mut comparison.question).map_err(|e| args.wrong(e))?;
     // Under another budget other runs are asked for: there is nothing to compare them with.
     let is_same = comparison.question.budget == budget;
     let before = (is_any && is_same).then_some(Before { record, rows: opened.rows });
     Ok((comparison, before))
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn read(bytes: &[u8]) -> Result<Question, Error> {
@@ -160,7 +156,7 @@ fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
     question.budget = args.budget.or(question.budget);
     for (id, file) in args.map.iter().filter_map(|(id, file)| Some((id.as_ref()?, file))) {
         let instance = question.instance_mut(id)?;
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = stem(file);
         (instance.map, instance.note) = (file.display().to_string(), format!("{stem} in place of the question's map."));
     }
     if args.only.is_empty() { Ok(()) } else { question.keep_instances(&args.only) }
@@ -173,22 +169,4 @@ fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
         .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;
     text::notes(&scenario.notices());
     Ok(Arc::new(scenario))
-}
-
-pub fn in_question(args: &Args, error: QuestionError) -> CliError {
-    CliError::Contents { path: args.asked(), error: error.into() }
-}
-
-/// `AXIS=AMOUNT` of `--budget`.
-pub fn budget(text: &str) -> Result<Budget, String> {
-    text.parse().map_err(|e: QuestionError| e.to_string())
-}
-
-/// `ID=FILE` or `FILE` of `--map`.
-pub fn named_map(text: &str) -> Result<(Option<String>, PathBuf), String> {
-    match text.split_once('=') {
-        None if !text.is_empty() => Ok((None, text.into())),
-        Some((id, file)) if !id.is_empty() && !file.is_empty() => Ok((Some(id.into()), file.into())),
-        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv")),
-    }
 }

@@ -1,0 +1,140 @@
+//! The arguments of `compare`.
+
+use std::path::{Path, PathBuf};
+
+use formicarium::comparison::Budget;
+use formicarium::comparison::report::ResultFile;
+use formicarium::error::QuestionError;
+use formicarium::params::Value;
+
+use crate::cli::error::CliError;
+use crate::cli::input::{file_name, stem};
+
+/// Runs a question: every entry on every map with every seed, and judges its claims
+#[derive(clap::Args)]
+#[command(after_help = "\
+Writes NAME.csv, one row a run, NAME.md, tables and verdicts, NAME.tests.md, rank tests of all pairs, NAME.summary.csv and
+NAME.summary.json, one row an entry and map with every statistic, NAME.tex, the same for a paper, and NAME.json, question, maps
+and runs in one file, which the page opens and which can be compared again: exit code 1 when other bits come out though engine, question,
+maps and parameters are the recorded ones. They depend on the question alone, not on the number of jobs.
+Every finished run is kept in NAME.partial at once: a comparison that was broken off goes on where it was when it is started again. The
+question's format and the rule of the verdicts: docs/methodology.md.
+
+--ablate asks without a file what each component of a planner does: the full planner beside the same without one, on maps of your own.
+`formicarium catalog PLANNER` lists the components.
+
+Examples:
+  formicarium compare experiments/ship.toml --out experiments/records
+  formicarium compare ship.json --out /tmp/again
+  formicarium compare experiments/ship.toml --out /tmp/look --seeds 10 --files markdown,latex
+  formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
+  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
+  formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
+  formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
+  formicarium compare experiments/ship.toml --document > ship.json")]
+pub struct Args {
+    /// The question as TOML (formicarium/question@1), or with its maps and results as JSON (formicarium/comparison@1)
+    #[arg(required_unless_present = "ablate")]
+    pub question: Option<PathBuf>,
+    /// In place of a question: this planner, and the same without each of its components
+    #[arg(long, value_name = "PLANNER", conflicts_with = "question", requires = "map")]
+    pub ablate: Option<String>,
+    /// With --ablate: a named parameter set of the planner
+    #[arg(long, value_name = "NAME", requires = "ablate")]
+    pub preset: Option<String>,
+    /// With --ablate: a parameter, over preset and default; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::plan::assignment)]
+    pub set: Vec<(String, Value)>,
+    /// Folder for the files; made if it is missing
+    #[arg(long, value_name = "DIR", required_unless_present = "document")]
+    out: Option<PathBuf>,
+    /// Run nothing: print the question with its maps and imported results (formicarium/comparison@1), as the page opens it
+    #[arg(long, conflicts_with = "out")]
+    pub document: bool,
+    /// Which files: csv, markdown, tests, tests-csv, summary-csv, summary-json, summary-markdown, latex, json [default: those above]
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
+          default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]
+    pub files: Vec<(&'static str, ResultFile)>,
+    /// Runs at the same time [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Only the question's first seeds; with --ablate how many [default: 100]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub seeds: Option<u32>,
+    /// What a run may spend, in place of the question's budget: iterations, constructed-paths, ant-moves, cell-expansions or moves
+    #[arg(long, value_name = "AXIS=AMOUNT", value_parser = budget)]
+    pub budget: Option<Budget>,
+    /// Only this instance; may be repeated
+    #[arg(long, value_name = "ID")]
+    pub only: Vec<String>,
+    /// Another map in place of an instance's; with --ablate a map, its ID= may be left out; may be repeated
+    #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
+    pub map: Vec<(Option<String>, PathBuf)>,
+    /// Imported results, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
+    /// may be repeated
+    #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
+    pub results: Vec<(Option<String>, PathBuf)>,
+}
+
+impl Args {
+    /// Where the files go, without their endings.
+    pub fn place(&self) -> PathBuf {
+        self.out.as_deref().unwrap_or(Path::new("")).join(self.name())
+    }
+
+    /// What the files are called.
+    fn name(&self) -> String {
+        match (&self.ablate, &self.question) {
+            (Some(planner), _) => format!("ablation-{planner}"),
+            (None, question) => question.as_deref().map_or_else(String::new, stem),
+        }
+    }
+
+    /// What is asked, as the arguments say it.
+    pub fn asked(&self) -> String {
+        match (&self.ablate, &self.question) {
+            (Some(planner), _) => format!("--ablate {planner}"),
+            (None, question) => question.as_ref().map_or_else(String::new, |file| file.display().to_string()),
+        }
+    }
+
+    /// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
+    pub fn command(&self) -> String {
+        let mut said = format!("formicarium compare {} --out DIR", self.asked());
+        self.preset.iter().for_each(|name| said += &format!(" --preset {name}"));
+        self.set.iter().for_each(|(key, value)| said += &format!(" --set {key}={value}"));
+        self.seeds.iter().for_each(|n| said += &format!(" --seeds {n}"));
+        self.budget.iter().for_each(|b| said += &format!(" --budget {b}"));
+        self.only.iter().for_each(|id| said += &format!(" --only {id}"));
+        let id = |id: &Option<String>| id.as_ref().map_or_else(String::new, |id| format!("{id}="));
+        self.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), file_name(file)));
+        self.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), file_name(file)));
+        said
+    }
+
+    /// Names what is asked in an error about it.
+    pub fn wrong(&self, error: QuestionError) -> CliError {
+        CliError::Contents { path: self.asked(), error: error.into() }
+    }
+}
+
+/// A kind of `--files`, with the ending of its name.
+fn result_file(text: &str) -> Result<(&'static str, ResultFile), String> {
+    let named = ResultFile::NAMED.iter().find(|(id, ..)| *id == text);
+    let all = || ResultFile::NAMED.map(|(id, ..)| id).join(", ");
+    named.map(|&(_, ending, file)| (ending, file)).ok_or_else(|| format!("choose from {}", all()))
+}
+
+/// `AXIS=AMOUNT` of `--budget`.
+pub fn budget(text: &str) -> Result<Budget, String> {
+    text.parse().map_err(|e: QuestionError| e.to_string())
+}
+
+/// `ID=FILE` or `FILE` of `--map`.
+pub fn named_map(text: &str) -> Result<(Option<String>, PathBuf), String> {
+    match text.split_once('=') {
+        None if !text.is_empty() => Ok((None, text.into())),
+        Some((id, file)) if !id.is_empty() && !file.is_empty() => Ok((Some(id.into()), file.into())),
+        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv")),
+    }
+}

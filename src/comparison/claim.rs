@@ -1,0 +1,92 @@
+//! What a question claims of two of its entries.
+
+use serde::{Deserialize, Serialize};
+
+use super::measure::RunMeasure;
+use super::statistics::{mean, quantile, sorted};
+
+/// Which way the improved entry is said to differ from the baseline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Direction {
+    /// Its values are smaller.
+    Less,
+    /// Its values are larger.
+    More,
+}
+
+impl Direction {
+    /// A difference, counted so that what the claim says is positive.
+    pub fn signed(self, difference: f64) -> f64 {
+        match self {
+            Self::Less => -difference,
+            Self::More => difference,
+        }
+    }
+}
+
+/// What stands for all runs of an entry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Statistic {
+    /// The middle run; a run without a path counts as longer than any.
+    Median,
+    /// The mean over the pairs of runs that both found a path.
+    Mean,
+}
+
+impl Statistic {
+    /// The number that stands for a sample; none for an empty one. Runs without a path may be in it as infinite values.
+    pub fn of(self, sample: &[f64]) -> Option<f64> {
+        match self {
+            Self::Median => quantile(&sorted(sample.to_vec()), 0.5),
+            Self::Mean => mean(sample),
+        }
+    }
+}
+
+/// What is expected of two entries: one is said to have smaller or larger values than the other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Claim {
+    /// Stable id: small letters, digits, `-`. The bootstrap draws from a stream of this name.
+    pub id: String,
+    /// The claim in words.
+    pub says: String,
+    /// What a reader of the verdict must know.
+    #[serde(default)]
+    pub note: String,
+    /// Id of the entry that is said to differ.
+    pub improved: String,
+    /// Id of the entry it is compared with.
+    pub baseline: String,
+    /// What is compared.
+    pub measure: RunMeasure,
+    /// Which way it is said to differ.
+    pub direction: Direction,
+    /// By which part of the baseline's value, above 0. Absent: what the published numbers of both entries say, if there are any.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub size: Option<f64>,
+    /// What decides; absent: the mean where every run has a value, else the median.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Statistic | null"))]
+    pub statistic: Option<Statistic>,
+    /// Ids of the instances it is about; empty: all.
+    #[serde(default)]
+    pub instances: Vec<String>,
+}
+
+impl Claim {
+    /// What decides. Means tell small shifts of values that come in few steps, which medians and their bootstrap do not; but a mean
+    /// over the runs that happened to find a path would favour the entry that fails on the hard ones. Then medians decide, whatever was asked for.
+    pub fn statistic(&self, every_run_counts: bool) -> Statistic {
+        if every_run_counts { self.statistic.unwrap_or(Statistic::Mean) } else { Statistic::Median }
+    }
+
+    /// Whether it is about an instance.
+    pub fn is_about(&self, instance: &str) -> bool {
+        self.instances.is_empty() || self.instances.iter().any(|i| i == instance)
+    }
+}

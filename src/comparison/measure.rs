@@ -1,0 +1,79 @@
+//! What is measured on runs.
+
+use serde::{Deserialize, Serialize};
+
+use super::question::Published;
+use crate::planner::Objective;
+
+/// What is measured on a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum RunMeasure {
+    /// Length of the path in cells.
+    Length,
+    /// Cost of a path by slices, by the scenario's measure; elsewhere the value by the planner's own objective.
+    Cost,
+    /// Its turns.
+    Turns,
+    /// Its turn-weighted index V(d, r) in cells.
+    TurnIndex,
+    /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
+    Weight,
+    /// The iteration that found the best path.
+    IterationOfBest,
+    /// Constructed paths up to the end of that iteration.
+    PathsToBest,
+    /// Moves of all ants of the run.
+    AntMoves,
+    /// Whether a path was found: 1 or 0.
+    Success,
+    /// Whether the exact optimum was found: 1 or 0.
+    Optimal,
+}
+
+impl RunMeasure {
+    /// The measure that an objective's value belongs to: two objectives can share one, over different paths.
+    pub fn of(objective: Objective) -> Self {
+        match objective {
+            Objective::Length | Objective::PolylineLength | Objective::TourLength => Self::Length,
+            Objective::SliceCost => Self::Cost,
+            Objective::TurnIndex => Self::TurnIndex,
+            Objective::TourWeight => Self::Weight,
+        }
+    }
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Cost => "cost",
+            Self::Turns => "turns",
+            Self::TurnIndex => "turn index V",
+            Self::Weight => "weight R",
+            Self::IterationOfBest => "iteration of best",
+            Self::PathsToBest => "constructed paths to best",
+            Self::AntMoves => "ant moves",
+            Self::Success => "share of runs with a path",
+            Self::Optimal => "share of runs with the optimum",
+        }
+    }
+
+    /// Whether it is 1 or 0 for a run, and so a share of all runs.
+    pub fn is_share(self) -> bool {
+        matches!(self, Self::Success | Self::Optimal)
+    }
+
+    /// The published number of this measure.
+    pub fn published(self, row: &Published) -> Option<f64> {
+        match self {
+            Self::Length => row.length,
+            Self::Cost => row.cost,
+            Self::Turns => row.turns,
+            Self::TurnIndex => row.turn_index,
+            Self::Weight => row.weight,
+            Self::IterationOfBest => row.iterations,
+            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal => None,
+        }
+    }
+}
