@@ -237,13 +237,13 @@ impl ParamType for bool {
     }
 }
 
-/// An enum whose variants have ids; made by `choice!`.
-pub trait Choice: Copy + PartialEq + 'static {
+/// An enum whose variants have ids; made by [`param_choice!`](crate::param_choice).
+pub trait ParamChoice: Copy + PartialEq + 'static {
     /// (variant, id, meaning) of every option, the usual one first.
     const OPTIONS: &'static [(Self, &'static str, &'static str)];
 }
 
-impl<T: Choice> ParamType for T {
+impl<T: ParamChoice> ParamType for T {
     type Range = ();
     fn kind((): ()) -> ParamKind {
         let option = |&(_, id, meaning): &(T, &'static str, &'static str)| ChoiceOption { id, meaning: meaning.trim() };
@@ -310,14 +310,14 @@ pub fn override_row(rows: &mut [ParamSpec], key: &str, default: Value, source: &
     }
 }
 
-/// Declares a [`Choice`]: `Variant = "id"`, the doc comment is the option's meaning.
+/// Declares a [`ParamChoice`]: `Variant = "id"`, the doc comment is the option's meaning.
 #[macro_export]
-macro_rules! choice {
+macro_rules! param_choice {
     ($(#[$meta:meta])* pub enum $name:ident { $( #[doc = $meaning:literal] $variant:ident = $id:literal, )+ }) => {
         $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum $name { $( #[doc = $meaning] $variant, )+ }
-        impl $crate::params::Choice for $name {
+        impl $crate::params::ParamChoice for $name {
             const OPTIONS: &'static [(Self, &'static str, &'static str)] = &[ $( (Self::$variant, $id, $meaning), )+ ];
         }
     };

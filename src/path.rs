@@ -1,7 +1,7 @@
 //! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
-use crate::choice;
 use crate::map::{ALL_DIRECTIONS, Cell, Grid, Movement, Moves, Point, Way, offset};
+use crate::param_choice;
 use crate::scenario::Scenario;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -220,7 +220,7 @@ pub fn crossed(width: u32, path: &[Cell]) -> impl Iterator<Item = Cell> + use<'_
     path.first().copied().into_iter().chain(path.windows(2).flat_map(between))
 }
 
-choice! {
+param_choice! {
     /// Refinement by line of sight (engine-room paper, section 3.3): which later node follows a kept one.
     pub enum Refinement {
         /// the farthest later node in sight

@@ -1,11 +1,11 @@
 //! What an ant can see: η of a step from cell i to its neighbour j.
 
-use crate::choice;
 use crate::exact::{Distance, Estimate};
 use crate::map::{Cell, Direction, Point};
+use crate::param_choice;
 use crate::scenario::Scenario;
 
-choice! {
+param_choice! {
     /// Which η.
     pub enum Heuristic {
         /// η = 1 / (1 + c_ij + d(j, goal) − d(i, goal)): how small the detour is; d is the length on an open map

@@ -7,9 +7,10 @@
 //! | parameter rows that many share | `shared_params.rs` |
 //! | η, what an ant can see | `heuristic.rs` |
 //! | τ, evaporation, limits | `trails.rs` |
-//! | τ^α·η^β by cell and direction, selection rules | `choice.rs` |
+//! | τ^α·η^β by cell and direction | `weights.rs` |
+//! | selection rules | `selection.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
-//! | probabilities by these rules, for who looks at a cell | `odds.rs` |
+//! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
@@ -34,7 +35,6 @@
 //! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;
-pub mod choice;
 pub mod colony;
 pub mod custom;
 pub mod dead_end;
@@ -45,10 +45,12 @@ mod lanes;
 pub mod legs;
 pub mod odds;
 pub mod on_demand;
+pub mod selection;
 pub mod shared_params;
 pub mod tour;
 pub mod trails;
 pub mod variant;
+pub mod weights;
 
 mod classics;
 mod papers;

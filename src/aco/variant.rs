@@ -7,10 +7,10 @@ use crate::rng::Stream;
 use crate::scenario::Scenario;
 
 use super::ant::Ant;
-use super::choice::random_proportional;
 use super::dead_end::DeadEnd;
 use super::deposit;
 use super::odds;
+use super::selection::random_proportional;
 use super::trails::{Row, Trails};
 
 /// Numbers that every colony has.

@@ -195,7 +195,7 @@ fn corridor() -> Scenario {
 fn eq_10_the_seed_path_starts_with_more_trail() {
     let (s, rows) = (corridor(), ColonyRows::default());
     assert_eq!(
-        (rows.choice.alpha, rows.choice.beta, rows.rho, rows.deposit, rows.ants, rows.choice.iterations),
+        (rows.selection.alpha, rows.selection.beta, rows.rho, rows.deposit, rows.ants, rows.selection.iterations),
         (2.0, 8.0, 0.1, 1.0, 50, 50)
     );
     // Over (1, 1), length 2√2; 50 ants · 1 / 2.828427.

@@ -5,13 +5,13 @@ use std::sync::Arc;
 use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::ant_system::{AntSystem, AntSystemParams};
-use formicarium::aco::choice::Weights;
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::aco::on_demand::OnDemand;
 use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::aco::weights::Weights;
 use formicarium::catalog;
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
 use formicarium::metrics::{length_on_plane, obstacle_density};
@@ -70,7 +70,7 @@ fn eq_3_to_5_the_basic_update_evaporates_and_every_ant_adds() {
     let preset = catalog::find("ant-system").expect("listed").presets.iter().find(|p| p.name == "ship").expect("the paper's");
     let given = [("ants", 50.0), ("iterations", 100.0), ("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)];
     assert!(given.iter().all(|g| preset.numbers.contains(g)), "section 4; α = 1 is the default");
-    assert_eq!(AntSystemParams::default().choice.alpha, 1.0);
+    assert_eq!(AntSystemParams::default().selection.alpha, 1.0);
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn eq_6_omega_grows_linearly_from_its_least_to_its_largest() {
     let p = ShipParams::default();
     assert_eq!([0, 50, 100].map(|t| omega(&p, t)), [2.0, 3.0, 4.0], "in both readings");
     let mut falling = ShipParams { omega_min: 3.0, omega_max: 1.0, ..p };
-    falling.choice.iterations = 4;
+    falling.selection.iterations = 4;
     assert_eq!(omega(&falling, 1), 2.5);
 }
 
@@ -128,7 +128,7 @@ fn eq_1_and_7_probabilities_on_demand_are_those_of_the_formula() {
     for reading in [Reading::Repaired, Reading::Printed] {
         let p = ShipParams { reading, ..ShipParams::default() };
         let (mut ship, mut trails) = (Ship::new(p), Trails::new(s.grid.len(), 1.0));
-        let mut tables = OnDemand::new(s.grid.len(), p.choice.alpha, p.choice.beta);
+        let mut tables = OnDemand::new(s.grid.len(), p.selection.alpha, p.selection.beta);
         for t in [1, 37, 100] {
             trails.evaporate(0.25);
             for c in s.moves.directions(s.start).map(|d| s.moves.step(s.start, d)) {

@@ -9,11 +9,11 @@ use crate::aco::papers::fire::{Fire, FireParams};
 use crate::aco::papers::fireworks::{ColonyRows, FwaAcoParams, PsoAcoParams, Seeded};
 use crate::aco::papers::ship::{Ship, ShipParams};
 use crate::aco::papers::threshold::{Acomsp, AcomspParams, Acost, AcostParams};
-use crate::choice;
 use crate::error::ParamError;
-use crate::params::{Choice, ParamSpec, Params, Values};
+use crate::param_choice;
+use crate::params::{ParamChoice, ParamSpec, Params, Values};
 
-choice! {
+param_choice! {
     /// The planner that lends a rule.
     pub enum Donor {
         /// Ant System

@@ -59,7 +59,7 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
 
     fn settings(&self) -> Settings {
         let p = &self.rules;
-        settings(p.ants, p.rho, 1.0, &p.choice, &p.walk)
+        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {

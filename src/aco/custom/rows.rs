@@ -2,7 +2,7 @@
 
 use super::donors::{Donor, Donors};
 use crate::aco::papers::Reading;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams};
 use crate::params;
 use crate::params::{AppliesWhen, ParamSpec, Params, Value};
 use crate::planner::Preset;
@@ -28,7 +28,7 @@ params! {
         reading: Reading = Reading::Repaired, "", [], "", "the planners that lend the rules";
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.5, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         ..sight: SightParams;

@@ -41,7 +41,7 @@ use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
 use crate::aco::heuristic::Heuristic;
 use crate::aco::hybrid::Hybrid;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, settings};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
@@ -61,7 +61,7 @@ params! {
     pub struct ColonyRows {
         /// ants that build a path in each iteration of the second stage
         ants: u32 = 50, "m", [1..=1024], "ants", "Zhou, Mu, Zhang 2019, section 2.2";
-        ..choice: ChoiceParams {
+        ..selection: SelectionParams {
             iterations = 50, "Zhou, Mu, Zhang 2019, section 2.2: of the second stage";
             alpha = 2.0, "Zhou, Mu, Zhang 2019, section 2.2";
             beta = 8.0, "Zhou, Mu, Zhang 2019, section 2.2";
@@ -131,7 +131,7 @@ pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
 impl Variant for Seeded {
     fn settings(&self) -> Settings {
         let r = &self.rows;
-        settings(r.ants, r.rho, r.deposit, &r.choice, &r.walk)
+        settings(r.ants, r.rho, r.deposit, &r.selection, &r.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {

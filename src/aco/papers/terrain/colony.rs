@@ -56,7 +56,7 @@ impl<S: Space> FieldColony<S> {
 
     /// The iteration at work, or the next one; the last one once the budget is spent.
     pub(super) fn iteration(&self) -> u32 {
-        (self.progress.effort.iterations + 1).min(self.params.common.choice.iterations)
+        (self.progress.effort.iterations + 1).min(self.params.common.selection.iterations)
     }
 
     /// A stream for who draws nothing from it.
@@ -69,7 +69,7 @@ impl<S: Space> FieldColony<S> {
         if !self.params.force_fades {
             return 1.0;
         }
-        force_weight(self.params.reading, iteration, self.params.common.choice.iterations)
+        force_weight(self.params.reading, iteration, self.params.common.selection.iterations)
     }
 }
 
@@ -148,7 +148,7 @@ impl<S: Space> Iterations for FieldColony<S> {
         });
         teams.iter_mut().for_each(|team| team.update_trails(&self.params, ants, number));
         let common = &self.params.common;
-        self.progress.status = self.progress.after_iteration(common.choice.iterations, common.walk.stagnation);
+        self.progress.status = self.progress.after_iteration(common.selection.iterations, common.walk.stagnation);
     }
 }
 
@@ -162,7 +162,7 @@ impl<S: Space + 'static> Planner for FieldColony<S> {
     }
 
     fn budget(&self) -> Option<u32> {
-        Some(self.params.common.choice.iterations)
+        Some(self.params.common.selection.iterations)
     }
 
     fn colony_size(&self) -> u32 {

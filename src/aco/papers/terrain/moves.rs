@@ -50,7 +50,7 @@ impl<S: Space> FieldColony<S> {
         ant.begin(from, self.stream());
         let deltas: Vec<i32> = (0..space.steps()).map(|k| space.delta(k, way)).collect();
         let mut weights = vec![0.0; space.steps()];
-        weigh(&ant, sight.row(space, from), &deltas, trails, common.choice.alpha, &mut weights);
+        weigh(&ant, sight.row(space, from), &deltas, trails, common.selection.alpha, &mut weights);
         odds::pseudo_random_proportional(&weights, common.q0)
     }
 }
