@@ -6,7 +6,8 @@ use crate::map::Cell;
 use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
 use crate::planner::{
-    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, advance, held,
+    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, advance,
+    held,
 };
 use crate::rng::Streams;
 use crate::scenario::Scenario;
@@ -274,21 +275,11 @@ fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     std::iter::once(scenario.start).chain(rest).collect()
 }
 
+/// The iteration's record.
 #[inline(never)]
 fn record(iteration: &Iteration) -> Record {
-    let (mut arrived, mut sum) = (0u32, 0.0);
-    for (_, length) in iteration.arrived() {
-        arrived += 1;
-        sum += length;
-    }
-    Record {
-        iteration: iteration.number,
-        best_so_far: iteration.best_so_far.map(|b| b.length),
-        iteration_best: iteration.iteration_best().map(|(_, length)| length),
-        iteration_mean: (arrived > 0).then(|| sum / f64::from(arrived)),
-        iteration_worst: iteration.iteration_worst().map(|(_, length)| length),
-        arrived,
-    }
+    let tally: Tally = iteration.arrived().map(|(_, length)| length).collect();
+    tally.record(iteration.number, iteration.best_so_far)
 }
 
 impl<V: Variant + 'static> Planner for Colony<V> {

@@ -137,7 +137,5 @@ fn solved(scenario: &Arc<Scenario>, entry: &PlannerEntry) -> Option<Path> {
 /// Straight distance between two cells' centres, in cells.
 #[inline]
 fn euclidean(scenario: &Scenario, a: Cell, b: Cell) -> f64 {
-    let (a, b) = (scenario.grid.point(a), scenario.grid.point(b));
-    let (dx, dy) = (f64::from(a.x.abs_diff(b.x)), f64::from(a.y.abs_diff(b.y)));
-    libm::sqrt(dx * dx + dy * dy)
+    scenario.grid.point(a).distance(scenario.grid.point(b))
 }

@@ -20,7 +20,6 @@ use serde::{Deserialize, Serialize};
 use super::grid::{Grid, Point, check_size};
 use crate::error::ScenarioError;
 use crate::rng::{Stream, Streams};
-use crate::scenario::ScenarioSpec;
 
 /// Largest share of obstacles that [`Generator::Random`] takes, and largest roughness of the terrains.
 pub const MAX_DENSITY: f64 = 0.9;
@@ -89,12 +88,6 @@ impl Generated {
     /// A plane.
     fn plane(grid: Grid, start: Point, goal: Point) -> Self {
         Self { grid, start, goal, resolution: 1.0 }
-    }
-
-    /// The question that comes with the map.
-    pub fn spec(&self, name: impl Into<String>) -> ScenarioSpec {
-        let spec = ScenarioSpec::new(&self.grid, self.start, self.goal);
-        ScenarioSpec { name: name.into(), resolution: self.resolution, ..spec }
     }
 }
 

@@ -27,6 +27,13 @@ impl Point {
     pub const fn new(x: u32, y: u32) -> Self {
         Self { x, y }
     }
+
+    /// Straight distance to the centre of another cell, in cells.
+    #[inline]
+    pub fn distance(self, to: Self) -> f64 {
+        let (dx, dy) = (f64::from(self.x.abs_diff(to.x)), f64::from(self.y.abs_diff(to.y)));
+        libm::sqrt(dx * dx + dy * dy)
+    }
 }
 
 impl From<[u32; 2]> for Point {

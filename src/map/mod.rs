@@ -4,6 +4,7 @@ mod contours;
 mod generate;
 mod grid;
 mod movement;
+mod plane_length;
 mod relief;
 pub mod resample;
 mod shading;
@@ -16,6 +17,8 @@ pub use movement::{
     ALL_DIRECTIONS, CornerRule, DIRECTIONS, Direction, FAR, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, offset,
     opposite, step_length,
 };
+pub(crate) use plane_length::{PlaneLength, displacement};
+pub use plane_length::{counted_length, length_on_plane};
 pub use relief::{Relief, Stretch};
 pub use resample::Window;
 pub use shading::{LEVEL_LIGHT, Shading};

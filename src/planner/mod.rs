@@ -5,6 +5,7 @@ mod memory;
 mod moves;
 pub mod playback;
 mod progress;
+mod reading;
 
 use std::sync::Arc;
 
@@ -21,8 +22,9 @@ use crate::scenario::Scenario;
 pub use ground::Ground;
 pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
-pub use progress::{Effort, Progress, Record, Refined, Solution, Tour};
+pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
 pub(crate) use progress::{Iterations, advance};
+pub use reading::Reading;
 
 /// How far one call of [`Planner::advance`] goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

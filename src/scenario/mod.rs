@@ -7,8 +7,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Grid, MoveSet, Movement, Point, Relief, Slices};
-use crate::metrics;
+use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
 
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
@@ -87,6 +86,14 @@ pub struct ScenarioSpec {
     #[cfg_attr(not(feature = "whole"), serde(skip))]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "TerrainFields", optional))]
     pub terrain: Option<TerrainSpec>,
+}
+
+impl Generated {
+    /// The question that comes with the map.
+    pub fn spec(&self, name: impl Into<String>) -> ScenarioSpec {
+        let spec = ScenarioSpec::new(&self.grid, self.start, self.goal);
+        ScenarioSpec { name: name.into(), resolution: self.resolution, ..spec }
+    }
 }
 
 impl ScenarioSpec {
@@ -194,7 +201,7 @@ impl Scenario {
         match (self.by_slices(), self.moves.relief()) {
             (Some(slices), _) => sum(&|a, b| slices.length(a, b)),
             (None, Some(relief)) => sum(&|a, b| relief.segment(a, b).length),
-            (None, None) => metrics::length_on_plane(self.grid.width(), path),
+            (None, None) => length_on_plane(self.grid.width(), path),
         }
     }
 

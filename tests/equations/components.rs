@@ -144,7 +144,7 @@ mod ship {
             all_close(updated(p, t), [17.5, 5.0, 5.0]);
         }
         // Nor does Δω* as printed lose anything: 5 + 7.5 + 5 on the short way, 5 + 5 everywhere else.
-        let printed = ShipParams { reading: formicarium::aco::Reading::Printed, ..p };
+        let printed = ShipParams { reading: formicarium::planner::Reading::Printed, ..p };
         all_close(updated(printed, 100), [17.5, 10.0, 10.0]);
     }
 

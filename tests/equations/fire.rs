@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fire::{Fire, FireParams, LegLength, Order, Rule};
@@ -16,6 +15,7 @@ use formicarium::exact::order::{Costs, Shape, held_karp};
 use formicarium::map::{Direction, Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
+use formicarium::planner::Reading;
 use formicarium::rng::Streams;
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 

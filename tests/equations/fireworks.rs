@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fireworks::{ColonyRows, Seeded, seed_trail};
@@ -11,6 +10,7 @@ use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::catalog;
 use formicarium::map::{CornerRule, Direction, Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::{Value, Values};
+use formicarium::planner::Reading;
 use formicarium::planner::{Granularity, Layer, Planner};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::ant_system::{AntSystem, AntSystemParams};
 use formicarium::aco::dead_end::DeadEnd;
@@ -13,10 +12,11 @@ use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::aco::weights::Weights;
 use formicarium::catalog;
-use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
-use formicarium::metrics::{length_on_plane, obstacle_density};
+use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, length_on_plane, step_length};
+use formicarium::metrics::obstacle_density;
 use formicarium::params::Values;
 use formicarium::path::{Refinement, refine};
+use formicarium::planner::Reading;
 use formicarium::planner::{Layer, Objective, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::selection;
@@ -13,6 +12,7 @@ use formicarium::aco::trails::{Row, Trails};
 use formicarium::aco::variant::{Iteration, Step, Variant};
 use formicarium::aco::weights::WeightTable;
 use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
+use formicarium::planner::Reading;
 use formicarium::rng::{Stream, Streams};
 use formicarium::scenario::Scenario;
 

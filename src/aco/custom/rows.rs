@@ -1,11 +1,10 @@
 //! The rows of `custom`: which planner lends which rule, the numbers that all of them share, and every donor's own.
 
 use super::donors::{Donor, Donors};
-use crate::aco::papers::Reading;
 use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams};
 use crate::params;
 use crate::params::{AppliesWhen, ParamSpec, Params, Value};
-use crate::planner::Preset;
+use crate::planner::{Preset, Reading};
 
 params! {
     /// The rules by name, and the numbers that all donors share.

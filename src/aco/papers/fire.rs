@@ -32,7 +32,6 @@
 
 use std::sync::Arc;
 
-use super::Reading;
 use crate::aco::heuristic::{AT_GOAL, goal_distance};
 use crate::aco::legs::{self, OrderLevel};
 use crate::aco::odds;
@@ -44,7 +43,7 @@ use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{param_choice, params};

@@ -38,7 +38,6 @@
 
 use std::sync::Arc;
 
-use super::Reading;
 use crate::aco::ant::Ant;
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
@@ -50,7 +49,7 @@ use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::scenario::Scenario;
 use crate::{param_choice, params};
 

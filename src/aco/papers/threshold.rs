@@ -40,7 +40,6 @@
 
 use std::sync::Arc;
 
-use super::Reading;
 use crate::aco::colony::Colony;
 use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
@@ -53,7 +52,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 

@@ -12,7 +12,7 @@ use super::walk::Walker;
 use crate::aco::ant::Fate;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, advance};
+use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Solution, Status, Tally, advance};
 use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
@@ -136,16 +136,8 @@ impl<S: Space> Iterations for FieldColony<S> {
         {
             progress.best = Some(Solution { path: path.to_vec(), length, iteration: number, refined: None });
         }
-        let worst = arrived().map(|(_, cost)| cost).reduce(f64::max);
-        let (count, sum) = arrived().fold((0u32, 0.0), |(count, sum), (_, cost)| (count + 1, sum + cost));
-        progress.record(Record {
-            iteration: number,
-            best_so_far: progress.best.as_ref().map(|b| b.length),
-            iteration_best: best.map(|(_, cost)| cost),
-            iteration_mean: (count > 0).then(|| sum / f64::from(count)),
-            iteration_worst: worst,
-            arrived: count,
-        });
+        let tally: Tally = arrived().map(|(_, cost)| cost).collect();
+        progress.record(tally.record(number, progress.best.as_ref()));
         teams.iter_mut().for_each(|team| team.update_trails(&self.params, ants, number));
         let common = &self.params.common;
         self.progress.status = self.progress.after_iteration(common.selection.iterations, common.walk.stagnation);

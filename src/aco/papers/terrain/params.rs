@@ -1,10 +1,10 @@
 //! Parameters of the terrain paper's two planners; Table 1 gives eight of them.
 
-use super::super::Reading;
 use super::field::Gains;
 use super::sight::Heuristic;
 use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::map::Way;
+use crate::planner::Reading;
 use crate::{param_choice, params};
 
 param_choice! {

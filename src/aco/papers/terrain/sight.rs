@@ -2,14 +2,13 @@
 //!
 //! As in [`crate::aco::weights`], η is divided by the largest of the place first, and a feasible step keeps at least the same floor.
 
-use super::super::Reading;
 use super::field::{Field, along, distance};
 use super::space::{Place, Space};
 use crate::aco::heuristic::AT_GOAL;
 use crate::aco::weights::{FLOOR, power};
 use crate::map::Way;
 use crate::param_choice;
-use crate::planner::held;
+use crate::planner::{Reading, held};
 
 param_choice! {
     /// Which distance an ant sees.
