@@ -4,16 +4,11 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::aco::{
-    ant_colony_system, ant_system, custom, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
-    terrain, threshold,
-};
 use crate::error::ParamError;
-use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
 use crate::params::{ParamSpec, Values};
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
-use crate::swarm;
+use crate::{aco, exact, swarm};
 
 /// In every build: what a first visit to the page needs.
 const OPENING: bool = true;
@@ -22,30 +17,30 @@ const MORE: bool = cfg!(feature = "whole");
 
 /// The planners in the order in which people meet them, each with the builds that have it.
 const LIST: &[(bool, &PlannerEntry)] = &[
-    (OPENING, &ant_system::ENTRY),
-    (MORE, &elitist_ant_system::ENTRY),
-    (MORE, &rank_based_ant_system::ENTRY),
-    (MORE, &max_min_ant_system::ENTRY),
-    (MORE, &ant_colony_system::ENTRY),
-    (OPENING, &dijkstra::ENTRY),
-    (OPENING, &astar::ENTRY),
-    (MORE, &theta_star::ENTRY),
-    (MORE, &any_angle::ENTRY),
-    (MORE, &turn_aware::ENTRY),
-    (MORE, &tour::ENTRY),
-    (MORE, &slices::ENTRY),
-    (MORE, &fire::ENTRY),
-    (MORE, &ship::ENTRY),
-    (MORE, &terrain::ACO),
-    (MORE, &terrain::EPF),
-    (MORE, &threshold::ACOST),
-    (MORE, &threshold::ACOMSP),
+    (OPENING, &aco::ant_system::ENTRY),
+    (MORE, &aco::elitist_ant_system::ENTRY),
+    (MORE, &aco::rank_based_ant_system::ENTRY),
+    (MORE, &aco::max_min_ant_system::ENTRY),
+    (MORE, &aco::ant_colony_system::ENTRY),
+    (OPENING, &exact::dijkstra::ENTRY),
+    (OPENING, &exact::astar::ENTRY),
+    (MORE, &exact::theta_star::ENTRY),
+    (MORE, &exact::any_angle::ENTRY),
+    (MORE, &exact::turn_aware::ENTRY),
+    (MORE, &exact::tour::ENTRY),
+    (MORE, &exact::slices::ENTRY),
+    (MORE, &aco::fire::ENTRY),
+    (MORE, &aco::ship::ENTRY),
+    (MORE, &aco::terrain::ACO),
+    (MORE, &aco::terrain::EPF),
+    (MORE, &aco::threshold::ACOST),
+    (MORE, &aco::threshold::ACOMSP),
     (MORE, &swarm::fireworks::FWA),
     (MORE, &swarm::fireworks::IFWA),
     (MORE, &swarm::pso::ENTRY),
-    (MORE, &fireworks::FWA_ACO),
-    (MORE, &fireworks::PSO_ACO),
-    (MORE, &custom::ENTRY),
+    (MORE, &aco::fireworks::FWA_ACO),
+    (MORE, &aco::fireworks::PSO_ACO),
+    (MORE, &aco::custom::ENTRY),
 ];
 
 /// Every planner of this build, in the list's order. The linker drops the others: nothing else mentions them.

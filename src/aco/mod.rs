@@ -55,5 +55,5 @@ pub mod weights;
 mod classics;
 mod papers;
 
-pub use classics::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system};
-pub use papers::{fire, fireworks, ship, terrain, threshold};
+pub use classics::*;
+pub use papers::*;

@@ -1,7 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
-use crate::path::Refinement;
+use crate::path::{Path, Refinement};
 use crate::planner::Solution;
 use crate::rng::Stream;
 use crate::scenario::Scenario;
@@ -103,6 +103,10 @@ pub trait Variant: Clone + Send {
 
     /// Before the first iteration.
     fn prepare(&mut self, _scenario: &Scenario) {}
+
+    /// Takes in the best path of the stage before, with its length in cells, if that has found one; only hybrids have such a stage
+    /// ([`super::hybrid`]).
+    fn take_seed(&mut self, _found: Option<&(Path, f64)>) {}
 
     /// What the trails are before the first iteration beyond [`Variant::initial_trail`], e.g. more along a path that is known already.
     fn shape_trails(&self, _scenario: &Scenario, _trails: &mut Trails) {}

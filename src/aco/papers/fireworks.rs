@@ -116,10 +116,14 @@ impl Seeded {
         Self { rows, seed }
     }
 
-    /// The same with another seed path.
-    #[must_use]
-    pub fn with_seed(&self, seed: Option<(Path, f64)>) -> Self {
-        Self::new(self.rows, seed)
+    /// The second stage of `fwa-aco`, not seeded yet.
+    pub fn by_fireworks(params: FwaAcoParams) -> Self {
+        Self::new(params.colony, None)
+    }
+
+    /// The second stage of `pso-aco`, not seeded yet.
+    pub fn by_particles(params: PsoAcoParams) -> Self {
+        Self::new(params.colony, None)
     }
 }
 
@@ -140,6 +144,10 @@ impl Variant for Seeded {
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
         self.rows.sight.heuristic.of(scenario, i, d, j)
+    }
+
+    fn take_seed(&mut self, found: Option<&(Path, f64)>) {
+        self.seed = found.cloned();
     }
 
     /// Eq. 10: τ^s = τ + Δτ.
@@ -172,22 +180,21 @@ pub fn particles_first(scenario: &Arc<Scenario>, p: &PsoAcoParams, seed: u32) ->
 fn hybrid(
     scenario: &Arc<Scenario>,
     first: Box<dyn Planner>,
-    rows: ColonyRows,
+    second: Seeded,
     planner: &'static str,
     seed: u32,
 ) -> Box<dyn Planner> {
-    let second = move |path| Seeded::new(rows, path);
-    Box::new(Hybrid::new(Arc::clone(scenario), first, Arc::new(second), (planner, LAYERS), seed))
+    Box::new(Hybrid::new(Arc::clone(scenario), first, second, (planner, LAYERS), seed))
 }
 
 fn build_fwa_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let p = FwaAcoParams::read(FWA_ACO.id, values)?;
-    Ok(hybrid(scenario, fireworks_first(scenario, &p, seed)?, p.colony, FWA_ACO.id, seed))
+    Ok(hybrid(scenario, fireworks_first(scenario, &p, seed)?, Seeded::by_fireworks(p), FWA_ACO.id, seed))
 }
 
 fn build_pso_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let p = PsoAcoParams::read(PSO_ACO.id, values)?;
-    Ok(hybrid(scenario, particles_first(scenario, &p, seed)?, p.colony, PSO_ACO.id, seed))
+    Ok(hybrid(scenario, particles_first(scenario, &p, seed)?, Seeded::by_particles(p), PSO_ACO.id, seed))
 }
 
 const LAYERS: &[Layer] = &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::InitialTrail, Layer::SeedPath, Layer::Priority];
