@@ -30,6 +30,11 @@ impl Streams {
         bytes[8..].copy_from_slice(&mix(k, 2).to_le_bytes());
         Stream::from_seed(bytes)
     }
+
+    /// The stream of what no single ant does in an iteration, e.g. a mutation of trails; no ant has that number.
+    pub fn daemon(self, iteration: u32) -> Stream {
+        self.ant(iteration, u32::MAX)
+    }
 }
 
 /// SplitMix64's finalizer over a running state: a bijection in each argument.
@@ -59,6 +64,7 @@ mod tests {
             draw(base, 0, 0),
             draw(base, 1, 0),
             draw(base, 0, 1),
+            base.daemon(0).next_u64(),
             draw(Streams::new(2, "ant-system", 0), 0, 0),
             draw(Streams::new(1, "ship", 0), 0, 0),
             draw(Streams::new(1, "ant-system", 1), 0, 0),

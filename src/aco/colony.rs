@@ -213,7 +213,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         self.progress.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
         let number = self.progress.effort.iterations;
         let (scenario, budget) = (&*self.scenario, self.settings.iterations);
-        let iteration = Iteration { scenario, ants, number, budget, best_so_far: None };
+        let iteration = Iteration { scenario, ants, number, budget, best_so_far: None, streams: self.streams };
         let leader = iteration.iteration_best();
         if let Some((ant, length)) = leader
             && self.progress.best.as_ref().is_none_or(|b| length < b.length)

@@ -3,7 +3,7 @@
 use crate::map::{Cell, Direction};
 use crate::path::{Path, Refinement};
 use crate::planner::Solution;
-use crate::rng::Stream;
+use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
 use super::ant::Ant;
@@ -49,6 +49,8 @@ pub struct Iteration<'a> {
     pub budget: u32,
     /// The best path of all iterations, this one included.
     pub best_so_far: Option<&'a Solution>,
+    /// Where random numbers come from that are no ant's: [`Streams::daemon`].
+    pub streams: Streams,
 }
 
 impl<'a> Iteration<'a> {

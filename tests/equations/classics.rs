@@ -140,7 +140,14 @@ mod rank_based_ant_system {
         let ants = [&[S, E, E, N][..], &[SE, NE], &[E, E]].map(|steps| walked(&room, steps));
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = RankBasedAntSystemParams { ranks: 3, rho: 0.5, ..Default::default() };
-        let iteration = Iteration { scenario: &room, ants: &ants, number: 1, budget: 9, best_so_far: Some(&best) };
+        let iteration = Iteration {
+            scenario: &room,
+            ants: &ants,
+            number: 1,
+            budget: 9,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        };
         let trails = updated(&mut RankBasedAntSystem::new(params), 3.0, iteration);
         for (c, d) in [(0, E), (1, E)] {
             near(&trails, c, d, 1.5 + 2.0 / 2.0 + 3.0 / 2.0);
@@ -192,7 +199,14 @@ mod max_min_ant_system {
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = MaxMinAntSystemParams { rho: 0.25, p_best: 0.9, best_every: 3, ..Default::default() };
         for number in 2..=6 {
-            let iteration = Iteration { scenario: &room, ants: &ants, number, budget: 9, best_so_far: Some(&best) };
+            let iteration = Iteration {
+                scenario: &room,
+                ants: &ants,
+                number,
+                budget: 9,
+                best_so_far: Some(&best),
+                streams: Streams::new(1, "test", 0),
+            };
             let trails = updated(&mut MaxMinAntSystem::new(params), 1.0, iteration);
             let turn = number % 3 == 0;
             near(&trails, 0, E, if turn { 1.25 } else { 0.75 });

@@ -60,7 +60,14 @@ fn updated<V: Variant>(mut variant: V, initial: f64, t: u32) -> [f64; 3] {
     variant.prepare(&scenario);
     variant.update_trails(
         &mut trails,
-        Iteration { scenario: &scenario, ants: &ants, number: t, budget: 100, best_so_far: Some(&best) },
+        Iteration {
+            scenario: &scenario,
+            ants: &ants,
+            number: t,
+            budget: 100,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        },
     );
     [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
 }

@@ -131,7 +131,14 @@ fn updated(params: FireParams) -> [f64; 3] {
         })
         .collect();
     let mut trails = Trails::new(scenario.grid.len(), 1.0);
-    let iteration = Iteration { scenario: &scenario, ants: &ants, number: 1, budget: 100, best_so_far: None };
+    let iteration = Iteration {
+        scenario: &scenario,
+        ants: &ants,
+        number: 1,
+        budget: 100,
+        best_so_far: None,
+        streams: Streams::new(1, "test", 0),
+    };
     Fire::new(params).update_trails(&mut trails, iteration);
     [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
 }

@@ -224,7 +224,8 @@ fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
     };
     let ants = [walked([E, E]), walked([SE, NE]), walked([E, E])];
     let mut trails = Trails::new(s.grid.len(), 10.0);
-    let iteration = Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None };
+    let iteration =
+        Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
     Seeded::new(ColonyRows::default(), None).update_trails(&mut trails, iteration);
     // 0.9·10 + ½ + ½, 0.9·10 + 1/(2√2), 0.9·10
     assert!(close(trails.get(1, E), 10.0) && close(trails.get(4, NE), 9.3535534) && close(trails.get(3, E), 9.0));

@@ -63,7 +63,14 @@ fn eq_3_to_5_the_basic_update_evaporates_and_every_ant_adds() {
     let both = Corridor::walked(&BOTH);
     let mut basic = AntSystem::new(AntSystemParams { rho: 0.8, deposit: 10.0, ..AntSystemParams::default() });
     let mut trails = Trails::new(both.scenario.grid.len(), 10.0);
-    let iteration = Iteration { scenario: &both.scenario, ants: &both.ants, number: 1, budget: 100, best_so_far: None };
+    let iteration = Iteration {
+        scenario: &both.scenario,
+        ants: &both.ants,
+        number: 1,
+        budget: 100,
+        best_so_far: None,
+        streams: Streams::new(1, "test", 0),
+    };
     basic.update_trails(&mut trails, iteration);
     // 0.2·10 + 10/2, 0.2·10 + 10/(2√2), and 0.2·10 where nobody came by.
     all_close([trails.get(1, E), trails.get(4, NE), trails.get(3, E)], [7.0, 5.5355339, 2.0]);
@@ -202,8 +209,14 @@ impl Corridor {
         let mut ship = Ship::new(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() });
         let mut trails = Trails::new(self.scenario.grid.len(), 10.0);
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
-        let iteration =
-            Iteration { scenario: &self.scenario, ants: &self.ants, number: t, budget: 100, best_so_far: Some(&best) };
+        let iteration = Iteration {
+            scenario: &self.scenario,
+            ants: &self.ants,
+            number: t,
+            budget: 100,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        };
         ship.update_trails(&mut trails, iteration);
         [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
     }

@@ -167,7 +167,10 @@ fn updated(update: impl Fn(&mut Trails, Iteration)) -> (Trails, Arc<Scenario>) {
     lost.go(&walk, None);
     let ants = [way(&[east, east]), way(&[south, east, north_east]), lost];
     let mut trails = Trails::new(6, 1.0);
-    update(&mut trails, Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None });
+    update(
+        &mut trails,
+        Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) },
+    );
     (trails, s)
 }
 
@@ -203,7 +206,8 @@ fn eq_10_to_12_both_variants_update_so_and_the_papers_aco_only_evaporates() {
 fn the_iteration_without_arrivals_only_evaporates() {
     let s = open(3, 2, Point::new(2, 0));
     let mut trails = Trails::new(6, 1.0);
-    let iteration = Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None };
+    let iteration =
+        Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
     reward_shortest(&mut trails, &iteration, &CommonParams::default());
     assert!((0..6).all(|c| (0..8).all(|d| trails.get(c, d) == 0.5)));
 }
