@@ -22,6 +22,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &aco::rank_based_ant_system::ENTRY),
     (MORE, &aco::max_min_ant_system::ENTRY),
     (MORE, &aco::ant_colony_system::ENTRY),
+    (MORE, &aco::best_worst_ant_system::ENTRY),
     (OPENING, &exact::dijkstra::ENTRY),
     (OPENING, &exact::astar::ENTRY),
     (MORE, &exact::theta_star::ENTRY),

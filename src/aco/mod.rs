@@ -25,6 +25,7 @@
 //! | `rank-based-ant-system` | w·(w − 1)/2·Q/(ρ·L_open) | as Ant System | as Ant System | – | evaporate, (w − r)·Q/L_r by rank, w·Q/L_bs | – |
 //! | `max-min-ant-system` | τ_max | as Ant System | as Ant System | – | evaporate, 1/L_ib or 1/L_bs, limits | restart at τ_max |
 //! | `ant-colony-system` | 1/(n·L_open) | as Ant System | pseudo-random proportional | blend τ0 in by ξ | blend 1/L_bs in by ρ on the best so far | – |
+//! | `best-worst-ant-system` | 1/(n·L_open) | as Ant System | as Ant System | – | evaporate, 1/L_bs on the best so far, the worst path evaporates again | mutate trails, restart at τ0 |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |

@@ -158,6 +158,10 @@ donors! { $
     /// Ant Colony System
     AntColonySystem: ant_colony_system::{ENTRY, AntColonySystem::new(AntColonySystemParams)}
         { heuristic_of: [sight.heuristic], selection_of: [q0], local_update_of: [xi] }
+    /// Best-Worst Ant System
+    BestWorst: best_worst_ant_system::{ENTRY, BestWorstAntSystem::new(BestWorstAntSystemParams)}
+        { heuristic_of: [sight.heuristic], update_of: [worst_evaporates],
+          daemon_of: [mutation_probability, mutation_strength, restart_below] }
     /// multi-fire ACO (Zhang et al. 2020)
     Fire: fire::{ENTRY, Fire::new(FireParams)}
         { selection_of: [legs] }
