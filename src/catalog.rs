@@ -5,9 +5,10 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::error::ParamError;
+use crate::map::{Generator, MAX_DENSITY, MAX_LEVELS, MAX_REACH, MAX_SIDE};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
-use crate::scenario::Scenario;
+use crate::planner::{Component, Family, Ground, GroundRule, Layer, Planner, PlannerEntry};
+use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{aco, exact, swarm};
 
 /// In every build: what a first visit to the page needs.
@@ -158,6 +159,42 @@ pub struct Catalog {
     pub format: String,
     /// Every planner.
     pub planners: Vec<CatalogEntry>,
+    /// Every layer that some planner can draw, in the order in which people meet them.
+    pub layers: Vec<Layer>,
+    /// What the engine accepts at most.
+    pub limits: Limits,
+    /// How the ground follows from a scenario: the first rule that holds.
+    pub grounds: Vec<GroundRule>,
+    /// The generators of maps.
+    pub generators: Vec<GeneratorEntry>,
+}
+
+/// What the engine accepts at most, from the constants that it checks by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Limits {
+    /// Cells a side of a map.
+    pub max_side: u32,
+    /// Goals of a scenario.
+    pub max_goals: u32,
+    /// Levels of movement by slices.
+    pub max_levels: u32,
+    /// Cells aside and levels up or down in a step by slices.
+    pub max_reach: u32,
+    /// Density of obstacles, or roughness, of a generated map.
+    pub max_density: f64,
+}
+
+/// One generator of maps as data.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct GeneratorEntry {
+    /// Its id.
+    pub id: Generator,
+    /// Whether it makes a terrain, with heights.
+    pub terrain: bool,
+    /// What its number beside size and seed says: `density` or `roughness`, 0 to [`Limits::max_density`]; none where it has no such number.
+    pub asks_for: Option<&'static str>,
 }
 
 /// One planner as data.
@@ -218,6 +255,15 @@ pub struct ComponentEntry {
     pub without: Values,
 }
 
+/// See [`Limits`].
+const LIMITS: Limits = Limits {
+    max_side: MAX_SIDE,
+    max_goals: MAX_GOALS as u32,
+    max_levels: MAX_LEVELS,
+    max_reach: MAX_REACH,
+    max_density: MAX_DENSITY,
+};
+
 /// The whole catalog as data.
 pub fn catalog() -> Catalog {
     let preset = |p: &crate::planner::Preset| PresetEntry {
@@ -242,5 +288,13 @@ pub fn catalog() -> Catalog {
         max_goals: e.max_goals,
         grounds: e.grounds.to_vec(),
     };
-    Catalog { format: "formicarium/catalog@1".into(), planners: CATALOG.iter().map(entry).collect() }
+    let generator = |kind: Generator| GeneratorEntry { id: kind, terrain: kind.is_terrain(), asks_for: kind.asks_for() };
+    Catalog {
+        format: "formicarium/catalog@1".into(),
+        planners: CATALOG.iter().map(entry).collect(),
+        layers: Layer::ALL.to_vec(),
+        limits: LIMITS,
+        grounds: Ground::RULES.to_vec(),
+        generators: Generator::ALL.map(generator).to_vec(),
+    }
 }

@@ -20,6 +20,7 @@ pub mod digest;
 pub mod error;
 pub mod exact;
 pub mod formats;
+mod listed;
 pub mod map;
 pub mod metrics;
 pub mod params;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 ///
 /// `error` is not among them: its messages name the limits of whatever they are about.
 const LAYERS: &[&[&str]] = &[
-    &["rng", "digest", "params"],
+    &["rng", "digest", "params", "listed"],
     &["map"],
     &["scenario"],
     &["path"],

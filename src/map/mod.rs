@@ -11,7 +11,7 @@ mod shading;
 mod slices;
 
 pub use contours::{ContourLine, Contours};
-pub use generate::{Generated, Generator, generate};
+pub use generate::{Generated, Generator, MAX_DENSITY, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
 pub use movement::{
     ALL_DIRECTIONS, CornerRule, DIRECTIONS, Direction, FAR, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, offset,

@@ -1,6 +1,7 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 mod ground;
+mod layer;
 mod memory;
 mod moves;
 pub mod playback;
@@ -19,7 +20,8 @@ use crate::params::{ParamSpec, Value, Values};
 use crate::path::PathKind;
 use crate::scenario::Scenario;
 
-pub use ground::Ground;
+pub use ground::{Ground, GroundRule};
+pub use layer::Layer;
 pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
@@ -100,29 +102,6 @@ impl Objective {
     pub fn path_kind(self) -> PathKind {
         if self == Self::PolylineLength { PathKind::Polyline } else { PathKind::Steps }
     }
-}
-
-/// A field over the map that can be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Layer {
-    /// The strongest trail that leaves a cell.
-    Trail,
-    /// Colonies: how many ants of the current iteration have the cell on their way. Searches: 1 where a cell was expanded.
-    Visits,
-    /// Mean heuristic value η of the steps that lead into a cell.
-    Heuristic,
-    /// A search's cost from the start, in cells; infinite where none is known.
-    Cost,
-    /// Share of blocked cells among the eight around a cell; beyond the border is blocked.
-    Density,
-    /// The strongest trail that leaves a cell before the first iteration.
-    InitialTrail,
-    /// The path that seeded the trails, 1 on its cells; of a hybrid's first stage.
-    SeedPath,
-    /// The numbers by which a decoded path is chosen, one a cell: a firework's or a particle's position.
-    Priority,
 }
 
 /// A planner at work on one scenario.
