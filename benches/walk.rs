@@ -34,7 +34,7 @@ fn colony(id: &str, scenario: &Arc<Scenario>) -> Box<dyn Planner> {
     formicarium::catalog::build(scenario, id, None, &values, 1).expect("valid parameters")
 }
 
-/// Time for `moves` ant moves: whole iterations, choice refresh, deposit and evaporation included.
+/// Time for `moves` ant moves: whole iterations, refresh of weights, deposit and evaporation included.
 fn timed(moves: u64, mut iterate: impl FnMut() -> u64) -> Duration {
     let (begin, start) = (iterate(), Instant::now());
     let mut done = begin;

@@ -4,16 +4,12 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::aco::{
-    ant_colony_system, ant_system, custom, elitist_ant_system, fire, fireworks, max_min_ant_system, rank_based_ant_system, ship,
-    terrain, threshold,
-};
 use crate::error::ParamError;
-use crate::exact::{any_angle, astar, dijkstra, slices, theta_star, tour, turn_aware};
+use crate::map::{Generator, MAX_DENSITY, MAX_LEVELS, MAX_REACH, MAX_SIDE};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
-use crate::scenario::Scenario;
-use crate::swarm;
+use crate::planner::{Component, Family, Ground, GroundRule, Layer, Planner, PlannerEntry};
+use crate::scenario::{MAX_GOALS, Scenario};
+use crate::{aco, exact, swarm};
 
 /// In every build: what a first visit to the page needs.
 const OPENING: bool = true;
@@ -22,30 +18,31 @@ const MORE: bool = cfg!(feature = "whole");
 
 /// The planners in the order in which people meet them, each with the builds that have it.
 const LIST: &[(bool, &PlannerEntry)] = &[
-    (OPENING, &ant_system::ENTRY),
-    (MORE, &elitist_ant_system::ENTRY),
-    (MORE, &rank_based_ant_system::ENTRY),
-    (MORE, &max_min_ant_system::ENTRY),
-    (MORE, &ant_colony_system::ENTRY),
-    (OPENING, &dijkstra::ENTRY),
-    (OPENING, &astar::ENTRY),
-    (MORE, &theta_star::ENTRY),
-    (MORE, &any_angle::ENTRY),
-    (MORE, &turn_aware::ENTRY),
-    (MORE, &tour::ENTRY),
-    (MORE, &slices::ENTRY),
-    (MORE, &fire::ENTRY),
-    (MORE, &ship::ENTRY),
-    (MORE, &terrain::ACO),
-    (MORE, &terrain::EPF),
-    (MORE, &threshold::ACOST),
-    (MORE, &threshold::ACOMSP),
+    (OPENING, &aco::ant_system::ENTRY),
+    (MORE, &aco::elitist_ant_system::ENTRY),
+    (MORE, &aco::rank_based_ant_system::ENTRY),
+    (MORE, &aco::max_min_ant_system::ENTRY),
+    (MORE, &aco::ant_colony_system::ENTRY),
+    (MORE, &aco::best_worst_ant_system::ENTRY),
+    (OPENING, &exact::dijkstra::ENTRY),
+    (OPENING, &exact::astar::ENTRY),
+    (MORE, &exact::theta_star::ENTRY),
+    (MORE, &exact::any_angle::ENTRY),
+    (MORE, &exact::turn_aware::ENTRY),
+    (MORE, &exact::tour::ENTRY),
+    (MORE, &exact::slices::ENTRY),
+    (MORE, &aco::fire::ENTRY),
+    (MORE, &aco::ship::ENTRY),
+    (MORE, &aco::terrain::ACO),
+    (MORE, &aco::terrain::EPF),
+    (MORE, &aco::threshold::ACOST),
+    (MORE, &aco::threshold::ACOMSP),
     (MORE, &swarm::fireworks::FWA),
     (MORE, &swarm::fireworks::IFWA),
     (MORE, &swarm::pso::ENTRY),
-    (MORE, &fireworks::FWA_ACO),
-    (MORE, &fireworks::PSO_ACO),
-    (MORE, &custom::ENTRY),
+    (MORE, &aco::fireworks::FWA_ACO),
+    (MORE, &aco::fireworks::PSO_ACO),
+    (MORE, &aco::custom::ENTRY),
 ];
 
 /// Every planner of this build, in the list's order. The linker drops the others: nothing else mentions them.
@@ -73,6 +70,14 @@ const fn count() -> usize {
 
 /// The entry of an id.
 ///
+/// ```
+/// use formicarium::catalog;
+///
+/// assert_eq!(catalog::find("astar")?.name, "A*");
+/// assert!(catalog::find("a-star").is_err(), "the error lists all ids");
+/// # Ok::<(), formicarium::error::ParamError>(())
+/// ```
+///
 /// # Errors
 /// [`ParamError::UnknownPlanner`] with all known ids.
 pub fn find(id: &str) -> Result<&'static PlannerEntry, ParamError> {
@@ -82,7 +87,20 @@ pub fn find(id: &str) -> Result<&'static PlannerEntry, ParamError> {
     })
 }
 
-/// Makes a planner: the entry's defaults, then the preset's values, then `values`.
+/// Makes a planner: the entry's defaults, then the preset's values, then `values`. The seed decides every random number.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::{catalog, params::Value, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(8, 8)?, Movement::default(), Point::new(0, 0), Point::new(7, 7))?;
+/// let values = [("ants".to_string(), Value::from(10.0))].into();
+/// let mut planner = catalog::build(&Arc::new(scenario), "ant-system", Some("fire"), &values, 7)?;
+/// planner.run();
+/// assert_eq!(planner.effort().constructed_paths, 10 * 100);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ParamError`] for an unknown planner, preset or key, a value that does not fit, or tables that would not fit into memory.
@@ -162,6 +180,42 @@ pub struct Catalog {
     pub format: String,
     /// Every planner.
     pub planners: Vec<CatalogEntry>,
+    /// Every layer that some planner can draw, in the order in which people meet them.
+    pub layers: Vec<Layer>,
+    /// What the engine accepts at most.
+    pub limits: Limits,
+    /// How the ground follows from a scenario: the first rule that holds.
+    pub grounds: Vec<GroundRule>,
+    /// The generators of maps.
+    pub generators: Vec<GeneratorEntry>,
+}
+
+/// What the engine accepts at most, from the constants that it checks by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Limits {
+    /// Cells a side of a map.
+    pub max_side: u32,
+    /// Goals of a scenario.
+    pub max_goals: u32,
+    /// Levels of movement by slices.
+    pub max_levels: u32,
+    /// Cells aside and levels up or down in a step by slices.
+    pub max_reach: u32,
+    /// Density of obstacles, or roughness, of a generated map.
+    pub max_density: f64,
+}
+
+/// One generator of maps as data.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct GeneratorEntry {
+    /// Its id.
+    pub id: Generator,
+    /// Whether it makes a terrain, with heights.
+    pub terrain: bool,
+    /// What its number beside size and seed says: `density` or `roughness`, 0 to [`Limits::max_density`]; none where it has no such number.
+    pub asks_for: Option<&'static str>,
 }
 
 /// One planner as data.
@@ -222,6 +276,15 @@ pub struct ComponentEntry {
     pub without: Values,
 }
 
+/// See [`Limits`].
+const LIMITS: Limits = Limits {
+    max_side: MAX_SIDE,
+    max_goals: MAX_GOALS as u32,
+    max_levels: MAX_LEVELS,
+    max_reach: MAX_REACH,
+    max_density: MAX_DENSITY,
+};
+
 /// The whole catalog as data.
 pub fn catalog() -> Catalog {
     let preset = |p: &crate::planner::Preset| PresetEntry {
@@ -246,5 +309,13 @@ pub fn catalog() -> Catalog {
         max_goals: e.max_goals,
         grounds: e.grounds.to_vec(),
     };
-    Catalog { format: "formicarium/catalog@1".into(), planners: CATALOG.iter().map(entry).collect() }
+    let generator = |kind: Generator| GeneratorEntry { id: kind, terrain: kind.is_terrain(), asks_for: kind.asks_for() };
+    Catalog {
+        format: "formicarium/catalog@1".into(),
+        planners: CATALOG.iter().map(entry).collect(),
+        layers: Layer::ALL.to_vec(),
+        limits: LIMITS,
+        grounds: Ground::RULES.to_vec(),
+        generators: Generator::ALL.map(generator).to_vec(),
+    }
 }

@@ -1,15 +1,16 @@
 //! What is measured on a path: length, turns, V(d, r), clearance, arrival time; on a terrain what it climbs.
 
-use std::f64::consts::SQRT_2;
-
 use serde::Serialize;
 
-use crate::map::{Cell, Grid, OFFSETS};
+use crate::map::{Cell, Grid, OFFSETS, PlaneLength, displacement};
 use crate::path::crossed;
 use crate::scenario::Scenario;
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
 pub const TURN_WEIGHT: f64 = 1.2;
+
+/// Lengths in cells that differ by less are the same: what is left of rounding when they were added in different orders.
+pub const SAME_LENGTH: f64 = 1e-9;
 
 /// The metrics of one path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -53,48 +54,6 @@ pub struct TerrainMetrics {
     pub level_cost: Option<f64>,
 }
 
-/// Length in cells. Straight and diagonal steps are counted and √2 multiplied once, so that equal paths have equal bits in any order.
-pub fn length(straight: u32, diagonal: u32) -> f64 {
-    f64::from(straight) + f64::from(diagonal) * SQRT_2
-}
-
-/// Length in cells of a path on a map of this width: of allowed steps or of straight segments between cells. Rows, columns and exact
-/// diagonals are counted, so that a path of steps and the same path with its straight stretches merged have equal bits.
-pub fn length_on_plane(width: u32, path: &[Cell]) -> f64 {
-    let mut tally = Tally::default();
-    path.windows(2).for_each(|s| tally.add(offset(width, s[0], s[1])));
-    tally.length()
-}
-
-/// Straight and diagonal cells walked, and the length of everything else.
-#[derive(Debug, Clone, Copy, Default)]
-struct Tally {
-    straight: u32,
-    diagonal: u32,
-    oblique: f64,
-}
-
-impl Tally {
-    fn add(&mut self, (dx, dy): (i32, i32)) {
-        let (nx, ny) = (dx.unsigned_abs(), dy.unsigned_abs());
-        match (nx.min(ny), nx.max(ny)) {
-            (0, n) => self.straight += n,
-            (n, m) if n == m => self.diagonal += n,
-            (n, m) => self.oblique += libm::sqrt(f64::from(n * n + m * m)),
-        }
-    }
-
-    fn length(&self) -> f64 {
-        length(self.straight, self.diagonal) + self.oblique
-    }
-}
-
-/// (dx, dy) of a step or segment. By rows and columns: on a map two cells wide a diagonal step changes the index by 1, as a horizontal
-/// one does.
-fn offset(width: u32, a: Cell, b: Cell) -> (i32, i32) {
-    ((b % width) as i32 - (a % width) as i32, (b / width) as i32 - (a / width) as i32)
-}
-
 /// Whether two steps or segments lead in different directions.
 fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
     let cross = i64::from(a.0) * i64::from(b.1) - i64::from(a.1) * i64::from(b.0);
@@ -104,6 +63,17 @@ fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
 
 impl Metrics {
     /// Measures a valid path of either kind.
+    ///
+    /// ```
+    /// use formicarium::map::{Grid, Movement, Point};
+    /// use formicarium::{metrics::Metrics, scenario::Scenario};
+    ///
+    /// let scenario = Scenario::on(Grid::open(3, 3)?, Movement::default(), Point::new(0, 0), Point::new(2, 2))?;
+    /// // East, east, south, south.
+    /// let measured = Metrics::of(&scenario, &[0, 1, 2, 5, 8]);
+    /// assert_eq!((measured.length, measured.turns, measured.steps), (4.0, 1, 4));
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Self {
         let length = scenario.path_length(path);
         let cells = scenario.cells_of(path);
@@ -131,9 +101,9 @@ fn turning(scenario: &Scenario, path: &[Cell], cells: &[Cell]) -> (u32, f64) {
     let (width, area) = (scenario.grid.width(), scenario.grid.len() as Cell);
     let climbs = |a: usize, b: usize| (path[b] / area) as i32 - (path[a] / area) as i32;
     let on_plane = scenario.by_slices().is_none() && scenario.moves.relief().is_none();
-    let (mut turns, mut tally, mut sum) = (0u32, Tally::default(), 0.0);
+    let (mut turns, mut tally, mut sum) = (0u32, PlaneLength::default(), 0.0);
     for k in 2..path.len() {
-        let (before, after) = (offset(width, cells[k - 2], cells[k - 1]), offset(width, cells[k - 1], cells[k]));
+        let (before, after) = (displacement(width, cells[k - 2], cells[k - 1]), displacement(width, cells[k - 1], cells[k]));
         if !self::turns(before, after) && climbs(k - 2, k - 1) == climbs(k - 1, k) {
             continue;
         }
@@ -158,7 +128,7 @@ fn stretches<'a>(scenario: &'a Scenario, path: &'a [Cell]) -> impl Iterator<Item
     let altitudes = scenario.altitudes(path);
     let cells = scenario.cells_of(path);
     (1..path.len()).map(move |k| {
-        let (dx, dy) = offset(width, cells[k - 1], cells[k]);
+        let (dx, dy) = displacement(width, cells[k - 1], cells[k]);
         let run = libm::sqrt(f64::from(dx * dx + dy * dy)) * resolution;
         (run, altitudes[k] - altitudes[k - 1])
     })
@@ -253,6 +223,8 @@ fn squared_distance(grid: &Grid, gaps: &[u32], cell: Cell) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::SQRT_2;
+
     use super::*;
     use crate::map::{Movement, Point};
 

@@ -2,6 +2,24 @@
 //!
 //! From a row follow the struct field, its default, validation with the error that names the range, the JSON schema of the catalog,
 //! the command line's `--set key=value`, the page's control and the tables in the docs.
+//!
+//! ```
+//! use formicarium::params;
+//! use formicarium::params::{Params, Value};
+//!
+//! params! {
+//!     /// Numbers of a planner.
+//!     pub struct Numbers {
+//!         /// ants that build a path in each iteration
+//!         ants: u32 = 50, "m", [1..=1024], "ants", "here";
+//!     }
+//! }
+//!
+//! let numbers = Numbers::read("mine", &[("ants".to_string(), Value::from(9.0))].into())?;
+//! assert_eq!(numbers.ants, 9);
+//! assert!(Numbers::read("mine", &[("ants".to_string(), Value::from(0.0))].into()).is_err(), "out of range");
+//! # Ok::<(), formicarium::error::ParamError>(())
+//! ```
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -237,13 +255,13 @@ impl ParamType for bool {
     }
 }
 
-/// An enum whose variants have ids; made by `choice!`.
-pub trait Choice: Copy + PartialEq + 'static {
+/// An enum whose variants have ids; made by [`param_choice!`](crate::param_choice).
+pub trait ParamChoice: Copy + PartialEq + 'static {
     /// (variant, id, meaning) of every option, the usual one first.
     const OPTIONS: &'static [(Self, &'static str, &'static str)];
 }
 
-impl<T: Choice> ParamType for T {
+impl<T: ParamChoice> ParamType for T {
     type Range = ();
     fn kind((): ()) -> ParamKind {
         let option = |&(_, id, meaning): &(T, &'static str, &'static str)| ChoiceOption { id, meaning: meaning.trim() };
@@ -310,14 +328,14 @@ pub fn override_row(rows: &mut [ParamSpec], key: &str, default: Value, source: &
     }
 }
 
-/// Declares a [`Choice`]: `Variant = "id"`, the doc comment is the option's meaning.
+/// Declares a [`ParamChoice`]: `Variant = "id"`, the doc comment is the option's meaning.
 #[macro_export]
-macro_rules! choice {
+macro_rules! param_choice {
     ($(#[$meta:meta])* pub enum $name:ident { $( #[doc = $meaning:literal] $variant:ident = $id:literal, )+ }) => {
         $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum $name { $( #[doc = $meaning] $variant, )+ }
-        impl $crate::params::Choice for $name {
+        impl $crate::params::ParamChoice for $name {
             const OPTIONS: &'static [(Self, &'static str, &'static str)] = &[ $( (Self::$variant, $id, $meaning), )+ ];
         }
     };

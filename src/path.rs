@@ -1,7 +1,7 @@
 //! A path as a list of cells, its audit (is it really one, under the scenario's rules?), and its refinement by line of sight.
 
-use crate::choice;
 use crate::map::{ALL_DIRECTIONS, Cell, Grid, Movement, Moves, Point, Way, offset};
+use crate::param_choice;
 use crate::scenario::Scenario;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -73,6 +73,21 @@ pub enum Flaw {
 }
 
 /// Checks a path of points against the scenario: obstacles, ends, joints, and that it comes by every goal and ends at one.
+///
+/// ```
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::path::{Flaw, PathKind, audit};
+/// use formicarium::scenario::Scenario;
+///
+/// let grid = Grid::from_bytes(3, 2, &[0, 1, 0, 0, 0, 0])?;
+/// let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(2, 0))?;
+/// let path = [(0, 0), (0, 1), (1, 1), (2, 1), (2, 0)].map(|(x, y)| Point::new(x, y));
+/// assert_eq!(audit(&scenario, &path, PathKind::Steps), Ok(()));
+///
+/// let through = [(0, 0), (1, 0), (2, 0)].map(|(x, y)| Point::new(x, y));
+/// assert_eq!(audit(&scenario, &through, PathKind::Steps), Err(Flaw::Collision { index: 1, at: Point::new(1, 0) }));
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
 ///
 /// # Errors
 /// The first [`Flaw`]: cells outside or blocked come first, then the start, the joints, the goals.
@@ -220,7 +235,7 @@ pub fn crossed(width: u32, path: &[Cell]) -> impl Iterator<Item = Cell> + use<'_
     path.first().copied().into_iter().chain(path.windows(2).flat_map(between))
 }
 
-choice! {
+param_choice! {
     /// Refinement by line of sight (engine-room paper, section 3.3): which later node follows a kept one.
     pub enum Refinement {
         /// the farthest later node in sight

@@ -23,12 +23,27 @@ impl Streams {
     }
 
     /// The stream of one ant in one iteration.
+    ///
+    /// ```
+    /// use formicarium::rng::Streams;
+    /// use rand::Rng;
+    ///
+    /// let streams = Streams::new(1, "ant-system", 0);
+    /// let draw = |iteration, ant| streams.ant(iteration, ant).next_u32();
+    /// assert_eq!(draw(3, 5), draw(3, 5));
+    /// assert_ne!(draw(3, 5), draw(3, 6));
+    /// ```
     pub fn ant(self, iteration: u32, ant: u32) -> Stream {
         let k = mix(self.key, (u64::from(iteration) << 32) | u64::from(ant));
         let mut bytes = [0u8; 16];
         bytes[..8].copy_from_slice(&mix(k, 1).to_le_bytes());
         bytes[8..].copy_from_slice(&mix(k, 2).to_le_bytes());
         Stream::from_seed(bytes)
+    }
+
+    /// The stream of what no single ant does in an iteration, e.g. a mutation of trails; no ant has that number.
+    pub fn daemon(self, iteration: u32) -> Stream {
+        self.ant(iteration, u32::MAX)
     }
 }
 
@@ -59,6 +74,7 @@ mod tests {
             draw(base, 0, 0),
             draw(base, 1, 0),
             draw(base, 0, 1),
+            base.daemon(0).next_u64(),
             draw(Streams::new(2, "ant-system", 0), 0, 0),
             draw(Streams::new(1, "ship", 0), 0, 0),
             draw(Streams::new(1, "ant-system", 1), 0, 0),

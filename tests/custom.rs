@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use formicarium::catalog;
 use formicarium::map::Movement;
-use formicarium::params::{Value, Values};
+use formicarium::params::{ParamKind, ParamSpec, Value, Values};
 use formicarium::scenario::{Goal, Scenario};
 
 fn run(scenario: &Arc<Scenario>, id: &str, preset: Option<&str>, values: &Values, seed: u32) -> String {
@@ -42,15 +42,21 @@ fn a_planners_rules_together_are_that_planner() {
             assert_eq!(composed, run(&scenario, preset.name, None, &short(), seed), "{} seed {seed}", preset.name);
         }
     }
-    for id in ["ant-system", "elitist-ant-system", "rank-based-ant-system"] {
-        let rho = Value::Number(0.3);
-        let mut values = short();
-        values.insert("rho".into(), rho);
-        let plain = run(&scenario, id, None, &values, 1);
-        for rule in ["initial_trail_of", "heuristic_of", "selection_of", "local_update_of", "update_of", "daemon_of"] {
-            values.insert(rule.into(), Value::from(id));
-        }
-        assert_eq!(run(&scenario, "custom", None, &values, 1), plain, "{id}");
+}
+
+/// Every planner that lends rules, with the values of its own rows: also those that no preset repeats.
+#[test]
+fn every_donors_rules_together_are_that_donor() {
+    let scenario = common::random(24, 0.2, 1, Movement::default());
+    let rows = (catalog::find("custom").expect("in the catalog").specs)();
+    let rules: Vec<&ParamSpec> = rows.iter().filter(|row| row.key.ends_with("_of")).collect();
+    let ParamKind::Choice { options } = &rules[0].kind else { panic!("a rule is lent by one of the donors") };
+    for donor in options {
+        let own = catalog::values(donor.id, None, &short()).expect("valid parameters");
+        let plain = run(&scenario, donor.id, None, &own, 1);
+        let mut composed = own;
+        composed.extend(rules.iter().map(|rule| (rule.key.to_string(), Value::from(donor.id))));
+        assert_eq!(run(&scenario, "custom", None, &composed, 1), plain, "{}", donor.id);
     }
 }
 

@@ -43,7 +43,7 @@ impl Naive {
         let walks: Vec<Option<Vec<Direction>>> = (0..self.ants).map(|k| self.walk(k)).collect();
         let length = |w: &[Direction]| {
             let straight = w.iter().filter(|&&d| step_length(d) == 1.0).count() as u32;
-            formicarium::metrics::length(straight, w.len() as u32 - straight)
+            formicarium::map::counted_length(straight, w.len() as u32 - straight)
         };
         let lengths: Vec<f64> = walks.iter().flatten().map(|w| length(w)).collect();
         self.trails.evaporate(self.rho);

@@ -1,7 +1,6 @@
 //! One ant: where it is, how it came there, which cells it has visited, and its own random stream.
 
-use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, is_diagonal, opposite};
-use crate::metrics;
+use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, counted_length, is_diagonal, opposite};
 use crate::planner::held;
 use crate::rng::Stream;
 
@@ -169,7 +168,7 @@ impl Ant {
         if self.over_ground > 0.0 {
             self.over_ground
         } else {
-            metrics::length(self.steps.len() as u32 - self.diagonals, self.diagonals)
+            counted_length(self.steps.len() as u32 - self.diagonals, self.diagonals)
         }
     }
 

@@ -6,24 +6,26 @@ use crate::map::Cell;
 use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
 use crate::planner::{
-    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, advance, held,
+    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, advance,
+    held,
 };
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{self, Choice, Eta, Weights, weigh, without};
 use super::lanes;
 use super::on_demand::{self, OnDemand};
+use super::selection::without;
 use super::trails::Trails;
 use super::variant::{Iteration, Settings, Step, Variant};
+use super::weights::{self, Eta, WeightTable, Weights, weigh};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
 #[derive(Clone)]
 struct Tables {
     trails: Trails,
     /// The weights of every step, ready before the walk; empty with [`Variant::TIMED`].
-    choice: Choice,
+    weights: WeightTable,
     /// The weights of the steps where ants come by; empty without [`Variant::TIMED`].
     on_demand: OnDemand,
     ants: Vec<Ant>,
@@ -37,7 +39,7 @@ impl Tables {
         let ant = |k| Ant::new(width, height, streams.ant(0, k));
         Self {
             trails,
-            choice: Choice::new(if timed { 0 } else { cells }, alpha, beta),
+            weights: WeightTable::new(if timed { 0 } else { cells }, alpha, beta),
             on_demand: OnDemand::new(if timed { cells } else { 0 }, alpha, beta),
             ants: (0..settings.ants).map(ant).collect(),
         }
@@ -45,7 +47,7 @@ impl Tables {
 
     fn bytes(&self) -> usize {
         let ants = held(&self.ants) + self.ants.iter().map(Ant::bytes).sum::<usize>();
-        self.trails.bytes() + self.choice.bytes() + self.on_demand.bytes() + ants
+        self.trails.bytes() + self.weights.bytes() + self.on_demand.bytes() + ants
     }
 
     #[inline(never)]
@@ -120,7 +122,7 @@ impl<V: Variant + 'static> Colony<V> {
         let seen = if V::TIMED {
             on_demand::visibility(scenario, variant, settings.beta, cell)
         } else {
-            choice::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
+            weights::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
         };
         let odds = variant.odds(&weigh(&trails.relative(cell), settings.alpha, &seen));
         let step = |d| {
@@ -148,26 +150,26 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
 
     fn begin_iteration(&mut self) {
         let Some(tables) = self.tables.as_mut().filter(|_| !self.constructing) else { return };
-        let Tables { trails, choice, on_demand, .. } = &mut *tables;
+        let Tables { trails, weights, on_demand, .. } = &mut *tables;
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
         let (scenario, variant) = (&*self.scenario, &self.variant);
         match (V::TIMED, variant.heuristic_changes(number)) {
             (true, true) => on_demand.another_time(),
             (false, true) => {
-                choice.see(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j));
+                weights.see(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j));
                 trails.all_changed();
             }
             (_, false) => {}
         }
-        take_in_trails::<V>(choice, on_demand, trails);
+        take_in_trails::<V>(weights, on_demand, trails);
         tables.place_ants(scenario, self.streams, number);
         self.constructing = true;
     }
 
     /// One move of every walking ant, in index order; true when none is left.
     fn move_all(&mut self) -> bool {
-        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return true };
+        let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return true };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         let mut done = true;
         for ant in ants.iter_mut().filter(|a| a.fate() == Fate::Walking) {
@@ -175,13 +177,13 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
             let step = if V::TIMED {
                 move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
             } else {
-                move_one(&self.variant, &mut &*choice, &walk, ant)
+                move_one(&self.variant, &mut &*weights, &walk, ant)
             };
             if let Some(direction) = step
                 && V::LOCK_STEP
             {
                 self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
-                take_in_trails::<V>(choice, on_demand, trails);
+                take_in_trails::<V>(weights, on_demand, trails);
             }
             done &= ant.fate() != Fate::Walking;
         }
@@ -194,12 +196,12 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
             while !self.move_all() {}
             return;
         }
-        let Some(Tables { trails, choice, on_demand, ants }) = &mut self.tables else { return };
+        let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         if V::TIMED {
             walk_to_the_end(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ants);
         } else {
-            walk_to_the_end(&self.variant, &mut &*choice, &walk, ants);
+            walk_to_the_end(&self.variant, &mut &*weights, &walk, ants);
         }
     }
 
@@ -211,7 +213,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         self.progress.effort.ant_moves += ants.iter().map(|a| u64::from(a.moves())).sum::<u64>();
         let number = self.progress.effort.iterations;
         let (scenario, budget) = (&*self.scenario, self.settings.iterations);
-        let iteration = Iteration { scenario, ants, number, budget, best_so_far: None };
+        let iteration = Iteration { scenario, ants, number, budget, best_so_far: None, streams: self.streams };
         let leader = iteration.iteration_best();
         if let Some((ant, length)) = leader
             && self.progress.best.as_ref().is_none_or(|b| length < b.length)
@@ -236,11 +238,11 @@ fn walk_rules<'a>(scenario: &'a Scenario, settings: &Settings, max_moves: u32) -
 
 /// Has the weights follow the trails.
 #[inline(always)]
-fn take_in_trails<V: Variant>(choice: &mut Choice, on_demand: &mut OnDemand, trails: &mut Trails) {
+fn take_in_trails<V: Variant>(weights: &mut WeightTable, on_demand: &mut OnDemand, trails: &mut Trails) {
     if V::TIMED {
         on_demand.outdate(trails);
     } else {
-        choice.refresh(trails);
+        weights.refresh(trails);
     }
 }
 
@@ -273,21 +275,11 @@ fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     std::iter::once(scenario.start).chain(rest).collect()
 }
 
+/// The iteration's record.
 #[inline(never)]
 fn record(iteration: &Iteration) -> Record {
-    let (mut arrived, mut sum) = (0u32, 0.0);
-    for (_, length) in iteration.arrived() {
-        arrived += 1;
-        sum += length;
-    }
-    Record {
-        iteration: iteration.number,
-        best_so_far: iteration.best_so_far.map(|b| b.length),
-        iteration_best: iteration.iteration_best().map(|(_, length)| length),
-        iteration_mean: (arrived > 0).then(|| sum / f64::from(arrived)),
-        iteration_worst: iteration.iteration_worst().map(|(_, length)| length),
-        arrived,
-    }
+    let tally: Tally = iteration.arrived().map(|(_, length)| length).collect();
+    tally.record(iteration.number, iteration.best_so_far)
 }
 
 impl<V: Variant + 'static> Planner for Colony<V> {

@@ -1,11 +1,11 @@
 //! What an ant can see: η of a step from cell i to its neighbour j.
 
-use crate::choice;
 use crate::exact::{Distance, Estimate};
 use crate::map::{Cell, Direction, Point};
+use crate::param_choice;
 use crate::scenario::Scenario;
 
-choice! {
+param_choice! {
     /// Which η.
     pub enum Heuristic {
         /// η = 1 / (1 + c_ij + d(j, goal) − d(i, goal)): how small the detour is; d is the length on an open map
@@ -22,8 +22,7 @@ pub const AT_GOAL: f64 = 0.01;
 
 /// η by goal distance: 1 / d(j, goal), Euclidean, on a terrain as on its map; `at_goal` stands for the distance 0.
 pub fn goal_distance(j: Point, goal: Point, at_goal: f64) -> f64 {
-    let (dx, dy) = (f64::from(j.x.abs_diff(goal.x)), f64::from(j.y.abs_diff(goal.y)));
-    1.0 / libm::sqrt(dx * dx + dy * dy).max(at_goal)
+    1.0 / j.distance(goal).max(at_goal)
 }
 
 /// η by detour: 1 / (1 + c_ij + d(j) − d(i)), c_ij = length of the step, d = length of the shortest path on an open map. On a plane

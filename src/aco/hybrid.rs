@@ -6,23 +6,19 @@
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::path::Path;
 use crate::planner::{Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
 use super::colony::{self, Colony};
-use super::variant::{Settings, Variant};
-
-/// Makes the second stage's variant from the first one's best path and its length in cells, if there is one.
-pub type Second<V> = Arc<dyn Fn(Option<(Path, f64)>) -> V + Send + Sync>;
+use super::variant::Variant;
 
 /// A planner, and then a colony on the trails that it seeds.
 #[derive(Clone)]
 pub struct Hybrid<V> {
     scenario: Arc<Scenario>,
     first: Box<dyn Planner>,
-    second: Second<V>,
-    settings: Settings,
+    /// The second stage without a seed.
+    second: V,
     colony: Option<Colony<V>>,
     planner: &'static str,
     layers: &'static [Layer],
@@ -35,18 +31,19 @@ impl<V: Variant + 'static> Hybrid<V> {
     pub fn new(
         scenario: Arc<Scenario>,
         first: Box<dyn Planner>,
-        second: Second<V>,
+        second: V,
         (planner, layers): (&'static str, &'static [Layer]),
         seed: u32,
     ) -> Self {
-        let settings = second(None).settings();
-        Self { scenario, first, second, settings, colony: None, planner, layers, seed, progress: Progress::default() }
+        Self { scenario, first, second, colony: None, planner, layers, seed, progress: Progress::default() }
     }
 
     /// The second stage, from what the first has found so far.
     fn second_stage(&self) -> Colony<V> {
         let found = self.first.best().map(|b| (b.path.clone(), b.length));
-        Colony::new(Arc::clone(&self.scenario), (self.second)(found), self.planner, self.seed, 0)
+        let mut second = self.second.clone();
+        second.take_seed(found.as_ref());
+        Colony::new(Arc::clone(&self.scenario), second, self.planner, self.seed, 0)
     }
 
     /// Goes from stage to stage, and ends.
@@ -123,15 +120,15 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
     }
 
     fn objective(&self) -> Objective {
-        colony::objective((self.second)(None).refinement())
+        colony::objective(self.second.refinement())
     }
 
     fn budget(&self) -> Option<u32> {
-        self.first.budget().map(|first| first + self.settings.iterations)
+        self.first.budget().map(|first| first + self.second.settings().iterations)
     }
 
     fn colony_size(&self) -> u32 {
-        self.settings.ants
+        self.second.settings().ants
     }
 
     /// While the first stage runs: its visits and priorities, the trails without a seed, and the initial trail that it would leave now.
@@ -143,7 +140,7 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
             (Layer::Cost, _) => return false,
             (Layer::SeedPath, _) => self.first.best().into_iter().flat_map(|b| &b.path).for_each(|&c| out[c as usize] = 1.0),
             (Layer::Priority, _) | (Layer::Visits, None) => return self.first.layer(kind, out),
-            (Layer::Trail, None) => out.fill((self.second)(None).initial_trail(&self.scenario) as f32),
+            (Layer::Trail, None) => out.fill(self.second.initial_trail(&self.scenario) as f32),
             (Layer::Heuristic | Layer::InitialTrail | Layer::Density, None) => return self.second_stage().layer(kind, out),
             (Layer::Trail | Layer::Visits | Layer::Heuristic | Layer::InitialTrail | Layer::Density, Some(colony)) => {
                 return colony.layer(kind, out);

@@ -2,15 +2,16 @@
 //! the very same numbers as one ant at a time.
 //!
 //! Every lane sums its weights in the same order, draws from its own ant's stream and compares in the same way as
-//! [`super::choice::random_proportional`]; so which lane an ant walks in, and beside whom, changes nothing. An ant that has ended is
+//! [`super::selection::random_proportional`]; so which lane an ant walks in, and beside whom, changes nothing. An ant that has ended is
 //! replaced by the next one that waits; the last ones finish alone.
 
 use rand::Rng;
 use wide::f32x4;
 
 use super::ant::{Ant, Fate, Walk};
-use super::choice::{Weights, random_proportional, without};
+use super::selection::{random_proportional, without};
 use super::trails::Row;
+use super::weights::Weights;
 use crate::map::{DIRECTIONS, Direction};
 use crate::rng::{Stream, unit_f32};
 

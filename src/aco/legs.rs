@@ -160,7 +160,8 @@ impl<V: Variant + 'static> Legs<V> {
         }
         let record = self.sum(number);
         self.progress.record(record);
-        self.progress.status = self.stop(number);
+        let settings = self.variant.settings();
+        self.progress.status = self.progress.after_iteration(settings.iterations, settings.stagnation);
     }
 
     /// Joins the legs' best paths, once every leg has one. Legs stay paths of steps, whether or not the variant refines.
@@ -194,18 +195,6 @@ impl<V: Variant + 'static> Legs<V> {
             iteration_mean: sum(|r| r.iteration_mean),
             iteration_worst: sum(|r| r.iteration_worst),
             arrived: records.iter().map(|r| r.arrived).min().unwrap_or(0),
-        }
-    }
-
-    fn stop(&self, number: u32) -> Status {
-        let settings = self.variant.settings();
-        let found = self.progress.best.as_ref().map(|b| b.iteration);
-        if settings.stagnation > 0 && found.is_some_and(|of_best| number - of_best >= settings.stagnation) {
-            Status::Stagnated
-        } else if number >= settings.iterations {
-            Status::BudgetSpent
-        } else {
-            Status::Running
         }
     }
 }

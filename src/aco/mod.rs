@@ -7,9 +7,10 @@
 //! | parameter rows that many share | `shared_params.rs` |
 //! | η, what an ant can see | `heuristic.rs` |
 //! | τ, evaporation, limits | `trails.rs` |
-//! | τ^α·η^β by cell and direction, selection rules | `choice.rs` |
+//! | τ^α·η^β by cell and direction | `weights.rs` |
+//! | selection rules | `selection.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
-//! | probabilities by these rules, for who looks at a cell | `odds.rs` |
+//! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
@@ -24,6 +25,7 @@
 //! | `rank-based-ant-system` | w·(w − 1)/2·Q/(ρ·L_open) | as Ant System | as Ant System | – | evaporate, (w − r)·Q/L_r by rank, w·Q/L_bs | – |
 //! | `max-min-ant-system` | τ_max | as Ant System | as Ant System | – | evaporate, 1/L_ib or 1/L_bs, limits | restart at τ_max |
 //! | `ant-colony-system` | 1/(n·L_open) | as Ant System | pseudo-random proportional | blend τ0 in by ξ | blend 1/L_bs in by ρ on the best so far | – |
+//! | `best-worst-ant-system` | 1/(n·L_open) | as Ant System | as Ant System | – | evaporate, 1/L_bs on the best so far, the worst path evaporates again | mutate trails, restart at τ0 |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
@@ -34,7 +36,6 @@
 //! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;
-pub mod choice;
 pub mod colony;
 pub mod custom;
 pub mod dead_end;
@@ -45,13 +46,15 @@ mod lanes;
 pub mod legs;
 pub mod odds;
 pub mod on_demand;
+pub mod selection;
 pub mod shared_params;
 pub mod tour;
 pub mod trails;
 pub mod variant;
+pub mod weights;
 
 mod classics;
 mod papers;
 
-pub use classics::{ant_colony_system, ant_system, elitist_ant_system, max_min_ant_system, rank_based_ant_system};
-pub use papers::{Reading, fire, fireworks, ship, terrain, threshold};
+pub use classics::*;
+pub use papers::*;

@@ -1,4 +1,4 @@
-//! With which probability the rules of [`super::choice`] select each step: what a draw would give on average, without drawing.
+//! With which probability the rules of [`super::selection`] select each step: what a draw would give on average, without drawing.
 //!
 //! Sums are taken in f64; the rules themselves sum in f32, so that frequencies agree with these numbers to about 1e-6.
 
@@ -39,7 +39,7 @@ fn uniform(weights: &[f32], among: impl Fn(f32) -> bool) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::aco::choice;
+    use crate::aco::selection;
     use crate::aco::trails::Row;
     use crate::map::{DIRECTIONS, Direction};
     use crate::rng::{Stream, Streams};
@@ -74,13 +74,13 @@ mod tests {
             [0.0; DIRECTIONS],
         ];
         for weights in &rows {
-            agree(weights, &random_proportional(weights), choice::random_proportional);
-            agree(weights, &maximal(weights), choice::maximal);
+            agree(weights, &random_proportional(weights), selection::random_proportional);
+            agree(weights, &maximal(weights), selection::maximal);
             for q0 in [0.25, 0.7, 1.0] {
-                agree(weights, &pseudo_random_proportional(weights, q0), |w, s| choice::pseudo_random_proportional(w, q0, s));
+                agree(weights, &pseudo_random_proportional(weights, q0), |w, s| selection::pseudo_random_proportional(w, q0, s));
             }
             for lambda in [0.0, 0.2, 0.4, 1.0] {
-                agree(weights, &threshold(weights, lambda), |w, s| choice::threshold(w, lambda, s));
+                agree(weights, &threshold(weights, lambda), |w, s| selection::threshold(w, lambda, s));
             }
         }
     }

@@ -1,16 +1,16 @@
 //! Weights τ^α·η^β for an η that changes with time: computed when an ant comes by, instead of for the whole map in every iteration.
 //!
 //! A [`Variant::TIMED`] variant gives ln η(t) = a + b·w(t) with one w for all steps. The two numbers of a step are computed once, when an
-//! ant first stands on the cell; later visits at another time cost one power of two a step. As in [`super::choice`], η^β is divided by the
+//! ant first stands on the cell; later visits at another time cost one power of two a step. As in [`super::weights`], η^β is divided by the
 //! largest of the cell, and a feasible step keeps at least the same floor. Which ant comes first changes nothing.
 
 use crate::map::{Cell, DIRECTIONS};
 use crate::planner::held;
 use crate::scenario::Scenario;
 
-use super::choice::{FLOOR, Weights, weigh};
 use super::trails::{Row, Trails};
 use super::variant::Variant;
+use super::weights::{FLOOR, Weights, weigh};
 
 /// State of a cell no ant has come by.
 const UNKNOWN: u32 = 0;

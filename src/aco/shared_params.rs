@@ -11,7 +11,7 @@ use super::variant::Settings;
 
 params! {
     /// The budget, and the weights of trail and heuristic.
-    pub struct ChoiceParams {
+    pub struct SelectionParams {
         /// iterations after which the colony stops
         iterations: u32 = 100, "K", [1..=100_000], "iterations", "papers' common value";
         /// weight of the trail τ in the choice of a step
@@ -42,13 +42,13 @@ params! {
 }
 
 /// The numbers that every colony has, from shared and own rows.
-pub fn settings(ants: u32, rho: f64, deposit: f64, choice: &ChoiceParams, walk: &WalkParams) -> Settings {
+pub fn settings(ants: u32, rho: f64, deposit: f64, selection: &SelectionParams, walk: &WalkParams) -> Settings {
     Settings {
         ants,
-        iterations: choice.iterations,
+        iterations: selection.iterations,
         stagnation: walk.stagnation,
-        alpha: choice.alpha,
-        beta: choice.beta,
+        alpha: selection.alpha,
+        beta: selection.beta,
         rho,
         deposit,
         dead_end: walk.dead_end,

@@ -6,7 +6,7 @@
 
 use rand::Rng;
 
-use super::choice::power;
+use super::weights::power;
 use crate::exact::order::{Costs, Shape};
 use crate::planner::held;
 use crate::rng::{Stream, Streams, unit_f32};

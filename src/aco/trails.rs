@@ -22,7 +22,7 @@ const SWEEP_BELOW: f64 = 1e-9;
 pub struct Trails {
     stored: Vec<Row>,
     scale: f64,
-    /// Changed since the choice information was last computed.
+    /// Changed since the weights were last computed.
     dirty: Vec<bool>,
     /// The dirty cells.
     touched: Vec<Cell>,

@@ -1,16 +1,16 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
-use crate::path::Refinement;
+use crate::path::{Path, Refinement};
 use crate::planner::Solution;
-use crate::rng::Stream;
+use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
 use super::ant::Ant;
-use super::choice::random_proportional;
 use super::dead_end::DeadEnd;
 use super::deposit;
 use super::odds;
+use super::selection::random_proportional;
 use super::trails::{Row, Trails};
 
 /// Numbers that every colony has.
@@ -49,6 +49,8 @@ pub struct Iteration<'a> {
     pub budget: u32,
     /// The best path of all iterations, this one included.
     pub best_so_far: Option<&'a Solution>,
+    /// Where random numbers come from that are no ant's: [`Streams::daemon`].
+    pub streams: Streams,
 }
 
 impl<'a> Iteration<'a> {
@@ -103,6 +105,10 @@ pub trait Variant: Clone + Send {
 
     /// Before the first iteration.
     fn prepare(&mut self, _scenario: &Scenario) {}
+
+    /// Takes in the best path of the stage before, with its length in cells, if that has found one; only hybrids have such a stage
+    /// ([`super::hybrid`]).
+    fn take_seed(&mut self, _found: Option<&(Path, f64)>) {}
 
     /// What the trails are before the first iteration beyond [`Variant::initial_trail`], e.g. more along a path that is known already.
     fn shape_trails(&self, _scenario: &Scenario, _trails: &mut Trails) {}

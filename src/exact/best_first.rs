@@ -9,14 +9,13 @@ use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use crate::map::Cell;
+use crate::metrics::SAME_LENGTH;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
 
 /// A cell, or a cell and what else the cost of the next step depends on.
 pub(super) type State = u32;
 
-/// Costs closer than this are one cost: rounding differs between orders of the same steps.
-pub(super) const SAME: f64 = 1e-9;
 /// Parent of the start.
 const NO_PARENT: State = State::MAX;
 
@@ -111,7 +110,7 @@ impl Tree {
     /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
     #[inline]
     pub(super) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
-        g < self.g[state as usize] - SAME && g + to_goal < self.bound - SAME
+        g < self.g[state as usize] - SAME_LENGTH && g + to_goal < self.bound - SAME_LENGTH
     }
 
     /// Takes note of a way that improves; `at_goal` where it leads to the goal.
@@ -132,7 +131,7 @@ impl Tree {
     /// The smallest f of an open state that is neither outdated nor hopeless.
     fn least(&mut self) -> Option<f64> {
         while let Some(top) = self.open.peek() {
-            if top.g <= self.g[top.state as usize] && top.f < self.bound - SAME {
+            if top.g <= self.g[top.state as usize] && top.f < self.bound - SAME_LENGTH {
                 return Some(top.f);
             }
             self.open.pop();

@@ -65,6 +65,17 @@ impl Reference {
 }
 
 /// The yardstick of an objective on a scenario. Objectives of planners with one goal look at the first.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::exact::{Reference, reference};
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::{planner::Objective, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(4, 1)?, Movement::default(), Point::new(0, 0), Point::new(3, 0))?;
+/// assert_eq!(reference(&Arc::new(scenario), Objective::Length), Reference::Proven { value: 3.0 });
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
 pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     if !scenario.reachable() {
         return Reference::NoPath;
@@ -137,7 +148,5 @@ fn solved(scenario: &Arc<Scenario>, entry: &PlannerEntry) -> Option<Path> {
 /// Straight distance between two cells' centres, in cells.
 #[inline]
 fn euclidean(scenario: &Scenario, a: Cell, b: Cell) -> f64 {
-    let (a, b) = (scenario.grid.point(a), scenario.grid.point(b));
-    let (dx, dy) = (f64::from(a.x.abs_diff(b.x)), f64::from(a.y.abs_diff(b.y)));
-    libm::sqrt(dx * dx + dy * dy)
+    scenario.grid.point(a).distance(scenario.grid.point(b))
 }

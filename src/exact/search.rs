@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use super::best_first::Open;
 use crate::map::{Cell, Direction, offset, opposite};
+use crate::metrics::SAME_LENGTH;
 use crate::path::Path;
 use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status, held, nested};
 use crate::scenario::Scenario;
@@ -22,8 +23,6 @@ pub trait Estimate: Clone + Send {
     fn to_goal(&self, x: u32, y: u32) -> f64;
 }
 
-/// Costs closer than this are one cost: rounding differs between orders of the same steps.
-const SAME: f64 = 1e-9;
 /// Buckets per contour, which is a cell of f wide unless steps are far longer.
 const BUCKETS_PER_CONTOUR: f64 = 2.0;
 /// Parent of the start.
@@ -111,7 +110,7 @@ impl<E: Estimate> Search<E> {
     /// Takes note of a way to a cell when it is the shortest so far and can still lead to a shorter path.
     #[inline(always)]
     fn relax(&mut self, cell: Cell, g: f64, f: f64, parent: u8) {
-        if g >= self.g[cell as usize] - SAME || f >= self.bound - SAME {
+        if g >= self.g[cell as usize] - SAME_LENGTH || f >= self.bound - SAME_LENGTH {
             return;
         }
         self.g[cell as usize] = g;
@@ -142,7 +141,7 @@ impl<E: Estimate> Search<E> {
                 Some(sorted) => sorted.pop()?,
                 None => self.buckets.get_mut(self.bucket)?.pop()?,
             };
-            if open.g <= self.g[open.state as usize] && open.f < self.bound - SAME {
+            if open.g <= self.g[open.state as usize] && open.f < self.bound - SAME_LENGTH {
                 return Some(open.state);
             }
         }
@@ -193,7 +192,7 @@ impl<E: Estimate> Search<E> {
     fn close_contour(&mut self, exhausted: bool) {
         self.progress.effort.iterations += 1;
         let floor = self.base + self.bucket as f64 * (self.contour / BUCKETS_PER_CONTOUR);
-        if exhausted || floor >= self.bound - SAME {
+        if exhausted || floor >= self.bound - SAME_LENGTH {
             self.finish();
         }
         let length = self.progress.best.as_ref().map(|b| b.length);

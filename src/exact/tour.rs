@@ -16,9 +16,9 @@ use crate::planner::{
     Effort, Family, Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested,
 };
 use crate::scenario::Scenario;
-use crate::{choice, params};
+use crate::{param_choice, params};
 
-choice! {
+param_choice! {
     /// What the order of the goals makes smallest.
     pub enum Smallest {
         /// Σ R, the length of each leg times the weight b = 1/(s·w·a) of the goal that it leads to

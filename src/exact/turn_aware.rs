@@ -8,11 +8,11 @@
 use std::sync::Arc;
 
 use super::astar::Distance;
-use super::best_first::{BestFirst, Rules, SAME, State, Tree};
+use super::best_first::{BestFirst, Rules, State, Tree};
 use super::search::Estimate;
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, step_length};
-use crate::metrics::TURN_WEIGHT;
+use crate::metrics::{SAME_LENGTH, TURN_WEIGHT};
 use crate::params::{Values, check_keys};
 use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
@@ -44,7 +44,7 @@ impl TurnAware {
     fn may_save(&self, scenario: &Scenario, cell: Cell, d: Direction, v: f64) -> bool {
         let first = self.first[cell as usize];
         let straight_on = scenario.moves.bits[cell as usize] >> d & 1 == 1;
-        first.is_infinite() || (straight_on && v < first + (TURN_WEIGHT - 1.0) * step_length(d) - SAME)
+        first.is_infinite() || (straight_on && v < first + (TURN_WEIGHT - 1.0) * step_length(d) - SAME_LENGTH)
     }
 }
 

@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::{Grid, Point, check_size};
 use crate::error::ScenarioError;
+use crate::listed::listed;
 use crate::rng::{Stream, Streams};
-use crate::scenario::ScenarioSpec;
 
 /// Largest share of obstacles that [`Generator::Random`] takes, and largest roughness of the terrains.
 pub const MAX_DENSITY: f64 = 0.9;
@@ -31,32 +31,41 @@ const FRAMED_SIDE: u32 = 5;
 /// Metres a cell of a terrain: the grid of the radar mission that mapped most of the land.
 const RESOLUTION: f64 = 30.0;
 
-/// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`, `fractal`, `hills`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Generator {
-    /// Every cell is blocked with the same probability.
-    Random,
-    /// A perfect maze: exactly one way between any two cells, corridors one cell wide.
-    Maze,
-    /// Rectangular rooms of different sizes, joined by doors.
-    Rooms,
-    /// A cave of round chambers, grown by a cellular automaton.
-    Cave,
-    /// A terrain of eroded ground: value noise in octaves.
-    Fractal,
-    /// A terrain of round hills.
-    Hills,
+listed! {
+    /// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`, `fractal`, `hills`.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Generator {
+        /// Every cell is blocked with the same probability.
+        Random,
+        /// A perfect maze: exactly one way between any two cells, corridors one cell wide.
+        Maze,
+        /// Rectangular rooms of different sizes, joined by doors.
+        Rooms,
+        /// A cave of round chambers, grown by a cellular automaton.
+        Cave,
+        /// A terrain of eroded ground: value noise in octaves.
+        Fractal,
+        /// A terrain of round hills.
+        Hills,
+    }
 }
 
 impl Generator {
-    /// All of them.
-    pub const ALL: [Self; 6] = [Self::Random, Self::Maze, Self::Rooms, Self::Cave, Self::Fractal, Self::Hills];
-
     /// Whether it makes heights.
     pub const fn is_terrain(self) -> bool {
         matches!(self, Self::Fractal | Self::Hills)
+    }
+
+    /// What the number beside size and seed says, 0 to [`MAX_DENSITY`]: the `density` of obstacles or the `roughness` of the ground; none where
+    /// the generator does not look at it.
+    pub const fn asks_for(self) -> Option<&'static str> {
+        match self {
+            Self::Random => Some("density"),
+            Self::Fractal | Self::Hills => Some("roughness"),
+            Self::Maze | Self::Rooms | Self::Cave => None,
+        }
     }
 
     /// Its id in files, links and on the command line.
@@ -90,12 +99,6 @@ impl Generated {
     fn plane(grid: Grid, start: Point, goal: Point) -> Self {
         Self { grid, start, goal, resolution: 1.0 }
     }
-
-    /// The question that comes with the map.
-    pub fn spec(&self, name: impl Into<String>) -> ScenarioSpec {
-        let spec = ScenarioSpec::new(&self.grid, self.start, self.goal);
-        ScenarioSpec { name: name.into(), resolution: self.resolution, ..spec }
-    }
 }
 
 /// Makes a map. `density` is the share of obstacles for [`Generator::Random`], the roughness of terrains, 0 to [`MAX_DENSITY`]; the others
@@ -118,11 +121,8 @@ pub fn generate(kind: Generator, width: u32, height: u32, seed: u32, density: f6
 }
 
 fn check_density(kind: Generator, density: f64) -> Result<(), ScenarioError> {
-    let (field, allowed) = match kind {
-        Generator::Random => ("density", "a share between 0 and 0.9"),
-        Generator::Fractal | Generator::Hills => ("roughness", "a number between 0 and 0.9"),
-        Generator::Maze | Generator::Rooms | Generator::Cave => return Ok(()),
-    };
+    let Some(field) = kind.asks_for() else { return Ok(()) };
+    let allowed = if kind.is_terrain() { "a number between 0 and 0.9" } else { "a share between 0 and 0.9" };
     let value = density.to_string();
     if (0.0..=MAX_DENSITY).contains(&density) { Ok(()) } else { Err(ScenarioError::Quantity { field, value, allowed }) }
 }

@@ -27,6 +27,13 @@ impl Point {
     pub const fn new(x: u32, y: u32) -> Self {
         Self { x, y }
     }
+
+    /// Straight distance to the centre of another cell, in cells.
+    #[inline]
+    pub fn distance(self, to: Self) -> f64 {
+        let (dx, dy) = (f64::from(self.x.abs_diff(to.x)), f64::from(self.y.abs_diff(to.y)));
+        libm::sqrt(dx * dx + dy * dy)
+    }
 }
 
 impl From<[u32; 2]> for Point {
@@ -72,6 +79,15 @@ impl Grid {
     }
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
+    ///
+    /// ```
+    /// use formicarium::map::{Grid, Point};
+    ///
+    /// let grid = Grid::from_bytes(3, 2, &[0, 1, 0, 0, 0, 0])?;
+    /// assert!(grid.is_blocked(grid.cell(Point::new(1, 0))));
+    /// assert!(Grid::from_bytes(3, 2, &[0, 1]).is_err(), "six cells are needed");
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
     ///
     /// # Errors
     /// [`ScenarioError::MapSize`] or [`ScenarioError::CellCount`].

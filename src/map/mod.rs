@@ -4,18 +4,21 @@ mod contours;
 mod generate;
 mod grid;
 mod movement;
+mod plane_length;
 mod relief;
 pub mod resample;
 mod shading;
 mod slices;
 
 pub use contours::{ContourLine, Contours};
-pub use generate::{Generated, Generator, generate};
+pub use generate::{Generated, Generator, MAX_DENSITY, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
 pub use movement::{
     ALL_DIRECTIONS, CornerRule, DIRECTIONS, Direction, FAR, MoveSet, Movement, Moves, OFFSETS, is_diagonal, octile, offset,
     opposite, step_length,
 };
+pub(crate) use plane_length::{PlaneLength, displacement};
+pub use plane_length::{counted_length, length_on_plane};
 pub use relief::{Relief, Stretch};
 pub use resample::Window;
 pub use shading::{LEVEL_LIGHT, Shading};

@@ -1,10 +1,12 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 mod ground;
+mod layer;
 mod memory;
 mod moves;
 pub mod playback;
 mod progress;
+mod reading;
 
 use std::sync::Arc;
 
@@ -18,11 +20,13 @@ use crate::params::{ParamSpec, Value, Values};
 use crate::path::PathKind;
 use crate::scenario::Scenario;
 
-pub use ground::Ground;
+pub use ground::{Ground, GroundRule};
+pub use layer::Layer;
 pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
-pub use progress::{Effort, Progress, Record, Refined, Solution, Tour};
+pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
 pub(crate) use progress::{Iterations, advance};
+pub use reading::Reading;
 
 /// How far one call of [`Planner::advance`] goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -100,30 +104,26 @@ impl Objective {
     }
 }
 
-/// A field over the map that can be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Layer {
-    /// The strongest trail that leaves a cell.
-    Trail,
-    /// Colonies: how many ants of the current iteration have the cell on their way. Searches: 1 where a cell was expanded.
-    Visits,
-    /// Mean heuristic value η of the steps that lead into a cell.
-    Heuristic,
-    /// A search's cost from the start, in cells; infinite where none is known.
-    Cost,
-    /// Share of blocked cells among the eight around a cell; beyond the border is blocked.
-    Density,
-    /// The strongest trail that leaves a cell before the first iteration.
-    InitialTrail,
-    /// The path that seeded the trails, 1 on its cells; of a hybrid's first stage.
-    SeedPath,
-    /// The numbers by which a decoded path is chosen, one a cell: a firework's or a particle's position.
-    Priority,
-}
-
 /// A planner at work on one scenario.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::planner::{Granularity, Layer};
+/// use formicarium::{catalog, params::Values, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(9, 9)?, Movement::default(), Point::new(0, 0), Point::new(8, 8))?;
+/// let mut planner = catalog::build(&Arc::new(scenario), "ant-system", None, &Values::new(), 1)?;
+/// planner.advance(Granularity::Iteration);
+/// let mut before = planner.snapshot();
+/// assert_eq!(planner.run(), before.run(), "a snapshot goes on to the same end");
+/// assert_eq!(planner.digest().hex(), before.digest().hex());
+///
+/// let mut trails = Vec::new();
+/// assert!(planner.layer(Layer::Trail, &mut trails));
+/// assert_eq!(trails.len(), 9 * 9, "one value a cell, row by row");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Planner: Send {
     /// Goes one step further; inert once finished.
     fn advance(&mut self, by: Granularity) -> Status;

@@ -53,6 +53,45 @@ impl Record {
     }
 }
 
+/// Lengths of the paths that arrive in one iteration, taken in one by one.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tally {
+    arrived: u32,
+    sum: f64,
+    best: Option<f64>,
+    worst: Option<f64>,
+}
+
+impl Tally {
+    /// Takes in the length of another path, in cells.
+    pub fn add(&mut self, length: f64) {
+        self.arrived += 1;
+        self.sum += length;
+        self.best = Some(self.best.map_or(length, |best| best.min(length)));
+        self.worst = Some(self.worst.map_or(length, |worst| worst.max(length)));
+    }
+
+    /// The record of iteration `iteration` (from 1), whose best path so far is `best`. The mean adds in the order of [`Tally::add`].
+    pub fn record(&self, iteration: u32, best: Option<&Solution>) -> Record {
+        Record {
+            iteration,
+            best_so_far: best.map(|b| b.length),
+            iteration_best: self.best,
+            iteration_mean: (self.arrived > 0).then(|| self.sum / f64::from(self.arrived)),
+            iteration_worst: self.worst,
+            arrived: self.arrived,
+        }
+    }
+}
+
+impl FromIterator<f64> for Tally {
+    fn from_iter<I: IntoIterator<Item = f64>>(lengths: I) -> Self {
+        let mut tally = Self::default();
+        lengths.into_iter().for_each(|length| tally.add(length));
+        tally
+    }
+}
+
 /// The best path so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {

@@ -7,8 +7,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Grid, MoveSet, Movement, Point, Relief, Slices};
-use crate::metrics;
+use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
 
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
@@ -62,6 +61,18 @@ impl Default for Vehicle {
 }
 
 /// A scenario without its cells, as files and the page hold it.
+///
+/// ```
+/// use formicarium::map::{Grid, Point};
+/// use formicarium::scenario::{Goal, ScenarioSpec};
+///
+/// let grid = Grid::open(30, 20)?;
+/// let mut spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(29, 19));
+/// spec.resolution = 0.5; // metres a cell
+/// spec.goals.push(Goal::new(Point::new(15, 3), "on the way"));
+/// assert_eq!((spec.width, spec.goals.len()), (30, 2));
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ScenarioSpec {
@@ -87,6 +98,14 @@ pub struct ScenarioSpec {
     #[cfg_attr(not(feature = "whole"), serde(skip))]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "TerrainFields", optional))]
     pub terrain: Option<TerrainSpec>,
+}
+
+impl Generated {
+    /// The question that comes with the map.
+    pub fn spec(&self, name: impl Into<String>) -> ScenarioSpec {
+        let spec = ScenarioSpec::new(&self.grid, self.start, self.goal);
+        ScenarioSpec { name: name.into(), resolution: self.resolution, ..spec }
+    }
 }
 
 impl ScenarioSpec {
@@ -148,6 +167,19 @@ pub struct Scenario {
 impl Scenario {
     /// Validates a scenario.
     ///
+    /// ```
+    /// use formicarium::map::{Grid, Point};
+    /// use formicarium::scenario::{Scenario, ScenarioSpec};
+    ///
+    /// let grid = Grid::from_bytes(3, 1, &[0, 1, 0])?;
+    /// let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(2, 0));
+    /// assert!(!Scenario::new(grid.clone(), spec)?.reachable(), "no path is an answer, not an error");
+    ///
+    /// let on_a_wall = ScenarioSpec::new(&grid, Point::new(1, 0), Point::new(2, 0));
+    /// assert!(Scenario::new(grid, on_a_wall).is_err());
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.
     pub fn new(grid: Grid, spec: ScenarioSpec) -> Result<Self, ScenarioError> {
@@ -194,7 +226,7 @@ impl Scenario {
         match (self.by_slices(), self.moves.relief()) {
             (Some(slices), _) => sum(&|a, b| slices.length(a, b)),
             (None, Some(relief)) => sum(&|a, b| relief.segment(a, b).length),
-            (None, None) => metrics::length_on_plane(self.grid.width(), path),
+            (None, None) => length_on_plane(self.grid.width(), path),
         }
     }
 

@@ -8,7 +8,6 @@
 
 use std::f64::consts::SQRT_2;
 
-use crate::aco::heuristic;
 use crate::map::{Cell, DIRECTIONS, Direction, Moves, Point, step_length};
 use crate::params;
 use crate::planner::held;
@@ -28,7 +27,7 @@ params! {
 
 /// L(j, e): 1 / Euclidean distance in cells; of a cell that is not the goal itself.
 pub fn nearness(j: Point, goal: Point) -> f64 {
-    heuristic::goal_distance(j, goal, 1.0)
+    1.0 / j.distance(goal).max(1.0)
 }
 
 /// The dimensions of a position: the free cells, in index order.

@@ -1,6 +1,6 @@
 //! Eq. 2–9 of Zhou, Mu, Zhang 2019, as functions: explosions, mutations, survivors (`fireworks.rs` says whose choice is what).
 
-use crate::aco::Reading;
+use crate::planner::Reading;
 
 use super::fireworks::FireworkRows;
 use super::population::{Population, distance};

@@ -29,11 +29,10 @@ use std::sync::Arc;
 
 use rand::Rng;
 
-use crate::aco::Reading;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Record, Solution, Status, advance, held};
+use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Solution, Status, Tally, advance, held};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -70,24 +70,6 @@ struct Tables<D> {
     visits: Vec<u32>,
 }
 
-/// What the iteration at work has decoded.
-#[derive(Debug, Clone, Copy, Default)]
-struct Tally {
-    arrived: u32,
-    sum: f64,
-    best: Option<f64>,
-    worst: Option<f64>,
-}
-
-impl Tally {
-    fn add(&mut self, length: f64) {
-        self.arrived += 1;
-        self.sum += length;
-        self.best = Some(self.best.map_or(length, |b| b.min(length)));
-        self.worst = Some(self.worst.map_or(length, |w| w.max(length)));
-    }
-}
-
 /// A swarm at work on one scenario.
 #[derive(Clone)]
 pub struct Swarm<M, D = Decoder> {
@@ -98,6 +80,7 @@ pub struct Swarm<M, D = Decoder> {
     tables: Option<Tables<D>>,
     /// An iteration has begun and not ended.
     decoding: bool,
+    /// What the iteration at work has decoded.
     tally: Tally,
     /// The shortest path so far, also of an iteration that has not ended, with its length and its position.
     leader: Option<(Vec<Cell>, f64)>,
@@ -175,14 +158,7 @@ impl<M: Method, D: Decode> Iterations for Swarm<M, D> {
         {
             self.progress.best = Some(Solution { path: path.clone(), length: *length, iteration: number, refined: None });
         }
-        self.progress.record(Record {
-            iteration: number,
-            best_so_far: self.progress.best.as_ref().map(|b| b.length),
-            iteration_best: tally.best,
-            iteration_mean: (tally.arrived > 0).then(|| tally.sum / f64::from(tally.arrived)),
-            iteration_worst: tally.worst,
-            arrived: tally.arrived,
-        });
+        self.progress.record(tally.record(number, self.progress.best.as_ref()));
         self.progress.status = self.progress.after_iteration(self.settings.iterations, self.settings.stagnation);
         if let (true, Some(tables)) = (self.progress.status.is_finished(), &mut self.tables) {
             tables.population = Population::default();

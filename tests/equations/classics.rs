@@ -140,7 +140,14 @@ mod rank_based_ant_system {
         let ants = [&[S, E, E, N][..], &[SE, NE], &[E, E]].map(|steps| walked(&room, steps));
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = RankBasedAntSystemParams { ranks: 3, rho: 0.5, ..Default::default() };
-        let iteration = Iteration { scenario: &room, ants: &ants, number: 1, budget: 9, best_so_far: Some(&best) };
+        let iteration = Iteration {
+            scenario: &room,
+            ants: &ants,
+            number: 1,
+            budget: 9,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        };
         let trails = updated(&mut RankBasedAntSystem::new(params), 3.0, iteration);
         for (c, d) in [(0, E), (1, E)] {
             near(&trails, c, d, 1.5 + 2.0 / 2.0 + 3.0 / 2.0);
@@ -192,7 +199,14 @@ mod max_min_ant_system {
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let params = MaxMinAntSystemParams { rho: 0.25, p_best: 0.9, best_every: 3, ..Default::default() };
         for number in 2..=6 {
-            let iteration = Iteration { scenario: &room, ants: &ants, number, budget: 9, best_so_far: Some(&best) };
+            let iteration = Iteration {
+                scenario: &room,
+                ants: &ants,
+                number,
+                budget: 9,
+                best_so_far: Some(&best),
+                streams: Streams::new(1, "test", 0),
+            };
             let trails = updated(&mut MaxMinAntSystem::new(params), 1.0, iteration);
             let turn = number % 3 == 0;
             near(&trails, 0, E, if turn { 1.25 } else { 0.75 });
@@ -233,5 +247,90 @@ mod ant_colony_system {
         let mut planner = build(&room(), "ant-colony-system", &[("q0", 1.0), ("xi", 0.0), ("iterations", 3.0)]);
         planner.run();
         assert!(planner.history().iter().all(|r| r.iteration_best == Some(2.0) && r.iteration_worst == Some(2.0)));
+    }
+}
+
+mod best_worst_ant_system {
+    use super::*;
+    use formicarium::aco::best_worst_ant_system::{BestWorstAntSystem, BestWorstAntSystemParams};
+
+    /// τ0 = 1/(n·L_open) = 1/(2·2) = 0.25. 0.5·0.25 + 1/4 = 0.375, then 0.5·0.375 + 1/4 = 0.4375; the worst is the best, and loses nothing.
+    #[test]
+    fn the_best_so_far_alone_deposits() {
+        let numbers = [("ants", 4.0), ("rho", 0.5), ("mutation_probability", 0.0), ("restart_below", 0.0)];
+        assert_near(&trails(&bend(), "best-worst-ant-system", &numbers, 2), &[(0.375, 0.125), (0.4375, 0.0625)]);
+    }
+
+    /// Every ant takes the only way: best and worst are alike, and after each iteration all trails are τ0 again.
+    #[test]
+    fn trails_start_again_where_best_and_worst_are_alike() {
+        let numbers = [("ants", 4.0), ("rho", 0.5)];
+        assert_near(&trails(&bend(), "best-worst-ant-system", &numbers, 2), &[(0.25, 0.25), (0.25, 0.25)]);
+        // A single ant that arrives is no worst one; without mutation trails go on as above.
+        let numbers = [("ants", 1.0), ("rho", 0.5), ("mutation_probability", 0.0)];
+        assert_near(&trails(&bend(), "best-worst-ant-system", &numbers, 2), &[(0.375, 0.125), (0.4375, 0.0625)]);
+    }
+
+    /// The worst way, 2 + √2 long, shares its first step with the best, 2 long.
+    fn two_ways(room: &Scenario) -> ([Ant; 2], Solution) {
+        let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
+        ([&[E, E][..], &[E, SE, N]].map(|steps| walked(room, steps)), best)
+    }
+
+    /// τ = 4, ρ = 0.5: 2 + 1/2 on the best; 4·0.5·0.5 where only the worst goes; 2 elsewhere.
+    #[test]
+    fn the_worst_evaporates_again_where_the_best_does_not_go() {
+        let room = room();
+        let (ants, best) = two_ways(&room);
+        let streams = Streams::new(1, "test", 0);
+        let iteration = Iteration { scenario: &room, ants: &ants, number: 1, budget: 9, best_so_far: Some(&best), streams };
+        for (worst_evaporates, expected) in [(true, 1.0), (false, 2.0)] {
+            let params = BestWorstAntSystemParams { rho: 0.5, worst_evaporates, ..Default::default() };
+            let trails = updated(&mut BestWorstAntSystem::new(params), 4.0, iteration);
+            [(0, E), (1, E)].iter().for_each(|&(c, d)| near(&trails, c, d, 2.5));
+            [(1, SE), (5, N)].iter().for_each(|&(c, d)| near(&trails, c, d, expected));
+            near(&trails, 0, SE, 2.0);
+        }
+    }
+
+    /// mut(t) = σ·τ_mean·(t − t_r)/(T − t_r): 4·0.5·25/100 = 0.5; after a restart in iteration 20 4·0.5·(25 − 20)/80 = 0.125.
+    #[test]
+    fn mutations_grow_from_the_last_restart_to_the_end() {
+        let mut variant = BestWorstAntSystem::new(BestWorstAntSystemParams::default());
+        assert_eq!([25, 100].map(|t| variant.mutation(0.5, t, 100)), [0.5, 2.0]);
+        let room = room();
+        let ants = [&[E, E][..], &[E, E]].map(|steps| walked(&room, steps));
+        let (_, best) = two_ways(&room);
+        let streams = Streams::new(1, "test", 0);
+        let iteration = Iteration { scenario: &room, ants: &ants, number: 20, budget: 100, best_so_far: Some(&best), streams };
+        let mut trails = Trails::new(room.grid.len(), 4.0);
+        variant.daemon_actions(&mut trails, iteration);
+        near(&trails, 0, E, 0.25);
+        assert_eq!(variant.mutation(0.5, 25, 100), 0.125);
+    }
+
+    /// With P_m = 1 each cell has one step that gains or loses σ·τ_mean·t/T = 0.5·4·1/4; which one depends on the iteration alone.
+    #[test]
+    fn one_step_of_a_cell_mutates() {
+        let room = room();
+        let (ants, best) = two_ways(&room);
+        let params = BestWorstAntSystemParams { mutation_probability: 1.0, mutation_strength: 0.5, ..Default::default() };
+        let mutated = |number: u32, budget: u32| {
+            let streams = Streams::new(1, "test", 0);
+            let iteration = Iteration { scenario: &room, ants: &ants, number, budget, best_so_far: Some(&best), streams };
+            let mut trails = Trails::new(room.grid.len(), 4.0);
+            BestWorstAntSystem::new(params).daemon_actions(&mut trails, iteration);
+            (0..6)
+                .flat_map(|c| room.moves.directions(c).map(move |d| (c, d)))
+                .map(|(c, d)| (c, trails.get(c, d)))
+                .collect::<Vec<_>>()
+        };
+        let found = mutated(1, 4);
+        for cell in 0..6 {
+            let of_cell: Vec<f64> = found.iter().filter(|(c, t)| *c == cell && *t != 4.0).map(|(_, t)| *t).collect();
+            assert!(of_cell == [4.5] || of_cell == [3.5], "cell {cell}: {of_cell:?}");
+        }
+        assert_eq!(mutated(1, 4), found);
+        assert_ne!(mutated(2, 8), found, "the same amount in another iteration");
     }
 }

@@ -60,7 +60,14 @@ fn updated<V: Variant>(mut variant: V, initial: f64, t: u32) -> [f64; 3] {
     variant.prepare(&scenario);
     variant.update_trails(
         &mut trails,
-        Iteration { scenario: &scenario, ants: &ants, number: t, budget: 100, best_so_far: Some(&best) },
+        Iteration {
+            scenario: &scenario,
+            ants: &ants,
+            number: t,
+            budget: 100,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        },
     );
     [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
 }
@@ -144,7 +151,7 @@ mod ship {
             all_close(updated(p, t), [17.5, 5.0, 5.0]);
         }
         // Nor does Δω* as printed lose anything: 5 + 7.5 + 5 on the short way, 5 + 5 everywhere else.
-        let printed = ShipParams { reading: formicarium::aco::Reading::Printed, ..p };
+        let printed = ShipParams { reading: formicarium::planner::Reading::Printed, ..p };
         all_close(updated(printed, 100), [17.5, 10.0, 10.0]);
     }
 

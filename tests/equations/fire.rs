@@ -2,20 +2,20 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
-use formicarium::aco::choice::Choice;
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fire::{Fire, FireParams, LegLength, Order, Rule};
 use formicarium::aco::tour::{OrderColony, TourSettings, choose, heuristic};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
 use formicarium::map::{Direction, Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
+use formicarium::planner::Reading;
 use formicarium::rng::Streams;
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
@@ -102,7 +102,7 @@ fn eq_3_probabilities_are_proportional_to_trail_and_heuristic_on_both_levels() {
         Scenario::on(Grid::open(3, 1).expect("a size"), Movement::default(), Point::new(1, 0), Point::new(2, 0)).expect("usable");
     let mut trails = Trails::new(3, 1.0);
     trails.deposit(1, 3, 1.0);
-    let mut table = Choice::new(3, 1.0, 2.0);
+    let mut table = WeightTable::new(3, 1.0, 2.0);
     table.see(&s, &|_, d, _| if d == 3 { 0.5 } else { 1.0 });
     table.refresh(&mut trails);
     let fire = Fire::new(FireParams { legs: Rule::Basic, ..FireParams::default() });
@@ -131,7 +131,14 @@ fn updated(params: FireParams) -> [f64; 3] {
         })
         .collect();
     let mut trails = Trails::new(scenario.grid.len(), 1.0);
-    let iteration = Iteration { scenario: &scenario, ants: &ants, number: 1, budget: 100, best_so_far: None };
+    let iteration = Iteration {
+        scenario: &scenario,
+        ants: &ants,
+        number: 1,
+        budget: 100,
+        best_so_far: None,
+        streams: Streams::new(1, "test", 0),
+    };
     Fire::new(params).update_trails(&mut trails, iteration);
     [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
 }
@@ -152,7 +159,7 @@ fn eq_4_and_5_trails_of_the_order_are_directed_and_in_both_readings() {
     let costs = || Costs::new(3, |i, j| [[0.0, 4.0, 9.0], [0.0, 0.0, 1.0], [0.0, 7.0, 0.0]][i][j]);
     for (reading, stays) in [(Reading::Repaired, 0.7), (Reading::Printed, 0.3)] {
         let mut params = FireParams { reading, ants: 10, ..FireParams::default() };
-        params.choice.beta = 50.0;
+        params.selection.beta = 50.0;
         let mut colony = OrderColony::new(costs(), Shape::Open, params.order_level().settings, Streams::new(1, "test", 0));
         colony.advance();
         let trails = [(0, 1), (1, 2), (0, 2), (2, 1)].map(|(i, j)| colony.trail(i, j));

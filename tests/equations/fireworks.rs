@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fireworks::{ColonyRows, Seeded, seed_trail};
@@ -11,6 +10,7 @@ use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::catalog;
 use formicarium::map::{CornerRule, Direction, Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::{Value, Values};
+use formicarium::planner::Reading;
 use formicarium::planner::{Granularity, Layer, Planner};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
@@ -195,7 +195,7 @@ fn corridor() -> Scenario {
 fn eq_10_the_seed_path_starts_with_more_trail() {
     let (s, rows) = (corridor(), ColonyRows::default());
     assert_eq!(
-        (rows.choice.alpha, rows.choice.beta, rows.rho, rows.deposit, rows.ants, rows.choice.iterations),
+        (rows.selection.alpha, rows.selection.beta, rows.rho, rows.deposit, rows.ants, rows.selection.iterations),
         (2.0, 8.0, 0.1, 1.0, 50, 50)
     );
     // Over (1, 1), length 2√2; 50 ants · 1 / 2.828427.
@@ -224,7 +224,8 @@ fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
     };
     let ants = [walked([E, E]), walked([SE, NE]), walked([E, E])];
     let mut trails = Trails::new(s.grid.len(), 10.0);
-    let iteration = Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None };
+    let iteration =
+        Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
     Seeded::new(ColonyRows::default(), None).update_trails(&mut trails, iteration);
     // 0.9·10 + ½ + ½, 0.9·10 + 1/(2√2), 0.9·10
     assert!(close(trails.get(1, E), 10.0) && close(trails.get(4, NE), 9.3535534) && close(trails.get(3, E), 9.0));

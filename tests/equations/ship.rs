@@ -2,21 +2,21 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::ant_system::{AntSystem, AntSystemParams};
-use formicarium::aco::choice::Weights;
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::aco::on_demand::OnDemand;
 use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::aco::weights::Weights;
 use formicarium::catalog;
-use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, step_length};
-use formicarium::metrics::{length_on_plane, obstacle_density};
+use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, length_on_plane, step_length};
+use formicarium::metrics::obstacle_density;
 use formicarium::params::Values;
 use formicarium::path::{Refinement, refine};
+use formicarium::planner::Reading;
 use formicarium::planner::{Layer, Objective, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
@@ -63,14 +63,21 @@ fn eq_3_to_5_the_basic_update_evaporates_and_every_ant_adds() {
     let both = Corridor::walked(&BOTH);
     let mut basic = AntSystem::new(AntSystemParams { rho: 0.8, deposit: 10.0, ..AntSystemParams::default() });
     let mut trails = Trails::new(both.scenario.grid.len(), 10.0);
-    let iteration = Iteration { scenario: &both.scenario, ants: &both.ants, number: 1, budget: 100, best_so_far: None };
+    let iteration = Iteration {
+        scenario: &both.scenario,
+        ants: &both.ants,
+        number: 1,
+        budget: 100,
+        best_so_far: None,
+        streams: Streams::new(1, "test", 0),
+    };
     basic.update_trails(&mut trails, iteration);
     // 0.2·10 + 10/2, 0.2·10 + 10/(2√2), and 0.2·10 where nobody came by.
     all_close([trails.get(1, E), trails.get(4, NE), trails.get(3, E)], [7.0, 5.5355339, 2.0]);
     let preset = catalog::find("ant-system").expect("listed").presets.iter().find(|p| p.name == "ship").expect("the paper's");
     let given = [("ants", 50.0), ("iterations", 100.0), ("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)];
     assert!(given.iter().all(|g| preset.numbers.contains(g)), "section 4; α = 1 is the default");
-    assert_eq!(AntSystemParams::default().choice.alpha, 1.0);
+    assert_eq!(AntSystemParams::default().selection.alpha, 1.0);
 }
 
 #[test]
@@ -78,7 +85,7 @@ fn eq_6_omega_grows_linearly_from_its_least_to_its_largest() {
     let p = ShipParams::default();
     assert_eq!([0, 50, 100].map(|t| omega(&p, t)), [2.0, 3.0, 4.0], "in both readings");
     let mut falling = ShipParams { omega_min: 3.0, omega_max: 1.0, ..p };
-    falling.choice.iterations = 4;
+    falling.selection.iterations = 4;
     assert_eq!(omega(&falling, 1), 2.5);
 }
 
@@ -128,7 +135,7 @@ fn eq_1_and_7_probabilities_on_demand_are_those_of_the_formula() {
     for reading in [Reading::Repaired, Reading::Printed] {
         let p = ShipParams { reading, ..ShipParams::default() };
         let (mut ship, mut trails) = (Ship::new(p), Trails::new(s.grid.len(), 1.0));
-        let mut tables = OnDemand::new(s.grid.len(), p.choice.alpha, p.choice.beta);
+        let mut tables = OnDemand::new(s.grid.len(), p.selection.alpha, p.selection.beta);
         for t in [1, 37, 100] {
             trails.evaporate(0.25);
             for c in s.moves.directions(s.start).map(|d| s.moves.step(s.start, d)) {
@@ -202,8 +209,14 @@ impl Corridor {
         let mut ship = Ship::new(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() });
         let mut trails = Trails::new(self.scenario.grid.len(), 10.0);
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
-        let iteration =
-            Iteration { scenario: &self.scenario, ants: &self.ants, number: t, budget: 100, best_so_far: Some(&best) };
+        let iteration = Iteration {
+            scenario: &self.scenario,
+            ants: &self.ants,
+            number: t,
+            budget: 100,
+            best_so_far: Some(&best),
+            streams: Streams::new(1, "test", 0),
+        };
         ship.update_trails(&mut trails, iteration);
         [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
     }

@@ -4,7 +4,6 @@ mod colony;
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::terrain::field::{Field, Gains, LEAST, along, attraction, distance, first_trail, repulsion};
 use formicarium::aco::terrain::params::{BasicParams, EpfParams, Initial};
 use formicarium::aco::terrain::sight::{Eyes, Heuristic, Sight, force_factor, force_weight, visibility};
@@ -15,6 +14,7 @@ use formicarium::catalog;
 use formicarium::map::{CornerRule, Grid, Measure, Movement, Moves, Point, SliceRules, Way};
 use formicarium::params::{Value, Values};
 use formicarium::path::{PathKind, audit, audit_slices, points};
+use formicarium::planner::Reading;
 use formicarium::planner::{Layer, Planner};
 use formicarium::rng::Streams;
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};

@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::Reading;
 use formicarium::aco::ant::{Ant, Walk};
-use formicarium::aco::choice;
 use formicarium::aco::dead_end::DeadEnd;
+use formicarium::aco::selection;
 use formicarium::aco::threshold::{
     Acomsp, AcomspParams, Acost, AcostParams, CommonParams, Rule, reward_shortest, threshold, time, visibility,
 };
 use formicarium::aco::trails::{Row, Trails};
 use formicarium::aco::variant::{Iteration, Step, Variant};
+use formicarium::aco::weights::WeightTable;
 use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
+use formicarium::planner::Reading;
 use formicarium::rng::{Stream, Streams};
 use formicarium::scenario::Scenario;
 
@@ -66,7 +67,7 @@ fn eq_5_probabilities_are_proportional_to_trail_and_heuristic() {
     let up = direction(&s, (0, 1), (0, 0));
     let down = direction(&s, (0, 1), (0, 2));
     trails.deposit(1, up, 1.0);
-    let mut table = choice::Choice::new(4, 1.0, 2.0);
+    let mut table = WeightTable::new(4, 1.0, 2.0);
     table.see(&s, &|_, d, _| if d == up { 0.5 } else { 1.0 });
     table.refresh(&mut trails);
     let variant = Acost::new(AcostParams { rule: Rule::Proportional, ..AcostParams::default() });
@@ -90,13 +91,13 @@ const WEIGHTS: Row = [0.0, 1.0, 0.0, 3.0, 6.0, 0.0, 0.0, 0.0];
 
 #[test]
 fn step_5_roulette_among_the_steps_up_to_the_threshold() {
-    let with = |lambda| counts(|stream| choice::threshold(&WEIGHTS, lambda, stream));
+    let with = |lambda| counts(|stream| selection::threshold(&WEIGHTS, lambda, stream));
     let (none, one, two, all) = (with(0.05), with(0.2), with(0.5), with(1.0));
     assert!([1, 3, 4].iter().all(|&d| near(none[d], 1.0 / 3.0)), "no candidate: uniform among all, {none:?}");
     assert_eq!(one[1], 40_000, "only 0.1 ≤ 0.2");
     assert!(near(two[1], 0.25) && near(two[3], 0.75) && two[4] == 0, "0.1 and 0.3 of 0.4: {two:?}");
     assert!(near(all[1], 0.1) && near(all[3], 0.3) && near(all[4], 0.6), "as Ant System: {all:?}");
-    assert_eq!(choice::threshold(&[0.0; 8], 0.5, &mut stream()), None, "a dead end");
+    assert_eq!(selection::threshold(&[0.0; 8], 0.5, &mut stream()), None, "a dead end");
 }
 
 #[test]
@@ -118,7 +119,7 @@ fn step_4_and_5_the_variant_takes_the_threshold_of_its_time() {
 fn a_step_that_is_certain_up_to_rounding_is_barred_until_the_threshold_is_one() {
     // Beside the goal with β = 25: the other step is left although it weighs 1e-30.
     let beside_the_goal = [1.0, 1e-30, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let at = |t| choice::threshold(&beside_the_goal, threshold(t, 50), &mut stream());
+    let at = |t| selection::threshold(&beside_the_goal, threshold(t, 50), &mut stream());
     assert_eq!((at(1), at(43), at(44)), (Some(1), Some(1), Some(0)));
 }
 
@@ -126,9 +127,9 @@ fn a_step_that_is_certain_up_to_rounding_is_barred_until_the_threshold_is_one() 
 fn acomsp_takes_the_most_probable_step_and_draws_between_equal_ones() {
     let variant = Acomsp::new(AcomspParams::default());
     assert_eq!(counts(|stream| variant.choose(&WEIGHTS, stream))[4], 40_000);
-    let tied = counts(|stream| choice::maximal(&[0.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0], stream));
+    let tied = counts(|stream| selection::maximal(&[0.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0], stream));
     assert!(near(tied[1], 0.5) && near(tied[3], 0.5), "{tied:?}");
-    assert_eq!(choice::maximal(&[0.0; 8], &mut stream()), None);
+    assert_eq!(selection::maximal(&[0.0; 8], &mut stream()), None);
 }
 
 #[test]
@@ -166,7 +167,10 @@ fn updated(update: impl Fn(&mut Trails, Iteration)) -> (Trails, Arc<Scenario>) {
     lost.go(&walk, None);
     let ants = [way(&[east, east]), way(&[south, east, north_east]), lost];
     let mut trails = Trails::new(6, 1.0);
-    update(&mut trails, Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None });
+    update(
+        &mut trails,
+        Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) },
+    );
     (trails, s)
 }
 
@@ -202,7 +206,8 @@ fn eq_10_to_12_both_variants_update_so_and_the_papers_aco_only_evaporates() {
 fn the_iteration_without_arrivals_only_evaporates() {
     let s = open(3, 2, Point::new(2, 0));
     let mut trails = Trails::new(6, 1.0);
-    let iteration = Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None };
+    let iteration =
+        Iteration { scenario: &s, ants: &[], number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
     reward_shortest(&mut trails, &iteration, &CommonParams::default());
     assert!((0..6).all(|c| (0..8).all(|d| trails.get(c, d) == 0.5)));
 }

@@ -150,6 +150,14 @@ pub const GOLDENS: &[Golden] = &[
         digest: "0e2252706b7f8286",
     },
     Golden {
+        map: (Generator::Random, 40, 40, 15, 0.25),
+        movement: eight(CornerRule::OneFree),
+        planner: "best-worst-ant-system",
+        values: &[("beta", "2.5"), ("restart_below", "0.4"), ("iterations", "150")],
+        seed: 15,
+        digest: "b974413103a9d262",
+    },
+    Golden {
         map: (Generator::Random, 24, 24, 15, 0.2),
         movement: eight(CornerRule::BothFree),
         planner: "fwa",

@@ -19,10 +19,10 @@
 
 use std::sync::Arc;
 
-use crate::aco::choice::pseudo_random_proportional;
 use crate::aco::colony::Colony;
 use crate::aco::odds;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, open_map_steps, settings};
+use crate::aco::selection::pseudo_random_proportional;
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, open_map_length, open_map_steps, settings};
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
@@ -38,7 +38,7 @@ params! {
     pub struct AntColonySystemParams {
         /// ants that build a path in each iteration
         ants: u32 = 10, "m", [1..=1024], "ants", "Dorigo and Stützle 2004, box 3.1";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part that leaves in each iteration, on the best path so far only
         rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// probability of taking the best step instead of drawing one
@@ -71,7 +71,7 @@ impl Variant for AntColonySystem {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, 1.0, &p.choice, &p.walk)
+        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {

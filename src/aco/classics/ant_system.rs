@@ -20,7 +20,7 @@
 use std::sync::Arc;
 
 use crate::aco::colony::Colony;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, settings};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, settings};
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
@@ -34,7 +34,7 @@ params! {
     pub struct AntSystemParams {
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.5, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// an arrived ant leaves Q / length on each of its steps
@@ -62,7 +62,7 @@ impl AntSystem {
 impl Variant for AntSystem {
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, p.deposit, &p.choice, &p.walk)
+        settings(p.ants, p.rho, p.deposit, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {

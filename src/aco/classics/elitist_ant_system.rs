@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, settings};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, open_map_length, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -33,7 +33,7 @@ params! {
     pub struct ElitistAntSystemParams {
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.5, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// an arrived ant leaves Q / length on each of its steps
@@ -61,7 +61,7 @@ impl ElitistAntSystem {
 impl Variant for ElitistAntSystem {
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, p.deposit, &p.choice, &p.walk)
+        settings(p.ants, p.rho, p.deposit, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {

@@ -24,12 +24,12 @@
 
 use std::sync::Arc;
 
-use crate::aco::choice::power;
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, open_map_length, settings};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, open_map_length, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
+use crate::aco::weights::power;
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
@@ -42,7 +42,7 @@ params! {
     pub struct MaxMinAntSystemParams {
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.02, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// whether trails stay between the limits
@@ -119,7 +119,7 @@ fn mean_options(scenario: &Scenario) -> f64 {
 impl Variant for MaxMinAntSystem {
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, 1.0, &p.choice, &p.walk)
+        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {

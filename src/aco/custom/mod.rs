@@ -27,14 +27,13 @@ use std::sync::Arc;
 use super::hybrid::Hybrid;
 use super::legs::{self, OrderLevel};
 use super::papers::fire::FireParams;
-use super::papers::fireworks;
 use super::shared_params::settings;
 use super::trails::{Row, Trails};
 use super::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Values, check_keys};
-use crate::path::Refinement;
+use crate::path::{Path, Refinement};
 use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
@@ -59,7 +58,7 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
 
     fn settings(&self) -> Settings {
         let p = &self.rules;
-        settings(p.ants, p.rho, 1.0, &p.choice, &p.walk)
+        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {
@@ -67,7 +66,11 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
     }
 
     fn prepare(&mut self, scenario: &Scenario) {
-        all!(self, prepare(scenario));
+        all!(self.donors, prepare(scenario));
+    }
+
+    fn take_seed(&mut self, found: Option<&(Path, f64)>) {
+        all!(self.donors, take_seed(found));
     }
 
     fn shape_trails(&self, scenario: &Scenario, trails: &mut Trails) {
@@ -75,7 +78,7 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
     }
 
     fn begin_iteration(&mut self, number: u32) {
-        all!(self, begin_iteration(number));
+        all!(self.donors, begin_iteration(number));
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
@@ -154,11 +157,7 @@ fn first_stage(
     values: &Values,
     seed: u32,
 ) -> Result<Option<Box<dyn Planner>>, ParamError> {
-    Ok(match rules.initial_trail_of {
-        Donor::FwaAco if scenario.goals.len() == 1 => Some(fireworks::fireworks_first(scenario, &pick(values)?, seed)?),
-        Donor::PsoAco if scenario.goals.len() == 1 => Some(fireworks::particles_first(scenario, &pick(values)?, seed)?),
-        _ => None,
-    })
+    if scenario.goals.len() == 1 { rules.initial_trail_of.stage_before(scenario, values, seed) } else { Ok(None) }
 }
 
 /// What a composition is built around.
@@ -171,15 +170,11 @@ struct Parts<'a> {
 
 impl Parts<'_> {
     fn planner<const S: bool, const P: bool, const T: bool>(self, custom: Custom<S, P, T>) -> Box<dyn Planner> {
-        let (rules, streams) = (custom.rules, custom.rules.selection_of.id());
-        let Some(first) = self.first else {
-            return legs::planner(self.scenario, self.level, custom, (streams, ENTRY.layers), self.seed);
-        };
-        let second = move |found| {
-            let seeded = custom.donors.seeded.with_seed(found);
-            Custom::<S, P, T> { rules, donors: Donors { seeded, ..custom.donors.clone() } }
-        };
-        Box::new(Hybrid::new(Arc::clone(self.scenario), first, Arc::new(second), (streams, ENTRY.layers), self.seed))
+        let streams = (custom.rules.selection_of.id(), ENTRY.layers);
+        match self.first {
+            None => legs::planner(self.scenario, self.level, custom, streams, self.seed),
+            Some(first) => Box::new(Hybrid::new(Arc::clone(self.scenario), first, custom, streams, self.seed)),
+        }
     }
 }
 

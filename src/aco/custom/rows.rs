@@ -1,11 +1,10 @@
 //! The rows of `custom`: which planner lends which rule, the numbers that all of them share, and every donor's own.
 
-use super::donors::{Donor, Donors};
-use crate::aco::papers::Reading;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams};
+use super::donors::{Donor, Donors, Needs};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams};
 use crate::params;
 use crate::params::{AppliesWhen, ParamSpec, Params, Value};
-use crate::planner::Preset;
+use crate::planner::{Preset, Reading};
 
 params! {
     /// The rules by name, and the numbers that all donors share.
@@ -28,7 +27,7 @@ params! {
         reading: Reading = Reading::Repaired, "", [], "", "the planners that lend the rules";
         /// ants that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value";
-        ..choice: ChoiceParams;
+        ..selection: SelectionParams;
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.5, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         ..sight: SightParams;
@@ -36,62 +35,33 @@ params! {
     }
 }
 
-/// When a donor's own row has an effect: the rule that must be one of these planners'. None where more than one rule can need it
-/// (`elitists` and `ranks`: update and initial trail; `deposit`: the seed's trail, too), or the order of several goals (`initial_trail`, `r0`).
-fn applies(key: &str) -> Option<(&'static str, &'static [Donor])> {
-    const GOAL: &[Donor] = &[Donor::Acost, Donor::Acomsp];
-    const CLASSICS_AND_HYBRIDS: &[Donor] = &[
-        Donor::AntSystem,
-        Donor::Elitist,
-        Donor::RankBased,
-        Donor::MaxMin,
-        Donor::AntColonySystem,
-        Donor::FwaAco,
-        Donor::PsoAco,
-    ];
-    const SEEDED: &[Donor] = &[Donor::FwaAco, Donor::PsoAco];
-    Some(match key {
-        "heuristic" => ("heuristic_of", CLASSICS_AND_HYBRIDS),
-        "direction" | "growing_pull" | "goal_pull" | "omega_min" | "omega_max" | "obstacle_push" => {
-            ("heuristic_of", &[Donor::Ship])
+/// The rows of this file, then every donor's own. Those that only one rule needs say for which of its donors they are.
+pub(super) fn specs() -> Vec<ParamSpec> {
+    let needs = Donors::needs();
+    let mut rows = joined(CustomParams::specs(), Donors::specs());
+    for row in &mut rows {
+        if let Some((key, values)) = needed_by(&needs, row.key) {
+            row.applies_when = Some(AppliesWhen { key, values });
         }
-        "goal_distance" => ("heuristic_of", GOAL),
-        "q0" => ("selection_of", &[Donor::AntColonySystem]),
-        "seed_iterations" | "seed_ants" | "range" | "decode_limit" => ("initial_trail_of", SEEDED),
-        "fireworks" | "sparks" | "fewest" | "most" | "radius" | "gaussian_sparks" | "radius_end" | "mutation_start"
-        | "mutation_end" => ("initial_trail_of", &[Donor::FwaAco]),
-        "particles" | "inertia_start" | "inertia_end" | "cognitive" | "social" | "speed_limit" => {
-            ("initial_trail_of", &[Donor::PsoAco])
-        }
-        "legs" => ("selection_of", &[Donor::Fire]),
-        "rule" => ("selection_of", &[Donor::Acost]),
-        "xi" => ("local_update_of", &[Donor::AntColonySystem]),
-        "move_deposit" => ("local_update_of", &[Donor::Acost]),
-        "maximal" => ("selection_of", &[Donor::Acomsp]),
-        "ranking" | "best_so_far" => ("update_of", &[Donor::RankBased]),
-        "limits" | "p_best" | "best_every" => ("update_of", &[Donor::MaxMin]),
-        "update" | "shifting_weights" | "weaken_worst" | "k_best" | "k_worst" | "trail_min" => ("update_of", &[Donor::Ship]),
-        "path_deposit" => ("update_of", GOAL),
-        "refinement" => ("refinement_of", &[Donor::Ship]),
-        "restart_after" => ("daemon_of", &[Donor::MaxMin]),
-        _ => return None,
-    })
+    }
+    rows
 }
 
-/// The rows of this file, then every donor's own.
-pub(super) fn specs() -> Vec<ParamSpec> {
-    let mut rows = CustomParams::specs();
-    for row in Donors::specs() {
+/// The rows of several sets without those that a set before them has.
+fn joined(mut rows: Vec<ParamSpec>, more: Vec<ParamSpec>) -> Vec<ParamSpec> {
+    for row in more {
         if rows.iter().all(|r| r.key != row.key) {
             rows.push(row);
         }
     }
-    for row in &mut rows {
-        if let Some((key, donors)) = applies(row.key) {
-            row.applies_when = Some(AppliesWhen { key, values: donors.iter().map(|d| Value::from(d.id())).collect() });
-        }
-    }
     rows
+}
+
+/// The rule that a row is for, with the ids of the donors for whom it is; none where more than one rule can need it, or the order of
+/// several goals.
+fn needed_by(needs: &[Needs], key: &str) -> Option<(&'static str, Vec<Value>)> {
+    let all: Vec<&Needs> = needs.iter().filter(|n| n.keys.contains(&key)).collect();
+    Some((all.first()?.rule, all.iter().map(|n| Value::from(n.donor.id())).collect()))
 }
 
 /// All rules from one planner.
@@ -168,3 +138,18 @@ pub(super) const PRESETS: &[Preset] = &[
         choices: all_rules!("pso-aco", "heuristic" = "goal"),
     },
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_that_only_one_rule_needs_is_a_row_and_names_that_rule_alone() {
+        let (needs, rows) = (Donors::needs(), specs());
+        for (need, key) in needs.iter().flat_map(|need| need.keys.iter().map(move |key| (need, *key))) {
+            assert!(rows.iter().any(|row| row.key == key), "{key} of {}", need.donor.id());
+            let rule = needed_by(&needs, key).map(|(rule, _)| rule);
+            assert_eq!(rule, Some(need.rule), "{key} of {}", need.donor.id());
+        }
+    }
+}

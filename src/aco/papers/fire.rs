@@ -32,24 +32,23 @@
 
 use std::sync::Arc;
 
-use super::Reading;
-use crate::aco::choice::{pseudo_random_proportional, random_proportional};
 use crate::aco::heuristic::{AT_GOAL, goal_distance};
 use crate::aco::legs::{self, OrderLevel};
 use crate::aco::odds;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
+use crate::aco::selection::{pseudo_random_proportional, random_proportional};
+use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::tour::TourSettings;
 use crate::aco::trails::Row;
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
-use crate::{choice, params};
+use crate::{param_choice, params};
 
-choice! {
+param_choice! {
     /// What the order of the goals makes small.
     pub enum Order {
         /// Σ R, the length of each leg times the weight b = 1/(s·w·a) of the goal that it leads to: equation 8
@@ -59,7 +58,7 @@ choice! {
     }
 }
 
-choice! {
+param_choice! {
     /// How an ant selects what comes next.
     pub enum Rule {
         /// equation 9: with probability r0 the best, else as in the basic algorithm
@@ -69,7 +68,7 @@ choice! {
     }
 }
 
-choice! {
+param_choice! {
     /// What lies between two goals when their order is chosen.
     pub enum LegLength {
         /// the shortest path on the map
@@ -96,7 +95,7 @@ params! {
         reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
         /// ants of each level and leg that build a path in each iteration
         ants: u32 = 50, "m", [1..=1024], "ants", "section 4";
-        ..choice: ChoiceParams {
+        ..selection: SelectionParams {
             iterations = 100, "section 4";
             alpha = 1.0, "section 4";
             beta = 7.0, "section 4";
@@ -127,8 +126,8 @@ impl FireParams {
         let settings = TourSettings {
             ants: self.ants,
             iterations: self.order_iterations,
-            alpha: self.choice.alpha,
-            beta: self.choice.beta,
+            alpha: self.selection.alpha,
+            beta: self.selection.beta,
             rho: self.evaporation(),
             deposit: self.deposit,
             initial_trail: self.initial_trail,
@@ -156,7 +155,7 @@ impl Variant for Fire {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.evaporation(), p.deposit, &p.choice, &p.walk)
+        settings(p.ants, p.evaporation(), p.deposit, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {

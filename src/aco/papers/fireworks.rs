@@ -41,7 +41,7 @@ use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
 use crate::aco::heuristic::Heuristic;
 use crate::aco::hybrid::Hybrid;
-use crate::aco::shared_params::{ChoiceParams, SightParams, WalkParams, settings};
+use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Settings, Variant};
 use crate::error::ParamError;
@@ -61,7 +61,7 @@ params! {
     pub struct ColonyRows {
         /// ants that build a path in each iteration of the second stage
         ants: u32 = 50, "m", [1..=1024], "ants", "Zhou, Mu, Zhang 2019, section 2.2";
-        ..choice: ChoiceParams {
+        ..selection: SelectionParams {
             iterations = 50, "Zhou, Mu, Zhang 2019, section 2.2: of the second stage";
             alpha = 2.0, "Zhou, Mu, Zhang 2019, section 2.2";
             beta = 8.0, "Zhou, Mu, Zhang 2019, section 2.2";
@@ -116,10 +116,14 @@ impl Seeded {
         Self { rows, seed }
     }
 
-    /// The same with another seed path.
-    #[must_use]
-    pub fn with_seed(&self, seed: Option<(Path, f64)>) -> Self {
-        Self::new(self.rows, seed)
+    /// The second stage of `fwa-aco`, not seeded yet.
+    pub fn by_fireworks(params: FwaAcoParams) -> Self {
+        Self::new(params.colony, None)
+    }
+
+    /// The second stage of `pso-aco`, not seeded yet.
+    pub fn by_particles(params: PsoAcoParams) -> Self {
+        Self::new(params.colony, None)
     }
 }
 
@@ -131,7 +135,7 @@ pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
 impl Variant for Seeded {
     fn settings(&self) -> Settings {
         let r = &self.rows;
-        settings(r.ants, r.rho, r.deposit, &r.choice, &r.walk)
+        settings(r.ants, r.rho, r.deposit, &r.selection, &r.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
@@ -140,6 +144,10 @@ impl Variant for Seeded {
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
         self.rows.sight.heuristic.of(scenario, i, d, j)
+    }
+
+    fn take_seed(&mut self, found: Option<&(Path, f64)>) {
+        self.seed = found.cloned();
     }
 
     /// Eq. 10: τ^s = τ + Δτ.
@@ -172,22 +180,21 @@ pub fn particles_first(scenario: &Arc<Scenario>, p: &PsoAcoParams, seed: u32) ->
 fn hybrid(
     scenario: &Arc<Scenario>,
     first: Box<dyn Planner>,
-    rows: ColonyRows,
+    second: Seeded,
     planner: &'static str,
     seed: u32,
 ) -> Box<dyn Planner> {
-    let second = move |path| Seeded::new(rows, path);
-    Box::new(Hybrid::new(Arc::clone(scenario), first, Arc::new(second), (planner, LAYERS), seed))
+    Box::new(Hybrid::new(Arc::clone(scenario), first, second, (planner, LAYERS), seed))
 }
 
 fn build_fwa_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let p = FwaAcoParams::read(FWA_ACO.id, values)?;
-    Ok(hybrid(scenario, fireworks_first(scenario, &p, seed)?, p.colony, FWA_ACO.id, seed))
+    Ok(hybrid(scenario, fireworks_first(scenario, &p, seed)?, Seeded::by_fireworks(p), FWA_ACO.id, seed))
 }
 
 fn build_pso_aco(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let p = PsoAcoParams::read(PSO_ACO.id, values)?;
-    Ok(hybrid(scenario, particles_first(scenario, &p, seed)?, p.colony, PSO_ACO.id, seed))
+    Ok(hybrid(scenario, particles_first(scenario, &p, seed)?, Seeded::by_particles(p), PSO_ACO.id, seed))
 }
 
 const LAYERS: &[Layer] = &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::InitialTrail, Layer::SeedPath, Layer::Priority];

@@ -38,11 +38,10 @@
 
 use std::sync::Arc;
 
-use super::Reading;
 use crate::aco::ant::Ant;
 use crate::aco::colony::Colony;
 use crate::aco::deposit;
-use crate::aco::shared_params::{ChoiceParams, WalkParams, settings};
+use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
@@ -50,11 +49,11 @@ use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::scenario::Scenario;
-use crate::{choice, params};
+use crate::{param_choice, params};
 
-choice! {
+param_choice! {
     /// Which of the paper's two trail updates.
     pub enum Update {
         /// equations 9–11 and 14: weighted deposits on global-best and iteration-best path, a withdrawal on the iteration-worst
@@ -73,7 +72,7 @@ params! {
         update: Update = Update::Weighted, "", [], "", "Fan et al. 2026, eq. 14; its step 4 names eq. 12";
         /// ants that build a path in each iteration
         ants: u32 = 50, "M", [1..=1024], "ants", "Fan et al. 2026, section 4";
-        ..choice: ChoiceParams {
+        ..selection: SelectionParams {
             iterations = 100, "Fan et al. 2026, section 4";
             alpha = 1.0, "Fan et al. 2026, section 4";
             beta = 2.0, "Fan et al. 2026, section 4";
@@ -114,7 +113,7 @@ params! {
 
 /// Eq. 6: ω(t) = ω_min + (ω_max − ω_min)·t/T; without it, the mean of both.
 pub fn omega(p: &ShipParams, t: u32) -> f64 {
-    let part = if p.growing_pull { f64::from(t) / f64::from(p.choice.iterations) } else { 0.5 };
+    let part = if p.growing_pull { f64::from(t) / f64::from(p.selection.iterations) } else { 0.5 };
     p.omega_min + (p.omega_max - p.omega_min) * part
 }
 
@@ -259,7 +258,7 @@ impl Variant for Ship {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, p.deposit, &p.choice, &p.walk)
+        settings(p.ants, p.rho, p.deposit, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {

@@ -7,7 +7,7 @@
 //! |---|---|---|---|
 //! | initial trail | τ0, step 1 | as ACOST | as ACOST |
 //! | heuristic | Eq. 4, Euclidean (Eq. 2) | as ACOST | as ACOST |
-//! | selection | Eq. 5 and 6, step 5: [`choice::threshold`] (`rule`) | [`choice::maximal`] of Eq. 5 (`maximal`) | Eq. 5, as Ant System |
+//! | selection | Eq. 5 and 6, step 5: [`selection::threshold`] (`rule`) | [`selection::maximal`] of Eq. 5 (`maximal`) | Eq. 5, as Ant System |
 //! | on each move | Eq. 7–9: τ + Q1/l | nothing (no Q1 in table 1) | as ACOST |
 //! | dead end | the ant stops (step 3, case 1) | as ACOST | as ACOST |
 //! | update | Eq. 10–12: evaporate, Q2/L_min on the iteration's shortest path | as ACOST | evaporate (no Q2 in table 1) |
@@ -40,24 +40,23 @@
 
 use std::sync::Arc;
 
-use super::Reading;
-use crate::aco::choice;
 use crate::aco::colony::Colony;
 use crate::aco::dead_end::DeadEnd;
 use crate::aco::deposit;
 use crate::aco::heuristic::{self, AT_GOAL};
 use crate::aco::odds;
+use crate::aco::selection;
 use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
-crate::choice! {
+crate::param_choice! {
     /// How an ant of ACOST selects a step.
     pub enum Rule {
         /// roulette among the steps of at most threshold probability; if there is none, any step
@@ -212,8 +211,8 @@ impl Variant for Acost {
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
         match self.params.rule {
-            Rule::Threshold => choice::threshold(weights, self.lambda, stream),
-            Rule::Proportional => choice::random_proportional(weights, stream),
+            Rule::Threshold => selection::threshold(weights, self.lambda, stream),
+            Rule::Proportional => selection::random_proportional(weights, stream),
         }
     }
 
@@ -264,7 +263,7 @@ impl Variant for Acomsp {
 
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
-        if self.params.maximal { choice::maximal(weights, stream) } else { choice::random_proportional(weights, stream) }
+        if self.params.maximal { selection::maximal(weights, stream) } else { selection::random_proportional(weights, stream) }
     }
 
     fn odds(&self, weights: &Row) -> Vec<f64> {

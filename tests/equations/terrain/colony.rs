@@ -116,7 +116,7 @@ fn ants_that_can_no_longer_reach_the_end_are_counted_as_lost_or_step_back() {
 #[test]
 fn table_1_is_the_default_and_the_preset() {
     let p = BasicParams::default();
-    assert_eq!((p.ants, p.choice.iterations, p.choice.alpha, p.choice.beta), (50, 100, 1.0, 7.0));
+    assert_eq!((p.ants, p.selection.iterations, p.selection.alpha, p.selection.beta), (50, 100, 1.0, 7.0));
     assert_eq!((p.q0, p.local_rho, p.rho, EpfParams::default().repulsion_range), (0.8, 0.1, 0.2, 2.0));
     assert_eq!((EpfParams::default().elite, EpfParams::default().initial), (0.05, Initial::Field));
     for scenario in [by_slices(), on_surface(Moves::Sixteen)] {

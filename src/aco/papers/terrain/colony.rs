@@ -12,7 +12,7 @@ use super::walk::Walker;
 use crate::aco::ant::Fate;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, advance};
+use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Solution, Status, Tally, advance};
 use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
@@ -56,10 +56,10 @@ impl<S: Space> FieldColony<S> {
 
     /// The iteration at work, or the next one; the last one once the budget is spent.
     pub(super) fn iteration(&self) -> u32 {
-        (self.progress.effort.iterations + 1).min(self.params.common.choice.iterations)
+        (self.progress.effort.iterations + 1).min(self.params.common.selection.iterations)
     }
 
-    /// A stream for who draws nothing from it.
+    /// A stream from which nothing is drawn.
     pub(super) fn stream(&self) -> Stream {
         self.streams.ant(0, 0)
     }
@@ -69,7 +69,7 @@ impl<S: Space> FieldColony<S> {
         if !self.params.force_fades {
             return 1.0;
         }
-        force_weight(self.params.reading, iteration, self.params.common.choice.iterations)
+        force_weight(self.params.reading, iteration, self.params.common.selection.iterations)
     }
 }
 
@@ -136,19 +136,11 @@ impl<S: Space> Iterations for FieldColony<S> {
         {
             progress.best = Some(Solution { path: path.to_vec(), length, iteration: number, refined: None });
         }
-        let worst = arrived().map(|(_, cost)| cost).reduce(f64::max);
-        let (count, sum) = arrived().fold((0u32, 0.0), |(count, sum), (_, cost)| (count + 1, sum + cost));
-        progress.record(Record {
-            iteration: number,
-            best_so_far: progress.best.as_ref().map(|b| b.length),
-            iteration_best: best.map(|(_, cost)| cost),
-            iteration_mean: (count > 0).then(|| sum / f64::from(count)),
-            iteration_worst: worst,
-            arrived: count,
-        });
+        let tally: Tally = arrived().map(|(_, cost)| cost).collect();
+        progress.record(tally.record(number, progress.best.as_ref()));
         teams.iter_mut().for_each(|team| team.update_trails(&self.params, ants, number));
         let common = &self.params.common;
-        self.progress.status = self.progress.after_iteration(common.choice.iterations, common.walk.stagnation);
+        self.progress.status = self.progress.after_iteration(common.selection.iterations, common.walk.stagnation);
     }
 }
 
@@ -162,7 +154,7 @@ impl<S: Space + 'static> Planner for FieldColony<S> {
     }
 
     fn budget(&self) -> Option<u32> {
-        Some(self.params.common.choice.iterations)
+        Some(self.params.common.selection.iterations)
     }
 
     fn colony_size(&self) -> u32 {

@@ -3,9 +3,9 @@
 //! Forces are free of the map's size: distances count in parts of the distance from start to goal, heights above the start in parts of
 //! the highest place's. So k is the pull at the start, and θ·(1 − 1/ρ0) the push on the highest place near the ground.
 
-use super::super::Reading;
 use super::space::{Place, Space};
 use crate::map::Way;
+use crate::planner::Reading;
 
 /// Smallest coefficient of a first trail, in parts of τ0: where the push outweighs the pull, Eq. 14 is not positive.
 pub const LEAST: f64 = 0.01;

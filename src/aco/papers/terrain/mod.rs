@@ -111,7 +111,7 @@ pub const ACO: PlannerEntry = PlannerEntry {
     components: &[],
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
-    grounds: Ground::ALL,
+    grounds: &Ground::ALL,
     specs: BasicParams::specs,
     build: build_basic,
 };
@@ -176,7 +176,7 @@ pub const EPF: PlannerEntry = PlannerEntry {
     components: COMPONENTS,
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
-    grounds: Ground::ALL,
+    grounds: &Ground::ALL,
     specs: EpfParams::specs,
     build: build_epf,
 };

@@ -1,5 +1,5 @@
-//! The moves of an ant of the terrain paper, for who looks at a place: by the walk's own functions, with a sight and an ant that are made
-//! for the question, because those of the walk depend on where ants have been.
+//! The moves of an ant of the terrain paper at one place, as the page shows them. They come from the walk's own functions. Sight and ant are
+//! made for the question: those of the walk depend on where ants have been.
 
 use super::colony::FieldColony;
 use super::sight::Sight;
@@ -50,7 +50,7 @@ impl<S: Space> FieldColony<S> {
         ant.begin(from, self.stream());
         let deltas: Vec<i32> = (0..space.steps()).map(|k| space.delta(k, way)).collect();
         let mut weights = vec![0.0; space.steps()];
-        weigh(&ant, sight.row(space, from), &deltas, trails, common.choice.alpha, &mut weights);
+        weigh(&ant, sight.row(space, from), &deltas, trails, common.selection.alpha, &mut weights);
         odds::pseudo_random_proportional(&weights, common.q0)
     }
 }

@@ -1,13 +1,13 @@
 //! Parameters of the terrain paper's two planners; Table 1 gives eight of them.
 
-use super::super::Reading;
 use super::field::Gains;
 use super::sight::Heuristic;
-use crate::aco::shared_params::{ChoiceParams, WalkParams};
+use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::map::Way;
-use crate::{choice, params};
+use crate::planner::Reading;
+use crate::{param_choice, params};
 
-choice! {
+param_choice! {
     /// τ of every place before the first iteration.
     pub enum Initial {
         /// τ0·F'_tot, at least 1 % of τ0: eq. 14
@@ -22,7 +22,7 @@ params! {
     pub struct BasicParams {
         /// ants that build a path in each iteration, of both colonies together
         ants: u32 = 50, "m", [1..=1024], "ants", "table 1; that it counts both colonies is our reading";
-        ..choice: ChoiceParams {
+        ..selection: SelectionParams {
             iterations = 100, "table 1";
             alpha = 1.0, "table 1";
             beta = 7.0, "table 1";

@@ -1,17 +1,16 @@
 //! What ants of one team see: η^β of every step, kept by place from the first time that an ant stands there.
 //!
-//! As in [`crate::aco::choice`], η is divided by the largest of the place first, and a feasible step keeps at least the same floor.
+//! As in [`crate::aco::weights`], η is divided by the largest of the place first, and a feasible step keeps at least the same floor.
 
-use super::super::Reading;
 use super::field::{Field, along, distance};
 use super::space::{Place, Space};
-use crate::aco::choice::{FLOOR, power};
 use crate::aco::heuristic::AT_GOAL;
-use crate::choice;
+use crate::aco::weights::{FLOOR, power};
 use crate::map::Way;
-use crate::planner::held;
+use crate::param_choice;
+use crate::planner::{Reading, held};
 
-choice! {
+param_choice! {
     /// Which distance an ant sees.
     pub enum Heuristic {
         /// η = 1 / d(j, goal): what the paper's text calls the heuristic

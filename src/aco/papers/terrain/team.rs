@@ -73,7 +73,7 @@ impl Team {
         let mut arrived: Vec<(&[Place], f64)> = ants.iter().filter_map(Walker::path).collect();
         arrived.iter().for_each(|&(path, cost)| self.trails.deposit(path, q / cost));
         arrived.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let weight = elite_weight(iteration, params.common.choice.iterations);
+        let weight = elite_weight(iteration, params.common.selection.iterations);
         for &(path, cost) in arrived.iter().take(elite_count(params.elite, ants.len())) {
             self.trails.deposit(path, weight * q / cost);
         }
@@ -92,7 +92,7 @@ pub(super) fn first_trails(space: &impl Space, params: &EpfParams, way: Way) -> 
 /// What the ants of one way look at.
 pub(super) fn eyes(space: &impl Space, params: &EpfParams, way: Way) -> Eyes {
     let force = params.force.then(|| (Field::new(space, way, params.gains()), params.force_base));
-    Eyes { way, heuristic: params.common.heuristic, beta: params.common.choice.beta, force }
+    Eyes { way, heuristic: params.common.heuristic, beta: params.common.selection.beta, force }
 }
 
 /// Refuses what could run out of memory: every place with a row in each team's tables, and a tabu list for each ant.
@@ -143,7 +143,7 @@ impl Tables {
         let side = usize::from(k >= self.teams[0].ants);
         let (team, ant, common) = (&mut self.teams[side], &mut self.ants[k], &params.common);
         let seen = team.sight.row(space, ant.place());
-        weigh(ant, seen, &team.deltas, &team.trails, common.choice.alpha, &mut self.weights);
+        weigh(ant, seen, &team.deltas, &team.trails, common.selection.alpha, &mut self.weights);
         let Some(step) = select(&self.weights, common.q0, &mut ant.stream) else {
             self.dead_end(side, k, common.walk.dead_end);
             return;

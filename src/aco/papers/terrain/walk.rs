@@ -5,7 +5,7 @@ use rand::Rng;
 use super::space::Place;
 use super::trails::PlaceTrails;
 use crate::aco::ant::Fate;
-use crate::aco::choice::{FLOOR, power};
+use crate::aco::weights::{FLOOR, power};
 use crate::map::Way;
 use crate::planner::held;
 use crate::rng::{Stream, unit_f32};

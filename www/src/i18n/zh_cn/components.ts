@@ -116,6 +116,18 @@ export const zhCNComponents = {
     name: '重启',
     adds: '多次迭代没有更短路径后所有信息素重新开始（第 3.3.4 节）；去掉后：从不；预算须大于 restart_after',
   },
+  'worst-path-evaporates': {
+    name: '最差路径再挥发',
+    adds: '本次迭代的最差路径在最优路径不经过之处再挥发一次；去掉后：与各处相同',
+  },
+  mutation: {
+    name: '信息素变异',
+    adds: '信息素随机增减，越到后期越大；去掉后：不变异',
+  },
+  'restart-when-alike': {
+    name: '相近时重启',
+    adds: '最优与最差路径几乎相同时所有信息素重新开始；去掉后：从不',
+  },
   'greedy-choice': {
     name: '多半走最好的一步 (q0)',
     adds: '蚂蚁以概率 q0 走最好的一步（式 3.10）；去掉后：每一步都按概率抽取（式 3.2）',

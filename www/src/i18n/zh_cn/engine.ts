@@ -47,6 +47,10 @@ export const zhCNEngine = {
       name: '蚁群系统 (ACS)',
       summary: '蚂蚁多半选最好的一步，边走边减弱走过的信息素，只有至今最优路径得到加强。',
     },
+    'best-worst-ant-system': {
+      name: '最优最差蚂蚁系统 (BWAS)',
+      summary: '至今最优路径增加信息素，本次迭代的最差路径减少信息素；信息素随机变异，越到后期变异越大。',
+    },
     fire: {
       name: '多火源蚁群',
       summary:
@@ -213,6 +217,10 @@ export const zhCNEngine = {
     restart_after: '这么多次迭代没有更短路径后，所有信息素重新从上限开始；0 表示从不',
     q0: '直接选最好的一步而不抽取的概率',
     xi: '局部挥发率：蚂蚁经过时，该步信息素中被 τ0 取代的部分',
+    worst_evaporates: '本次迭代的最差路径在至今最优路径不经过之处是否再挥发一次',
+    mutation_probability: '每次迭代中，一个格子有一步增加或减少信息素的概率',
+    mutation_strength: '运行结束时一次变异的信息素量，以至今最优路径的平均信息素计',
+    restart_below: '最差路径中不在最优路径上的步所占比例低于此值时，所有信息素重新开始；0 表示从不',
   },
   units: {
     ants: '只蚂蚁',
@@ -239,6 +247,7 @@ export const zhCNEngine = {
     'rank-based-ant-system': '基于排序的蚂蚁系统',
     'max-min-ant-system': '最大最小蚂蚁系统',
     'ant-colony-system': '蚁群系统',
+    'best-worst-ant-system': '最优最差蚂蚁系统',
     fire: '多火源蚁群',
     ship: '机舱救援蚁群',
     'fwa-aco': '先烟花后蚁群',
