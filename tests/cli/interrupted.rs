@@ -72,7 +72,7 @@ fn a_journal_of_another_question_is_not_taken_for_this_one() {
     let folder = Folder::with_question("journal");
     folder.write("longer.toml", LONGER);
     std::fs::create_dir_all(folder.0.join("out")).unwrap();
-    folder.write("out/longer.partial", "{\"format\":\"formicarium/journal@1\",\"engine\":\"0\",\"comparison\":\"0\"}\n{}\n");
+    folder.write("out/longer.partial", "{\"format\":\"formicarium/journal@1\",\"engine\":\"0\",\"experiment\":\"0\"}\n{}\n");
     let (code, said) = folder.compare(&["longer.toml", "--out", "out", "--seeds", "2"]);
     assert_eq!(code, 0, "{said}");
     assert_eq!(folder.read("out/longer.csv").lines().count(), 1 + 2 * 2 * 2);

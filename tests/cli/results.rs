@@ -97,7 +97,7 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     let whole: serde_json::Value = serde_json::from_str(&folder.read("out/q.json")).unwrap();
     let digest = whole["recorded"]["experiment"].as_str().unwrap();
     let version = env!("CARGO_PKG_VERSION");
-    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"comparison\":\"{digest}\"}}\n");
+    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"experiment\":\"{digest}\"}}\n");
     for row in &whole["rows"].as_array().unwrap()[..2] {
         // Told apart from a run that is done again.
         let row = row.to_string().replace("budget-spent", "stagnated");

@@ -150,6 +150,8 @@ fn data_files_of_iohanalyzer() {
         read.entries[0].runs.iter().map(|r| (r.status, r.steps.len())).collect::<Vec<_>>(),
         [(Status::BudgetSpent, 0), (Status::Complete, 1)]
     );
+    // A mark before the first line's names, as a spoilt file has it.
+    assert_eq!(results(&format!("%{two}")).runs(), 2);
 }
 
 #[test]

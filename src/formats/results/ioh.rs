@@ -107,7 +107,8 @@ impl File {
         if self.rows > MAX_ROWS {
             return Err(too_many_rows(number));
         }
-        if line.trim_start().starts_with(|c: char| c == '"' || c.is_alphabetic()) {
+        // The first line is one, whatever stands before its names: it is what the file was told by.
+        if self.header.is_none() || line.trim_start().starts_with(|c: char| c == '"' || c.is_alphabetic()) {
             let header = header(line).ok_or_else(|| {
                 let expected = "\"function evaluation\" \"best-so-far f(x)\", or evaluations raw_y";
                 FormatError::syntax(number, format!("`{}` is no separation line", quote(line)), expected)
