@@ -70,6 +70,14 @@ const fn count() -> usize {
 
 /// The entry of an id.
 ///
+/// ```
+/// use formicarium::catalog;
+///
+/// assert_eq!(catalog::find("astar")?.name, "A*");
+/// assert!(catalog::find("a-star").is_err(), "the error lists all ids");
+/// # Ok::<(), formicarium::error::ParamError>(())
+/// ```
+///
 /// # Errors
 /// [`ParamError::UnknownPlanner`] with all known ids.
 pub fn find(id: &str) -> Result<&'static PlannerEntry, ParamError> {
@@ -79,7 +87,20 @@ pub fn find(id: &str) -> Result<&'static PlannerEntry, ParamError> {
     })
 }
 
-/// Makes a planner: the entry's defaults, then the preset's values, then `values`.
+/// Makes a planner: the entry's defaults, then the preset's values, then `values`. The seed decides every random number.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::{catalog, params::Value, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(8, 8)?, Movement::default(), Point::new(0, 0), Point::new(7, 7))?;
+/// let values = [("ants".to_string(), Value::from(10.0))].into();
+/// let mut planner = catalog::build(&Arc::new(scenario), "ant-system", Some("fire"), &values, 7)?;
+/// planner.run();
+/// assert_eq!(planner.effort().constructed_paths, 10 * 100);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ParamError`] for an unknown planner, preset or key, a value that does not fit, or tables that would not fit into memory.

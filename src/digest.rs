@@ -1,6 +1,15 @@
 //! The result digest: 64 bits over best path, its length and the iteration history. Equal digests mean equal runs, on any machine.
 
 /// FNV-1a over little-endian bytes; lengths are hashed as `u32`, never as `usize`, so that 32- and 64-bit machines agree.
+///
+/// ```
+/// use formicarium::digest::Digest;
+///
+/// let mut digest = Digest::default();
+/// digest.u32(7);
+/// digest.f64(2.5);
+/// assert_eq!(digest.hex().len(), 16);
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Digest(u64);
 

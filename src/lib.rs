@@ -8,10 +8,34 @@
 //! 64 bits. [`aco`] holds the colonies, [`swarm`] fireworks and particles, [`exact`] the searches with a proof, [`formats`] the files.
 //! [`comparison`] runs many seeds and judges what a publication claims.
 //!
+//! ```
+//! use std::sync::Arc;
+//! use formicarium::{catalog, exact, map, params::Values, scenario::Scenario};
+//!
+//! let made = map::generate(map::Generator::Random, 20, 20, 1, 0.2)?;
+//! let spec = made.spec("blocks");
+//! let scenario = Arc::new(Scenario::new(made.grid, spec)?);
+//!
+//! let mut ants = catalog::build(&scenario, "ant-system", None, &Values::new(), 1)?;
+//! let mut search = catalog::build(&scenario, "astar", None, &Values::new(), 1)?;
+//! ants.run();
+//! search.run();
+//!
+//! let optimum = exact::reference(&scenario, ants.objective()).value().expect("a path exists");
+//! assert!((search.best().expect("found").length - optimum).abs() < 1e-9);
+//! assert!(ants.best().expect("found").length >= optimum - 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`]; [`planner`]; [`exact`]
+//! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
+//!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
 //! agree natively and in every browser. `wasm/` is the whole browser boundary, `main.rs` and `cli/` the command line.
 
 #![warn(missing_docs)]
+// The library has no unsafe code; only what wasm-bindgen generates for the browser boundary has.
+#![cfg_attr(not(target_arch = "wasm32"), forbid(unsafe_code))]
 
 pub mod aco;
 pub mod catalog;

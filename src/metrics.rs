@@ -63,6 +63,17 @@ fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
 
 impl Metrics {
     /// Measures a valid path of either kind.
+    ///
+    /// ```
+    /// use formicarium::map::{Grid, Movement, Point};
+    /// use formicarium::{metrics::Metrics, scenario::Scenario};
+    ///
+    /// let scenario = Scenario::on(Grid::open(3, 3)?, Movement::default(), Point::new(0, 0), Point::new(2, 2))?;
+    /// // East, east, south, south.
+    /// let measured = Metrics::of(&scenario, &[0, 1, 2, 5, 8]);
+    /// assert_eq!((measured.length, measured.turns, measured.steps), (4.0, 1, 4));
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Self {
         let length = scenario.path_length(path);
         let cells = scenario.cells_of(path);

@@ -2,6 +2,24 @@
 //!
 //! From a row follow the struct field, its default, validation with the error that names the range, the JSON schema of the catalog,
 //! the command line's `--set key=value`, the page's control and the tables in the docs.
+//!
+//! ```
+//! use formicarium::params;
+//! use formicarium::params::{Params, Value};
+//!
+//! params! {
+//!     /// Numbers of a planner.
+//!     pub struct Numbers {
+//!         /// ants that build a path in each iteration
+//!         ants: u32 = 50, "m", [1..=1024], "ants", "here";
+//!     }
+//! }
+//!
+//! let numbers = Numbers::read("mine", &[("ants".to_string(), Value::from(9.0))].into())?;
+//! assert_eq!(numbers.ants, 9);
+//! assert!(Numbers::read("mine", &[("ants".to_string(), Value::from(0.0))].into()).is_err(), "out of range");
+//! # Ok::<(), formicarium::error::ParamError>(())
+//! ```
 
 use std::collections::BTreeMap;
 use std::fmt;

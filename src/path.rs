@@ -74,6 +74,21 @@ pub enum Flaw {
 
 /// Checks a path of points against the scenario: obstacles, ends, joints, and that it comes by every goal and ends at one.
 ///
+/// ```
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::path::{Flaw, PathKind, audit};
+/// use formicarium::scenario::Scenario;
+///
+/// let grid = Grid::from_bytes(3, 2, &[0, 1, 0, 0, 0, 0])?;
+/// let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(2, 0))?;
+/// let path = [(0, 0), (0, 1), (1, 1), (2, 1), (2, 0)].map(|(x, y)| Point::new(x, y));
+/// assert_eq!(audit(&scenario, &path, PathKind::Steps), Ok(()));
+///
+/// let through = [(0, 0), (1, 0), (2, 0)].map(|(x, y)| Point::new(x, y));
+/// assert_eq!(audit(&scenario, &through, PathKind::Steps), Err(Flaw::Collision { index: 1, at: Point::new(1, 0) }));
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
+///
 /// # Errors
 /// The first [`Flaw`]: cells outside or blocked come first, then the start, the joints, the goals.
 pub fn audit(scenario: &Scenario, path: &[Point], kind: PathKind) -> Result<(), Flaw> {

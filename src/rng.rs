@@ -23,6 +23,16 @@ impl Streams {
     }
 
     /// The stream of one ant in one iteration.
+    ///
+    /// ```
+    /// use formicarium::rng::Streams;
+    /// use rand::Rng;
+    ///
+    /// let streams = Streams::new(1, "ant-system", 0);
+    /// let draw = |iteration, ant| streams.ant(iteration, ant).next_u32();
+    /// assert_eq!(draw(3, 5), draw(3, 5));
+    /// assert_ne!(draw(3, 5), draw(3, 6));
+    /// ```
     pub fn ant(self, iteration: u32, ant: u32) -> Stream {
         let k = mix(self.key, (u64::from(iteration) << 32) | u64::from(ant));
         let mut bytes = [0u8; 16];

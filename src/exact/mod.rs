@@ -65,6 +65,17 @@ impl Reference {
 }
 
 /// The yardstick of an objective on a scenario. Objectives of planners with one goal look at the first.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::exact::{Reference, reference};
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::{planner::Objective, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(4, 1)?, Movement::default(), Point::new(0, 0), Point::new(3, 0))?;
+/// assert_eq!(reference(&Arc::new(scenario), Objective::Length), Reference::Proven { value: 3.0 });
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
 pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     if !scenario.reachable() {
         return Reference::NoPath;

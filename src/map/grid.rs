@@ -80,6 +80,15 @@ impl Grid {
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
     ///
+    /// ```
+    /// use formicarium::map::{Grid, Point};
+    ///
+    /// let grid = Grid::from_bytes(3, 2, &[0, 1, 0, 0, 0, 0])?;
+    /// assert!(grid.is_blocked(grid.cell(Point::new(1, 0))));
+    /// assert!(Grid::from_bytes(3, 2, &[0, 1]).is_err(), "six cells are needed");
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ScenarioError::MapSize`] or [`ScenarioError::CellCount`].
     pub fn from_bytes(width: u32, height: u32, cells: &[u8]) -> Result<Self, ScenarioError> {

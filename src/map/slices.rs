@@ -46,8 +46,10 @@ pub struct SliceRules {
 }
 
 impl SliceRules {
-    /// The textbook's limits, for a terrain whose highest ground lies at `top` metres: 20 levels, start and goal at the lowest level that is
-    /// above the ground there.
+    /// The textbook's limits for a terrain: 20 levels of a tenth of `top`, 2 aside and 2 up or down, measured by cost.
+    ///
+    /// `top` is the highest ground, `start_ground` and `goal_ground` the ground at the ends, all in metres: heights times the vertical unit.
+    /// Start and goal are at the lowest level above their ground, from 1 to 20. Where no ground lies above 0, a level is 1 m.
     pub fn fitting(top: f64, start_ground: f64, goal_ground: f64) -> Self {
         let level = if top > 0.0 { top / 10.0 } else { 1.0 };
         let above = |ground: f64| (libm::floor(ground / level) as i64 + 1).clamp(1, 20) as u32;

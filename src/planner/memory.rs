@@ -1,4 +1,4 @@
-//! What tables hold in memory, for who keeps snapshots of planners.
+//! How many bytes tables hold. Snapshots of planners are kept within a budget of memory.
 
 /// Bytes behind a vector.
 pub(crate) fn held<T>(items: &Vec<T>) -> usize {

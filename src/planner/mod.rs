@@ -105,6 +105,25 @@ impl Objective {
 }
 
 /// A planner at work on one scenario.
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::planner::{Granularity, Layer};
+/// use formicarium::{catalog, params::Values, scenario::Scenario};
+///
+/// let scenario = Scenario::on(Grid::open(9, 9)?, Movement::default(), Point::new(0, 0), Point::new(8, 8))?;
+/// let mut planner = catalog::build(&Arc::new(scenario), "ant-system", None, &Values::new(), 1)?;
+/// planner.advance(Granularity::Iteration);
+/// let mut before = planner.snapshot();
+/// assert_eq!(planner.run(), before.run(), "a snapshot goes on to the same end");
+/// assert_eq!(planner.digest().hex(), before.digest().hex());
+///
+/// let mut trails = Vec::new();
+/// assert!(planner.layer(Layer::Trail, &mut trails));
+/// assert_eq!(trails.len(), 9 * 9, "one value a cell, row by row");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Planner: Send {
     /// Goes one step further; inert once finished.
     fn advance(&mut self, by: Granularity) -> Status;

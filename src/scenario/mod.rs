@@ -61,6 +61,18 @@ impl Default for Vehicle {
 }
 
 /// A scenario without its cells, as files and the page hold it.
+///
+/// ```
+/// use formicarium::map::{Grid, Point};
+/// use formicarium::scenario::{Goal, ScenarioSpec};
+///
+/// let grid = Grid::open(30, 20)?;
+/// let mut spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(29, 19));
+/// spec.resolution = 0.5; // metres a cell
+/// spec.goals.push(Goal::new(Point::new(15, 3), "on the way"));
+/// assert_eq!((spec.width, spec.goals.len()), (30, 2));
+/// # Ok::<(), formicarium::error::ScenarioError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ScenarioSpec {
@@ -154,6 +166,19 @@ pub struct Scenario {
 
 impl Scenario {
     /// Validates a scenario.
+    ///
+    /// ```
+    /// use formicarium::map::{Grid, Point};
+    /// use formicarium::scenario::{Scenario, ScenarioSpec};
+    ///
+    /// let grid = Grid::from_bytes(3, 1, &[0, 1, 0])?;
+    /// let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(2, 0));
+    /// assert!(!Scenario::new(grid.clone(), spec)?.reachable(), "no path is an answer, not an error");
+    ///
+    /// let on_a_wall = ScenarioSpec::new(&grid, Point::new(1, 0), Point::new(2, 0));
+    /// assert!(Scenario::new(grid, on_a_wall).is_err());
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
     ///
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.

@@ -59,7 +59,7 @@ impl<S: Space> FieldColony<S> {
         (self.progress.effort.iterations + 1).min(self.params.common.selection.iterations)
     }
 
-    /// A stream for who draws nothing from it.
+    /// A stream from which nothing is drawn.
     pub(super) fn stream(&self) -> Stream {
         self.streams.ant(0, 0)
     }

@@ -1,5 +1,5 @@
-//! The moves of an ant of the terrain paper, for who looks at a place: by the walk's own functions, with a sight and an ant that are made
-//! for the question, because those of the walk depend on where ants have been.
+//! The moves of an ant of the terrain paper at one place, as the page shows them. They come from the walk's own functions. Sight and ant are
+//! made for the question: those of the walk depend on where ants have been.
 
 use super::colony::FieldColony;
 use super::sight::Sight;
