@@ -1,4 +1,6 @@
-//! THE list of planners. A new planner is one file and one line here; conformance tests, command line, page and docs follow.
+//! THE list of planners. A new planner is one file with its `mod` line, one line here, one frozen run in `tests/golden_cases`, and its texts
+//! in other languages; conformance tests, command line and page follow. A colony that is to lend its rules has a line in
+//! `aco/custom/donors.rs` as well.
 
 use std::sync::Arc;
 

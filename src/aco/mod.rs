@@ -1,6 +1,7 @@
 //! The ant-colony metaheuristic (Dorigo and Stützle 2004, ch. 3): construct solutions, update trails, daemon actions, repeat.
 //!
-//! [`colony::Colony`] is the one skeleton; a [`variant::Variant`] overrides what its publication changes. The parts:
+//! [`colony::Colony`] is the one skeleton; a [`variant::Variant`] overrides what its publication changes. Colonies may use what lies below
+//! them, [`crate::exact`] and [`crate::swarm`]: the first stage of a hybrid is any planner. The parts:
 //!
 //! | component | file |
 //! |---|---|

@@ -1,5 +1,5 @@
 //! Swarms over cell priorities: a position is one real number for each free cell, and decodes into a path (Zhou, Mu, Zhang 2019, Eq. 1).
-//! By slices a position is a row and a level for each column between the ends.
+//! By slices a position is a row and a level for each column between the ends. Swarms know no ants; hybrids in [`crate::aco`] use them.
 //!
 //! [`search::Swarm`] is the one skeleton: decode what a [`search::Method`] proposes, until its iteration is complete. The parts:
 //!
