@@ -287,10 +287,6 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         advance(self, by)
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
     }

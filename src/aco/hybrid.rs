@@ -105,10 +105,6 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
         &self.progress
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         let second = self.colony.as_ref().map_or(0, |colony| colony.bytes() - size_of::<Colony<V>>());
         size_of::<Self>() + self.progress.bytes() + self.first.bytes() + second

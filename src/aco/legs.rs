@@ -221,10 +221,6 @@ impl<V: Variant + 'static> Planner for Legs<V> {
         Some(self.variant.settings().iterations)
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         let order = match &self.stage {
             Stage::Measuring(rows) => nested(rows),

@@ -13,13 +13,14 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::euclidean;
 use crate::error::ParamError;
 use crate::map::{Cell, Point};
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status, held};
+use crate::planner::{Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 /// Largest map in cells, free or not: 64 × 64.
@@ -101,14 +102,8 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "any-angle",
     name: "Any-angle optimum",
-    family: Family::Exact,
     summary: "A* over all pairs of cells that see each other; always the shortest polyline through cell centres, on maps of up to 64 × 64 cells.",
     source: "ours: A* (Hart, Nilsson, Raphael 1968) on the graph of all cells in line of sight",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
-    grounds: Ground::STEPS,
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

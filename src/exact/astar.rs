@@ -8,11 +8,12 @@
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::search::{Estimate, Search};
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Moves, Point, Relief, step_length};
 use crate::params::{Values, check_keys};
-use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
+use crate::planner::{Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
@@ -82,14 +83,8 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "astar",
     name: "A*",
-    family: Family::Exact,
     summary: "Explores by cost so far plus a lower bound of what remains; always the shortest path, usually with fewer cells.",
     source: "Hart, Nilsson, Raphael 1968, IEEE Trans. Systems Science and Cybernetics 4, 100–107, doi:10.1109/TSSC.1968.300136",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
-    grounds: Ground::STEPS,
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::sync::Arc;
 
+use super::contours::{self, Contours};
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
@@ -168,30 +169,6 @@ impl<R: Rules> BestFirst<R> {
         Self { scenario, rules, tree: Tree::new(0), contour: 0.0, progress: Progress::default() }
     }
 
-    /// Allocates at the first step, so that a planner that is only shown costs nothing.
-    fn prepare(&mut self) {
-        let scenario = &*self.scenario;
-        self.rules.prepare(scenario);
-        self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
-        let to_goal = self.rules.to_goal(scenario, scenario.start);
-        self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
-        self.contour = libm::floor(to_goal) + 1.0;
-    }
-
-    /// Expands one state; false when none is left in this contour.
-    fn advance_one(&mut self) -> bool {
-        let least = self.tree.least();
-        if least.is_none_or(|f| f >= self.contour) {
-            self.close_contour(least);
-            return false;
-        }
-        let Some(Open { state, .. }) = self.tree.open.pop() else { return false };
-        self.tree.expanded[state as usize] = true;
-        self.progress.effort.cell_expansions += 1;
-        self.rules.expand(&self.scenario, state, &mut self.tree);
-        true
-    }
-
     fn close_contour(&mut self, least: Option<f64>) {
         self.progress.effort.iterations += 1;
         match least {
@@ -216,28 +193,45 @@ impl<R: Rules> BestFirst<R> {
     }
 }
 
+impl<R: Rules> Contours for BestFirst<R> {
+    fn status(&self) -> Status {
+        self.progress.status
+    }
+
+    fn is_prepared(&self) -> bool {
+        !self.tree.g.is_empty()
+    }
+
+    fn prepare(&mut self) {
+        let scenario = &*self.scenario;
+        self.rules.prepare(scenario);
+        self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
+        let to_goal = self.rules.to_goal(scenario, scenario.start);
+        self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
+        self.contour = libm::floor(to_goal) + 1.0;
+    }
+
+    fn advance_one(&mut self) -> bool {
+        let least = self.tree.least();
+        if least.is_none_or(|f| f >= self.contour) {
+            self.close_contour(least);
+            return false;
+        }
+        let Some(Open { state, .. }) = self.tree.open.pop() else { return false };
+        self.tree.expanded[state as usize] = true;
+        self.progress.effort.cell_expansions += 1;
+        self.rules.expand(&self.scenario, state, &mut self.tree);
+        true
+    }
+}
+
 impl<R: Rules + 'static> Planner for BestFirst<R> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.progress.status.is_finished() {
-            return self.progress.status;
-        }
-        if self.tree.g.is_empty() {
-            self.prepare();
-        }
-        match by {
-            // A move that finds its contour empty goes on into the next one, so that every move expands a state.
-            Granularity::Move => while !self.advance_one() && !self.progress.status.is_finished() {},
-            Granularity::Iteration => while self.advance_one() {},
-        }
-        self.progress.status
+        contours::advance(self, by)
     }
 
     fn progress(&self) -> &Progress {
         &self.progress
-    }
-
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
     }
 
     fn bytes(&self) -> usize {
@@ -262,8 +256,7 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
             }
             _ => return false,
         }
-        // Before the first step: nothing expanded, no cost known.
-        out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
+        out.resize(self.scenario.grid.len(), contours::untouched(kind));
         true
     }
 }

@@ -4,11 +4,12 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::astar::Distance;
 use super::search::Search;
 use crate::error::ParamError;
 use crate::params::{Values, check_keys};
-use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry};
+use crate::planner::{Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
@@ -20,14 +21,8 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "dijkstra",
     name: "Dijkstra",
-    family: Family::Exact,
     summary: "Explores in rings of equal cost until the goal is reached; always the shortest path.",
     source: "Dijkstra 1959, Numerische Mathematik 1, 269–271, doi:10.1007/BF01386390",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
-    grounds: Ground::STEPS,
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

@@ -3,6 +3,7 @@
 pub mod any_angle;
 pub mod astar;
 mod best_first;
+mod contours;
 pub mod dijkstra;
 pub mod order;
 pub mod point_robot;
@@ -25,8 +26,24 @@ use crate::map::Cell;
 use crate::metrics::Metrics;
 use crate::params::Values;
 use crate::path::Path;
-use crate::planner::{Ground, Objective, PlannerEntry};
+use crate::planner::{Family, Ground, Layer, Objective, PlannerEntry};
 use crate::scenario::Scenario;
+
+/// What the entries of searches have in common: exact, from cell to cell, without parameters. Each gives its id, texts and `build`.
+const SEARCH: PlannerEntry = PlannerEntry {
+    id: "",
+    name: "",
+    family: Family::Exact,
+    summary: "",
+    source: "",
+    presets: &[],
+    components: &[],
+    layers: &[Layer::Cost, Layer::Visits],
+    max_goals: 1,
+    grounds: Ground::STEPS,
+    specs: Vec::new,
+    build: |_, _, _| unreachable!("every search has a `build` of its own"),
+};
 
 /// The yardstick of an objective on a scenario: the value of the best result there is, in cells.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

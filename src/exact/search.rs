@@ -11,6 +11,7 @@ use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use super::best_first::Open;
+use super::contours::{self, Contours};
 use crate::map::{Cell, Direction, offset, opposite};
 use crate::metrics::SAME_LENGTH;
 use crate::path::Path;
@@ -87,20 +88,6 @@ impl<E: Estimate> Search<E> {
         &self.g
     }
 
-    /// Allocates at the first step, so that a planner that is only shown costs nothing.
-    fn prepare(&mut self) {
-        let cells = self.scenario.grid.len();
-        self.g = vec![f64::INFINITY; cells];
-        self.parent = vec![NO_PARENT; cells];
-        self.expanded = vec![false; cells];
-        let start = self.start;
-        let p = self.scenario.grid.point(start);
-        self.contour = contour(&self.scenario);
-        self.sorted = self.scenario.moves.relief().map(|_| BinaryHeap::new());
-        self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
-        self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
-    }
-
     /// The bucket at work as a heap; the opening build knows no terrains and is spared its code.
     #[inline(always)]
     fn sorted(&mut self) -> Option<&mut BinaryHeap<Open>> {
@@ -165,30 +152,6 @@ impl<E: Estimate> Search<E> {
         }
     }
 
-    /// Expands one cell; false when none is left in this contour.
-    fn advance_one(&mut self) -> bool {
-        loop {
-            if let Some(cell) = self.pop() {
-                self.expand(cell);
-                return true;
-            }
-            let more = self.bucket + 1 < self.buckets.len();
-            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CONTOUR == 0.0;
-            if more {
-                // Given back: on a large map the emptied buckets would hold more than all tables together.
-                self.buckets[self.bucket] = Vec::new();
-                self.bucket += 1;
-                if self.sorted().is_some() {
-                    self.sorted = Some(std::mem::take(&mut self.buckets[self.bucket]).into());
-                }
-            }
-            if !more || ends_contour {
-                self.close_contour(!more);
-                return false;
-            }
-        }
-    }
-
     fn close_contour(&mut self, exhausted: bool) {
         self.progress.effort.iterations += 1;
         let floor = self.base + self.bucket as f64 * (self.contour / BUCKETS_PER_CONTOUR);
@@ -233,28 +196,59 @@ fn contour(scenario: &Scenario) -> f64 {
     (0..cells).flat_map(longest).fold(1.0, |most: f64, length| most.max(libm::ceil(length / 16.0)))
 }
 
+impl<E: Estimate> Contours for Search<E> {
+    fn status(&self) -> Status {
+        self.progress.status
+    }
+
+    fn is_prepared(&self) -> bool {
+        !self.g.is_empty()
+    }
+
+    fn prepare(&mut self) {
+        let cells = self.scenario.grid.len();
+        self.g = vec![f64::INFINITY; cells];
+        self.parent = vec![NO_PARENT; cells];
+        self.expanded = vec![false; cells];
+        let start = self.start;
+        let p = self.scenario.grid.point(start);
+        self.contour = contour(&self.scenario);
+        self.sorted = self.scenario.moves.relief().map(|_| BinaryHeap::new());
+        self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
+        self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
+    }
+
+    fn advance_one(&mut self) -> bool {
+        loop {
+            if let Some(cell) = self.pop() {
+                self.expand(cell);
+                return true;
+            }
+            let more = self.bucket + 1 < self.buckets.len();
+            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CONTOUR == 0.0;
+            if more {
+                // Given back: on a large map the emptied buckets would hold more than all tables together.
+                self.buckets[self.bucket] = Vec::new();
+                self.bucket += 1;
+                if self.sorted().is_some() {
+                    self.sorted = Some(std::mem::take(&mut self.buckets[self.bucket]).into());
+                }
+            }
+            if !more || ends_contour {
+                self.close_contour(!more);
+                return false;
+            }
+        }
+    }
+}
+
 impl<E: Estimate + 'static> Planner for Search<E> {
     fn advance(&mut self, by: Granularity) -> Status {
-        if self.progress.status.is_finished() {
-            return self.progress.status;
-        }
-        if self.g.is_empty() {
-            self.prepare();
-        }
-        match by {
-            // A move that finds its contour empty goes on into the next one, so that every move expands a cell.
-            Granularity::Move => while !self.advance_one() && !self.progress.status.is_finished() {},
-            Granularity::Iteration => while self.advance_one() {},
-        }
-        self.progress.status
+        contours::advance(self, by)
     }
 
     fn progress(&self) -> &Progress {
         &self.progress
-    }
-
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
     }
 
     fn bytes(&self) -> usize {
@@ -270,8 +264,7 @@ impl<E: Estimate + 'static> Planner for Search<E> {
             Layer::Cost => out.extend(self.g.iter().map(|&g| g as f32)),
             _ => return false,
         }
-        // Before the first step: nothing expanded, no cost known.
-        out.resize(self.scenario.grid.len(), if kind == Layer::Cost { f32::INFINITY } else { 0.0 });
+        out.resize(self.scenario.grid.len(), contours::untouched(kind));
         true
     }
 }

@@ -5,12 +5,11 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use crate::error::ParamError;
 use crate::map::{Cell, Slices, Way};
 use crate::params::{Values, check_keys};
-use crate::planner::{
-    Family, Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, held,
-};
+use crate::planner::{Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
 
 /// Predecessor of a place that nothing leads to.
@@ -104,10 +103,6 @@ impl Planner for SliceSearch {
         &self.progress
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.progress.bytes() + held(&self.cost) + held(&self.parent) + held(&self.front)
     }
@@ -152,14 +147,9 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "slices-exact",
     name: "Slices, exact",
-    family: Family::Exact,
     summary: "Dynamic programming from column to column; always the cheapest path by slices over a terrain.",
     source: "Bellman 1957, Dynamic Programming, Princeton University Press",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
     grounds: &[Ground::Slices],
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

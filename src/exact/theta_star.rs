@@ -9,13 +9,14 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::euclidean;
 use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status};
+use crate::planner::{Family, Ground, Objective, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
 /// The rules of Theta*.
@@ -63,11 +64,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     family: Family::Search,
     summary: "A* whose segments may have any angle: a cell hangs on its grandparent where that one sees it. Short polylines, without a proof.",
     source: "Nash, Daniel, Koenig, Felner 2007, AAAI-07, 1177–1183; Daniel, Nash, Koenig, Felner 2010, JAIR 39, 533–579, doi:10.1613/jair.2994",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
     grounds: Ground::PLANE,
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

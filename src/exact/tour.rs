@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::astar::Distance;
 use super::order::{self, Costs, MAX_ORDERED, Shape, held_karp, nodes};
 use super::search::{EVERYWHERE, Search};
@@ -12,9 +13,7 @@ use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{
-    Effort, Family, Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested,
-};
+use crate::planner::{Effort, Granularity, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested};
 use crate::scenario::Scenario;
 use crate::{param_choice, params};
 
@@ -146,10 +145,6 @@ impl Planner for ExactTour {
         &self.progress
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         let search = self.search.bytes() - size_of::<Search<Distance>>();
         size_of::<Self>() + self.progress.bytes() + nested(&self.rows) + nested(&self.legs) + search
@@ -183,14 +178,10 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "tour-exact",
     name: "Exact tour",
-    family: Family::Exact,
     summary: "The proven best order of up to 16 goals, by weight or by length, with a shortest path for each leg.",
     source: "Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
     max_goals: MAX_ORDERED as u32,
-    grounds: Ground::STEPS,
     specs: TourParams::specs,
     build,
+    ..SEARCH
 };

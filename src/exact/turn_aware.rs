@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use super::SEARCH;
 use super::astar::Distance;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::search::Estimate;
@@ -14,7 +15,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, step_length};
 use crate::metrics::{SAME_LENGTH, TURN_WEIGHT};
 use crate::params::{Values, check_keys};
-use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry, Status, held};
+use crate::planner::{Ground, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 /// A cell's state at the start, which no step led to.
@@ -91,14 +92,9 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "turn-aware",
     name: "Turn-aware A*",
-    family: Family::Exact,
     summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times.",
     source: "V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)",
-    presets: &[],
-    components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
-    max_goals: 1,
     grounds: Ground::PLANE,
-    specs: Vec::new,
     build,
+    ..SEARCH
 };

@@ -124,7 +124,7 @@ impl Objective {
 /// assert_eq!(trails.len(), 9 * 9, "one value a cell, row by row");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub trait Planner: Send {
+pub trait Planner: Snapshot + Send {
     /// Goes one step further; inert once finished.
     fn advance(&mut self, by: Granularity) -> Status;
     /// Where it stands.
@@ -143,9 +143,6 @@ pub trait Planner: Send {
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
     }
-
-    /// The same planner as it stands, with tables of its own: either goes on to the same end.
-    fn snapshot(&self) -> Box<dyn Planner>;
 
     /// What a snapshot holds, in bytes: its own tables; not the scenario, nor what the planner's copies share.
     fn bytes(&self) -> usize;
@@ -210,6 +207,18 @@ pub trait Planner: Send {
                 return status;
             }
         }
+    }
+}
+
+/// What every planner that can be cloned is: its state is all that it depends on.
+pub trait Snapshot {
+    /// The same planner as it stands, with tables of its own: either goes on to the same end.
+    fn snapshot(&self) -> Box<dyn Planner>;
+}
+
+impl<P: Planner + Clone + 'static> Snapshot for P {
+    fn snapshot(&self) -> Box<dyn Planner> {
+        Box::new(self.clone())
     }
 }
 

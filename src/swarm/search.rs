@@ -171,10 +171,6 @@ impl<M: Method + 'static, D: Decode + 'static> Planner for Swarm<M, D> {
         advance(self, by)
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         let tables = |t: &Tables<D>| t.decoder.bytes() + t.population.bytes() + held(&t.visits);
         let leader = held(&self.leader_position) + self.leader.as_ref().map_or(0, |(path, _)| held(path));

@@ -1,5 +1,5 @@
-import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { RacePage } from './race_page'
 
 /** Opens the difference, and waits until there is one. */
@@ -85,10 +85,7 @@ test.describe('the difference of two trails', () => {
       await race.menu('add-panel', 'add-ant-system')
       await race.ready()
       await open(page)
-      const { violations } = await new AxeBuilder({ page }).analyze()
-      expect(
-        violations.filter(({ impact }) => impact === 'serious' || impact === 'critical'),
-      ).toEqual([])
+      await expectClean(page, 'the difference of two trails')
     })
   }
 

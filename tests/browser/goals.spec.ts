@@ -1,7 +1,7 @@
-import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 import type { Cell } from '../../www/src/model/cell'
 import type { Session } from '../../www/src/model/session'
+import { expectClean } from './axe'
 import { freshRace, RacePage } from './race_page'
 
 /** The open field: 40 × 25 cells, start (4, 19), goal (35, 5). */
@@ -384,11 +384,7 @@ for (const scheme of ['light', 'dark'] as const) {
 }
 
 async function expectClean(page: Page): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
-  expect(serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join()}`)).toEqual(
-    [],
-  )
+  await expectClean(page, 'the table of goals')
 }
 
 test('on a phone goals are added by touch, and the table fits @phone', async ({ page }) => {

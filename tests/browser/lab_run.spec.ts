@@ -2,8 +2,8 @@ import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { ComparisonPage, documentText, holdRunsAfter, letRuns } from './comparison_page'
 import { RacePage } from './race_page'
 import { ResultsPage } from './results_page'
@@ -262,15 +262,6 @@ test('the laboratory speaks Chinese', async ({ page }) => {
 /** How much wider the page is than the screen. */
 const overflow = (page: Page) =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
-
-async function expectClean(page: Page, where: string): Promise<void> {
-  const { violations } = await new AxeBuilder({ page }).analyze()
-  const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')
-  const told = serious.map(
-    ({ id, help, nodes }) => `${id}: ${help}\n  ${nodes.map((node) => node.html).join('\n  ')}`,
-  )
-  expect(told, where).toEqual([])
-}
 
 /** Makes workers crash at some runs: the first time, or whenever `window.stopped` names them. */
 function stopWorkers({ once, always }: { once: number[]; always: number[] }): void {

@@ -1,5 +1,5 @@
-import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { RacePage } from './race_page'
 
 const looking = (page: Page) => page.getByTestId('looking-back')
@@ -109,10 +109,7 @@ test.describe('looking back', () => {
     await expect(page.getByTestId('scrubber')).toHaveAttribute('title', /64 MiB.*Snapshots now/)
     await page.locator('body').press(',')
     await expect(looking(page)).toBeVisible()
-    const { violations } = await new AxeBuilder({ page }).analyze()
-    expect(
-      violations.filter(({ impact }) => impact === 'serious' || impact === 'critical'),
-    ).toEqual([])
+    await expectClean(page, 'looking back')
   })
 
   test('on a phone the slider fits and works @phone', async ({ page }) => {

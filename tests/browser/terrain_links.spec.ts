@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import AxeBuilder from '@axe-core/playwright'
 import { expect, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { freshRace, RacePage } from './race_page'
 import { ASC, KNOWN, OBLONG_ASC } from './rasters'
 import {
@@ -247,14 +247,7 @@ for (const scheme of ['light', 'dark'] as const) {
     const race = new RacePage(page)
     await race.openAtRest()
     const expectClean = async (where: string) => {
-      const { violations } = await new AxeBuilder({ page }).analyze()
-      const serious = violations.filter(
-        ({ impact }) => impact === 'serious' || impact === 'critical',
-      )
-      expect(
-        serious.map(({ id, nodes }) => [id, nodes[0]?.html]),
-        where,
-      ).toEqual([])
+      await expectClean(page, where)
     }
     await race.paste(OBLONG_ASC)
     await page.getByTestId('crop-x').fill('9')

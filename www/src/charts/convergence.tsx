@@ -17,6 +17,7 @@ import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
 import { curvesOf } from './convergence_data'
 import type { PlotStyle } from './convergence_plot'
+import { PanelKeys } from './panel_keys'
 
 const showIterationBest = signal(true)
 const showMean = signal(true)
@@ -60,12 +61,7 @@ function Toggle(props: { label: string; kind: string; of: typeof showMean }) {
 function Legend() {
   return (
     <ul class="legend">
-      {panels.value.map(({ id, slot }) => (
-        <li key={id} style={{ '--panel-colour': slotColour(slot) }}>
-          <span class="line-sample best" aria-hidden="true" />
-          {panelTitle(id)}
-        </li>
-      ))}
+      <PanelKeys />
       {levels().map(({ objective, length }) => (
         <li key={objective} data-testid="chart-optimum">
           <span class="line-sample optimum" aria-hidden="true" />

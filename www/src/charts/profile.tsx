@@ -7,6 +7,7 @@ import { ground } from '../relief/shown_ground'
 import { pointedPlaces } from '../stage/pointed_places'
 import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
 import { panelTitle } from '../words/planner_words'
+import { PanelKeys } from './panel_keys'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 
 /** Curves are redrawn no more often than a reader can follow. */
@@ -66,12 +67,7 @@ function Legend() {
   const bySlices = scenario.value?.spec.terrain?.slices !== undefined
   return (
     <ul class="legend">
-      {panels.value.map(({ id, slot }) => (
-        <li key={id} style={{ '--panel-colour': slotColour(slot) }}>
-          <span class="line-sample best" aria-hidden="true" />
-          {panelTitle(id)}
-        </li>
-      ))}
+      <PanelKeys />
       {bySlices && (
         <li>
           <span class="line-sample ground" aria-hidden="true" />

@@ -6,6 +6,7 @@ import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
 import type { Cell } from '../model/cell'
 import { type Brush, brushFor, newGesture, stroke } from '../stage/brush'
+import { listenToPointers, type PointerHandlers } from '../stage/listen'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { activeGoal, applyEdit, notify, refuseMoreGoals, scenario, tool } from '../state'
 import { showRelief } from '../state/relief'
@@ -42,15 +43,17 @@ export class ReliefPointer {
     private readonly cursor: Signal<Cursor | null>,
     private readonly inspect: (cell: Cell) => void,
   ) {
-    const { signal } = this.listening
-    element.addEventListener('pointerdown', (event) => this.down(event), { signal })
-    element.addEventListener('pointermove', (event) => this.move(event), { signal })
-    element.addEventListener('pointerup', (event) => this.up(event), { signal })
-    element.addEventListener('pointercancel', (event) => this.cancel(event), { signal })
-    element.addEventListener('pointerleave', () => this.leave(), { signal })
-    element.addEventListener('dblclick', () => tool.peek() === 'pan' && resetEye(), { signal })
-    element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal })
-    element.addEventListener('wheel', (event) => this.wheel(event), { signal, passive: false })
+    const handlers: PointerHandlers = {
+      pointerdown: (event) => this.down(event),
+      pointermove: (event) => this.move(event),
+      pointerup: (event) => this.up(event),
+      pointercancel: (event) => this.cancel(event),
+      pointerleave: () => this.leave(),
+      dblclick: () => tool.peek() === 'pan' && resetEye(),
+      contextmenu: (event) => event.preventDefault(),
+      wheel: (event) => this.wheel(event),
+    }
+    listenToPointers(element, handlers, this.listening.signal)
   }
 
   release(): void {

@@ -8,6 +8,7 @@ import { isInside, sameCell } from '../model/edit'
 import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
 import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { type Brush, brushFor, newGesture, stroke } from './brush'
+import { listenToPointers, type PointerHandlers } from './listen'
 import { type MarkerUnder, markerUnder } from './marker_under'
 import { PanZoomGesture } from './pan_zoom_gesture'
 import { type CanvasSize, type Cursor, place } from './panel_view'
@@ -41,14 +42,17 @@ export class PointerInput {
     private readonly cursor: Signal<Cursor | null>,
     private readonly inspect: (cell: Cell) => void,
   ) {
-    const { signal } = this.listening
-    element.addEventListener('pointerdown', (event) => this.down(event), { signal })
-    element.addEventListener('pointermove', (event) => this.move(event), { signal })
-    element.addEventListener('pointerup', (event) => this.up(event), { signal })
-    element.addEventListener('pointercancel', (event) => this.up(event), { signal })
-    element.addEventListener('pointerleave', () => this.leave(), { signal })
-    element.addEventListener('dblclick', () => this.doubleClick(), { signal })
-    element.addEventListener('wheel', (event) => this.wheel(event), { signal, passive: false })
+    const end = (event: PointerEvent) => this.up(event)
+    const handlers: PointerHandlers = {
+      pointerdown: (event) => this.down(event),
+      pointermove: (event) => this.move(event),
+      pointerup: end,
+      pointercancel: end,
+      pointerleave: () => this.leave(),
+      dblclick: () => this.doubleClick(),
+      wheel: (event) => this.wheel(event),
+    }
+    listenToPointers(element, handlers, this.listening.signal)
   }
 
   release(): void {

@@ -161,10 +161,6 @@ impl<S: Space + 'static> Planner for FieldColony<S> {
         self.params.common.ants
     }
 
-    fn snapshot(&self) -> Box<dyn Planner> {
-        Box::new(self.clone())
-    }
-
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
     }
