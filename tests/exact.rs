@@ -5,7 +5,7 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{drawn, movements, random};
+use common::{drawn, length, movements, random, solve};
 use formicarium::catalog;
 use formicarium::error::ParamError;
 use formicarium::exact::{self, Reference, point_robot};
@@ -13,21 +13,10 @@ use formicarium::map::{Cell, CornerRule, Direction, Grid, Movement, Moves, Point
 use formicarium::metrics::{Metrics, TURN_WEIGHT};
 use formicarium::params::Values;
 use formicarium::path::{PathKind, Refinement, audit, line_of_sight, points, refine};
-use formicarium::planner::{Objective, Planner, Status};
+use formicarium::planner::{Objective, Status};
 use formicarium::scenario::Scenario;
 
 const SQRT2: f64 = std::f64::consts::SQRT_2;
-
-fn solve(scenario: &Arc<Scenario>, id: &str) -> Box<dyn Planner> {
-    let mut planner = catalog::build(scenario, id, None, &Values::new(), 1).expect("usable");
-    planner.run();
-    planner
-}
-
-/// The length of a planner's path; infinite where there is none.
-fn length(scenario: &Arc<Scenario>, id: &str) -> f64 {
-    solve(scenario, id).best().map_or(f64::INFINITY, |b| b.length)
-}
 
 /// Small maps of several densities and shapes under every movement.
 fn small(count: u32) -> impl Iterator<Item = Arc<Scenario>> {

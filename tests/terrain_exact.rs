@@ -10,25 +10,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
-use common::movements;
-use formicarium::catalog;
+use common::{length, movements, solve};
 use formicarium::exact::{self, Distance, Estimate, Reference};
 use formicarium::map::{Cell, CornerRule, Grid, Measure, Movement, Moves, Point, SliceRules};
-use formicarium::params::Values;
 use formicarium::path::{PathKind, audit, audit_slices, line_of_sight, points};
-use formicarium::planner::{Ground, Objective, Planner, Status};
+use formicarium::planner::{Ground, Objective, Status};
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use terrains::{hilly, hilly_slices, rules, sixteen, slices, surface};
-
-fn solve(scenario: &Arc<Scenario>, id: &str) -> Box<dyn Planner> {
-    let mut planner = catalog::build(scenario, id, None, &Values::new(), 1).expect("usable");
-    planner.run();
-    planner
-}
-
-fn length(scenario: &Arc<Scenario>, id: &str) -> f64 {
-    solve(scenario, id).best().map_or(f64::INFINITY, |b| b.length)
-}
 
 /// Equal but for rounding.
 fn same(a: f64, b: f64) -> bool {

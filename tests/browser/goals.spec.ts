@@ -377,14 +377,10 @@ for (const scheme of ['light', 'dark'] as const) {
     await page.getByTestId('goal-area-2').press('Enter')
     await expect(page.getByTestId('goals').getByRole('alert')).toBeVisible()
     await expect(page.getByTestId('legs')).toBeVisible()
-    await expectClean(page)
+    await expectClean(page, 'the table of goals')
     await page.getByTestId('add-panel').click()
-    await expectClean(page)
+    await expectClean(page, 'the table of goals')
   })
-}
-
-async function expectClean(page: Page): Promise<void> {
-  await expectClean(page, 'the table of goals')
 }
 
 test('on a phone goals are added by touch, and the table fits @phone', async ({ page }) => {

@@ -3,7 +3,10 @@
 
 use std::sync::Arc;
 
+use formicarium::catalog;
 use formicarium::map::{CornerRule, Generator, Grid, Movement, Moves, Point, generate};
+use formicarium::params::Values;
+use formicarium::planner::Planner;
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
 /// A scenario from rows of `.` free, `#` blocked, `S` start, `G` goal.
@@ -70,4 +73,16 @@ pub fn tours(movement: Movement) -> Vec<(&'static str, Arc<Scenario>)> {
         ("a goal on the start", with_goals(&wall, &[(7, 4), (0, 1), (4, 2)])),
         ("five goals on random 24", with_goals(&random, &spread)),
     ]
+}
+
+/// A planner with its defaults and seed 1, run to its end.
+pub fn solve(scenario: &Arc<Scenario>, id: &str) -> Box<dyn Planner> {
+    let mut planner = catalog::build(scenario, id, None, &Values::new(), 1).expect("usable");
+    planner.run();
+    planner
+}
+
+/// The length of its path; infinite where there is none.
+pub fn length(scenario: &Arc<Scenario>, id: &str) -> f64 {
+    solve(scenario, id).best().map_or(f64::INFINITY, |b| b.length)
 }

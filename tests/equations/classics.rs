@@ -15,11 +15,10 @@ use formicarium::planner::{Granularity, Layer, Planner, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
 
+use super::{E, NE, SE};
+
 const N: Direction = 1;
-const NE: Direction = 2;
-const E: Direction = 4;
 const S: Direction = 6;
-const SE: Direction = 7;
 
 fn scenario(rows: &[&str], moves: Moves, start: Point, goal: Point) -> Arc<Scenario> {
     let cells: Vec<u8> = rows.iter().flat_map(|r| r.bytes().map(|b| u8::from(b == b'#'))).collect();

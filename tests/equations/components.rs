@@ -21,14 +21,7 @@ use formicarium::rng::{Stream, Streams};
 use formicarium::scenario::Scenario;
 use formicarium::swarm::explosion::{cooled_radius, inertia, mutation_factor};
 
-const SQRT2: f64 = std::f64::consts::SQRT_2;
-const NE: Direction = 2;
-const E: Direction = 4;
-const SE: Direction = 7;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
-}
+use super::{E, NE, SE, SQRT2, close};
 
 fn all_close(got: [f64; 3], expected: [f64; 3]) {
     assert!(got.iter().zip(expected).all(|(&a, b)| close(a, b)), "{got:?}, expected {expected:?}");

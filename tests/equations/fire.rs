@@ -12,17 +12,14 @@ use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
-use formicarium::map::{Direction, Grid, Movement, Point};
+use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
 use formicarium::planner::Reading;
 use formicarium::rng::Streams;
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
-const SQRT2: f64 = std::f64::consts::SQRT_2;
-const NE: Direction = 2;
-const E: Direction = 4;
-const SE: Direction = 7;
+use super::{E, NE, SE, SQRT2};
 
 /// Start and fires as (x, y) from 1, with s, w, a of table 1. Which cells they are is ours: they give the paper's order table.
 const START: (u32, u32) = (2, 1);

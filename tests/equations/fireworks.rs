@@ -25,14 +25,7 @@ use formicarium::swarm::population::{Population, distance};
 use formicarium::swarm::search::Method;
 use rand::Rng;
 
-const SQRT2: f64 = std::f64::consts::SQRT_2;
-const NE: Direction = 2;
-const E: Direction = 4;
-const SE: Direction = 7;
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
-}
+use super::{E, NE, SE, SQRT2, close};
 
 /// A scenario from the upper left to the lower right cell.
 fn drawn(rows: &[&str], moves: Moves) -> Scenario {

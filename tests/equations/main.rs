@@ -10,3 +10,15 @@ mod pso;
 mod ship;
 mod terrain;
 mod threshold;
+
+use formicarium::map::Direction;
+
+const SQRT2: f64 = std::f64::consts::SQRT_2;
+const NE: Direction = 2;
+const E: Direction = 4;
+const SE: Direction = 7;
+
+/// Equal within what numbers worked by hand are printed with.
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
+}

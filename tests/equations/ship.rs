@@ -21,11 +21,9 @@ use formicarium::planner::{Layer, Objective, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
 
-const SQRT2: f64 = std::f64::consts::SQRT_2;
-const NE: Direction = 2;
-const E: Direction = 4;
+use super::{E, NE, SE, SQRT2, close};
+
 const S: Direction = 6;
-const SE: Direction = 7;
 
 /// 9 × 9 cells, walls at (3, 1) and (4, 1), goal (5, 6): from (2, 2) the goal lies at (+3, +4), 5 cells away.
 fn two_walls() -> Scenario {
@@ -41,10 +39,6 @@ fn eta_at(reading: Reading, omega: f64, d: Direction) -> f64 {
     let s = two_walls();
     let i = s.grid.cell(Point::new(2, 2));
     eta(&ShipParams::default(), omega, &sight(reading, &s, i, d, s.moves.step(i, d)), step_length(d))
-}
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-6 * b.abs().max(1.0)
 }
 
 #[test]
