@@ -10,6 +10,9 @@ use crate::error::QuestionError;
 /// Largest number of runs of one entry on one instance.
 const MAX_SEEDS: u32 = 100_000;
 
+/// Largest number of runs altogether: what is more fits into no memory, and is no question for one machine.
+const MAX_RUNS: u64 = 2_000_000;
+
 impl Question {
     /// Checks everything that needs no map.
     ///
@@ -29,8 +32,19 @@ impl Question {
         check_ids("instances", self.instances.iter().map(|i| &i.id), true)?;
         check_ids("entries", self.entries.iter().map(|e| &e.id), true)?;
         check_ids("claims", self.claims.iter().map(|c| &c.id), false)?;
+        self.check_runs()?;
         self.entries.iter().try_for_each(|e| self.check_entry(e))?;
         self.claims.iter().try_for_each(|c| self.check_claim(c))
+    }
+
+    fn check_runs(&self) -> Result<(), QuestionError> {
+        let [instances, entries] = [self.instances.len(), self.entries.len()].map(|n| n as u64);
+        let runs = instances.saturating_mul(entries).saturating_mul(self.seeds.count.into());
+        if runs <= MAX_RUNS {
+            return Ok(());
+        }
+        let asked = format!("{instances} maps × {entries} entries × {} seeds", self.seeds.count);
+        Err(QuestionError::field("seeds.count", asked, format!("at most {MAX_RUNS} runs altogether; split the question")))
     }
 
     fn check_entry(&self, entry: &Entry) -> Result<(), QuestionError> {

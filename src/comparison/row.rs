@@ -1,6 +1,7 @@
 //! What one run has come to: a row of the results.
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::budget::Axis;
 use super::json;
@@ -33,8 +34,19 @@ pub struct Row {
     pub effort: Spent,
     /// Every improvement of its best path that counts, in the order in which they came; may be empty for a run from elsewhere.
     pub trace: Vec<Improvement>,
-    /// Digest over history and best path, 16 hexadecimal digits; empty for a run from elsewhere.
+    /// Digest over history and best path, 16 hexadecimal digits; empty for a run from elsewhere. Nothing else is read: it goes into tables.
+    #[serde(deserialize_with = "digest_text")]
     pub digest: String,
+}
+
+/// Reads [`Row::digest`].
+fn digest_text<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let text = String::deserialize(deserializer)?;
+    let is_hex = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
+    if text.is_empty() || (text.len() == 16 && text.bytes().all(is_hex)) {
+        return Ok(text);
+    }
+    Err(D::Error::custom("`digest` is neither empty nor 16 hexadecimal digits"))
 }
 
 /// The path of a run.
@@ -173,10 +185,23 @@ mod tests {
         let found = Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6 };
         let task = Task { instance: 0, entry: 2, seed: 7 };
         let trace = vec![Improvement { value: 0.1 + 0.2, spent }];
-        let row = Row { task, status: Status::BudgetSpent, found: Some(found), effort: spent, trace, digest: "00ff".into() };
+        let row = Row {
+            task,
+            status: Status::BudgetSpent,
+            found: Some(found),
+            effort: spent,
+            trace,
+            digest: "00ff00ff00ff00ff".into(),
+        };
         let json = serde_json::to_string(&row).unwrap();
         assert!(json.contains(r#""trace":[[0.30000000000000004,3,60,null,0]]"#), "{json}");
         assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
+        let imported = json.replace("00ff00ff00ff00ff", "");
+        assert_eq!(serde_json::from_str::<Row>(&imported).unwrap().digest, "");
+        for digest in ["00ff", "=HYPERLINK(1)  ", "00FF00FF00FF00FF", "00ff00ff00ff00f\\n"] {
+            let spoilt = json.replace("00ff00ff00ff00ff", digest);
+            assert!(serde_json::from_str::<Row>(&spoilt).unwrap_err().to_string().contains("digest"), "{digest}");
+        }
         assert_eq!((spent.on(Axis::ConstructedPaths), spent.on(Axis::Moves), spent.on(Axis::Time)), (Some(60.0), None, None));
         assert_eq!((row.value(RunMeasure::IterationOfBest), row.value(RunMeasure::TurnIndex)), (Some(3.0), None));
     }

@@ -113,7 +113,7 @@ fn table(text: &str, name: &str) -> Result<Imported, FormatError> {
     complete(Kind::Matrix, name, file.grid, file.start, file.goal, file.notices)
 }
 
-/// Reads a scenario with its map from JSON, as docs/schema/scenario@1.json says.
+/// Reads a scenario with its map from JSON, as docs/schema/scenario.schema.json says.
 ///
 /// # Errors
 /// [`FormatError`] with the line of broken JSON, or the name of the field at fault.

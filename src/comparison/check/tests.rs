@@ -3,7 +3,7 @@
 use super::*;
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Direction;
-use crate::comparison::question::Seeds;
+use crate::comparison::question::{Instance, Seeds};
 use serde_json::json;
 
 fn question() -> Question {
@@ -44,6 +44,15 @@ fn what_does_not_fit_is_named() {
     wrong(|q| q.format = "formicarium/question@2".into(), "format");
     wrong(|q| q.seeds.count = 0, "seeds.count");
     wrong(|q| q.seeds.from = u32::MAX, "seeds.from");
+    // Each of them may be asked for; all of them together are too many.
+    wrong(
+        |q| {
+            q.seeds.count = 100_000;
+            let map = q.instances[0].clone();
+            q.instances.extend((0..20).map(|i| Instance { id: format!("more-{i}"), ..map.clone() }));
+        },
+        "seeds.count",
+    );
     wrong(|q| q.budget = Some(Budget { axis: Axis::Time, amount: 3 }), "budget.axis");
     wrong(|q| q.budget = Some(Budget { axis: Axis::Moves, amount: 0 }), "budget.amount");
     wrong(|q| q.entries[0].results = Some("mine.csv".into()), "entries.old.planner");

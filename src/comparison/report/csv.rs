@@ -1,5 +1,7 @@
 //! One line a run.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use crate::comparison::Comparison;
@@ -41,7 +43,20 @@ pub(super) fn of_lines(lines: impl IntoIterator<Item = impl Serialize>) -> Strin
     let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
     const PLAIN: &str = "plain data can always be written to memory as CSV";
     lines.into_iter().try_for_each(|line| writer.serialize(line)).expect(PLAIN);
-    String::from_utf8(writer.into_inner().expect(PLAIN)).expect("texts are UTF-8")
+    let written = writer.into_inner().expect(PLAIN);
+    let mut guarded = csv::WriterBuilder::new().from_writer(Vec::new());
+    for record in csv::ReaderBuilder::new().has_headers(false).from_reader(&written[..]).records() {
+        let record = record.expect(PLAIN);
+        let cells: Vec<Cow<'_, str>> = record.iter().map(harmless).collect();
+        guarded.write_record(cells.iter().map(|cell| cell.as_bytes())).expect(PLAIN);
+    }
+    String::from_utf8(guarded.into_inner().expect(PLAIN)).expect("texts are UTF-8")
+}
+
+/// Spreadsheets take a text that begins like this for a formula. A quote before it makes it a text; numbers stay numbers.
+fn harmless(cell: &str) -> Cow<'_, str> {
+    let begins = cell.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    if begins && cell.parse::<f64>().is_err() { Cow::Owned(format!("'{cell}")) } else { Cow::Borrowed(cell) }
 }
 
 fn path_fields(f: Found) -> String {
@@ -64,4 +79,16 @@ fn six(v: f64) -> String {
 /// The name of a variant, as it stands in JSON.
 fn id(value: impl Serialize) -> String {
     json(&value).trim_matches('"').into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_cell_is_a_formula_and_numbers_stay() {
+        let lines = [("=HYPERLINK(\"x\")", -0.5, "a,b"), ("@x", 1e-7, "-3"), ("\tx", 2.0, "plain\nline"), ("–", -1.0, "-x")];
+        let written = of_lines(lines);
+        assert_eq!(written, "\"'=HYPERLINK(\"\"x\"\")\",-0.5,\"a,b\"\n'@x,1e-7,-3\n'\tx,2.0,\"plain\nline\"\n–,-1.0,'-x\n");
+    }
 }

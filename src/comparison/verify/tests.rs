@@ -70,7 +70,7 @@ fn the_first_seed_that_differs_is_named() {
     let rows = run_all(&comparison());
     let mut others = rows.clone();
     for place in [2, 3] {
-        others[place].digest = "00".into();
+        others[place].digest = "0000000000000000".into();
     }
     let told = verified(&others, true, &rows);
     assert_eq!((told.same, told.open, told.runs, told.of, told.refuted), (1, 0, 6, 8, true));

@@ -51,7 +51,7 @@ test('everything in the catalog has a Chinese name', async () => {
       look((meanings as Record<string, object>)[key] ?? {}, `meanings.${key}`, told)
     }
   }
-  expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn_engine.ts').toEqual([])
+  expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn/engine.ts').toEqual([])
 })
 
 /** Texts that are not among the known ones, each once. */
@@ -67,7 +67,7 @@ test('every source in the catalog, and what presets mean, has Chinese', async ()
     ...presets.flatMap((preset) => [preset.source, preset.meaning]),
   ])
   expect(texts.length).toBeGreaterThan(100)
-  expect(unknown(texts, zhCNSources), 'add these to www/src/i18n/zh_cn_sources.ts').toEqual([])
+  expect(unknown(texts, zhCNSources), 'add these to www/src/i18n/zh_cn/sources.ts').toEqual([])
   const said = new Set(texts)
   const stale = Object.keys(zhCNSources).filter((text) => !said.has(text))
   expect(stale, 'no longer in the catalog').toEqual([])
@@ -96,7 +96,7 @@ test('every text of the papers’ questions has Chinese', async () => {
   const all = await questions()
   expect(all.length).toBeGreaterThan(5)
   const texts = all.flatMap(textsOf)
-  expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn_questions.ts').toEqual([])
+  expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn/questions.ts').toEqual([])
   const said = new Set<string | null | undefined>(texts)
   const stale = Object.keys(zhCNQuestions).filter((text) => !said.has(text))
   expect(stale, 'no longer in experiments/').toEqual([])

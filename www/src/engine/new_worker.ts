@@ -1,4 +1,4 @@
-/** A new worker on a build of the engine; its first message says whether it is a panel or a set of tools (serve.ts). */
+/** A new worker on a build of the engine; its first message says whether it is a panel or a set of tools (worker/serve_worker.ts). */
 
 import CoreWorker from '../worker/core.worker?worker'
 import WholeWorker from '../worker/whole.worker?worker'

@@ -1,7 +1,7 @@
 /** The engine's words about verdicts in the reader's language. */
 import { t } from '../../i18n/lab'
 
-/** As src/comparison/claims.rs has them; what is not among them is shown as it is. */
+/** As src/comparison/judge.rs has them; what is not among them is shown as it is. */
 const WHYS = {
   'one of the two cannot be run': 'notRun',
   'the baseline finds no path in half of its runs or more': 'noBaseline',

@@ -1,0 +1,79 @@
+//! The documents name files that are there, and link to headings that are there.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::path::{Path, PathBuf};
+
+const DOCUMENTS: [&str; 9] = [
+    "README.md",
+    "CONTRIBUTING.md",
+    "docs/architecture.md",
+    "docs/dependencies.md",
+    "docs/formats.md",
+    "docs/glossary.md",
+    "docs/hosting.md",
+    "docs/methodology.md",
+    "tests/fixtures/links/README.md",
+];
+
+/// Where a path in backticks may begin: documents of the engine and of the page write short ones.
+const ROOTS: [&str; 4] = ["", "src", "www/src", "www"];
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn text(document: &str) -> String {
+    std::fs::read_to_string(root().join(document)).unwrap_or_else(|error| panic!("{document}: {error}"))
+}
+
+/// The anchor of a heading, as code hosts make it.
+fn anchor(heading: &str) -> String {
+    let plain = heading.trim_start_matches('#').trim().to_lowercase();
+    let keep = |c: char| (c.is_alphanumeric() || c == '-' || c == '_' || c == ' ').then(|| if c == ' ' { '-' } else { c });
+    plain.chars().filter_map(keep).collect()
+}
+
+/// The targets of `[…](target)`, but for addresses elsewhere.
+fn links(text: &str) -> Vec<String> {
+    let target = |rest: &str| rest.split(')').next().unwrap_or("").to_owned();
+    text.split("](").skip(1).map(target).filter(|link| !link.contains("://")).collect()
+}
+
+/// What stands in backticks and looks like a file of this repository, without patterns.
+fn paths(text: &str) -> Vec<String> {
+    let is_path = |word: &&str| {
+        let ends = [".rs", ".ts", ".tsx", ".toml", ".mjs"].iter().any(|ending| word.ends_with(ending));
+        ends && word.contains('/') && !word.contains(['*', ' ', '{', '…'])
+    };
+    text.split('`').skip(1).step_by(2).filter(is_path).map(Into::into).collect()
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let mut wrong = Vec::new();
+    for document in DOCUMENTS {
+        let folder = root().join(document).parent().expect("a folder").to_owned();
+        for link in links(&text(document)) {
+            let (file, heading) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if file.is_empty() { root().join(document) } else { folder.join(file) };
+            let has_heading = || {
+                let text = std::fs::read_to_string(&target).unwrap_or_default();
+                text.lines().filter(|line| line.starts_with('#')).any(|line| anchor(line) == heading)
+            };
+            if !target.exists() || !(heading.is_empty() || has_heading()) {
+                wrong.push(format!("{document}: {link}"));
+            }
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+#[test]
+fn every_file_that_is_named_exists() {
+    let exists = |path: &str| ROOTS.iter().any(|base| Path::new(&root()).join(base).join(path).exists());
+    let wrong =
+        |document| paths(&text(document)).into_iter().filter(|path| !exists(path)).map(move |path| format!("{document}: {path}"));
+    let wrong: Vec<String> = DOCUMENTS.into_iter().flat_map(wrong).collect();
+    assert_eq!(wrong, Vec::<String>::new());
+    assert!(paths(&text("docs/architecture.md")).len() > 20, "paths are not found");
+}
