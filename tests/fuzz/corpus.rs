@@ -44,8 +44,12 @@ fn add_folder(folder: &Path, files: &mut Vec<File>) {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
     paths.sort();
     for path in paths {
+        // Links and pictures are the page's: links.mjs.
+        let of_page = path.extension().is_some_and(|end| end == "link" || end == "png");
         if path.is_dir() {
             add_folder(&path, files);
+        } else if of_page {
+            continue;
         } else if path.metadata().is_ok_and(|file| file.len() <= LARGEST) {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             files.extend(fs::read(&path).map(|bytes| File { name, bytes }));

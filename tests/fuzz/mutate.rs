@@ -7,7 +7,8 @@ use crate::random::Random;
 
 /// Spoils a file in a few places; `other` is a file to splice it with.
 pub fn spoil(random: &mut Random, file: &mut Vec<u8>, other: &[u8]) {
-    let times = 1 + random.below(2) + if random.one_in(4) { random.below(8) } else { 0 };
+    // Mostly one change alone: what is refused at once tries nothing else.
+    let times = if random.one_in(3) { 1 + random.below(6) } else { 1 };
     for _ in 0..times {
         once(random, file, other);
         file.truncate(LONGEST.max(other.len()));
@@ -15,19 +16,19 @@ pub fn spoil(random: &mut Random, file: &mut Vec<u8>, other: &[u8]) {
 }
 
 fn once(random: &mut Random, file: &mut Vec<u8>, other: &[u8]) {
-    match random.below(16) {
-        0 => flip(random, file),
-        1 => put_byte(random, file),
-        2 => file.truncate(random.below(file.len() + 1)),
-        3 => drop(file.drain(random.piece(file.len()))),
-        4 => repeat(random, file),
-        5 => splice(random, file, other),
-        6..=8 => replace_number(random, file),
-        9 | 10 => spoil_lines(random, file),
-        11 => replace_word(random, file),
-        12 => nest(random, file),
-        13 => change_ends(random, file),
-        14 => put_binary(random, file),
+    match random.below(24) {
+        0 | 1 => flip(random, file),
+        2 | 3 => put_byte(random, file),
+        4 => file.truncate(random.below(file.len() + 1)),
+        5 => drop(file.drain(random.piece(file.len()))),
+        6 => repeat(random, file),
+        7 => splice(random, file, other),
+        8..=14 => replace_number(random, file),
+        15 | 16 => spoil_lines(random, file),
+        17 => replace_word(random, file),
+        18 => nest(random, file),
+        19 => change_ends(random, file),
+        20..=22 => put_binary(random, file),
         _ => insert(random, file),
     }
 }

@@ -3,6 +3,7 @@
 
 use std::iter::repeat_n;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use formicarium::catalog::{self, CATALOG};
 use formicarium::error::Error;
@@ -17,6 +18,9 @@ use crate::limits::Limits;
 use crate::random::Random;
 use crate::readers::told;
 use crate::watch::{Fault, watch};
+
+/// Planners that ran.
+pub static RAN: AtomicU64 = AtomicU64::new(0);
 
 /// What an input of this kind consists of, for people.
 pub struct Case {
@@ -63,6 +67,7 @@ impl Case {
 
     fn run(&self) -> Result<(), Fault> {
         let Some(mut original) = self.build()? else { return Ok(()) };
+        RAN.fetch_add(1, Ordering::Relaxed);
         let (iterations, moves) = self.before;
         let steps = repeat_n(Granularity::Iteration, iterations).chain(repeat_n(Granularity::Move, moves));
         steps.for_each(|by| _ = original.advance(by));
@@ -171,7 +176,7 @@ fn value(random: &mut Random, spec: &ParamSpec) -> Value {
         0.5,
         1e-300,
     ];
-    if random.one_in(40) {
+    if random.one_in(150) {
         return [Value::Flag(random.one_in(2)), Value::Text("x".into()), Value::Number(*random.of_list(&ODD))][random.below(3)]
             .clone();
     }
@@ -183,12 +188,12 @@ fn value(random: &mut Random, spec: &ParamSpec) -> Value {
             let inside = min + (max - min) * random.unit();
             // Close to the lower end, on a scale of powers.
             let small = min + (max - min) * libm::exp2(-60.0 * random.unit());
-            let number = match random.below(20) {
+            let number = match random.below(100) {
                 0 => min - 1.0,
                 1 => max * 1.000_001 + f64::from(u8::from(whole)),
-                2..=5 => *min,
-                6..=8 => *max,
-                9..=12 => small,
+                2..=20 => *min,
+                21..=40 => *max,
+                41..=60 => small,
                 _ => inside,
             };
             Value::Number(if whole { number.floor() } else { number })
@@ -199,12 +204,12 @@ fn value(random: &mut Random, spec: &ParamSpec) -> Value {
 /// Quantities as they are, and as nobody has them.
 fn quantity(random: &mut Random) -> f64 {
     const WILD: [f64; 12] = [5e-324, 1e-300, 1e-30, 1e-9, 0.05, 30.0, 1e6, 1e9, 1e30, 1e300, 1.7e308, 0.0];
-    if random.one_in(6) { *random.of_list(&WILD) } else { 0.5 + random.unit() }
+    if random.one_in(25) { *random.of_list(&WILD) } else { 0.5 + random.unit() }
 }
 
 fn height(random: &mut Random, span: f64) -> f32 {
     const WILD: [f32; 7] = [f32::NAN, f32::MAX, f32::MIN, 1e30, -9999.0, 1e-40, -0.0];
-    if random.one_in(60) { *random.of_list(&WILD) } else { (span * random.unit()) as f32 }
+    if random.one_in(400) { *random.of_list(&WILD) } else { (span * random.unit()) as f32 }
 }
 
 pub fn scenario(random: &mut Random) -> Result<Option<Arc<Scenario>>, Fault> {
@@ -276,7 +281,8 @@ fn terrain(random: &mut Random) -> TerrainSpec {
     } else {
         let levels = if random.one_in(8) { random.between(0, 256) } else { random.between(4, 24) };
         TerrainMoves::Slices(SliceRules {
-            level: quantity(random) * if random.one_in(2) { 2.0 } else { 1.0 },
+            // Often so high that nothing is in the way.
+            level: quantity(random) * *random.of_list(&[1.0, 4.0, 20.0]),
             levels,
             max_aside: random.between(0, 5),
             max_climb: random.between(0, 5),

@@ -2,8 +2,11 @@
 
 use std::fs;
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
+use crate::planners::RAN;
+use crate::readers::ACCEPTED;
 use crate::watch::Fault;
 
 fn folder() -> PathBuf {
@@ -69,8 +72,11 @@ impl Report {
 
     /// How many faults there were.
     pub fn end(&self, files: usize, took: Duration) -> usize {
-        let (inputs, faults, seconds) = (self.inputs, self.faults.len(), took.as_secs_f64());
-        println!("fuzz: {inputs} inputs from {files} files and seed {}, {faults} faults, {seconds:.1} s", self.seed);
+        let (inputs, faults, seconds, seed) = (self.inputs, self.faults.len(), took.as_secs_f64(), self.seed);
+        let [maps, runs] = [&ACCEPTED, &RAN].map(|count| count.load(Ordering::Relaxed));
+        println!(
+            "fuzz: seed {seed}, {inputs} inputs from {files} files: {maps} maps read, {runs} planners run, {faults} faults, {seconds:.1} s"
+        );
         faults
     }
 }

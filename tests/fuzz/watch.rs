@@ -35,7 +35,9 @@ thread_local! {
 pub fn keep_panics() {
     panic::set_hook(Box::new(|info| {
         let place = info.location().map_or_else(String::new, |at| format!("{}:{}", at.file(), at.line()));
-        PANIC.set(Some((place, info.payload_as_str().unwrap_or("a panic without words").into())));
+        let words = info.payload().downcast_ref::<&str>().map(|words| (*words).to_owned());
+        let words = words.or_else(|| info.payload().downcast_ref::<String>().cloned());
+        PANIC.set(Some((place, words.unwrap_or_default())));
     }));
 }
 
