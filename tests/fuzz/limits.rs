@@ -6,7 +6,7 @@ use std::time::Duration;
 pub const MOST_BYTES: usize = 3 << 30;
 
 /// An input that stands still for so long is killed: a loop without an end, whatever the load of the machine.
-pub const STANDSTILL: Duration = Duration::from_secs(60);
+pub const STANDSTILL: Duration = Duration::from_secs(300);
 
 /// Stack of the thread that reads, as in a browser.
 pub const STACK: usize = 1 << 20;

@@ -94,11 +94,14 @@ async function makeSamples() {
   const document = '{"format": "formicarium/comparison@1", "question": {"title": "港 “Süd”"}, "maps": []}\n'
   for (const text of [document, '', document.repeat(500)])
     add('link', 'comparison', page.comparison.PREFIX + (await page.comparison.encodeDocument(text)))
-  // Small when sealed, large when opened.
-  const zeros = (count) => page.envelope.seal(new Uint8Array(count))
-  add('link', 'bomb', page.link.PREFIX + (await zeros(8 * page.codec.MAX_BYTES)))
-  add('link', 'bomb', page.comparison.PREFIX + (await zeros(page.codec.MAX_BYTES)))
   return found
+}
+
+/** Small when sealed, large when opened. */
+async function makeBombs() {
+  const sealed = (count) => page.envelope.seal(new Uint8Array(count))
+  const [far, near] = [await sealed(8 * page.codec.MAX_BYTES), await sealed(page.codec.MAX_BYTES)]
+  return [page.link.PREFIX + far, page.comparison.PREFIX + near].map((content) => ({ kind: 'link', name: 'bomb', content }))
 }
 
 async function check(number) {
@@ -191,7 +194,7 @@ async function watch(read) {
 
 /** A sample, spoiled on the outside or within its packing, so that checksums hold. */
 async function spoiled(random) {
-  const sample = random.of(samples)
+  const sample = random.oneIn(200) ? random.of(bombs) : random.of(samples)
   if (random.oneIn(60)) return sample
   const { kind, content } = sample
   if (kind === 'file') return { ...sample, content: random.oneIn(2) ? spoilText(random, content) : spoilJson(random, content) }
@@ -275,25 +278,34 @@ function spoilJson(random, text) {
     return spoilText(random, text)
   }
   for (let left = 1 + random.below(3); left > 0; left--) {
-    let place = document
-    while (typeof place === 'object' && place !== null) {
-      const keys = Object.keys(place)
-      const key = random.of(keys)
-      const inside = key === undefined ? null : place[key]
-      if (typeof inside === 'object' && inside !== null && !random.oneIn(4)) {
-        place = inside
-        continue
-      }
-      const kind = random.below(6)
-      if (kind === 0 && key !== undefined) delete place[key]
-      else if (kind === 1 && Array.isArray(place)) place.push(...place)
-      else if (kind === 2) Object.defineProperty(place, random.of(KEYS), { value: { spoiled: true }, enumerable: true, configurable: true, writable: true })
-      else if (kind === 3 && key !== undefined) place[key] = nested(random.of([3, 200, 3000]))
-      else if (key !== undefined) place[key] = random.of(ODD)
-      break
-    }
+    // Half of the time near the root, where most is checked.
+    const places = placesIn(document)
+    const [place, key] = random.of(random.oneIn(2) ? places : places.slice(0, 60)) ?? []
+    const kind = random.below(6)
+    if (place === undefined) break
+    if (kind === 0) delete place[key]
+    else if (kind === 1 && Array.isArray(place)) place.push(...place)
+    else if (kind === 2 && !Array.isArray(place)) Object.defineProperty(place, random.of(KEYS), { value: { spoiled: true }, enumerable: true, configurable: true, writable: true })
+    else if (kind === 4) place[key] = null
+    else if (kind === 3) place[key] = nested(random.of([3, 200, 1000]))
+    else place[key] = random.of(ODD)
   }
   return JSON.stringify(document) ?? ''
+}
+
+/** Every value of a document, as its owner and its key; of long lists the beginning. */
+function placesIn(document) {
+  const found = []
+  const owners = [document]
+  while (owners.length > 0 && found.length < 2000) {
+    const owner = owners.shift()
+    if (typeof owner !== 'object' || owner === null) continue
+    for (const key of Object.keys(owner).slice(0, 40)) {
+      found.push([owner, key])
+      owners.push(owner[key])
+    }
+  }
+  return found
 }
 
 function nested(depth) {
@@ -318,6 +330,7 @@ function randomOf(seed, number) {
 const options = readOptions()
 const page = await pageCode()
 const samples = await makeSamples()
+const bombs = await makeBombs()
 const faults = new Map()
 const start = performance.now()
 let inputs = 0

@@ -140,10 +140,15 @@ fn watch_worker(run: &str, rest: &[String], progress: &Progress) -> ExitStatus {
 
 fn tell_end(options: Options, number: u64, status: ExitStatus) {
     println!("FAULT ended: input {number} of seed {} ended the process ({status})", options.seed);
-    if let Some(Input::File(file)) = Inputs::new(options).input(number).ok().flatten() {
-        let story = format!("{}\nseed {}, input {number}\n", file.name, options.seed);
-        println!("      {}", report::write(&format!("ended-{}-{number}", options.seed), &file.bytes, &story));
-    }
+    let name = format!("ended-{}-{number}", options.seed);
+    let about = |words: &str| format!("seed {}, input {number}\n{words}\n", options.seed);
+    let file = match Inputs::new(options).input(number) {
+        Ok(Some(Input::File(file))) => report::write(&name, &file.bytes, &about(&file.name)),
+        Ok(Some(Input::Planner(case))) => report::write(&name, &[], &about(&case.words())),
+        Ok(Some(Input::Path(case))) => report::write(&name, &[], &about(&case.words())),
+        _ => return,
+    };
+    println!("      {file}");
 }
 
 fn work(options: Options, progress: &Progress) -> usize {
