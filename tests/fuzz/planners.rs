@@ -151,7 +151,14 @@ fn values(random: &mut Random, entry: &PlannerEntry) -> Values {
         }
     }
     // So that runs come to an end, mostly; many ants only now and then.
-    let usual = [("iterations", 6, 9), ("seed_iterations", 4, 9), ("ants", 12, 4), ("particles", 12, 4), ("fireworks", 6, 4)];
+    let usual = [
+        ("iterations", 6, 9),
+        ("seed_iterations", 4, 9),
+        ("ants", 12, 4),
+        ("particles", 12, 4),
+        ("fireworks", 6, 4),
+        ("order_iterations", 20, 9),
+    ];
     for (key, most, often) in usual {
         if specs.iter().any(|spec| spec.key == key) && !random.one_in(often * 4) {
             values.insert(key.into(), Value::Number(f64::from(random.between(1, most))));

@@ -3,13 +3,18 @@
 use std::env;
 use std::path::PathBuf;
 use std::process::Command;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::tools::{self, find, output, root, run, target_dir};
+use crate::tools::{self, find, root, run, target_dir};
 
 /// Pinned: its configuration changes with its versions.
 const VERSION: &str = "0.20.2";
+
+/// Longest that is waited for its installation.
+const PATIENCE: Duration = Duration::from_secs(360);
 
 /// Checks what can be checked here, and says what cannot.
 pub fn check() -> Result<()> {
@@ -51,9 +56,22 @@ fn program() -> Result<Option<PathBuf>> {
     println!("install: cargo-deny…");
     let package = format!("cargo-deny@{VERSION}");
     // Without optimization it is there sooner, and fast enough for one lock file.
-    let install = tools::cargo().args(["install", "--locked", "--debug", "--root"]).arg(&tools).arg(&package).status();
-    match install.is_ok_and(|status| status.success()) {
-        true => Ok(output(&ours, &["--version"]).map(|_| ours)),
-        false => Ok(None),
+    let mut install = tools::cargo();
+    install.args(["install", "--locked", "--debug", "--root"]).arg(&tools).arg(&package);
+    Ok(in_time(&mut install).then_some(ours))
+}
+
+/// Whether a command succeeds within its time; it is ended otherwise.
+fn in_time(command: &mut Command) -> bool {
+    let Ok(mut child) = command.spawn() else { return false };
+    let end = Instant::now() + PATIENCE;
+    while Instant::now() < end {
+        match child.try_wait() {
+            Ok(Some(status)) => return status.success(),
+            _ => thread::sleep(Duration::from_millis(200)),
+        }
     }
+    println!("install: cargo-deny takes more than {} minutes here; the rest does without", PATIENCE.as_secs() / 60);
+    let _ = child.kill().and_then(|()| child.wait().map(drop));
+    false
 }
