@@ -7,7 +7,8 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::catalog::CATALOG;
 use formicarium::map::{Generator, Grid, Movement, Moves, Point, generate};
@@ -44,12 +45,10 @@ fn timed(moves: u64, mut iterate: impl FnMut() -> u64) -> Duration {
     start.elapsed().mul_f64(moves as f64 / (done - begin) as f64)
 }
 
-fn moves(c: &mut Criterion) {
-    let mut group = c.benchmark_group("ant move, 100x100, 20 % walls, 50 ants, beta 5");
-    group.throughput(Throughput::Elements(1));
-    let scenario = random_map(100);
-    group.bench_function("engine", |b| {
-        let mut planner = colony("ant-system", &scenario);
+/// Time per ant move of a colony on a map, over whole iterations.
+fn bench_colony(group: &mut BenchmarkGroup<WallTime>, name: impl Into<String>, id: &str, scenario: &Arc<Scenario>) {
+    group.bench_function(name, |b| {
+        let mut planner = colony(id, scenario);
         b.iter_custom(|n| {
             timed(n, || {
                 planner.advance(Granularity::Iteration);
@@ -57,6 +56,13 @@ fn moves(c: &mut Criterion) {
             })
         });
     });
+}
+
+fn moves(c: &mut Criterion) {
+    let mut group = c.benchmark_group("ant move, 100x100, 20 % walls, 50 ants, beta 5");
+    group.throughput(Throughput::Elements(1));
+    let scenario = random_map(100);
+    bench_colony(&mut group, "engine", "ant-system", &scenario);
     group.bench_function("naive", |b| {
         let mut naive = reference::Naive::new(Arc::clone(&scenario), 50, 5.0, 0.5, Heuristic::Detour, 1);
         b.iter_custom(|n| {
@@ -75,15 +81,7 @@ fn sizes(c: &mut Criterion) {
     group.throughput(Throughput::Elements(1));
     for side in [20, 200, 512] {
         let scenario = random_map(side);
-        group.bench_function(format!("{side}x{side}"), |b| {
-            let mut planner = colony("ant-system", &scenario);
-            b.iter_custom(|n| {
-                timed(n, || {
-                    planner.advance(Granularity::Iteration);
-                    planner.effort().ant_moves
-                })
-            });
-        });
+        bench_colony(&mut group, format!("{side}x{side}"), "ant-system", &scenario);
     }
     group.finish();
 }
@@ -126,15 +124,7 @@ fn arena2(c: &mut Criterion) {
     let scenario = Arc::new(Scenario::on(grid, Movement::default(), longest.start, longest.goal).expect("usable"));
     let mut group = c.benchmark_group("ant move on arena2, 50 ants");
     group.throughput(Throughput::Elements(1));
-    group.bench_function("engine", |b| {
-        let mut planner = colony("ant-system", &scenario);
-        b.iter_custom(|n| {
-            timed(n, || {
-                planner.advance(Granularity::Iteration);
-                planner.effort().ant_moves
-            })
-        });
-    });
+    bench_colony(&mut group, "engine", "ant-system", &scenario);
     group.finish();
 }
 
@@ -144,15 +134,7 @@ fn colonies(c: &mut Criterion) {
     group.throughput(Throughput::Elements(1));
     let scenario = random_map(100);
     for entry in CATALOG.iter().filter(|e| e.family == Family::AntColony) {
-        group.bench_function(entry.id, |b| {
-            let mut planner = colony(entry.id, &scenario);
-            b.iter_custom(|n| {
-                timed(n, || {
-                    planner.advance(Granularity::Iteration);
-                    planner.effort().ant_moves
-                })
-            });
-        });
+        bench_colony(&mut group, entry.id, entry.id, &scenario);
     }
     group.finish();
 }

@@ -1,9 +1,11 @@
-//! The build helper: `cargo xtask serve`, `test`, `build`, `wasm`, `bench`, `record`.
+//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`.
 //!
 //! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
 //! after what is missing.
 
+mod deny;
+mod fuzz;
 mod install;
 mod page;
 mod record;
@@ -44,6 +46,8 @@ enum Command {
     },
     /// Run every check, or the named stages only
     Test(test::Options),
+    /// Give spoiled inputs to everything that reads, for as long as you like
+    Fuzz(fuzz::Options),
     /// Run the benchmarks; further arguments go to `cargo bench`
     Bench {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
@@ -82,6 +86,7 @@ fn run(command: Command) -> anyhow::Result<()> {
             println!("page: {}", folder.display());
         }),
         Command::Test(options) => test::test(&options),
+        Command::Fuzz(options) => fuzz::fuzz(&options),
         Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
         Command::Record(options) => record::record(&options),
         Command::TestRunner { args } => wasm::run_tests(args),

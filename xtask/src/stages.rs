@@ -1,14 +1,12 @@
 //! What each stage of `cargo xtask test` runs.
 
-use std::env;
-use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::Result;
 use clap::ValueEnum;
 
-use crate::tools::{self, node_script, root, run};
-use crate::{install, page};
+use crate::tools::{self, node_script, root, run, with_data};
+use crate::{deny, fuzz, install, page, wasm};
 
 const WASM: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
 
@@ -18,30 +16,49 @@ pub enum Stage {
     Fmt,
     /// clippy, natively and for WebAssembly
     Clippy,
+    /// Licences, sources and versions of all crates
+    Deny,
     /// The Rust tests: engine, command line, build helper
     Engine,
+    /// Spoiled inputs for everything that reads, for a minute
+    Fuzz,
     /// tests/wasm.rs in Node.js
     WasmNode,
     /// tests/wasm.rs in Chromium
     WasmChromium,
     /// The page: engine, bundle, types, lint
     Page,
+    /// Every benchmark once
+    Bench,
     /// The page in Chromium, by Playwright
     Browser,
 }
 
 impl Stage {
-    pub const ALL: [Self; 7] =
-        [Self::Fmt, Self::Clippy, Self::Engine, Self::WasmNode, Self::WasmChromium, Self::Page, Self::Browser];
+    pub const ALL: [Self; 10] = [
+        Self::Fmt,
+        Self::Clippy,
+        Self::Deny,
+        Self::Engine,
+        Self::Fuzz,
+        Self::WasmNode,
+        Self::WasmChromium,
+        Self::Page,
+        Self::Bench,
+        Self::Browser,
+    ];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Fmt => "fmt",
             Self::Clippy => "clippy",
+            Self::Deny => "deny",
             Self::Engine => "engine",
+            Self::Fuzz => "fuzz",
             Self::WasmNode => "wasm-node",
             Self::WasmChromium => "wasm-chromium",
             Self::Page => "page",
+            Self::Bench => "bench",
             Self::Browser => "browser",
         }
     }
@@ -50,13 +67,16 @@ impl Stage {
         match self {
             Self::Fmt => run(tools::cargo().args(["fmt", "--all", "--check"])),
             Self::Clippy => clippy(),
+            Self::Deny => deny::check(),
             Self::Engine => engine(),
+            Self::Fuzz => fuzz::stage(),
             Self::WasmNode => wasm_tests(&mut tools::cargo()),
             Self::WasmChromium => {
                 install::chromium()?;
                 wasm_tests(tools::cargo().env("WASM_BINDGEN_USE_BROWSER", "1"))
             }
             Self::Page => page::check(),
+            Self::Bench => bench(),
             Self::Browser => browser(),
         }
     }
@@ -83,6 +103,14 @@ fn wasm_tests(cargo: &mut Command) -> Result<()> {
     run(cargo.args(["test", "--package", "formicarium", "--test", "wasm"]).args(WASM))
 }
 
+/// What the README names is run, not measured.
+fn bench() -> Result<()> {
+    run(with_data(tools::cargo().args(["bench", "--package", "formicarium", "--bench", "walk", "--", "--test"])))?;
+    wasm::build(wasm::Mode::Release)?;
+    let mut peers = Command::new("node");
+    run(with_data(peers.arg(root().join("benches/node/peers.mjs")).arg("--quick")))
+}
+
 fn browser() -> Result<()> {
     install::chromium()?;
     page::build(None)?;
@@ -95,12 +123,4 @@ fn browser() -> Result<()> {
 
 fn config() -> String {
     root().join("tests/browser/playwright.config.ts").display().to_string()
-}
-
-/// Tests run in other folders: the data folder is told from the repository's root.
-fn with_data(command: &mut Command) -> &mut Command {
-    let Some(data) = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()) else {
-        return command;
-    };
-    command.env("FORMICARIUM_DATA", root().join(PathBuf::from(data)))
 }

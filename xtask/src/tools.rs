@@ -61,6 +61,14 @@ pub fn find(program: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(program)).find(|p| p.is_file())
 }
 
+/// Tests run in other folders: the data folder is told from the repository's root.
+pub fn with_data(command: &mut Command) -> &mut Command {
+    let Some(data) = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()) else {
+        return command;
+    };
+    command.env("FORMICARIUM_DATA", root().join(PathBuf::from(data)))
+}
+
 /// The command as one would type it, paths shortened to the repository.
 fn line(command: &Command) -> String {
     let root = format!("{}/", root().display());

@@ -1,0 +1,139 @@
+//! Files to begin with: small ones of every format, made here or committed; more where FORMICARIUM_DATA is set.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use formicarium::formats::{BinaryExport, Export, export, export_binary};
+use formicarium::map::{Grid, Measure, Point};
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
+
+use crate::{common, terrains};
+
+#[derive(Clone)]
+pub struct File {
+    pub name: String,
+    pub bytes: Vec<u8>,
+}
+
+/// Larger ones are left out: they would be read a few times a second.
+const LARGEST: u64 = 24 << 10;
+
+pub fn corpus() -> Vec<File> {
+    let mut files: Vec<File> =
+        written().into_iter().chain(exported()).map(|(name, bytes)| File { name: name.into(), bytes }).collect();
+    for folder in ["tests/fixtures", "experiments/maps"] {
+        add_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files);
+    }
+    files
+}
+
+/// What is too large to commit; says so where it is missing.
+pub fn add_data(files: &mut Vec<File>) {
+    let Some(data) = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()).map(PathBuf::from) else {
+        return println!("fuzz: FORMICARIUM_DATA is not set; without its files");
+    };
+    add_folder(&data, files);
+    let cases = data.parent().map(|folder| folder.join("cases")).filter(|folder| folder.is_dir());
+    match cases {
+        Some(cases) => add_folder(&cases, files),
+        None => println!("fuzz: no folder `cases` beside FORMICARIUM_DATA"),
+    }
+}
+
+fn add_folder(folder: &Path, files: &mut Vec<File>) {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in paths {
+        // Links and pictures are the page's: links.mjs.
+        let of_page = path.extension().is_some_and(|end| end == "link" || end == "png");
+        if path.is_dir() {
+            add_folder(&path, files);
+        } else if of_page {
+            continue;
+        } else if path.metadata().is_ok_and(|file| file.len() <= LARGEST) {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            files.extend(fs::read(&path).map(|bytes| File { name, bytes }));
+        }
+    }
+}
+
+const QUESTION: &str = r#""question": {"format": "formicarium/question@1", "title": "t", "asks": "?", "seeds": {"from": 1, "count": 2},
+"instances": [{"id": "open", "map": "open.json"}], "budget": {"axis": "iterations", "amount": 20},
+"entries": [{"id": "ants", "label": "ants", "role": "improved", "planner": "ant-system", "set": {"iterations": 5, "ants": 4}},
+{"id": "exact", "label": "A*", "role": "other", "planner": "astar", "published": {"open": {"length": 3.4, "turns": 1}}},
+{"id": "mine", "label": "mine", "role": "other", "results": "mine.csv"}],
+"claims": [{"id": "c", "says": "shorter", "improved": "ants", "baseline": "exact", "measure": "length", "direction": "less"}]}"#;
+
+fn comparison(question: &str) -> Vec<u8> {
+    let map = r#"{"format": "formicarium/scenario@1", "name": "", "width": 3, "height": 2, "start": [0,0], "goals": [{"at": [2,1]}],
+"map": {"rows": ["..@", "..."]}}"#;
+    format!("{{\"format\": \"formicarium/comparison@1\",\n{question},\n\"maps\": [\n{map}]}}\n").into_bytes()
+}
+
+fn written() -> Vec<(&'static str, Vec<u8>)> {
+    let texts = [
+        ("a.m", "G = [0 1 0; ... first\n 1 0 2; % second\n 3 0 0;];\nx = size(G);\n"),
+        ("a.py", "import numpy as np\ng = np.array([[0, 1],\n [1, 0]])\n"),
+        ("a.txt", "001\n010\n"),
+        ("a.csv", "0;0;1\n0;1;0\n2;0;3\n"),
+        ("b.csv", "0,255,1\n0,1,7\n"),
+        ("s.scen", "version 1.0\r\n3 a b.map 4 3 0 0 3 2 4.50\r\n3\ta b.map\t4\t3\t0\t0\t2\t2\t3.41421\r\n"),
+        ("old.scen", "0\tmaps/dao/arena.map\t49\t49\t1\t13\t4\t12\t3.41421\n"),
+        ("swamp.map", "height 3\nTYPE octile\nwidth 4\nmap\n.@.G\nO.TS\n...W\n"),
+        (
+            "d.asc",
+            "NCOLS 3\r\nnrows 2\nxllcorner -105.5\nyllcorner 40\ncellsize 0.01\nNODATA_value -9999\n1 2 -9999\n4.5 5 6e1\n",
+        ),
+        ("e.asc", "ncols 2\nnrows 2\ndx 10\ndy 20\nNODATA_value nan\n# a comment\n1 nan 3\n4\n"),
+        ("h.csv", "10,20,30\n40,-9999,60\n7,8,9\n"),
+        ("r.csv", "entry,instance,seed,length,turns,evaluations\nA,m,1,34.5,3,10\nA,m,1,33.0,3,20\n\"B, b\",m,2,,,\n"),
+        ("q.csv", "seed;value;status\r\n1;34,5;optimal\r\n2;nan;\r\n"),
+        ("t.csv", "run\tcost\titerations\titeration of best\tant_moves\n1\t7.5\t100\t20\t3000\n"),
+        ("i.dat", "\"function evaluation\" \"best-so-far f(x)\"\n1  +2.95e+02\n9 inf\nevaluations raw_y\n3 4\n"),
+        (
+            "p.json",
+            r#"{"format": "formicarium/result@1", "objective": "polyline-length", "path": [[0,0],[1,1],[2,1]], "levels": [1,2,2]}"#,
+        ),
+        ("p.csv", "x,y\n0,0\n1,1\n2,1\n"),
+        ("p.m", "[1 1; 2 2; 3 2]"),
+        ("l.csv", "0,0,1\n1,0,2\n"),
+    ];
+    let mut all: Vec<_> = texts.into_iter().map(|(name, text)| (name, text.as_bytes().to_vec())).collect();
+    all.push(("q.json", comparison(QUESTION)));
+    all
+}
+
+/// What the exporters write: planes, tours, surfaces, slices.
+fn exported() -> Vec<(&'static str, Vec<u8>)> {
+    let grid = Grid::from_bytes(4, 3, &[0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0]).expect("a rectangle");
+    let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+    let text = |format| export(&grid, &spec, format).into_bytes();
+    let mut all = vec![
+        ("plane.map", text(Export::MovingaiMap)),
+        ("plane.map.scen", text(Export::MovingaiScen { optimal: 4.5 })),
+        ("plane.csv", text(Export::Matrix)),
+        ("plane.json", text(Export::Scenario)),
+    ];
+    let goals = vec![Goal { area: 0.3, ..Goal::new(Point::new(3, 2), "a") }, Goal::new(Point::new(3, 0), "b")];
+    all.push(("goals.json", export(&grid, &ScenarioSpec { goals, ..spec }, Export::Scenario).into_bytes()));
+    let mut add = |names: [&'static str; 4], scenario: &Scenario| {
+        let text = |format| export(&scenario.grid, &scenario.spec, format).into_bytes();
+        let [json, asc, csv, tif] = names;
+        all.push((json, text(Export::Scenario)));
+        all.push((asc, text(Export::EsriAscii)));
+        all.push((csv, text(Export::HeightTable)));
+        all.extend(export_binary(&scenario.grid, &scenario.spec, BinaryExport::Geotiff).map(|bytes| (tif, bytes)));
+    };
+    add(["hilly.json", "hilly.asc", "hilly.csv", "hilly.tif"], &terrains::hilly(9, 7, 3, 6.0, terrains::sixteen()[2], 60.0));
+    let slices = terrains::hilly_slices(8, 5, 7, terrains::rules(Measure::Cost));
+    add(["slices.json", "slices.asc", "slices.csv", "slices.tif"], &slices);
+    let random = common::random(12, 0.25, 5, formicarium::map::Movement::default());
+    all.push(("random.map", export(&random.grid, &random.spec, Export::MovingaiMap).into_bytes()));
+    all
+}
+
+/// A tile of fixed size, of which only bytes can be spoiled; half a second each, so it is rare.
+pub fn tile() -> File {
+    let heights = terrains::hills(1201, 1201, 2, 900.0);
+    File { name: "N40W106.hgt".into(), bytes: heights.iter().flat_map(|height| (*height as i16).to_be_bytes()).collect() }
+}

@@ -1,0 +1,201 @@
+//! Every public reader. What it accepts must be usable, and come back the same when it is written and read again.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use formicarium::comparison::{Axis, Question, Samples, Seen, analyse, document};
+use formicarium::error::{Error, ErrorReport};
+use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions};
+use formicarium::map::{Grid, Window};
+use formicarium::scenario::{Scenario, ScenarioSpec};
+
+use crate::corpus::File;
+use crate::limits::{Limits, MOST_CELLS, MOST_CELLS_PER_BYTE};
+use crate::watch::{Fault, watch};
+
+/// Files that were read as maps: where hardly any are, hardly anything is tried.
+pub static ACCEPTED: AtomicU64 = AtomicU64::new(0);
+
+type Read = fn(&File) -> Result<(), Fault>;
+
+pub struct Reader {
+    pub name: &'static str,
+    read: Read,
+    raster: bool,
+}
+
+const fn text(name: &'static str, read: Read) -> Reader {
+    Reader { name, read, raster: false }
+}
+
+const fn raster(name: &'static str, read: Read) -> Reader {
+    Reader { name, read, raster: true }
+}
+
+pub const READERS: &[Reader] = &[
+    raster("sniff", |file| done(formats::sniff(&file.bytes, &file.name))),
+    raster("import", |file| typed(formats::import(&file.bytes, &file.name)).map(drop)),
+    raster("round-trip", round_trip),
+    raster("import_piece", import_piece),
+    raster("import_terrain", |file| typed(formats::import_terrain(&file.bytes, &file.name, piece())).map(drop)),
+    raster("survey", |file| typed(formats::survey(&file.bytes, &file.name)).map(drop)),
+    text("import_scen", import_scen),
+    text("import_results", import_results),
+    text("read_path", |file| typed(formats::read_path(&file.bytes).map_err(Error::from)).map(drop)),
+    text("read_places", |file| typed(formats::read_places(&file.bytes).map_err(Error::from)).map(drop)),
+    text("path_kind", |file| done(formats::path_kind(&file.bytes))),
+    text("read_scenario", |file| typed(formats::read_scenario(&utf8(file)).map_err(Error::from)).map(drop)),
+    text("format_of", |file| done(formats::format_of(&utf8(file)))),
+    text("question", question),
+    text("comparison", comparison),
+];
+
+impl Reader {
+    pub fn check(&self, file: &File) -> Result<(), Fault> {
+        let len = file.bytes.len();
+        let limits = || if self.raster { Limits::raster(len, cells(file)) } else { Limits::text(len) };
+        watch(self.name, limits, || (self.read)(file))
+    }
+}
+
+/// What a raster honestly claims; a packed one that cannot be read to its end, what its length allows.
+fn cells(file: &File) -> u64 {
+    let len = file.bytes.len() as u64;
+    let packed = [&b"II"[..], b"MM"].iter().any(|magic| file.bytes.starts_with(magic));
+    let most = if packed { (len * MOST_CELLS_PER_BYTE).min(MOST_CELLS) } else { 0 };
+    let survey = catch_unwind(AssertUnwindSafe(|| formats::survey(&file.bytes, &file.name)));
+    survey.ok().and_then(Result::ok).map_or(most, |survey| u64::from(survey.width) * u64::from(survey.height))
+}
+
+fn utf8(file: &File) -> std::borrow::Cow<'_, str> {
+    String::from_utf8_lossy(&file.bytes)
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "readers that accept everything stand in a list with those that do not")]
+fn done<T>(_: T) -> Result<(), Fault> {
+    Ok(())
+}
+
+/// A refusal must tell what is wrong and what to do.
+fn typed<T>(read: Result<T, Error>) -> Result<Option<T>, Fault> {
+    match read {
+        Ok(value) => Ok(Some(value)),
+        Err(error) => told(&error.report()).map(|()| None),
+    }
+}
+
+pub fn told(report: &ErrorReport) -> Result<(), Fault> {
+    if report.kind.is_empty() || report.message.is_empty() || report.hint.is_empty() {
+        return Err(Fault::broken("errors have kind, message and hint", format!("{report:?}")));
+    }
+    if report.message.len() + report.hint.len() > 4000 {
+        let begin: String = report.message.chars().take(100).collect();
+        return Err(Fault::broken("errors are short", format!("{} bytes: {begin}…", report.message.len())));
+    }
+    Ok(())
+}
+
+fn piece() -> TerrainOptions {
+    TerrainOptions { crop: Some(Window { x: 1, y: 0, width: 2, height: 2 }), size: Some((3, 1)) }
+}
+
+fn import_piece(file: &File) -> Result<(), Fault> {
+    typed(formats::import_piece(&file.bytes, &file.name, TerrainOptions { crop: None, size: Some((5, 3)) }))?;
+    typed(formats::import_piece(&file.bytes, &file.name, piece())).map(drop)
+}
+
+fn import_scen(file: &File) -> Result<(), Fault> {
+    let Some(scen) = typed(formats::import_scen(&file.bytes).map_err(Error::from))? else { return Ok(()) };
+    let grid = Grid::open(4, 3).expect("a small map");
+    let misfits = formats::check_scen(&scen, &grid);
+    if misfits.len() > scen.lines.len() {
+        return Err(Fault::broken("one notice a line", format!("{} of {}", misfits.len(), scen.lines.len())));
+    }
+    scen.lines.iter().for_each(|line| assert!(line.fits(line.optimal)));
+    Ok(())
+}
+
+fn import_results(file: &File) -> Result<(), Fault> {
+    let results = formats::import_results(&file.bytes, &file.name).map_err(Error::from);
+    let Some(results) = typed(results)? else { return Ok(()) };
+    let named = results.entries.iter().all(|entry| !entry.id.is_empty() && !entry.label.is_empty());
+    if results.runs() == 0 || !named {
+        return Err(Fault::broken(
+            "accepted results have runs and names",
+            format!("{results:?}").chars().take(300).collect::<String>(),
+        ));
+    }
+    Ok(())
+}
+
+/// A scenario that the engine takes, or a typed error.
+fn scenario(grid: &Grid, spec: &ScenarioSpec) -> Result<Option<Scenario>, Fault> {
+    typed(Scenario::new(grid.clone(), spec.clone()).map_err(Error::from))
+}
+
+/// Every accepted map, written in the formats that hold it, is read as the same map.
+fn round_trip(file: &File) -> Result<(), Fault> {
+    let Ok(map) = formats::import(&file.bytes, &file.name) else { return Ok(()) };
+    ACCEPTED.fetch_add(1, Ordering::Relaxed);
+    if map.grid.len() > 1 << 16 {
+        return Ok(());
+    }
+    // A terrain may have heights that no scenario can have; only what can be planned on can be written as one.
+    if scenario(&map.grid, &map.spec)?.is_none() {
+        return Ok(());
+    }
+    let back = again(&map, Export::Scenario)?;
+    if back.spec != map.spec {
+        return Err(Fault::broken("scenario JSON keeps everything", format!("{:?}\nbecame {:?}", map.spec, back.spec)));
+    }
+    let in_metres = map.spec.terrain.is_none_or(|terrain| terrain.vertical_unit == 1.0);
+    match map.grid.heights() {
+        None => [Export::MovingaiMap, Export::Matrix].into_iter().try_for_each(|format| again(&map, format).map(drop)),
+        // Walls on known ground are lost, and sides of cells beyond a raster's limits are refused.
+        Some(heights) if in_metres && (1e-9..1e9).contains(&map.spec.resolution) => {
+            let blocked = (0..map.grid.len()).any(|cell| map.grid.is_blocked(cell as u32) && !heights[cell].is_nan());
+            if blocked { Ok(()) } else { rasters(&map) }
+        }
+        Some(_) => Ok(()),
+    }
+}
+
+fn rasters(map: &Imported) -> Result<(), Fault> {
+    again(map, Export::EsriAscii)?;
+    let bytes = formats::export_binary(&map.grid, &map.spec, BinaryExport::Geotiff).map_err(Error::from);
+    let Some(bytes) = typed(bytes)? else { return Ok(()) };
+    same(map, "GeoTIFF", formats::import(&bytes, "again.tif")).map(drop)
+}
+
+fn again(map: &Imported, format: Export) -> Result<Imported, Fault> {
+    let text = formats::export(&map.grid, &map.spec, format);
+    same(map, &format!("{format:?}"), formats::import(text.as_bytes(), "again"))
+}
+
+fn same(map: &Imported, format: &str, back: Result<Imported, Error>) -> Result<Imported, Fault> {
+    let back = back.map_err(|error| Fault::broken(&format!("{format} is read again"), error.to_string()))?;
+    if back.grid != map.grid {
+        let sizes = format!("{} × {} became {} × {}", map.grid.width(), map.grid.height(), back.grid.width(), back.grid.height());
+        return Err(Fault::broken(&format!("{format} keeps the map"), sizes));
+    }
+    Ok(back)
+}
+
+fn question(file: &File) -> Result<(), Fault> {
+    let Ok(question) = serde_json::from_slice::<Question>(&file.bytes) else { return Ok(()) };
+    typed(question.check().map_err(Error::from)).map(drop)
+}
+
+/// A document that is opened can be judged as it stands, and is the same when it is written and opened again.
+fn comparison(file: &File) -> Result<(), Fault> {
+    let Some(opened) = typed(document::open(&utf8(file)))? else { return Ok(()) };
+    let text = document::write_as(&opened.comparison, &opened.rows, true, opened.recorded.as_ref());
+    let back = document::open(&text).map_err(|error| Fault::broken("a comparison is read again", error.to_string()))?;
+    if back.comparison.digest().hex() != opened.comparison.digest().hex() || back.rows != opened.rows {
+        return Err(Fault::broken("a comparison keeps everything", ""));
+    }
+    let rows = opened.comparison.all_rows(&opened.rows);
+    let samples = Samples::new(&opened.comparison, rows.iter().map(Seen::from));
+    [Axis::Iterations, Axis::Moves].into_iter().for_each(|axis| drop(analyse(&samples, axis, None)));
+    Ok(())
+}

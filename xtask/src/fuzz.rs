@@ -1,0 +1,47 @@
+//! `cargo xtask fuzz`: spoiled inputs for everything that reads, in the engine (tests/fuzz) and in the page (tests/fuzz/links.mjs).
+
+use std::process::Command;
+
+use anyhow::Result;
+use clap::Args;
+
+use crate::install;
+use crate::tools::{self, root, run, target_dir, with_data};
+
+#[derive(Args)]
+pub struct Options {
+    /// How long; a fifth of it goes to the page's links
+    #[arg(long, default_value_t = 10.0)]
+    minutes: f64,
+    /// Which inputs: equal seeds, equal inputs
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+}
+
+pub fn fuzz(options: &Options) -> Result<()> {
+    let minutes = |share: f64| ["--minutes".into(), (options.minutes * share).to_string()];
+    // Both, whatever the first has found.
+    let results = [engine(options.seed, &minutes(0.8)), links(options.seed, &minutes(0.2))];
+    results.into_iter().collect()
+}
+
+/// The same inputs every time, about a minute in all.
+pub fn stage() -> Result<()> {
+    const SEED: u32 = 1;
+    let inputs = |count: u32| ["--inputs".into(), count.to_string()];
+    engine(SEED, &inputs(30_000))?;
+    links(SEED, &inputs(4_000))
+}
+
+fn engine(seed: u32, extent: &[String]) -> Result<()> {
+    let test = ["test", "--package", "formicarium", "--test", "fuzz", "--", "--seed", &seed.to_string()].map(String::from);
+    run(with_data(tools::cargo().args(test).args(extent)))
+}
+
+fn links(seed: u32, extent: &[String]) -> Result<()> {
+    install::npm_packages()?;
+    let mut node = Command::new("node");
+    // Less than what one link may unfold to many times over.
+    node.arg("--max-old-space-size=512").arg(root().join("tests/fuzz/links.mjs"));
+    run(node.args(["--seed", &seed.to_string()]).args(extent).env("CARGO_TARGET_DIR", target_dir()))
+}
