@@ -140,7 +140,7 @@ impl Spent {
             Axis::ConstructedPaths => self.constructed_paths,
             Axis::AntMoves => self.ant_moves,
             Axis::CellExpansions => self.cell_expansions,
-            Axis::Moves => self.ant_moves.zip(self.cell_expansions).map(|(moves, expansions)| moves + expansions),
+            Axis::Moves => self.ant_moves.zip(self.cell_expansions).map(|(moves, expansions)| moves.saturating_add(expansions)),
             Axis::Time => None,
         }
     }

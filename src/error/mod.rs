@@ -36,14 +36,24 @@ pub struct ErrorReport {
 impl ErrorReport {
     /// A report without arguments.
     pub fn new(kind: &str, field: impl Into<String>, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { kind: kind.into(), field: field.into(), message: message.into(), hint: hint.into(), args: BTreeMap::new() }
+        let [field, message, hint] = [field.into(), message.into(), hint.into()].map(shortened);
+        Self { kind: kind.into(), field, message, hint, args: BTreeMap::new() }
     }
 
     /// Adds one argument of the translated message.
     #[must_use]
     pub fn with(mut self, name: &str, value: impl ToString) -> Self {
-        self.args.insert(name.into(), value.to_string());
+        self.args.insert(name.into(), shortened(value.to_string()));
         self
+    }
+}
+
+/// Messages quote what they refuse: of a hostile file that may be a megabyte.
+fn shortened(text: String) -> String {
+    const LONGEST: usize = 1000;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text,
     }
 }
 

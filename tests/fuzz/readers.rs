@@ -3,9 +3,9 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use formicarium::comparison::{Axis, Question, Samples, Seen, analyse, document};
+use formicarium::comparison::{Axis, Question, Samples, Seen, analyse};
 use formicarium::error::{Error, ErrorReport};
-use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions};
+use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions, comparison_json};
 use formicarium::map::{Grid, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
@@ -188,9 +188,9 @@ fn question(file: &File) -> Result<(), Fault> {
 
 /// A document that is opened can be judged as it stands, and is the same when it is written and opened again.
 fn comparison(file: &File) -> Result<(), Fault> {
-    let Some(opened) = typed(document::open(&utf8(file)))? else { return Ok(()) };
-    let text = document::write_as(&opened.comparison, &opened.rows, true, opened.recorded.as_ref());
-    let back = document::open(&text).map_err(|error| Fault::broken("a comparison is read again", error.to_string()))?;
+    let Some(opened) = typed(comparison_json::open(&utf8(file)))? else { return Ok(()) };
+    let text = comparison_json::write_as(&opened.comparison, &opened.rows, true, opened.recorded.as_ref());
+    let back = comparison_json::open(&text).map_err(|error| Fault::broken("a comparison is read again", error.to_string()))?;
     if back.comparison.digest().hex() != opened.comparison.digest().hex() || back.rows != opened.rows {
         return Err(Fault::broken("a comparison keeps everything", ""));
     }

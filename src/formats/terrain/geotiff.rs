@@ -53,6 +53,7 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
         return Err(FormatError::field("ImageWidth", what, "no more cells than the file can hold"));
     }
     let bands = bands(&mut tiff)?;
+    check_chunk(&mut tiff)?;
     let (cell, notices) = cells(&mut tiff, (width, height))?;
     let no_data = no_data(&mut tiff)?;
     let whole = whole(&mut tiff, bytes, (width, height))?;
@@ -61,6 +62,17 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
     }
     let heights = heights(&mut tiff, (width, height), bands, no_data)?;
     Ok(Raster { kind: Kind::Geotiff, width, height, heights, cell, notices })
+}
+
+/// The decoder sets memory aside for a whole strip or tile, whatever the file holds of it.
+fn check_chunk(tiff: &mut Tiff) -> Result<(), FormatError> {
+    const MOST_CELLS: u64 = MAX_CHUNK as u64 / 8;
+    let (width, height) = tiff.chunk_dimensions();
+    if width == 0 || height == 0 || u64::from(width) * u64::from(height) > MOST_CELLS {
+        let max = format!("{MOST_CELLS} cells");
+        return Err(FormatError::TooLarge { what: format!("a strip or tile of {width} × {height} cells"), max });
+    }
+    Ok(())
 }
 
 fn open(bytes: &[u8]) -> Result<Tiff<'_>, FormatError> {
