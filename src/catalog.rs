@@ -16,6 +16,9 @@ const OPENING: bool = true;
 /// In the whole build alone.
 const MORE: bool = cfg!(feature = "whole");
 
+/// Most runs of one entry on one map of a comparison.
+pub const MAX_SEEDS: u32 = 100_000;
+
 /// The planners in the order in which people meet them, each with the builds that have it.
 const LIST: &[(bool, &PlannerEntry)] = &[
     (OPENING, &aco::ant_system::ENTRY),
@@ -204,6 +207,8 @@ pub struct Limits {
     pub max_reach: u32,
     /// Density of obstacles, or roughness, of a generated map.
     pub max_density: f64,
+    /// Seeds of a comparison: runs of one entry on one map.
+    pub max_seeds: u32,
 }
 
 /// One generator of maps as data.
@@ -215,6 +220,7 @@ pub struct GeneratorEntry {
     /// Whether it makes a terrain, with heights.
     pub terrain: bool,
     /// What its number beside size and seed says: `density` or `roughness`, 0 to [`Limits::max_density`]; none where it has no such number.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"density\" | \"roughness\" | null"))]
     pub asks_for: Option<&'static str>,
 }
 
@@ -283,6 +289,7 @@ const LIMITS: Limits = Limits {
     max_levels: MAX_LEVELS,
     max_reach: MAX_REACH,
     max_density: MAX_DENSITY,
+    max_seeds: MAX_SEEDS,
 };
 
 /// The whole catalog as data.
