@@ -49,7 +49,8 @@ export const zhCNEngine = {
     },
     'best-worst-ant-system': {
       name: '最优最差蚂蚁系统 (BWAS)',
-      summary: '至今最优路径增加信息素，本次迭代的最差路径减少信息素；信息素随机变异，越到后期变异越大。',
+      summary:
+        '至今最优路径增加信息素，本次迭代的最差路径减少信息素；信息素随机变异，越到后期变异越大。',
     },
     fire: {
       name: '多火源蚁群',
