@@ -7,16 +7,25 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::error::ParamError;
-use crate::map::{Generator, MAX_DENSITY, MAX_LEVELS, MAX_REACH, MAX_SIDE};
+use crate::map::Generator;
+#[cfg(feature = "whole")]
+use crate::map::{MAX_DENSITY, MAX_LEVELS, MAX_REACH, MAX_SIDE};
 use crate::params::{ParamSpec, Values};
-use crate::planner::{Component, Family, Ground, GroundRule, Layer, Planner, PlannerEntry};
-use crate::scenario::{MAX_GOALS, Scenario};
+#[cfg(feature = "whole")]
+use crate::planner::GroundRule;
+use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
+#[cfg(feature = "whole")]
+use crate::scenario::MAX_GOALS;
+use crate::scenario::Scenario;
 use crate::{aco, exact, swarm};
 
 /// In every build: what a first visit to the page needs.
 const OPENING: bool = true;
 /// In the whole build alone.
 const MORE: bool = cfg!(feature = "whole");
+
+/// Most runs of one entry on one map of a comparison.
+pub const MAX_SEEDS: u32 = 100_000;
 
 /// The planners in the order in which people meet them, each with the builds that have it.
 const LIST: &[(bool, &PlannerEntry)] = &[
@@ -174,7 +183,8 @@ fn preset_values(entry: &PlannerEntry, name: &str) -> Result<Values, ParamError>
     })
 }
 
-/// The catalog as data: `catalog --json`, and the page.
+/// The catalog as data: `catalog --json`, and the page. What is not about planners is told by the whole build alone: a page has it from
+/// there before any engine starts.
 #[derive(Debug, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Catalog {
@@ -183,12 +193,16 @@ pub struct Catalog {
     /// Every planner.
     pub planners: Vec<CatalogEntry>,
     /// Every layer that some planner can draw, in the order in which people meet them.
+    #[cfg(feature = "whole")]
     pub layers: Vec<Layer>,
     /// What the engine accepts at most.
+    #[cfg(feature = "whole")]
     pub limits: Limits,
     /// How the ground follows from a scenario: the first rule that holds.
+    #[cfg(feature = "whole")]
     pub grounds: Vec<GroundRule>,
     /// The generators of maps.
+    #[cfg(feature = "whole")]
     pub generators: Vec<GeneratorEntry>,
 }
 
@@ -206,6 +220,8 @@ pub struct Limits {
     pub max_reach: u32,
     /// Density of obstacles, or roughness, of a generated map.
     pub max_density: f64,
+    /// Seeds of a comparison: runs of one entry on one map.
+    pub max_seeds: u32,
 }
 
 /// One generator of maps as data.
@@ -217,6 +233,7 @@ pub struct GeneratorEntry {
     /// Whether it makes a terrain, with heights.
     pub terrain: bool,
     /// What its number beside size and seed says: `density` or `roughness`, 0 to [`Limits::max_density`]; none where it has no such number.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "\"density\" | \"roughness\" | null"))]
     pub asks_for: Option<&'static str>,
 }
 
@@ -279,12 +296,14 @@ pub struct ComponentEntry {
 }
 
 /// See [`Limits`].
+#[cfg(feature = "whole")]
 const LIMITS: Limits = Limits {
     max_side: MAX_SIDE,
     max_goals: MAX_GOALS as u32,
     max_levels: MAX_LEVELS,
     max_reach: MAX_REACH,
     max_density: MAX_DENSITY,
+    max_seeds: MAX_SEEDS,
 };
 
 /// The whole catalog as data.
@@ -311,13 +330,18 @@ pub fn catalog() -> Catalog {
         max_goals: e.max_goals,
         grounds: e.grounds.to_vec(),
     };
+    #[cfg(feature = "whole")]
     let generator = |kind: Generator| GeneratorEntry { id: kind, terrain: kind.is_terrain(), asks_for: kind.asks_for() };
     Catalog {
         format: "formicarium/catalog@1".into(),
         planners: CATALOG.iter().map(entry).collect(),
+        #[cfg(feature = "whole")]
         layers: Layer::ALL.to_vec(),
+        #[cfg(feature = "whole")]
         limits: LIMITS,
+        #[cfg(feature = "whole")]
         grounds: Ground::RULES.to_vec(),
+        #[cfg(feature = "whole")]
         generators: Generator::ALL.map(generator).to_vec(),
     }
 }

@@ -5,6 +5,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import type { ComparisonDocument, Formats, Question } from '@pkg/formicarium'
 import { parse } from 'smol-toml'
 import type { Plugin } from 'vite'
 
@@ -13,13 +14,10 @@ const CARDS = fileURLToPath(new URL('../docs/papers', import.meta.url))
 const LIST = 'virtual:paper-questions'
 const DOCUMENT = 'virtual:paper-question/'
 
-interface Question {
-  title: string
-  paper?: string
-  seeds: { from: number; count: number }
-  instances: { id: string; map: string }[]
-  entries: { planner?: string }[]
-}
+const FACTS = fileURLToPath(new URL('../pkg/facts.json', import.meta.url))
+
+/** What the engine knows, as the page reads it. */
+const formats = (): Formats => JSON.parse(readFileSync(FACTS, 'utf8')).formats
 
 export function paperQuestions(): Plugin {
   return {
@@ -84,8 +82,8 @@ function documentOf(name: string): string {
   const question = questionOf(name)
   const maps = question.instances.map(({ map }) => mapOf(map))
   const instances = question.instances.map((one) => ({ ...one, map: basename(one.map) }))
-  const document = {
-    format: 'formicarium/comparison@1',
+  const document: ComparisonDocument = {
+    format: formats().comparison,
     question: { ...question, instances },
     maps,
   }

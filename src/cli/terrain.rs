@@ -125,7 +125,10 @@ impl TerrainArgs {
     fn slices(&self, map: &Imported, terrain: TerrainSpec) -> SliceRules {
         let own = match terrain.moves {
             TerrainMoves::Slices(rules) => rules,
-            TerrainMoves::Surface { .. } => fitting(map, terrain.vertical_unit, self.level),
+            TerrainMoves::Surface { .. } => {
+                let spec = &map.spec;
+                SliceRules::fitting_map(&map.grid, terrain.vertical_unit, spec.start, spec.goals[0].at, self.level)
+            }
         };
         SliceRules {
             level: self.level.unwrap_or(own.level),
@@ -140,15 +143,4 @@ impl TerrainArgs {
             }),
         }
     }
-}
-
-/// The rules that suit the ground; with levels of `level` metres, if that is asked for.
-fn fitting(map: &Imported, unit: f64, level: Option<f64>) -> SliceRules {
-    let metres = |h: f32| if h.is_nan() { 0.0 } else { f64::from(h) * unit };
-    let heights = map.grid.heights().map_or(&[][..], |heights| heights);
-    let ground = |at| if map.grid.contains(at) { metres(heights[map.grid.cell(at) as usize]) } else { 0.0 };
-    let top = heights.iter().map(|&h| metres(h)).fold(0.0, f64::max);
-    // The rules have ten levels up to the top.
-    let top = level.map_or(top, |level| 10.0 * level);
-    SliceRules::fitting(top, ground(map.spec.start), ground(map.spec.goals[0].at))
 }

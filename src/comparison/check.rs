@@ -4,11 +4,8 @@ use std::collections::BTreeSet;
 
 use super::claim::Claim;
 use super::question::{Entry, FORMAT, Question};
-use crate::catalog;
+use crate::catalog::{self, MAX_SEEDS};
 use crate::error::QuestionError;
-
-/// Largest number of runs of one entry on one instance.
-const MAX_SEEDS: u32 = 100_000;
 
 /// Largest number of runs altogether: what is more fits into no memory, and is no question for one machine.
 const MAX_RUNS: u64 = 2_000_000;

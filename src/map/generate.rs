@@ -32,7 +32,7 @@ const FRAMED_SIDE: u32 = 5;
 const RESOLUTION: f64 = 30.0;
 
 listed! {
-    /// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`, `fractal`, `hills`.
+    /// What kind of map to make. Serialized as `random`, `maze`, `rooms`, `cave`, `hills`, `fractal`.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     #[serde(rename_all = "kebab-case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -45,10 +45,10 @@ listed! {
         Rooms,
         /// A cave of round chambers, grown by a cellular automaton.
         Cave,
-        /// A terrain of eroded ground: value noise in octaves.
-        Fractal,
         /// A terrain of round hills.
         Hills,
+        /// A terrain of eroded ground: value noise in octaves.
+        Fractal,
     }
 }
 
@@ -246,8 +246,8 @@ mod tests {
             "fd359060835c17a6",
             "6121c2df948c6a04",
             "79eee4b11e1b285f",
-            "e66abdfd28e817a1",
             "479969d69fde95d5",
+            "e66abdfd28e817a1",
         ];
         assert_eq!(Generator::ALL.map(digest), golden);
     }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::grid::{Cell, Grid, Point};
+
 /// Most levels.
 pub const MAX_LEVELS: u32 = 255;
 /// Largest limit aside and upwards.
@@ -55,6 +56,20 @@ impl SliceRules {
         let above = |ground: f64| (libm::floor(ground / level) as i64 + 1).clamp(1, 20) as u32;
         let (start_level, goal_level) = (above(start_ground), above(goal_ground));
         Self { level, levels: 20, max_aside: 2, max_climb: 2, start_level, goal_level, measure: Measure::Cost }
+    }
+
+    /// [`SliceRules::fitting`] over a map whose heights are `unit` metres each; with levels of `level` metres, where they are given. What has
+    /// no height, or lies outside, counts as 0.
+    pub fn fitting_map(grid: &Grid, unit: f64, start: Point, goal: Point, level: Option<f64>) -> Self {
+        let metres = |h: f32| if h.is_nan() { 0.0 } else { f64::from(h) * unit };
+        let heights = grid.heights().map_or(&[][..], |heights| heights);
+        let ground = |at| {
+            let height = grid.contains(at).then(|| heights.get(grid.cell(at) as usize)).flatten();
+            height.map_or(0.0, |&h| metres(h))
+        };
+        let top = heights.iter().map(|&h| metres(h)).fold(0.0, f64::max);
+        // The rules have ten levels up to the top.
+        Self::fitting(level.map_or(top, |level| 10.0 * level), ground(start), ground(goal))
     }
 }
 
@@ -266,6 +281,27 @@ mod tests {
     fn slices() -> Slices {
         let grid = Grid::open(3, 2).unwrap().with_heights(vec![0.0, 10.0, 20.0, 0.0, 25.0, 0.0]).unwrap();
         Slices::new(&grid, rules(), 1.0, 0, 2)
+    }
+
+    #[test]
+    fn rules_that_fit_have_ten_levels_up_to_the_top_and_ends_above_the_ground() {
+        const NO: f32 = f32::NAN;
+        let heights = vec![10.0, 20.0, 30.0, 40.0, 15.0, 25.0, 35.0, 45.0, NO, 30.0, NO, 100.0];
+        let grid = Grid::open(4, 3).unwrap().with_heights(heights).unwrap();
+        let fit = |unit, start, level| SliceRules::fitting_map(&grid, unit, start, Point::new(3, 2), level);
+        // Levels of 10 m: the start on 10 m → floor(1) + 1 = 2, the goal on 100 m → 11.
+        let rules = fit(1.0, Point::new(0, 0), None);
+        let ends = (rules.start_level, rules.goal_level);
+        assert_eq!((rules.level, rules.levels, rules.max_aside, rules.max_climb, ends), (10.0, 20, 2, 2, (2, 11)));
+        assert_eq!(rules.measure, Measure::Cost);
+        assert_eq!(fit(0.5, Point::new(0, 0), None).level, 5.0);
+        // No height counts as 0, and so does what lies outside.
+        assert_eq!([Point::new(0, 2), Point::new(9, 9)].map(|start| fit(1.0, start, None).start_level), [1, 1]);
+        let given = fit(1.0, Point::new(0, 0), Some(4.0));
+        assert_eq!((given.level, given.start_level, given.goal_level), (4.0, 3, 20));
+        let flat = Grid::open(2, 2).unwrap().with_heights(vec![0.0; 4]).unwrap();
+        let rules = SliceRules::fitting_map(&flat, 1.0, Point::new(0, 0), Point::new(1, 1), None);
+        assert_eq!((rules.level, rules.start_level, rules.goal_level), (1.0, 1, 1));
     }
 
     #[test]

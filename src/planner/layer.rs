@@ -16,8 +16,6 @@ listed! {
         Visits,
         /// Mean heuristic value η of the steps that lead into a cell.
         Heuristic,
-        /// A search's cost from the start, in cells; infinite where none is known.
-        Cost,
         /// Share of blocked cells among the eight around a cell; beyond the border is blocked.
         Density,
         /// The strongest trail that leaves a cell before the first iteration.
@@ -26,5 +24,7 @@ listed! {
         SeedPath,
         /// The numbers by which a decoded path is chosen, one a cell: a firework's or a particle's position.
         Priority,
+        /// A search's cost from the start, in cells; infinite where none is known.
+        Cost,
     }
 }

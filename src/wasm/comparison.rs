@@ -41,6 +41,23 @@ pub struct ComparisonOutline {
     pub seeds: u32,
 }
 
+/// What the documents that a page writes say under `format`.
+#[derive(Serialize, Tsify)]
+pub struct Formats {
+    /// Of a question.
+    #[tsify(type = "Question[\"format\"]")]
+    pub question: &'static str,
+    /// Of a question with its maps and runs.
+    #[tsify(type = "ComparisonDocument[\"format\"]")]
+    pub comparison: &'static str,
+}
+
+/// What the documents that a page writes say under `format`.
+#[wasm_bindgen]
+pub fn formats() -> Ts<Formats> {
+    object(&Formats { question: comparison::question::FORMAT, comparison: comparison_json::FORMAT })
+}
+
 /// One entry of an ablation.
 #[derive(Serialize, Tsify)]
 pub struct AblationEntry {

@@ -6,10 +6,10 @@ use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-use super::{Answer, argument, object, plain, scenario, throw};
+use super::{Answer, argument, grid, object, plain, scenario, throw};
 use crate::error::{ErrorReport, Notice};
 use crate::formats::{self, BinaryExport, Export, Kind, ScenFile, TerrainOptions};
-use crate::map::{Generator, Grid, Movement, Point, Window};
+use crate::map::{Generator, Grid, Movement, Point, SliceRules, Window};
 use crate::scenario::{Scenario, ScenarioSpec};
 
 /// An imported map.
@@ -168,6 +168,20 @@ pub fn import_terrain(bytes: &[u8], name: &str, crop: Option<Ts<Window>>, size: 
     let size = size.map(|s| s.to_rust()).transpose().map_err(|e| argument("size", &e.to_string()))?;
     let options = TerrainOptions { crop, size: size.map(|Size(size)| size) };
     Ok(imported(formats::import_terrain(bytes, name, options).map_err(throw)?))
+}
+
+/// The rules of movement by slices that suit a terrain whose heights are `vertical_unit` metres each.
+#[wasm_bindgen]
+pub fn fitting_slices(
+    spec: Ts<ScenarioSpec>,
+    cells: &[u8],
+    heights: Option<Vec<f32>>,
+    vertical_unit: f64,
+) -> Answer<Ts<SliceRules>> {
+    let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
+    let grid = grid(spec.width, spec.height, cells, heights)?;
+    let goal = spec.goals.first().map_or(spec.start, |goal| goal.at);
+    Ok(object(&SliceRules::fitting_map(&grid, vertical_unit, spec.start, goal, None)))
 }
 
 /// Writes the heights as a GeoTIFF of f32 in metres.

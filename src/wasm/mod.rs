@@ -28,11 +28,13 @@ use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
-pub use comparison::{Comparison, ablation};
+pub use comparison::{Comparison, ablation, formats};
 #[cfg(feature = "whole")]
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]
-pub use maps::{export_geotiff, export_map, generate, import_map, import_scen, import_terrain, sniff, survey_terrain};
+pub use maps::{
+    export_geotiff, export_map, fitting_slices, generate, import_map, import_scen, import_terrain, sniff, survey_terrain,
+};
 #[cfg(feature = "whole")]
 pub use results::{join_results, survey_results};
 pub use run::{Run, paint_map};

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, Result};
 
@@ -20,6 +21,9 @@ pub enum Mode {
 
 const WASM: &str = "formicarium_bg.wasm";
 const STAMP: &str = ".stamp";
+
+/// Asks the whole engine for what it knows besides its planners, and writes it beside it: the page reads it before an engine is there.
+const FACTS: &str = include_str!("facts.mjs");
 
 /// The WebAssembly that the engine is compiled to; wasm-opt has to be told.
 const FEATURES: [&str; 8] = [
@@ -80,6 +84,7 @@ pub fn build(mode: Mode) -> Result<()> {
         package(mode, compiled, &staging.join(build.folder))?;
     }
     fs::copy(root().join("pkg.json"), staging.join("package.json")).context("cannot copy pkg.json")?;
+    run(Command::new("node").args(["--input-type=module", "--eval", FACTS]).arg(&staging))?;
     fs::write(staging.join(STAMP), stamp)?;
     replace(&staging, &pkg)?;
     for build in &BUILDS {
@@ -153,7 +158,7 @@ fn stamp(mode: Mode, compiled: &[PathBuf]) -> Result<String> {
     let read = |path: &PathBuf| fs::read(path).with_context(|| format!("no {}", path.display()));
     let mut hasher = DefaultHasher::new();
     let inputs: Vec<Vec<u8>> = compiled.iter().chain([&root().join("pkg.json")]).map(read).collect::<Result<_>>()?;
-    (mode, inputs, FEATURES).hash(&mut hasher);
+    (mode, inputs, FEATURES, FACTS).hash(&mut hasher);
     Ok(format!("{:016x}\n", hasher.finish()))
 }
 

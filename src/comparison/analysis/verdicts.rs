@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::comparison::claim::{Direction, Statistic};
 use crate::comparison::judge::{JudgedClaim, Verdict};
+use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::Question;
 use crate::comparison::statistics::Difference;
 
@@ -40,8 +41,8 @@ pub struct VerdictLine {
     pub improved: String,
     /// Id of the entry that it is compared with.
     pub baseline: String,
-    /// Name of what is compared.
-    pub measure_name: String,
+    /// What is compared.
+    pub measure: RunMeasure,
     /// Whether that is a share of runs, from 0 to 1.
     pub is_share: bool,
     /// Which way it is said to differ.
@@ -82,7 +83,7 @@ pub(super) fn line(question: &Question, c: &JudgedClaim) -> Option<VerdictLine> 
         instance: instance.id.clone(),
         improved: claim.improved.clone(),
         baseline: claim.baseline.clone(),
-        measure_name: claim.measure.name().into(),
+        measure: claim.measure,
         is_share: claim.measure.is_share(),
         direction: claim.direction,
         statistic: c.statistic,

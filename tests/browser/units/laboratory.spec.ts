@@ -2,35 +2,32 @@ import { expect, test } from '@playwright/test'
 import { Estimate } from '../../../www/src/lab/run/estimate'
 import { Tasks } from '../../../www/src/lab/run/tasks'
 import { fileStem, uniqueId } from '../../../www/src/lab/store/names'
-import type { Question } from '../../../www/src/model/comparison'
 
-/** Two maps, three entries of which two can be run, three seeds: twelve runs in four pairs. */
-const question: Question = {
-  format: 'formicarium/question@1',
-  title: 't',
-  asks: '?',
-  seeds: { from: 7, count: 3 },
-  instances: [
-    { id: 'a', map: 'a.json' },
-    { id: 'b', map: 'b.json' },
-  ],
-  entries: [
-    { id: 'ants', label: 'ants', role: 'other', planner: 'ant-system' },
-    { id: 'lost', label: 'lost', role: 'other', missing: 'nowhere' },
-    { id: 'exact', label: 'exact', role: 'other', planner: 'astar' },
-  ],
-}
+/** Two maps, three entries of which the second cannot be run, three seeds from 7 on: twelve runs of four pairs. */
+const tasks = new Tasks({
+  tasks: Uint32Array.from(
+    [0, 1]
+      .flatMap((map) => [0, 2].flatMap((entry) => [7, 8, 9].map((seed) => [map, entry, seed])))
+      .flat(),
+  ),
+  order: Uint32Array.of(0, 3, 6, 9, 1, 4, 7, 10, 2, 5, 8, 11),
+})
 
-test('runs are handed out seed by seed, every pair of map and entry once a seed', () => {
-  const tasks = new Tasks(question)
-  expect([tasks.count, tasks.pairs]).toEqual([12, 4])
+test('runs are handed out as the engine orders them, or those of the first seeds alone', () => {
   expect(tasks.inOrder()).toEqual([0, 3, 6, 9, 1, 4, 7, 10, 2, 5, 8, 11])
-  expect(tasks.inOrder(1)).toEqual([0, 3, 6, 9])
-  expect([tasks.pairOf(7), tasks.seedOf(7)]).toEqual([2, 1])
+  expect(tasks.inOrder(2)).toEqual([0, 3, 6, 9, 1, 4, 7, 10])
+  expect(tasks.inOrder(9)).toHaveLength(12)
+})
+
+test('a run is known by its entry and seed, and by the pair of map and entry', () => {
+  expect([tasks.entryOf(4), tasks.seedOf(4)]).toEqual([2, 8])
+  const pairs = Array.from({ length: 12 }, (_, index) => tasks.pairOf(index))
+  expect(new Set(pairs).size).toBe(4)
+  expect(new Set(pairs.slice(3, 6)).size).toBe(1)
 })
 
 test('the time left follows from what each pair has taken, and how much was done at once', () => {
-  const estimate = new Estimate(new Tasks(question), 0)
+  const estimate = new Estimate(tasks, 0)
   expect(estimate.secondsLeft([1])).toBeNull()
   // Two workers: pair 0 takes 4 s, pair 1 takes 1 s, and 10 s of work were done in 5 s.
   estimate.done(0, 4, 2.5)

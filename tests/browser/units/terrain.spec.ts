@@ -12,7 +12,6 @@ import {
 } from '../../../www/src/model/raster_part'
 import type { Scenario } from '../../../www/src/model/session'
 import {
-  fittingRules,
   groundAt,
   groundOf,
   liftEnds,
@@ -109,25 +108,19 @@ test.describe('edits of a terrain', () => {
 })
 
 test.describe('movement by slices', () => {
-  test('rules fit the terrain as the engine fits them: half of 20 levels reach its top', () => {
-    // Top 100 m: levels of 10 m. Start on 10 m → floor(1) + 1 = 2, goal on 100 m → 11.
-    expect(fittingRules(ground(), 1)).toEqual({
-      level: 10,
-      levels: 20,
-      max_aside: 2,
-      max_climb: 2,
-      start_level: 2,
-      goal_level: 11,
-      measure: 'cost',
-    })
-    expect(fittingRules(ground(), 0.5).level).toBe(5)
-    const flat = terrainOf(2, 2, new Float32Array(4)).scenario
-    expect(fittingRules(flat, 1)).toMatchObject({ level: 1, start_level: 1, goal_level: 1 })
-  })
-
+  /** Levels of 10 m, ten of them up to the top. */
+  const rules = {
+    level: 10,
+    levels: 20,
+    max_aside: 2,
+    max_climb: 2,
+    start_level: 2,
+    goal_level: 11,
+    measure: 'cost',
+  } as const
   const sliced = (): Scenario => {
     const scenario = ground()
-    const terrain = { vertical_unit: 1, slices: fittingRules(scenario, 1) }
+    const terrain = { vertical_unit: 1, slices: rules }
     return { ...scenario, spec: { ...scenario.spec, terrain } }
   }
   const levels = ({ spec }: Scenario) => [
@@ -137,9 +130,9 @@ test.describe('movement by slices', () => {
 
   test('an end may lie on the ground or above it, up to the highest level', () => {
     const scenario = sliced()
-    expect(lowestLevel(scenario, [0, 0], fittingRules(scenario, 1))).toBe(1)
-    expect(lowestLevel(scenario, [3, 2], fittingRules(scenario, 1))).toBe(10)
-    expect(lowestLevel(scenario, [1, 1], fittingRules(scenario, 1))).toBe(3)
+    expect(lowestLevel(scenario, [0, 0], rules)).toBe(1)
+    expect(lowestLevel(scenario, [3, 2], rules)).toBe(10)
+    expect(lowestLevel(scenario, [1, 1], rules)).toBe(3)
     expect(levels(shiftLevel(scenario, 'start', -1))).toEqual([1, 11])
     expect(levels(shiftLevel(scenario, 'start', -5))).toEqual([1, 11])
     expect(levels(shiftLevel(scenario, 'goal', -5))).toEqual([2, 10])
@@ -165,7 +158,7 @@ test.describe('movement by slices', () => {
     const scenario = sliced()
     const { spec } = scenario
     const goal = { at: [0, 1] as [number, number], name: '', area: 1, strength: 1, danger: 1 }
-    const slices = { ...fittingRules(scenario, 1), levels: 4, goal_level: 4 }
+    const slices = { ...rules, levels: 4, goal_level: 4 }
     const terrain = { vertical_unit: 1, slices }
     const set: Scenario = { ...scenario, spec: { ...spec, goals: [goal], terrain } }
     const edit: Edit = { kind: 'start', at: [3, 2] }

@@ -1,11 +1,10 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import type { Catalog } from '@pkg/formicarium'
+import type { Catalog, Question } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
 import { zhCNEngine } from '../../../www/src/i18n/zh_cn/engine'
 import { zhCNQuestions } from '../../../www/src/i18n/zh_cn/questions'
 import { zhCNSources } from '../../../www/src/i18n/zh_cn/sources'
-import type { Question } from '../../../www/src/model/comparison'
 import { ComparisonPage } from '../comparison_page'
 import { RacePage } from '../race_page'
 

@@ -1,10 +1,10 @@
+import type { Generator } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { Dices } from 'lucide'
 import { useState } from 'preact/hooks'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
-import { MOST_CELLS_A_SIDE } from '../model/map_limits'
-import type { Origin } from '../model/session'
+import { generators, limits } from '../model/facts'
 import { generateMap, notifyError } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button, IconButton } from '../ui/buttons'
@@ -12,14 +12,12 @@ import { Dialog } from '../ui/dialog'
 import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
 
-const KINDS: Origin['generator'][] = ['random', 'maze', 'rooms', 'cave', 'hills', 'fractal']
-const TERRAINS: Origin['generator'][] = ['hills', 'fractal']
 /** Sides of terrains that papers and programs like. */
 const SIDES = ['21', '65', '129', '257', '513']
 
 /** Kept while the page lives, so that a second map starts from the first one's settings. */
 const settings = signal({
-  kind: 'random' as Origin['generator'],
+  kind: 'random' as Generator,
   width: 40,
   height: 30,
   seed: 1,
@@ -30,13 +28,21 @@ const settings = signal({
 export function GenerateDialog() {
   const [error, setError] = useState<unknown>(null)
   const { kind, width, height, seed, density, roughness } = settings.value
-  const isTerrain = TERRAINS.includes(kind)
+  const { terrain: isTerrain = false, asks_for: asked = null } =
+    generators.find(({ id }) => id === kind) ?? {}
+  const most = 100 * limits.max_density
   const set = (change: Partial<typeof settings.value>) => {
     settings.value = { ...settings.value, ...change }
   }
   const make = async () => {
     try {
-      await generateMap(kind, width, height, seed, (isTerrain ? roughness : density) / 100)
+      await generateMap(
+        kind,
+        width,
+        height,
+        seed,
+        (asked === 'roughness' ? roughness : density) / 100,
+      )
       closeDialog()
     } catch (thrown) {
       setError(thrown)
@@ -60,7 +66,7 @@ export function GenerateDialog() {
       <Segmented
         label={t('maps.kindLabel')}
         value={kind}
-        options={KINDS.map((id) => ({
+        options={generators.map(({ id }) => ({
           value: id,
           label: t(`maps.kind.${id}`),
           testId: `generate-${id}`,
@@ -70,22 +76,22 @@ export function GenerateDialog() {
       <div class="field-row">
         <SizeField name="width" value={width} onChange={(value) => set({ width: value })} />
         <SizeField name="height" value={height} onChange={(value) => set({ height: value })} />
-        {kind === 'random' && (
+        {asked === 'density' && (
           <NumberField
             label={t('maps.density')}
             value={density}
             min={0}
-            max={90}
+            max={most}
             testId="generate-density"
             onChange={(value) => set({ density: value })}
           />
         )}
-        {isTerrain && (
+        {asked === 'roughness' && (
           <NumberField
             label={t('maps.roughness')}
             value={roughness}
             min={0}
-            max={90}
+            max={most}
             testId="generate-roughness"
             onChange={(value) => set({ roughness: value })}
           />
@@ -135,7 +141,7 @@ function SizeField(props: {
       label={t(`maps.${props.name}`)}
       value={props.value}
       min={2}
-      max={MOST_CELLS_A_SIDE}
+      max={limits.max_side}
       step={1}
       testId={`generate-${props.name}`}
       onChange={props.onChange}

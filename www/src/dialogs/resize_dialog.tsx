@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
-import { MOST_CELLS_A_SIDE } from '../model/map_limits'
+import { limits } from '../model/facts'
 import { type Rules, scenario, setRules } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
@@ -21,7 +21,7 @@ export function ResizeDialog() {
     setAll({ ...rules, ...change })
   }
   const sizeFits = [width, height].every(
-    (n) => Number.isInteger(n) && n >= 2 && n <= MOST_CELLS_A_SIDE,
+    (n) => Number.isInteger(n) && n >= 2 && n <= limits.max_side,
   )
   const fits =
     sizeFits &&
@@ -55,7 +55,7 @@ export function ResizeDialog() {
             label={t(`maps.${side}`)}
             value={rules[side]}
             min={2}
-            max={MOST_CELLS_A_SIDE}
+            max={limits.max_side}
             step={1}
             invalid={!sizeFits}
             testId={`resize-${side}`}
@@ -65,7 +65,7 @@ export function ResizeDialog() {
         <Scale rules={rules} onChange={set} />
       </div>
       <p class="hint">
-        {t(terrain ? 'maps.resizeTerrainHint' : 'maps.resizeHint', { most: MOST_CELLS_A_SIDE })}
+        {t(terrain ? 'maps.resizeTerrainHint' : 'maps.resizeHint', { most: limits.max_side })}
       </p>
       {terrain && (
         <ModelField

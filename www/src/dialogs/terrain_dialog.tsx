@@ -5,7 +5,7 @@ import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
-import { MOST_CELLS_A_SIDE } from '../model/map_limits'
+import { limits } from '../model/facts'
 import {
   type Crop,
   cellOf,
@@ -185,7 +185,7 @@ function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps)
           label={t('maps.width')}
           value={size[0]}
           min={2}
-          max={MOST_CELLS_A_SIDE}
+          max={limits.max_side}
           step={1}
           invalid={!sizeFits(size)}
           testId="size-width"
@@ -195,7 +195,7 @@ function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps)
           label={t('maps.height')}
           value={size[1]}
           min={2}
-          max={MOST_CELLS_A_SIDE}
+          max={limits.max_side}
           step={1}
           invalid={!sizeFits(size)}
           testId="size-height"

@@ -1,8 +1,11 @@
 /** How one moves on a terrain, as fields of a form: on its surface, or by slices above it. */
 import type { SliceRules, TerrainFields } from '@pkg/formicarium'
+import { useRef } from 'preact/hooks'
+import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
+import { limits } from '../model/facts'
 import type { Scenario } from '../model/session'
-import { fittingRules, MAX_LEVELS, MAX_REACH } from '../model/terrain'
+import { notifyError } from '../state'
 import { Labelled, NumberField, Segmented } from '../ui/fields'
 
 interface ModelProps {
@@ -15,6 +18,13 @@ interface ModelProps {
 export function ModelField({ terrain, scenario, onChange }: ModelProps) {
   const { vertical_unit, slices } = terrain
   const model = slices ? 'slices' : 'surface'
+  const latest = useRef(terrain)
+  latest.current = terrain
+  const goBySlices = async () => {
+    const slices = await tools.fittingSlices(scenario, vertical_unit)
+    // What has been changed meanwhile counts.
+    if (latest.current === terrain) onChange({ vertical_unit, slices })
+  }
   return (
     <>
       <Labelled label={t('terrain.model')}>
@@ -29,7 +39,7 @@ export function ModelField({ terrain, scenario, onChange }: ModelProps) {
           onChange={(value) => {
             if (value === model) return
             if (value === 'surface') onChange({ vertical_unit, max_slope: 90 })
-            else onChange({ vertical_unit, slices: fittingRules(scenario, vertical_unit) })
+            else goBySlices().catch(notifyError)
           }}
         />
       </Labelled>
@@ -69,15 +79,15 @@ export function SliceFields({
   rules: SliceRules
   onChange: (rules: SliceRules) => void
 }) {
-  const limits: Record<Whole, [least: number, most: number]> = {
-    levels: [1, MAX_LEVELS],
+  const ranges: Record<Whole, [least: number, most: number]> = {
+    levels: [1, limits.max_levels],
     start_level: [1, rules.levels],
     goal_level: [1, rules.levels],
-    max_aside: [0, MAX_REACH],
-    max_climb: [0, MAX_REACH],
+    max_aside: [0, limits.max_reach],
+    max_climb: [0, limits.max_reach],
   }
   const whole = (key: Whole) => {
-    const [min, max] = limits[key]
+    const [min, max] = ranges[key]
     return (
       <NumberField
         key={key}
@@ -132,9 +142,9 @@ export function terrainFits({ vertical_unit, max_slope = 90, slices }: TerrainFi
   return (
     level > 0 &&
     level <= 1e6 &&
-    isWhole(levels, 1, MAX_LEVELS) &&
+    isWhole(levels, 1, limits.max_levels) &&
     [start_level, goal_level].every((n) => isWhole(n, 1, levels)) &&
-    [max_aside, max_climb].every((n) => isWhole(n, 0, MAX_REACH))
+    [max_aside, max_climb].every((n) => isWhole(n, 0, limits.max_reach))
   )
 }
 

@@ -9,7 +9,7 @@ export type Build = 'core' | 'whole'
 const coreIds = new Set<string>()
 
 /** Tells which planners the core has. To be called before the first run is loaded. */
-export function noteCore({ planners }: Catalog): void {
+export function noteCore({ planners }: Pick<Catalog, 'planners'>): void {
   for (const { id } of planners) coreIds.add(id)
 }
 

@@ -3,13 +3,14 @@ import type {
   Catalog,
   EngineError,
   ExportFormat,
+  Generator,
   Objective,
   Reference,
   RunSummary,
 } from '@pkg/formicarium'
 import { crash, toEngineError } from '../model/errors'
 import type { ParamValues, RunSetup } from '../model/messages'
-import type { Origin, RecordedResult, Scenario } from '../model/session'
+import type { RecordedResult, Scenario } from '../model/session'
 import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
 import { type Build, buildFor, noteCore } from './builds'
 import { modules } from './load'
@@ -104,7 +105,7 @@ const wholeBox = lazyBox(newWholeBox)
 
 export const tools = {
   /** The planners of the core. */
-  async catalog(): Promise<Catalog> {
+  async catalog(): Promise<Pick<Catalog, 'planners'>> {
     const catalog = await toolBox().call('catalog')
     noteCore(catalog)
     return catalog
@@ -123,19 +124,17 @@ export const tools = {
     wholeBox().call('exportMap', spec, cells, heights, format),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
-  /** The entries of an ablation, as JSON. */
+  /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
+  fittingSlices: ({ spec, cells, heights }: Scenario, verticalUnit: number) =>
+    wholeBox().call('fittingSlices', spec, cells, heights, verticalUnit),
+  /** The entries of an ablation, each with its part in it. */
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),
   /** The comparison with the entries of a result file; see the engine's `join_results`. */
   joinResults: (document: string, bytes: Uint8Array, name: string, instance: string | null) =>
     wholeBox().call('joinResults', document, bytes, name, instance),
-  generate: (
-    kind: Origin['generator'],
-    width: number,
-    height: number,
-    seed: number,
-    density: number,
-  ) => wholeBox().call('generate', kind, width, height, seed, density),
+  generate: (kind: Generator, width: number, height: number, seed: number, density: number) =>
+    wholeBox().call('generate', kind, width, height, seed, density),
   /** The core knows no terrains. */
   check: ({ spec, cells, heights }: Scenario) =>
     (heights ? wholeBox() : toolBox()).call('check', spec, cells, heights),

@@ -3,7 +3,7 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import { goalAt, type Origin, type Scenario } from '../model/session'
-import { fittingRules, plainTerrain } from '../model/terrain'
+import { plainTerrain } from '../model/terrain'
 import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
 import { paperMaps, type Racer } from './paper_maps'
 import { paperScenario } from './paper_scenario'
@@ -76,8 +76,8 @@ export const gallery: GalleryEntry[] = [
   })),
 ]
 
-function bySlices(scenario: Scenario): Scenario {
-  const terrain = { vertical_unit: 1, slices: fittingRules(scenario, 1) }
+async function bySlices(scenario: Scenario): Promise<Scenario> {
+  const terrain = { vertical_unit: 1, slices: await tools.fittingSlices(scenario, 1) }
   return { ...scenario, spec: { ...scenario.spec, terrain } }
 }
 

@@ -1,5 +1,5 @@
 /** A comparison that is being put together. */
-import type { Budget } from './comparison'
+import type { AblationRole, Budget } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 import type { Scenario } from './session'
 
@@ -19,6 +19,8 @@ export interface DraftEntry {
   label: string | null
   /** Of an ablation: which entry it is. */
   id: string | null
+  /** What it is in an ablation; null where it has no part in one. */
+  ablation: AblationRole | null
 }
 
 /** What fills a new one. */

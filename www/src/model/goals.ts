@@ -1,7 +1,8 @@
 /** The goals of a scenario: placed, changed, removed and named. Pure, as all edits are. */
 import type { Goal, ScenarioSpec } from '@pkg/formicarium'
 import type { Cell } from './cell'
-import { goalAt, MAX_GOALS, type Scenario } from './session'
+import { limits } from './facts'
+import { goalAt, type Scenario } from './session'
 
 /** What can be changed of a goal besides its place. */
 export type GoalChange = Partial<Omit<Goal, 'at'>>
@@ -73,7 +74,7 @@ export function question({ name, goals, ...spec }: ScenarioSpec): object {
 
 /** Letters for those that have no name yet: the first goal becomes A as soon as there is a B. */
 function added(goals: Goal[], at: Cell): Goal[] {
-  if (goals.length >= MAX_GOALS) return goals
+  if (goals.length >= limits.max_goals) return goals
   const named = goals.map((goal, i) =>
     i === 0 && UNNAMED.has(goal.name) ? { ...goal, name: freeLetter(goals) } : goal,
   )

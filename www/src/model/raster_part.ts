@@ -1,6 +1,6 @@
 /** Which part of a raster is opened, and in how many cells. */
 import type { Window as Crop, Survey } from '@pkg/formicarium'
-import { MOST_CELLS_A_SIDE } from './map_limits'
+import { limits } from './facts'
 
 export type { Crop }
 export type Size = [width: number, height: number]
@@ -34,7 +34,7 @@ export function sizeOf(crop: Crop, { cell }: Survey, sampling: Sampling): Size {
   const side = Math.max(...cell)
   const wide = square ? (crop.width * cell[0]) / side : crop.width
   const high = square ? (crop.height * cell[1]) / side : crop.height
-  const shrink = Math.min(1, (most ?? MOST_CELLS_A_SIDE) / Math.max(wide, high))
+  const shrink = Math.min(1, (most ?? limits.max_side) / Math.max(wide, high))
   return [rounded(wide * shrink), rounded(high * shrink)]
 }
 
@@ -56,7 +56,7 @@ export function cropFits({ x, y, width, height }: Crop, raster: Survey): boolean
 }
 
 export function sizeFits(size: Size): boolean {
-  return size.every((n) => Number.isInteger(n) && n >= LEAST_SIDE && n <= MOST_CELLS_A_SIDE)
+  return size.every((n) => Number.isInteger(n) && n >= LEAST_SIDE && n <= limits.max_side)
 }
 
 /** The cells between two points of the picture, each given as shares of its width and height; large enough to be a map. */

@@ -1,5 +1,6 @@
 /** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
-import type { Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { Generator, Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import { layers } from './facts'
 import type { ParamValues } from './messages'
 
 /** How the panels keep step while they play. */
@@ -7,7 +8,7 @@ export type Sync = 'moves' | 'iterations' | 'paths' | 'time'
 
 /** Where a map came from, when that is shorter than its cells: the same generator call gives the same bits everywhere. */
 export interface Origin {
-  generator: 'random' | 'maze' | 'rooms' | 'cave' | 'fractal' | 'hills'
+  generator: Generator
   seed: number
   /** Share of obstacles; of a terrain its roughness. */
   density: number
@@ -54,12 +55,16 @@ export interface Session {
   sync: Sync
   /** Index into SPEEDS. */
   speed: number
-  layer: Layer | 'none'
+  layer: LayerChoice
 }
 
+/** What may lie under ants and paths. */
+export type LayerChoice = Layer | 'none'
+
+/** In the order of the menu. */
+export const layerChoices = (known = layers): LayerChoice[] => [...known, 'none']
+
 export const MAX_PANELS = 6
-/** As many goals as the engine takes. */
-export const MAX_GOALS = 64
 
 /** How much every panel does per frame of animation. */
 export interface Speed {

@@ -1,20 +1,20 @@
 /** How one moves on a terrain: its settings as pure functions. Heights count in the file's unit, levels and rules in metres. */
-import type { Ground, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
+import type { Ground, GroundRule, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
 import type { Cell } from './cell'
+import { grounds } from './facts'
 import type { Scenario } from './session'
-
-/** As the engine takes them. */
-export const MAX_LEVELS = 255
-export const MAX_REACH = 5
 
 /** The ends of a path by slices. */
 export type End = 'start' | 'goal'
 
-/** How one moves, as far as planners differ in what they know. */
-export function groundOf({ terrain, movement }: ScenarioSpec): Ground {
-  if (terrain?.slices) return 'slices'
-  if (movement.moves === 16) return 'sixteen'
-  return terrain ? 'surface' : 'plane'
+/** How one moves, as far as planners differ in what they know: by the first rule that holds. */
+export function groundOf({ terrain, movement }: ScenarioSpec, rules = grounds): Ground {
+  const asked = { slices: !!terrain?.slices, moves: movement.moves, terrain: !!terrain }
+  const holds = (rule: GroundRule) =>
+    (['slices', 'moves', 'terrain'] as const).every(
+      (key) => (rule[key] ?? asked[key]) === asked[key],
+    )
+  return rules.find(holds)?.ground ?? 'plane'
 }
 
 /** A terrain as it is when it comes in: heights in metres, on the surface, without a limit of slope. */
@@ -30,30 +30,6 @@ export function groundAt({ heights, spec }: Scenario, [x, y]: Cell): number | nu
   const height = heights?.[y * spec.width + x]
   if (height === undefined || !Number.isFinite(height)) return null
   return height * (spec.terrain?.vertical_unit ?? 1)
-}
-
-/**
- * The textbook's limits, as `SliceRules::fitting` in src/map/slices.rs has them: 20 levels over a terrain whose top lies at half of
- * them, start and goal at the lowest level above the ground there.
- */
-export function fittingRules(scenario: Scenario, verticalUnit: number): SliceRules {
-  const { heights, spec } = scenario
-  const unit = { ...scenario, spec: { ...spec, terrain: { vertical_unit: verticalUnit } } }
-  let top = 0
-  for (const height of heights ?? []) if (height * verticalUnit > top) top = height * verticalUnit
-  const level = top > 0 ? top / 10 : 1
-  const above = (at: Cell) =>
-    Math.min(20, Math.max(1, Math.floor((groundAt(unit, at) ?? 0) / level) + 1))
-  const goal = spec.goals[0]?.at ?? spec.start
-  return {
-    level,
-    levels: 20,
-    max_aside: 2,
-    max_climb: 2,
-    start_level: above(spec.start),
-    goal_level: above(goal),
-    measure: 'cost',
-  }
 }
 
 /** The lowest level at which an end of the path may lie: on the ground or above it. */

@@ -1,11 +1,12 @@
 /** What a tools worker can do, and how it is asked: the calls that belong to no panel. */
 import type {
+  AblationEntry,
   Catalog,
   EngineError,
   ExportFormat,
   Generated,
+  Generator,
   Imported,
-  Kind,
   Notice,
   Objective,
   Reference,
@@ -13,11 +14,12 @@ import type {
   ScenarioSpec,
   ScenFile,
   Size,
+  SliceRules,
+  Sniffed,
   Survey,
   Window,
 } from '@pkg/formicarium'
 import type { ParamValues, RunSetup } from './messages'
-import type { Origin } from './session'
 
 /** What of a raster of heights is to be opened, and in how many cells; all of it as it is where nothing is said. */
 export interface TerrainPart {
@@ -29,7 +31,7 @@ export interface TerrainPart {
 export interface MapCalls {
   importMap(bytes: Uint8Array, name: string): Imported
   importScen(bytes: Uint8Array): ScenFile
-  sniff(bytes: Uint8Array, name: string): Kind
+  sniff(bytes: Uint8Array, name: string): Sniffed
   surveyTerrain(bytes: Uint8Array, name: string): Survey
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
   exportMap(
@@ -39,21 +41,22 @@ export interface MapCalls {
     format: ExportFormat,
   ): string
   exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
-  /** The entries of an ablation, as JSON. */
-  ablation(planner: string, preset: string | null, set: ParamValues): string
+  /** Rules of movement by slices that suit a terrain. */
+  fittingSlices(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    verticalUnit: number,
+  ): SliceRules
+  ablation(planner: string, preset: string | null, set: ParamValues): AblationEntry[]
   joinResults(document: string, bytes: Uint8Array, name: string, instance: string | null): string
-  generate(
-    kind: Origin['generator'],
-    width: number,
-    height: number,
-    seed: number,
-    density: number,
-  ): Generated
+  generate(kind: Generator, width: number, height: number, seed: number, density: number): Generated
 }
 
 /** What every tools worker can do, as plain functions on its side. */
 export interface ToolCalls {
-  catalog(): Catalog
+  /** The core tells of its planners alone. */
+  catalog(): Pick<Catalog, 'planners'>
   version(): string
   check(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Notice[]
   proposeSeed(): number

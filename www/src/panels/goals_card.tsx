@@ -5,8 +5,8 @@ import { MapPinPlus, X } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { numbers, t } from '../i18n'
 import { describeError } from '../i18n/errors'
+import { limits } from '../model/facts'
 import { goalName, goalWeight } from '../model/goals'
-import { MAX_GOALS } from '../model/session'
 import { activeGoal, applyEdit, goalsShown, scenario, tool } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button, IconButton } from '../ui/buttons'
@@ -37,7 +37,7 @@ export default function GoalsCard() {
     >
       <header class="dock-head">
         <h2>{t('goals.count', { count: goals.length })}</h2>
-        <AddGoal full={goals.length >= MAX_GOALS} />
+        <AddGoal full={goals.length >= limits.max_goals} />
         {goals.length === 1 && (
           <IconButton
             icon={X}

@@ -1,7 +1,8 @@
-import type { Layer, Objective, ScenarioSpec, SliceRules } from '@pkg/formicarium'
+import type { Objective, ScenarioSpec, SliceRules } from '@pkg/formicarium'
 import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
+import { layerChoices } from '../model/session'
 import {
   layer,
   objectives,
@@ -150,17 +151,7 @@ function ScenarioRemarks() {
   )
 }
 
-const LAYERS: (Layer | 'none')[] = [
-  'trail',
-  'visits',
-  'heuristic',
-  'density',
-  'initial-trail',
-  'seed-path',
-  'priority',
-  'cost',
-  'none',
-]
+const LAYERS = layerChoices()
 
 function ViewControls() {
   const offered = new Set(

@@ -12,12 +12,13 @@
  *
  * Planes are written as version 1. A terrain is version 2, so that a page that knows no heights says so instead of showing a plane.
  */
+import { limits } from '../model/facts'
 import type { Origin, Scenario, Session } from '../model/session'
 import { bitsOf, joined, Reader, readBits, varint } from './byte_stream'
 import { fieldsOf, invalid, oneOf } from './field_checks'
 import { packHeights, unpackHeights } from './heights'
 import { damaged, LinkError } from './link_error'
-import { type Described, documentOf, MAX_SIDE, readDocument } from './session_document'
+import { type Described, documentOf, readDocument } from './session_document'
 
 /** What a map consists of, whoever made it. */
 export type Ground = Pick<Scenario, 'cells' | 'heights'>
@@ -28,7 +29,7 @@ export type Generate = (origin: Origin, width: number, height: number) => Promis
 const PLANE = 1
 const TERRAIN = 2
 const CHECKSUM_BYTES = 4
-const MAX_CELLS = MAX_SIDE * MAX_SIDE
+const MAX_CELLS = limits.max_side ** 2
 /** A link carries as many heights as this, about 1000 × 1000; a file carries all. */
 const MAX_HEIGHTS = 1 << 20
 /** No honest container is larger: a full map of bits, four bytes a height, and a generous document. */

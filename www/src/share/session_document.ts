@@ -2,18 +2,28 @@
  * The session document: a session as JSON, without the map's cells. A link carries it in a packed container (codec.ts), a
  * file carries it with the cells as rows of text (link.ts).
  */
-import type { Movement, ScenarioSpec, SliceRules, TerrainFields } from '@pkg/formicarium'
+import type {
+  CornerRule,
+  Limits,
+  Measure,
+  Movement,
+  ScenarioSpec,
+  SliceRules,
+  Status,
+  TerrainFields,
+} from '@pkg/formicarium'
+import { FACTS } from '../model/facts'
 import type { ParamValues } from '../model/messages'
 import {
-  MAX_GOALS,
+  layerChoices,
   MAX_PANELS,
   type Origin,
   type PanelSetup,
   type RecordedResult,
   type Session,
   SPEEDS,
+  type Sync,
 } from '../model/session'
-import { MAX_LEVELS, MAX_REACH } from '../model/terrain'
 import {
   cell,
   type Fields,
@@ -28,25 +38,22 @@ import {
 import { LinkError } from './link_error'
 
 export const FORMAT = 'formicarium/experiment@1'
-export const MAX_SIDE = 4096
 
 const SEED_MAX = 2 ** 32 - 1
-const SYNCS = ['moves', 'iterations', 'paths', 'time'] as const
-const LAYERS = [
-  'trail',
-  'visits',
-  'heuristic',
-  'cost',
-  'density',
-  'initial-trail',
-  'seed-path',
-  'priority',
-  'none',
-] as const
-const STATUSES = ['running', 'optimal', 'complete', 'stagnated', 'budget-spent', 'no-path'] as const
-const GENERATORS = ['random', 'maze', 'rooms', 'cave', 'fractal', 'hills'] as const
-const MEASURES = ['cost', 'length'] as const
-const CORNER_RULES = ['always', 'one-free', 'both-free'] as const
+/** Every value of a type, by the type check. */
+const everyOf = <T extends string>(values: Record<T, true>) => Object.keys(values) as T[]
+
+const SYNCS = everyOf<Sync>({ moves: true, iterations: true, paths: true, time: true })
+const STATUSES = everyOf<Status>({
+  running: true,
+  optimal: true,
+  complete: true,
+  stagnated: true,
+  'budget-spent': true,
+  'no-path': true,
+})
+const MEASURES = everyOf<Measure>({ cost: true, length: true })
+const CORNER_RULES = everyOf<CornerRule>({ always: true, 'one-free': true, 'both-free': true })
 
 /** A session whose cells travel beside it. */
 export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin: Origin | null }
@@ -65,17 +72,17 @@ export function documentOf(session: Session, engine: string): Fields {
   }
 }
 
-/** Reads a document; everything in it is checked, because links are made by anyone. */
-export function readDocument(value: unknown): Described {
+/** Reads a document; everything in it is checked, because links are made by anyone. Limits and names are those that are `known`. */
+export function readDocument(value: unknown, known = FACTS): Described {
   const fields = fieldsOf(value, 'document')
   checkFormat(fields.format)
   const { origin, ...spec } = fieldsOf(fields.scenario, 'scenario')
   return {
-    spec: readSpec(spec),
+    spec: readSpec(spec, known.limits),
     origin:
       origin === undefined || origin === null
         ? null
-        : readOrigin(fieldsOf(origin, 'scenario.origin')),
+        : readOrigin(fieldsOf(origin, 'scenario.origin'), known),
     panels: list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
       readPanel(panel, `panels[${i}]`),
     ),
@@ -90,7 +97,7 @@ export function readDocument(value: unknown): Described {
           SPEEDS.map((speed) => speed.id),
         ),
     ),
-    layer: oneOf(fields.layer, 'layer', LAYERS),
+    layer: oneOf(fields.layer, 'layer', layerChoices(known.layers)),
   }
 }
 
@@ -107,10 +114,10 @@ function checkFormat(format: unknown): void {
   throw new LinkError('link-foreign', `This is not a Formicarium session (${name}).`, 'format')
 }
 
-function readSpec(fields: Fields): ScenarioSpec {
-  const width = side(fields.width, 'scenario.width')
-  const height = side(fields.height, 'scenario.height')
-  const goals = list(fields.goals, 'scenario.goals', MAX_GOALS).map((goal, i) => {
+function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
+  const width = side(fields.width, 'scenario.width', limits)
+  const height = side(fields.height, 'scenario.height', limits)
+  const goals = list(fields.goals, 'scenario.goals', limits.max_goals).map((goal, i) => {
     const field = `scenario.goals[${i}]`
     const { at, name, area, strength, danger } = fieldsOf(goal, field)
     // Documents of before there were several goals have no weights.
@@ -139,31 +146,31 @@ function readSpec(fields: Fields): ScenarioSpec {
       seconds_per_turn: real(vehicle.seconds_per_turn, 'scenario.vehicle.seconds_per_turn', 0, 1e6),
     },
     ...(fields.terrain != null && {
-      terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain')),
+      terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain'), limits),
     }),
   }
 }
 
-function readTerrain({ vertical_unit, max_slope, slices }: Fields): TerrainFields {
+function readTerrain({ vertical_unit, max_slope, slices }: Fields, limits: Limits): TerrainFields {
   const field = 'scenario.terrain'
   return {
     vertical_unit: real(vertical_unit, `${field}.vertical_unit`, Number.MIN_VALUE, 1e6),
     ...(max_slope != null && {
       max_slope: real(max_slope, `${field}.max_slope`, Number.MIN_VALUE, 90),
     }),
-    ...(slices != null && { slices: readSlices(fieldsOf(slices, `${field}.slices`)) }),
+    ...(slices != null && { slices: readSlices(fieldsOf(slices, `${field}.slices`), limits) }),
   }
 }
 
-function readSlices(fields: Fields): SliceRules {
+function readSlices(fields: Fields, { max_levels, max_reach }: Limits): SliceRules {
   const whole = (key: string, least: number, most: number) =>
     integer(fields[key], `scenario.terrain.slices.${key}`, least, most)
-  const levels = whole('levels', 1, MAX_LEVELS)
+  const levels = whole('levels', 1, max_levels)
   return {
     level: real(fields.level, 'scenario.terrain.slices.level', Number.MIN_VALUE, 1e6),
     levels,
-    max_aside: whole('max_aside', 0, MAX_REACH),
-    max_climb: whole('max_climb', 0, MAX_REACH),
+    max_aside: whole('max_aside', 0, max_reach),
+    max_climb: whole('max_climb', 0, max_reach),
     start_level: whole('start_level', 1, levels),
     goal_level: whole('goal_level', 1, levels),
     measure: oneOf(fields.measure, 'scenario.terrain.slices.measure', MEASURES),
@@ -171,15 +178,15 @@ function readSlices(fields: Fields): SliceRules {
 }
 
 /** Refused before anything of that size is allocated. */
-function side(value: unknown, field: string): number {
-  if (typeof value === 'number' && value > MAX_SIDE) {
+function side(value: unknown, field: string, { max_side }: Limits): number {
+  if (typeof value === 'number' && value > max_side) {
     throw new LinkError(
       'link-too-large',
-      `${field} is ${value}; at most ${MAX_SIDE} cells are allowed.`,
+      `${field} is ${value}; at most ${max_side} cells are allowed.`,
       field,
     )
   }
-  return integer(value, field, 1, MAX_SIDE)
+  return integer(value, field, 1, max_side)
 }
 
 function readMovement(fields: Fields): Movement {
@@ -189,11 +196,12 @@ function readMovement(fields: Fields): Movement {
   }
 }
 
-function readOrigin(fields: Fields): Origin {
+function readOrigin(fields: Fields, { generators, limits }: typeof FACTS): Origin {
+  const ids = generators.map(({ id }) => id)
   return {
-    generator: oneOf(fields.generator, 'scenario.origin.generator', GENERATORS),
+    generator: oneOf(fields.generator, 'scenario.origin.generator', ids),
     seed: integer(fields.seed, 'scenario.origin.seed', 0, SEED_MAX),
-    density: real(fields.density, 'scenario.origin.density', 0, 0.9),
+    density: real(fields.density, 'scenario.origin.density', 0, limits.max_density),
   }
 }
 

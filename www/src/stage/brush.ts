@@ -1,8 +1,9 @@
 /** What a tool does to the cell under it: one rule for pointer, touch and keys. */
 import type { Cell } from '../model/cell'
 import { type Edit, isBlocked, sameCell } from '../model/edit'
+import { limits } from '../model/facts'
 import { goalIndexAt } from '../model/goals'
-import { MAX_GOALS, type Scenario } from '../model/session'
+import type { Scenario } from '../model/session'
 import type { Tool } from '../state'
 
 /** One drag, or one key press: decided at its first cell, kept to its end. */
@@ -31,7 +32,7 @@ export function brushFor(tool: Tool, scenario: Scenario, at: Cell, active: numbe
     case 'goal':
       return { kind: 'goal', index: Math.min(active, length - 1) }
     case 'add-goal':
-      return length < MAX_GOALS ? { kind: 'goal', index: length } : null
+      return length < limits.max_goals ? { kind: 'goal', index: length } : null
     case 'inspect':
     case 'pan':
       return null

@@ -1,6 +1,6 @@
 /** Files in and out: recognises what was dropped, pasted or chosen, and puts it where it belongs. */
 
-import type { EngineError, ExportFormat, Imported, Kind, ScenLine } from '@pkg/formicarium'
+import type { EngineError, ExportFormat, Imported, ScenLine } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
@@ -30,9 +30,6 @@ const sessionFormat = () => import('../share/link')
 /** Larger files are refused before they are read. */
 const MAX_BYTES = 64 * 1024 * 1024
 
-/** Formats that hold heights and nothing else. */
-const RASTERS: Kind[] = ['esri-ascii', 'height-table', 'geotiff', 'srtm']
-
 interface Opening {
   /** A .scen is about to say where start and goal lie. */
   scenFollows?: boolean
@@ -46,12 +43,12 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
     const { textOfPng } = await import('../share/png')
     return openText(await textOfPng(bytes))
   }
-  const kind = await tools.sniff(bytes, name)
+  const { kind, raster } = await tools.sniff(bytes, name)
   if (kind === 'session') await openSessionFile(bytes)
   else if (kind === 'comparison') await openComparisonText(new TextDecoder().decode(bytes))
   else if (kind === 'results') await importResults(bytes, name)
   else if (kind === 'movingai-scen') await openScen(bytes, name)
-  else if (RASTERS.includes(kind) && !opening.unasked) await offerTerrain(bytes, name)
+  else if (raster && !opening.unasked) await offerTerrain(bytes, name)
   else await openMap(bytes, name, opening)
 }
 

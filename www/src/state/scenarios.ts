@@ -1,14 +1,16 @@
 /** Everything that changes the map or the question asked on it. */
 
+import type { Generator } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { type GalleryEntry, gallery } from '../gallery/gallery'
 import type { Racer } from '../gallery/paper_maps'
 import { t } from '../i18n'
 import { applyEditTo, type Edit, refusalOf } from '../model/edit'
+import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
 import { heightsOf } from '../model/height_bytes'
-import { MAX_GOALS, type Origin, type Scenario } from '../model/session'
+import type { Scenario } from '../model/session'
 import { settleGoals } from '../model/settle_ends'
 import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
@@ -85,7 +87,7 @@ const asksSame = (a: Scenario, b: Scenario) =>
 
 /** Says why the tool that adds goals does nothing; every other tool needs no words. */
 export function refuseMoreGoals(): void {
-  if (tool.peek() === 'add-goal') notify('warning', t('goals.most', { max: MAX_GOALS }))
+  if (tool.peek() === 'add-goal') notify('warning', t('goals.most', { max: limits.max_goals }))
 }
 
 function beforeDrag(now: Scenario, { kind }: Edit, gesture?: number): Scenario {
@@ -176,7 +178,7 @@ export function fromGallery(id: string, built: Scenario): Scenario {
 }
 
 export async function generateMap(
-  kind: Origin['generator'],
+  kind: Generator,
   width: number,
   height: number,
   seed: number,

@@ -53,7 +53,7 @@ export type WholeEngineState = 'absent' | 'fetching' | 'here' | 'failed'
 
 export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'inspect' | 'pan'
 
-export const catalog = signal<Catalog | null>(null)
+export const catalog = signal<Pick<Catalog, 'planners'> | null>(null)
 /** Once it is here the catalog is complete: until then it lists the planners of the core. */
 export const wholeEngine = signal<WholeEngineState>('absent')
 export const engineVersion = signal('')

@@ -15,7 +15,12 @@ const calls: AnalystCalls = {
     open?.free()
     open = null
     open = new engine.Comparison(document)
-    return { tasks: open.tasks(), rows: rowsOf(open), engine: engine.version() }
+    return {
+      outline: open.outline(),
+      tasks: open.task_table(),
+      order: open.seed_by_seed(),
+      rows: rowsOf(open),
+    }
   },
   keep(runs) {
     for (const { row, seconds } of runs) comparison().keep(row, seconds)

@@ -12,6 +12,8 @@ const calls: ToolCalls & MapCalls = {
   sniff: (bytes, name) => engine.sniff(bytes, name),
   surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
   importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
+  fittingSlices: (spec, cells, heights, verticalUnit) =>
+    engine.fitting_slices(spec, cells, heights, verticalUnit),
   exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
   joinResults: (document, bytes, name, instance) =>

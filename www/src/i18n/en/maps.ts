@@ -1,4 +1,6 @@
 /** The page's text: maps and ways of moving, the stage's words, notices, errors, the gallery. */
+import type { Generator } from '@pkg/formicarium'
+
 export const enMaps = {
   movement: {
     '4': '4 directions',
@@ -56,7 +58,7 @@ export const enMaps = {
       cave: 'Cave',
       hills: 'Hills',
       fractal: 'Fractal terrain',
-    },
+    } satisfies Record<Generator, string>,
     pastedName: 'Pasted map',
     dropHere: 'Drop to open',
   },

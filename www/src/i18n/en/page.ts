@@ -1,3 +1,4 @@
+import type { Ground, Layer } from '@pkg/formicarium'
 import { enMaps } from './maps'
 import { enRelief } from './relief'
 
@@ -109,7 +110,7 @@ export const en = {
       'seed-path': 'Seed path',
       priority: 'Priorities',
       none: 'None',
-    },
+    } satisfies Record<Layer | 'none', string>,
     layerNotes: {
       trail: 'The strongest pheromone that leaves a cell',
       visits: 'Ants that have the cell on their way; cells that a search has expanded',
@@ -119,7 +120,7 @@ export const en = {
       'initial-trail': 'The strongest pheromone that leaves a cell before the first iteration',
       'seed-path': 'The path of the first stage, which laid the first pheromone',
       priority: 'The numbers by which a firework or a particle chooses its path',
-    },
+    } satisfies Record<Layer, string>,
     ants: 'Show ants',
     path: 'Show best path',
     in: 'Zoom in',
@@ -146,7 +147,7 @@ export const en = {
       surface: 'Does not plan on the surface of a terrain',
       sixteen: 'Does not plan with 16 moves',
       slices: 'Does not plan by slices',
-    },
+    } satisfies Record<Ground, string>,
     tooManyGoals_one: 'Reaches one goal; this map has {{goals}}',
     tooManyGoals_other: 'Reaches {{count}} goals; this map has {{goals}}',
     none: 'No planner on this map',

@@ -1,35 +1,30 @@
 /** Turns an entry into an ablation: the planner as it is, and without each of its components. */
-import type { CatalogEntry, ComponentEntry } from '@pkg/formicarium'
+import type { AblationEntry, CatalogEntry, ComponentEntry } from '@pkg/formicarium'
 import { tools } from '../../engine/tools'
 import { engineText } from '../../i18n'
 import { t } from '../../i18n/lab'
-import type { Entry } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
 import { notify, plannerEntry } from '../../state'
 import { plannerName } from '../../words/planner_words'
 import { ablated, entries as drafted, setEntries } from './draft'
 
-/** What the id of an entry without a component begins with, and the id of the one that has all of them. */
-const WITHOUT = 'without-'
-const FULL = 'full'
-
-const lacksOne = ({ id }: DraftEntry) => id?.startsWith(WITHOUT) ?? false
+const lacksOne = ({ ablation }: DraftEntry) => ablation?.kind === 'without'
 
 /** Whether it belongs to an ablation, and so cannot be ablated again. */
 export const isOfAblation = (entry: DraftEntry) =>
-  lacksOne(entry) || (entry.id === FULL && drafted.value.some(lacksOne))
+  lacksOne(entry) || (entry.ablation?.kind === 'full' && drafted.value.some(lacksOne))
 
 /** Replaces all entries by those of an ablation, and offers to undo it. The engine knows which components the values leave. */
 export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {
   const known = plannerEntry(planner)
   if (!known) return
-  const entries = JSON.parse(await tools.ablation(planner, preset, params)) as Entry[]
-  const drafts = entries.map(({ id, label, set }) => ({
+  const drafts = (await tools.ablation(planner, preset, params)).map(({ entry, role }) => ({
     planner,
     preset,
-    params: set ?? {},
-    label: labelOf(id, known) ?? label,
-    id,
+    params: entry.set ?? {},
+    label: labelOf(role, known) ?? entry.label,
+    id: entry.id,
+    ablation: role,
   }))
   const [before, ofPlanner] = [drafted.peek(), ablated.peek()]
   setEntries(drafts, plannerName(known))
@@ -40,9 +35,9 @@ export async function ablate({ planner, preset, params }: DraftEntry): Promise<v
 }
 
 /** In the reader's language. */
-function labelOf(id: string, known: CatalogEntry): string | null {
-  if (!id.startsWith(WITHOUT)) return t('lab.build.full', { planner: plannerName(known) })
-  const component = known.components.find((each) => id === `${WITHOUT}${each.id}`)
+function labelOf(role: AblationEntry['role'], known: CatalogEntry): string | null {
+  if (role.kind === 'full') return t('lab.build.full', { planner: plannerName(known) })
+  const component = known.components.find(({ id }) => id === role.component)
   return component ? t('lab.build.without', { component: componentName(component) }) : null
 }
 

@@ -1,10 +1,11 @@
 /** How many seeds, and the budget of each run. */
+import type { Budget } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'
 import { t } from '../../i18n/lab'
-import type { Budget } from '../../model/comparison'
+import { limits } from '../../model/facts'
 import { NumberField, Select } from '../../ui/fields'
 import { FormError } from '../../ui/form_error'
-import { budget, change, MAX_SEEDS, seeds, untilBudget } from './draft'
+import { budget, change, seeds, untilBudget } from './draft'
 import { refusalOf } from './refusals'
 
 const AXES = ['iterations', 'constructed-paths', 'ant-moves', 'cell-expansions', 'moves'] as const
@@ -28,7 +29,7 @@ export function BudgetFields() {
           label={t('lab.build.seedsCount')}
           value={seeds.value.count}
           min={1}
-          max={MAX_SEEDS}
+          max={limits.max_seeds}
           step={1}
           nearest
           testId="seed-count"

@@ -1,16 +1,10 @@
 /** Makes the document of a comparison from the draft. */
+import type { Entry, Question } from '@pkg/formicarium'
 import { tools } from '../../engine/tools'
 import { t } from '../../i18n/lab'
-import {
-  type ComparisonDocument,
-  type Entry,
-  type MapOfQuestion,
-  QUESTION_FORMAT,
-  type Question,
-  RESULT_FORMAT,
-  textOf,
-} from '../../model/comparison'
+import { type ComparisonDocument, type MapOfQuestion, textOf } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
+import { formats } from '../../model/facts'
 import type { ParamValues } from '../../model/messages'
 import { plannerEntry } from '../../state'
 import { uniqueId } from '../store/names'
@@ -23,7 +17,7 @@ export async function compose(): Promise<string> {
     drawn.map(({ scenario }) => tools.exportMap(scenario, 'scenario')),
   )
   const document: ComparisonDocument = {
-    format: RESULT_FORMAT,
+    format: formats.comparison,
     question: questionOf(),
     maps: texts.map((text, at) => ({
       ...(JSON.parse(text) as MapOfQuestion),
@@ -51,7 +45,7 @@ function questionOf(): Question {
   const entryIds = idsOf(all)
   const limit = budget.peek()
   return {
-    format: QUESTION_FORMAT,
+    format: formats.question,
     title: titleOf(),
     asks: t('lab.build.asks'),
     seeds: seeds.peek(),
@@ -67,7 +61,7 @@ function entryOf(entry: DraftEntry, id: string): Entry {
   return {
     id,
     label: labelOf(entry),
-    role: id === 'full' ? 'improved' : 'other',
+    role: entry.ablation?.kind === 'full' ? 'improved' : 'other',
     planner,
     preset,
     set,

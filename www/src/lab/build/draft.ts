@@ -1,14 +1,15 @@
 /** The draft of a comparison: what the builder is putting together. */
+import type { Budget } from '@pkg/formicarium'
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
-import type { Budget } from '../../model/comparison'
 import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
 import type { Scenario } from '../../model/session'
 import { panels, plannerEntry, scenario, view } from '../../state'
 import { mapName } from '../../words/map_names'
 import { namesakeMark, plannerName } from '../../words/planner_words'
 
-export const MAX_SEEDS = 100_000
 const USUAL_SEEDS = 30
+/** Of an entry about which the reader has said nothing. */
+const UNTOLD = { label: null, id: null, ablation: null }
 
 export const maps = signal<DraftMap[]>([])
 export const entries = signal<DraftEntry[]>([])
@@ -50,6 +51,7 @@ export function takeRace(): void {
       params,
       label: raceLabel(id, planner),
       id: null,
+      ablation: null,
     }))
     ablated.value = null
     title.value = null
@@ -112,7 +114,7 @@ export function removeMap(key: number): void {
 }
 
 export function addEntry(planner: string): void {
-  const added = { key: nextKey++, planner, preset: null, params: {}, label: null, id: null }
+  const added = { key: nextKey++, planner, preset: null, params: {}, ...UNTOLD }
   change(() => {
     entries.value = [...entries.peek(), added]
   })
@@ -123,7 +125,7 @@ export function copyEntry(key: number): void {
   change(() => {
     entries.value = entries.peek().flatMap((entry) => {
       if (entry.key !== key) return [entry]
-      return [entry, { ...entry, key: nextKey++, label: null, id: null }]
+      return [entry, { ...entry, key: nextKey++, ...UNTOLD }]
     })
   })
 }

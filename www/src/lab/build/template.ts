@@ -1,19 +1,23 @@
 /** Takes a comparison as the draft of another one: its maps, entries, seeds and budget. */
+import type { AblationRole, Entry } from '@pkg/formicarium'
 import { tools } from '../../engine/tools'
-import type { Entry, MapOfQuestion, Question } from '../../model/comparison'
+import type { MapOfQuestion } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
 import { toScenario } from '../../state/files'
 import type { OpenComparison } from '../store/signals'
 import { fillWith } from './draft'
 import { usualLabel } from './labels'
 
-export async function takeAsTemplate({ question, maps }: OpenComparison): Promise<void> {
+export async function takeAsTemplate({ question, maps, outline }: OpenComparison): Promise<void> {
+  const { entries, seeds, budget = null } = question
+  const roles = outline.ablation_roles
+  const full = roles.findIndex((role) => role?.kind === 'full')
   fillWith({
     maps: await Promise.all(maps.map(opened)),
-    entries: question.entries.flatMap(drafted),
-    seeds: question.seeds,
-    budget: question.budget ?? null,
-    ablated: ablatedOf(question),
+    entries: entries.flatMap((entry, at) => drafted(entry, roles[at] ?? null)),
+    seeds,
+    budget,
+    ablated: entries[full]?.label ?? null,
   })
 }
 
@@ -23,12 +27,11 @@ async function opened(map: MapOfQuestion) {
 }
 
 /** Entries that cannot be run here, such as imported results, are left out. */
-function drafted({ id, label, planner, preset, set }: Entry): Omit<DraftEntry, 'key'>[] {
+function drafted(
+  { id, label, planner, preset = null, set = {} }: Entry,
+  ablation: AblationRole | null,
+): Omit<DraftEntry, 'key'>[] {
   if (!planner) return []
-  const draft = { planner, preset: preset ?? null, params: set ?? {}, id }
+  const draft = { planner, preset, params: set, id, ablation }
   return [{ ...draft, label: label === usualLabel(draft) ? null : label }]
-}
-
-function ablatedOf({ entries }: Question): string | null {
-  return entries.find(({ id }) => id === 'full')?.label ?? null
 }

@@ -37,15 +37,13 @@ function rowsOf(scene: Scene): Row[] {
   })
 }
 
-const isAblation = (entries: { id: string }[]) =>
-  entries.some(({ id }) => id === 'full') && entries.some(({ id }) => id.startsWith('without-'))
-
 const isNumber = (value: number | null) => value !== null && Number.isFinite(value)
 
 export const ablation: Figure = {
   id: 'ablation',
   overall: false,
-  suits: ({ instances }) => isAblation(instances[0]?.entries ?? []),
+  suits: ({ instances }) =>
+    instances[0]?.entries.some(({ ablation_role }) => ablation_role !== null) ?? false,
   missing(scene) {
     if (rowsOf(scene).some(({ effect }) => effect.pairs > 0)) return null
     const rests = scene.analysis.ablation.length > 0

@@ -16,7 +16,7 @@ import {
   range,
   share,
 } from '../words/numbers'
-import { measureNamed, whyWords } from '../words/verdict_words'
+import { whyWords } from '../words/verdict_words'
 import { Alert, dotColour, MapHead } from './choices'
 import { Strip, stripScale } from './run_strip'
 
@@ -233,7 +233,7 @@ function Verdict({ line, analysis }: { line: VerdictLine; analysis: Analysis }) 
           {t('lab.results.claimOf', {
             improved: label(line.improved),
             baseline: label(line.baseline),
-            measure: measureNamed(line.measure_name),
+            measure: measureWords(line.measure),
           })}
         </span>
       </th>

@@ -135,6 +135,11 @@ export function timesFile(): string {
   return mine ? timesCsv(mine.comparison.question, mine.analyst.kept()) : ''
 }
 
+/** The numbers of the runs in the order in which they are handed out; see `Tasks`. */
+export function runsInOrder(seeds: number | null): number[] {
+  return openParts()?.tasks.inOrder(seeds) ?? []
+}
+
 /** Takes in a repeated run, only to compare it with the recorded one. */
 export function checkRun(run: KeptRun): void {
   openParts()?.analyst.check(run)

@@ -1,7 +1,7 @@
 /** The page's side of the analyst, the worker that analyses runs. Asks often enough to watch, and leaves the worker time for runs. */
 import type { EngineError, ResultFile, Verification } from '@pkg/formicarium'
 import type { Analysis } from '../../model/analysis'
-import type { KeptRun } from '../../model/comparison_calls'
+import type { KeptRun, Opened } from '../../model/comparison_calls'
 import { toEngineError } from '../../model/errors'
 import { axis } from '../store/signals'
 import { type Analyst, newAnalyst } from './analyst'
@@ -33,8 +33,8 @@ export class AnalystClient {
     private readonly trouble: (error: EngineError) => void,
   ) {}
 
-  /** Opens the document and resolves to the runs in it. Throws what the engine refuses. */
-  async open(): Promise<{ tasks: number; rows: KeptRun[] }> {
+  /** Opens the document. Throws what the engine refuses. */
+  async open(): Promise<Opened> {
     const opened = await this.called().call('open', this.document)
     for (const run of opened.rows) this.runs.set(run.index, run)
     return opened

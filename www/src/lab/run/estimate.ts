@@ -13,7 +13,7 @@ interface Mean {
 }
 
 export class Estimate {
-  private readonly byPair: Mean[]
+  private readonly byPair = new Map<string, Mean>()
   private readonly all: Mean = { sum: 0, count: 0 }
   /** Seconds of work and of the clock, with the past fading out. */
   private worked = 0
@@ -24,7 +24,6 @@ export class Estimate {
     private readonly tasks: Tasks,
     now: number,
   ) {
-    this.byPair = Array.from({ length: tasks.pairs }, () => ({ sum: 0, count: 0 }))
     this.last = now
   }
 
@@ -34,8 +33,10 @@ export class Estimate {
   }
 
   done(index: number, seconds: number, now: number): void {
-    const pair = this.byPair[this.tasks.pairOf(index)]
-    for (const mean of pair ? [pair, this.all] : [this.all]) {
+    const key = this.tasks.pairOf(index)
+    const pair = this.byPair.get(key) ?? { sum: 0, count: 0 }
+    this.byPair.set(key, pair)
+    for (const mean of [pair, this.all]) {
       mean.sum += seconds
       mean.count += 1
     }
@@ -52,8 +53,8 @@ export class Estimate {
     const mean = this.all.sum / this.all.count
     let work = 0
     for (const index of left) {
-      const pair = this.byPair[this.tasks.pairOf(index)]
-      work += pair && pair.count > 0 ? pair.sum / pair.count : mean
+      const pair = this.byPair.get(this.tasks.pairOf(index))
+      work += pair ? pair.sum / pair.count : mean
     }
     // Seconds of work that all workers do in a second of the clock, messages and drawing included.
     const rate = this.worked / this.passed

@@ -2,7 +2,7 @@
 import { batch, effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { type ComparisonDocument, documentOf, textOf } from '../../model/comparison'
-import type { KeptRun } from '../../model/comparison_calls'
+import type { KeptRun, Opened } from '../../model/comparison_calls'
 import { notify, notifyError } from '../../state'
 import { ComparisonWriter, type StoredComparison, storedComparison } from '../store/browser_storage'
 import { refreshKeptComparisons } from '../store/kept_comparisons'
@@ -24,11 +24,13 @@ import { isLocked, whenUnlocked } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, rememberInTab } from '../store/tab_memory'
 import { AnalystClient } from './analyst_client'
 import { Runner } from './runner'
+import { Tasks } from './tasks'
 
 /** What belongs to the open comparison and ends with it. */
 export interface OpenParts {
   comparison: OpenComparison
   stored: StoredComparison
+  tasks: Tasks
   analyst: AnalystClient
   runner: Runner
   writer: ComparisonWriter
@@ -67,8 +69,8 @@ export async function openNew({
   if (phase.peek() === 'idle' && runs === 'file') phase.value = 'opening'
   const analyst = new AnalystClient(document, tell, trouble)
   try {
-    const { rows: brought } = await analyst.open()
-    const rows = done ?? brought
+    const opened = await analyst.open()
+    const rows = done ?? opened.rows
     const parsed = documentOf(document)
     const stored: StoredComparison = {
       id: newId(),
@@ -80,7 +82,7 @@ export async function openNew({
       done: 0,
       total: 0,
     }
-    await begin(stored, analyst, rows, { workers, isNew: true })
+    await begin(stored, { analyst, opened }, rows, { workers, isNew: true })
   } catch (error) {
     analyst.close()
     if (phase.peek() === 'opening') phase.value = 'idle'
@@ -104,8 +106,8 @@ async function openStored(stored: StoredComparison, runs: KeptRun[]): Promise<vo
   phase.value = 'opening'
   const analyst = new AnalystClient(stored.document, tell, trouble)
   try {
-    await analyst.open()
-    await begin(stored, analyst, runs, { isNew: false })
+    const opened = await analyst.open()
+    await begin(stored, { analyst, opened }, runs, { isNew: false })
   } catch (error) {
     analyst.close()
     phase.value = openComparison.peek() ? 'paused' : 'idle'
@@ -115,7 +117,7 @@ async function openStored(stored: StoredComparison, runs: KeptRun[]): Promise<vo
 
 async function begin(
   stored: StoredComparison,
-  analyst: AnalystClient,
+  { analyst, opened }: { analyst: AnalystClient; opened: Opened },
   runs: KeptRun[],
   { workers, isNew }: { workers?: number | undefined; isNew: boolean },
 ): Promise<void> {
@@ -129,15 +131,18 @@ async function begin(
     document,
     question,
     maps,
+    outline: opened.outline,
     recorded,
     runs: stored.runs,
     firstSeeds,
     elsewhere: false,
   }
+  const tasks = new Tasks(opened)
   const writer = new ComparisonWriter(stored, refused)
   const runner: Runner = new Runner({
     comparison: now,
     analyst,
+    tasks,
     writer,
     kept: runs.length,
     workers,
@@ -145,7 +150,16 @@ async function begin(
     rested: () => mine === current && comeToRest(mine),
   })
   const closed = new AbortController()
-  const mine: OpenParts = { comparison: now, stored, analyst, runner, writer, unlock: null, closed }
+  const mine: OpenParts = {
+    comparison: now,
+    stored,
+    tasks,
+    analyst,
+    runner,
+    writer,
+    unlock: null,
+    closed,
+  }
   stored.total = runner.progress.total
   if (isNew) for (const run of runs) writer.keep(run)
   current = mine

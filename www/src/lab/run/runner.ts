@@ -7,11 +7,12 @@ import type { Failure, OpenComparison, Progress } from '../store/signals'
 import type { AnalystClient } from './analyst_client'
 import { Estimate } from './estimate'
 import { Pool, poolSize, type Work } from './pool'
-import { Tasks } from './tasks'
+import type { Tasks } from './tasks'
 
 interface Parts {
   comparison: OpenComparison
   analyst: AnalystClient
+  tasks: Tasks
   writer: ComparisonWriter
   /** How many runs were there already. */
   kept: number
@@ -26,7 +27,7 @@ const now = () => performance.now() / 1000
 
 export class Runner implements Work {
   readonly failures: Failure[] = []
-  readonly tasks: Tasks
+  private readonly tasks: Tasks
   private readonly order: number[]
   private readonly estimate: Estimate
   private pool: Pool | null = null
@@ -35,9 +36,8 @@ export class Runner implements Work {
   private doneSoFar = 0
 
   constructor(private readonly parts: Parts) {
-    const { question, firstSeeds } = parts.comparison
-    this.tasks = new Tasks(question)
-    this.order = this.tasks.inOrder(firstSeeds ?? undefined)
+    this.tasks = parts.tasks
+    this.order = this.tasks.inOrder(parts.comparison.firstSeeds)
     this.estimate = new Estimate(this.tasks, now())
     this.recount()
   }
@@ -124,10 +124,8 @@ export class Runner implements Work {
   }
 
   private whatOf(index: number): string {
-    const { entries, seeds } = this.parts.comparison.question
-    const able = entries.filter(({ planner }) => planner != null)
-    const entry = able[this.tasks.pairOf(index) % able.length]
-    return `${translated(entry?.label ?? '')} · ${seeds.from + this.tasks.seedOf(index)}`
+    const entry = this.parts.comparison.question.entries[this.tasks.entryOf(index)]
+    return `${translated(entry?.label ?? '')} · ${this.tasks.seedOf(index)}`
   }
 
   private *left(): Iterable<number> {

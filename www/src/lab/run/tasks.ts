@@ -1,40 +1,35 @@
-/** The runs of a question as the engine numbers them: by instance, then entry, then seed. */
-import { countRuns, type Question } from '../../model/comparison'
-
-export interface Place {
-  instance: number
-  /** Among the entries that can be run. */
-  entry: number
-  /** From the question's first seed on. */
-  seed: number
-}
+/** The runs of the open comparison, as the engine numbers them. */
+import type { Opened } from '../../model/comparison_calls'
 
 export class Tasks {
-  readonly count: number
-  /** Pairs of instance and entry. */
-  readonly pairs: number
-  private readonly seeds: number
+  private readonly table: Uint32Array
+  private readonly order: Uint32Array
 
-  constructor(question: Question) {
-    this.count = countRuns(question)
-    this.seeds = question.seeds.count
-    this.pairs = this.seeds > 0 ? this.count / this.seeds : 0
+  constructor({ tasks, order }: Pick<Opened, 'tasks' | 'order'>) {
+    this.table = tasks
+    this.order = order
+  }
+
+  /** In the order in which they are handed out: only the first `seeds` seeds of each entry; all where it is null. */
+  inOrder(seeds: number | null = null): number[] {
+    const taken = new Set<number>()
+    const end = this.order.findIndex(
+      (index) => taken.add(this.seedOf(index)).size > (seeds ?? Infinity),
+    )
+    return [...(end < 0 ? this.order : this.order.subarray(0, end))]
+  }
+
+  /** Place of its entry in the question. */
+  entryOf(index: number): number {
+    return this.table[3 * index + 1] ?? 0
   }
 
   seedOf(index: number): number {
-    return index % this.seeds
+    return this.table[3 * index + 2] ?? 0
   }
 
-  /** Number of a run's pair of instance and entry. */
-  pairOf(index: number): number {
-    return Math.floor(index / this.seeds)
-  }
-
-  /** Seed by seed, so that every entry has runs early on. Only the first `seeds` seeds of each entry. */
-  inOrder(seeds = this.seeds): number[] {
-    const order: number[] = []
-    for (let seed = 0; seed < Math.min(seeds, this.seeds); seed++)
-      for (let pair = 0; pair < this.pairs; pair++) order.push(pair * this.seeds + seed)
-    return order
+  /** The same for all runs of one entry on one map. */
+  pairOf(index: number): string {
+    return `${this.table[3 * index]} ${this.entryOf(index)}`
   }
 }

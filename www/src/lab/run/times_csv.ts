@@ -1,5 +1,5 @@
 /** How long runs took, as CSV. Times hold for this machine only, so no other result file has them. */
-import type { Question } from '../../model/comparison'
+import type { Question } from '@pkg/formicarium'
 import type { KeptRun } from '../../model/comparison_calls'
 
 const HEADER = 'instance,entry,seed,seconds_to_best,seconds'

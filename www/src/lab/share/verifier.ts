@@ -5,9 +5,8 @@
 import { signal } from '@preact/signals'
 import type { KeptRun } from '../../model/comparison_calls'
 import { notifyError } from '../../state'
-import { checkRun, compareAgain, openComparison } from '../run/actions'
+import { checkRun, compareAgain, openComparison, runsInOrder } from '../run/actions'
 import { Pool, poolSize, type Work } from '../run/pool'
-import { Tasks } from '../run/tasks'
 
 export interface Verifying {
   done: number
@@ -29,7 +28,7 @@ export function verifyAgain(seeds: number | null): void {
   const now = openComparison.peek()
   if (!now) return
   stopVerifying()
-  job = new Job(now.id, now.document, new Tasks(now.question).inOrder(seeds ?? undefined))
+  job = new Job(now.id, now.document, runsInOrder(seeds))
 }
 
 export function stopVerifying(): void {

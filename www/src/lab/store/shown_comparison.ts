@@ -2,10 +2,10 @@
  * The open comparison and its analysis as the page shows them: known texts, such as those of the papers' questions, in the reader's
  * language. Files are made from the comparison itself, so they are the same in every language.
  */
+import type { Claim, Entry, Instance, Question } from '@pkg/formicarium'
 import { computed } from '@preact/signals'
 import { translated } from '../../i18n'
 import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
-import type { Claim, Entry, Instance, Question } from '../../model/comparison'
 import { analysis, type OpenComparison, openComparison } from './signals'
 
 type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>

@@ -1,8 +1,8 @@
 /** What every part of the laboratory reads. Only lab/run writes it, except `axis`, which the reader chooses. */
-import type { Axis, EngineError, Verification } from '@pkg/formicarium'
+import type { Axis, ComparisonOutline, EngineError, Question, Verification } from '@pkg/formicarium'
 import { computed, signal } from '@preact/signals'
 import type { Analysis } from '../../model/analysis'
-import type { ComparisonDocument, MapOfQuestion, Question } from '../../model/comparison'
+import type { ComparisonDocument, MapOfQuestion } from '../../model/comparison'
 import type { StoredComparison } from './browser_storage'
 
 /** idle: nothing is open · opening · running · paused: some runs are to be done · done */
@@ -24,6 +24,8 @@ export interface OpenComparison {
   document: string
   question: Question
   maps: MapOfQuestion[]
+  /** What the engine tells of it before anything has run. */
+  outline: ComparisonOutline
   /** What was recorded when it was run elsewhere; null where nothing was. */
   recorded: ComparisonDocument['recorded'] | null
   /** Where its runs come from: done here (`own`), or read from a file. */
@@ -79,8 +81,7 @@ export const verification = signal<Verification | null>(null)
 /** The axes that the reader can choose from. */
 export const AXES = ['iterations', 'constructed-paths', 'moves', 'time'] as const satisfies Axis[]
 
-/** Entries `full` and `without-…`: what each component of a planner is good for. */
-export const isAblation = computed(() => {
-  const ids = openComparison.value?.question.entries.map(({ id }) => id) ?? []
-  return ids.includes('full') && ids.some((id) => id.startsWith('without-'))
-})
+/** Whether it asks what each component of a planner is good for. */
+export const isAblation = computed(
+  () => openComparison.value?.outline.ablation_roles.some((role) => role !== null) ?? false,
+)

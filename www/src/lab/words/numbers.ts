@@ -1,5 +1,4 @@
 /** Numbers and names of results in the reader's language. */
-import type { Objective } from '@pkg/formicarium'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Axis, EntryAnalysis, MapAnalysis, Measure } from '../../model/analysis'
@@ -72,7 +71,7 @@ export function optimaOf(
   { references, measure }: Pick<MapAnalysis, 'references' | 'measure'>,
   of = measure,
 ): ExactOptimum[] {
-  const about = references.filter(({ objective }) => OBJECTIVES[of]?.includes(objective))
+  const about = references.filter((yardstick) => yardstick.measure === of)
   const proven = about.flatMap(({ objective, reference }) =>
     reference.kind === 'proven' ? [{ objective, value: reference.value }] : [],
   )
@@ -84,14 +83,6 @@ export function optimaOf(
         : `${t(`objective.${objective}`)} ${shown}`
     return { value, words }
   })
-}
-
-/** The objectives whose value the measure is. */
-const OBJECTIVES: Partial<Record<Measure, Objective[]>> = {
-  length: ['length', 'tour-length', 'polyline-length'],
-  cost: ['slice-cost'],
-  'turn-index': ['turn-index'],
-  weight: ['tour-weight'],
 }
 
 /** Imported results are marked wherever they are named. */

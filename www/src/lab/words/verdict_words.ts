@@ -13,22 +13,3 @@ export function whyWords(why: string): string {
   const known = why in WHYS ? WHYS[why as keyof typeof WHYS] : null
   return known ? t(`lab.results.whys.${known}`) : why
 }
-
-/** Names of measures, as src/comparison/question.rs has them. */
-const MEASURES = {
-  length: 'length',
-  cost: 'cost',
-  turns: 'turns',
-  'turn index V': 'turn-index',
-  'weight R': 'weight',
-  'iteration of best': 'iteration-of-best',
-  'constructed paths to best': 'paths-to-best',
-  'ant moves': 'ant-moves',
-  'share of runs with a path': 'success',
-  'share of runs with the optimum': 'optimal',
-} as const
-
-export function measureNamed(name: string): string {
-  const known = name in MEASURES ? MEASURES[name as keyof typeof MEASURES] : null
-  return known ? t(`lab.results.measures.${known}`) : name
-}

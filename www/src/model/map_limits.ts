@@ -1,2 +1,0 @@
-/** The largest map the page takes, as links and files do. */
-export const MOST_CELLS_A_SIDE = 4096
