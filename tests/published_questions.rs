@@ -69,7 +69,7 @@ fn every_record_is_what_the_engine_gives() {
         assert_recorded(&comparison, &folder().join(format!("records/{name}.csv")), &[1, 100]);
         let page = read(&folder().join(format!("records/{name}.md")));
         assert!(page.starts_with(&format!("# {}\n", comparison.question.title)), "{name}");
-        assert!(page.contains(&format!("`formicarium compare experiments/{name}.toml --out DIR`")), "{name}");
+        assert!(page.contains(&format!("`formicarium compare {name}.toml --out DIR`")), "{name}");
     }
 }
 

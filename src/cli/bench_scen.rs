@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use formicarium::catalog;
-use formicarium::formats::{self, ScenFile, ScenLine, misfit};
+use formicarium::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
 use formicarium::map::{CornerRule, Grid, Movement, Point};
 use formicarium::params::Values;
 use formicarium::planner::{Family, Objective, PlannerEntry};
@@ -59,7 +59,7 @@ impl Args {
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = exact(&args.planner)?;
-    let scen = input::in_file(&args.scen, |bytes, _| Ok(formats::import_scen(bytes)?))?;
+    let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
     let map = input::import(&map_path)?;
     text::notes(&scen.notices);
@@ -156,8 +156,9 @@ impl Bench {
     fn new(args: &Args, map: &Path, entry: &'static PlannerEntry, scenarios: usize) -> Self {
         Self {
             format: "formicarium/bench-scen@1",
-            scen: args.scen.display().to_string(),
-            map: map.display().to_string(),
+            // Names alone: folders are this machine's.
+            scen: input::file_name(&args.scen),
+            map: input::file_name(map),
             planner: entry.id,
             corner_rule: args.corner_rule,
             scenarios,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use formicarium::formats::{Imported, path_kind, read_places};
+use formicarium::formats::{Imported, MAX_TEXT_BYTES, path_kind, read_places};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::path::{PathKind, audit_slices, direction_between, in_sight};
@@ -62,7 +62,7 @@ impl Args {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = input::import(&args.map)?;
     args.movement.apply(&mut map);
-    let (mut path, kind) = input::in_file(&args.path, |bytes, _| Ok((read_places(bytes)?, path_kind(bytes))))?;
+    let (mut path, kind) = input::in_file(&args.path, MAX_TEXT_BYTES, |bytes, _| Ok((read_places(bytes)?, path_kind(bytes))))?;
     let kind = if args.polyline { PathKind::Polyline } else { kind };
     path.iter_mut().try_for_each(|(p, _)| args.shift(p))?;
     if let (true, Some(&(first, _)), Some(&(last, _))) = (map.ends_were_chosen(), path.first(), path.last()) {
@@ -71,6 +71,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
     }
     args.terrain.apply(&mut map)?;
+    map.spec.check(&map.grid)?;
     if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
         return by_slices(args, map, &path);
     }

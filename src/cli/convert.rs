@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use formicarium::exact;
-use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions};
+use formicarium::formats::{self, BinaryExport, Export, Imported, MAX_BYTES, TerrainOptions};
 use formicarium::map::{Movement, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
-use super::{Outcome, input, text};
+use super::streams::say;
+use super::{Outcome, input, output, text};
 
 /// Converts a map to another format, told by the output's ending
 #[derive(clap::Args)]
@@ -110,6 +111,7 @@ fn listed_optimum(map: &Imported) -> Result<f64, CliError> {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    output::check(Some(&args.output))?;
     let mut map = read(args)?;
     let format = match (args.format, Format::of(&args.output)) {
         (Some(asked), _) => asked,
@@ -123,9 +125,11 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map = map.invert()?;
     }
     map.spec.resolution = args.resolution.unwrap_or(map.spec.resolution);
+    // What could not be read again is not written.
+    map.spec.check(&map.grid)?;
     text::notes(&map.notices);
     tell_of_losses(format, &map);
-    input::write(Some(&args.output), &format.write(&map)?)?;
+    output::write(Some(&args.output), &format.write(&map)?)?;
     Ok(Outcome::fine(String::new()))
 }
 
@@ -135,7 +139,7 @@ fn read(args: &Args) -> Result<Imported, CliError> {
     if options == TerrainOptions::default() {
         return input::import(&args.input);
     }
-    input::in_file(&args.input, |bytes, name| formats::import_piece(bytes, name, options))
+    input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options))
 }
 
 /// What the format does not hold.
@@ -145,15 +149,15 @@ fn tell_of_losses(format: Format, map: &Imported) {
     if !has_ends && !map.ends_were_chosen() {
         let (start, goal) = (text::cell(map.spec.start), text::cell(map.spec.goals[0].at));
         let what = if format.is_raster() { "heights" } else { "cells" };
-        eprintln!("note: this format holds the {what} alone, not start {start} and goal {goal}; a .json keeps them");
+        say(format!("note: this format holds the {what} alone, not start {start} and goal {goal}; a .json keeps them"));
     }
     if is_terrain && !format.is_raster() && format != Format::Scenario {
-        eprintln!("note: this format holds no heights; .asc, .tif and .json do");
+        say("note: this format holds no heights; .asc, .tif and .json do");
     }
     let walls = || {
         (0..map.grid.len() as u32).any(|c| map.grid.is_blocked(c) && map.grid.heights().is_some_and(|h| !h[c as usize].is_nan()))
     };
     if format.is_raster() && walls() {
-        eprintln!("note: this format holds heights alone, not the walls that stand on them; a .json keeps them");
+        say("note: this format holds heights alone, not the walls that stand on them; a .json keeps them");
     }
 }

@@ -53,7 +53,7 @@ impl CliError {
                 let hint = if *action == "read" {
                     "check the name, and that the file may be read"
                 } else {
-                    "check that the folder exists and may be written"
+                    "check that the folder exists and may be written, and that there is space left"
                 };
                 ErrorReport::new("file", path, "", hint)
             }

@@ -8,7 +8,7 @@ use formicarium::map::{Generator, generate};
 
 use super::convert::Format;
 use super::error::CliError;
-use super::{Outcome, input};
+use super::{Outcome, input, output};
 
 /// Makes a map: random obstacles, a maze, rooms with doors, a cave, or a terrain (fractal, hills)
 #[derive(clap::Args)]
@@ -50,6 +50,7 @@ fn kinds() -> impl TypedValueParser<Value = Generator> {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    output::check(args.out.as_deref())?;
     let (width, height) = args.size;
     let is_terrain = args.kind.is_terrain();
     let density = args.density.unwrap_or(if is_terrain { 0.5 } else { 0.3 });
@@ -59,6 +60,6 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let by_ending = args.out.as_deref().and_then(Format::of);
     let usual = if is_terrain { Format::Scenario } else { Format::MovingaiMap };
     let format = args.format.or(by_ending).unwrap_or(usual).suited(is_terrain);
-    input::write(args.out.as_deref(), &format.write(&map)?)?;
+    output::write(args.out.as_deref(), &format.write(&map)?)?;
     Ok(Outcome::fine(String::new()))
 }

@@ -1,12 +1,13 @@
 //! Reading what the arguments name: files, cells, movement, scenarios.
 
+use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use formicarium::error::{Error, Notice};
-use formicarium::formats::{self, Imported, ScenLine};
+use formicarium::error::{Error, FormatError, Notice};
+use formicarium::formats::{self, Imported, MAX_BYTES, MAX_TEXT_BYTES, ScenLine};
 use formicarium::map::{CornerRule, Moves, Point, Window};
 use formicarium::scenario::{Goal, Scenario};
 
@@ -173,7 +174,7 @@ fn scen_line(place: &str) -> Result<ScenLine, CliError> {
     let hint = "write FILE:LINE such as arena2.map.scen:17; line 1 is the version, scenarios begin in line 2";
     let split = place.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse::<u32>().ok()?)));
     let (file, number) = split.ok_or_else(|| CliError::usage(format!("`{place}` names no line"), hint))?;
-    let scen = in_file(Path::new(file), |bytes, _| Ok(formats::import_scen(bytes)?))?;
+    let scen = in_file(Path::new(file), MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let last = scen.lines.last().map_or(0, |l| l.line);
     let found = scen.lines.into_iter().find(|l| l.line == number);
     found.ok_or_else(|| CliError::usage(format!("{file} has no scenario in line {number} (its last line is {last})"), hint))
@@ -191,37 +192,35 @@ pub fn stem(path: &Path) -> String {
 
 /// Reads a map of any format.
 pub fn import(path: &Path) -> Result<Imported, CliError> {
-    in_file(path, formats::import)
+    in_file(path, MAX_BYTES, formats::import)
 }
 
-/// Reads a file and names it in the error when its contents cannot be used.
-pub fn in_file<T>(path: &Path, read: impl FnOnce(&[u8], &str) -> Result<T, Error>) -> Result<T, CliError> {
+/// Reads a file of up to `most` bytes and names it in the error when its contents cannot be used.
+pub fn in_file<T>(path: &Path, most: usize, read: impl FnOnce(&[u8], &str) -> Result<T, Error>) -> Result<T, CliError> {
     let name = path.display().to_string();
-    let bytes = bytes(path)?;
+    let bytes = bytes(path, most as u64)?;
     read(&bytes, &name).map_err(|error| CliError::Contents { path: name, error })
 }
 
-fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
-    let read = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
-    } else {
-        std::fs::read(path)
+/// What a file holds. No more of it is read than tells that it is too large; some files have no end.
+fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, CliError> {
+    let name = || path.display().to_string();
+    let failed = |error| CliError::File { action: "read", path: name(), error };
+    let too_large = |what: String| {
+        let error = FormatError::TooLarge { what, max: format!("{} MiB", most >> 20) };
+        CliError::Contents { path: name(), error: error.into() }
     };
-    read.map_err(|error| CliError::File { action: "read", path: path.display().to_string(), error })
-}
-
-/// Writes a file, or to standard output.
-pub fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), CliError> {
-    match path {
-        Some(path) if path != Path::new("-") => std::fs::write(path, bytes).map_err(|error| CliError::File {
-            action: "write",
-            path: path.display().to_string(),
-            error,
-        }),
-        _ => {
-            super::print(bytes);
-            Ok(())
+    let source: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(std::io::stdin().lock())
+    } else {
+        let file = File::open(path).map_err(failed)?;
+        let size = file.metadata().map_err(failed)?.len();
+        if size > most {
+            return Err(too_large(format!("a file of {} MiB", size >> 20)));
         }
-    }
+        Box::new(file)
+    };
+    let mut bytes = Vec::new();
+    source.take(most + 1).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 > most { Err(too_large("a file without an end in sight".into())) } else { Ok(bytes) }
 }

@@ -8,11 +8,13 @@ mod convert;
 mod error;
 mod generate;
 mod input;
+mod output;
 mod plan;
+mod streams;
 mod terrain;
 mod text;
 
-use std::io::Write;
+use std::io::Write as _;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -99,25 +101,33 @@ impl Command {
 
 /// Runs the command line.
 pub fn run() -> ExitCode {
-    let cli = Cli::parse();
-    match cli.command.run() {
-        Ok(outcome) => {
-            print(outcome.text.as_bytes());
-            ExitCode::from(u8::from(!outcome.fine))
-        }
-        Err(error) => {
-            let report = error.report();
-            eprintln!("error: {}\nhint: {}", report.message, report.hint);
-            if cli.command.wants_json() {
-                print(text::json(&Failure { format: "formicarium/error@1", error: report }, 2).as_bytes());
-            }
-            ExitCode::from(2)
-        }
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(said) => return say_as_clap(&said),
+    };
+    match cli.command.run().and_then(|outcome| streams::print(outcome.text.as_bytes()).map(|()| outcome.fine)) {
+        Ok(fine) => ExitCode::from(u8::from(!fine)),
+        Err(error) => fail(&error, cli.command.wants_json()),
     }
 }
 
-/// Prints; a reader that has seen enough (`| head`) is no error.
-fn print(bytes: &[u8]) {
-    let mut out = std::io::stdout().lock();
-    let _ = out.write_all(bytes).and_then(|()| out.flush());
+/// Help, the version, or what is wrong with the arguments.
+fn say_as_clap(said: &clap::Error) -> ExitCode {
+    let printed = said.print().and_then(|()| std::io::stdout().flush());
+    match streams::heeded(printed) {
+        Ok(()) => ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(2)),
+        Err(error) => fail(&error, false),
+    }
+}
+
+/// Tells what went wrong.
+fn fail(error: &CliError, as_json: bool) -> ExitCode {
+    let report = error.report();
+    streams::say(format!("error: {}\nhint: {}", report.message, report.hint));
+    if as_json {
+        let failure = text::json(&Failure { format: "formicarium/error@1", error: report }, 2);
+        // The exit code says enough where even that cannot be printed.
+        let _ = streams::print(failure.as_bytes());
+    }
+    ExitCode::from(2)
 }

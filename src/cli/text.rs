@@ -153,7 +153,7 @@ pub fn metrics(out: &mut String, m: &Metrics) {
 /// Remarks, on the error stream: they are no part of a result.
 pub fn notes(notices: &[Notice]) {
     for notice in notices {
-        eprintln!("note: {}", notice.message);
+        super::streams::say(format!("note: {}", notice.message));
     }
 }
 

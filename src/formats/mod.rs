@@ -32,6 +32,7 @@ pub use scen::{ScenFile, ScenLine, check_scen, misfit};
 use sniff::kind_of;
 pub use sniff::{Kind, sniff};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
+pub use text::{MAX_BYTES, MAX_TEXT_BYTES};
 
 /// A format that can be written.
 #[derive(Debug, Clone, Copy, PartialEq)]

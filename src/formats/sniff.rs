@@ -56,7 +56,7 @@ pub(super) fn kind_of(bytes: &[u8], name: &str) -> Kind {
     if terrain::geotiff::looks_like(bytes) {
         return Kind::Geotiff;
     }
-    let text = text::decode_up_to(bytes, text::MAX_RASTER_BYTES);
+    let text = text::decode_up_to(bytes, text::MAX_BYTES);
     let called_hgt = name.to_ascii_lowercase().ends_with(".hgt");
     if terrain::srtm::side_of(bytes.len()).is_some() && (called_hgt || text.is_err()) {
         return Kind::Srtm;

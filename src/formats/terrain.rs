@@ -113,7 +113,7 @@ fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
     let found = match super::kind_of(bytes, name) {
         Kind::Geotiff => return geotiff::read(bytes),
         Kind::Srtm => return srtm::read(bytes, name),
-        Kind::EsriAscii => return esri_ascii::read(&text::decode_up_to(bytes, text::MAX_RASTER_BYTES)?),
+        Kind::EsriAscii => return esri_ascii::read(&text::decode_up_to(bytes, text::MAX_BYTES)?),
         Kind::HeightTable | Kind::Matrix => {
             let table = super::table::read(&text::decode(bytes)?)?;
             match super::matrix::is_map(&table) {

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 
 use crate::error::FormatError;
 
-/// Largest file that is read: a 4096 × 4096 matrix at three bytes a cell fits.
-const MAX_BYTES: usize = 64 << 20;
+/// Largest text that is read: a 4096 × 4096 matrix at three bytes a cell fits.
+pub const MAX_TEXT_BYTES: usize = 64 << 20;
 
-/// Largest raster of heights: 8192 × 8192 at eight letters each.
-pub(super) const MAX_RASTER_BYTES: usize = 512 << 20;
+/// Largest file of any kind that is read, a raster of heights or a whole comparison: 8192 × 8192 heights at eight letters each fit.
+pub const MAX_BYTES: usize = 512 << 20;
 
 /// First bytes of files that people drop by mistake, and what to call them.
 const BINARIES: [(&[u8], &str); 9] = [
@@ -29,7 +29,7 @@ const BINARIES: [(&[u8], &str); 9] = [
 /// # Errors
 /// [`FormatError::NotText`] for UTF-16 and binary files, [`FormatError::TooLarge`] beyond 64 MiB.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, FormatError> {
-    decode_up_to(bytes, MAX_BYTES)
+    decode_up_to(bytes, MAX_TEXT_BYTES)
 }
 
 /// The same for files of up to `max` bytes.

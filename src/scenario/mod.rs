@@ -125,6 +125,21 @@ impl ScenarioSpec {
         }
     }
 
+    /// Checks all that does not depend on start and goals: sizes, quantities, the terrain.
+    ///
+    /// # Errors
+    /// [`ScenarioError`] names the field, the value and what is allowed.
+    pub fn check(&self, grid: &Grid) -> Result<(), ScenarioError> {
+        if (self.width, self.height) != (grid.width(), grid.height()) {
+            return Err(ScenarioError::CellCount { width: self.width, height: self.height, got: grid.len() });
+        }
+        quantity("resolution", self.resolution, self.resolution > 0.0, "a positive number of metres")?;
+        quantity("speed", self.vehicle.speed, self.vehicle.speed > 0.0, "a positive number of metres per second")?;
+        let turn = self.vehicle.seconds_per_turn;
+        quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
+        check_terrain(grid, self)
+    }
+
     /// The allowed steps on a map.
     fn steps(&self, grid: &Grid) -> MoveSet {
         let moves = MoveSet::new(grid, self.movement);
@@ -183,14 +198,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.
     pub fn new(grid: Grid, spec: ScenarioSpec) -> Result<Self, ScenarioError> {
-        if (spec.width, spec.height) != (grid.width(), grid.height()) {
-            return Err(ScenarioError::CellCount { width: spec.width, height: spec.height, got: grid.len() });
-        }
-        quantity("resolution", spec.resolution, spec.resolution > 0.0, "a positive number of metres")?;
-        quantity("speed", spec.vehicle.speed, spec.vehicle.speed > 0.0, "a positive number of metres per second")?;
-        let turn = spec.vehicle.seconds_per_turn;
-        quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
-        check_terrain(&grid, &spec)?;
+        spec.check(&grid)?;
         let start = free_cell(&grid, "start", spec.start)?;
         let goals = goal_cells(&grid, &spec.goals)?;
         let slices = if cfg!(feature = "whole") { slices(&grid, &spec, start, &goals)?.map(Arc::new) } else { None };

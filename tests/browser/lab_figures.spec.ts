@@ -161,21 +161,18 @@ test.describe('figures of results', () => {
       2 * svg.width,
       2 * svg.height,
     ])
-    const colours = await page.evaluate(
-      async (data) => {
-        const picture = await createImageBitmap(await (await fetch(data)).blob())
-        const canvas = new OffscreenCanvas(picture.width, picture.height)
-        const context = canvas.getContext('2d')
-        context?.drawImage(picture, 0, 0)
-        const { data: pixels = [] } =
-          context?.getImageData(0, 0, picture.width, picture.height) ?? {}
-        const seen = new Set<number>()
-        for (let i = 0; i < pixels.length; i += 4)
-          seen.add(((pixels[i] ?? 0) << 16) | ((pixels[i + 1] ?? 0) << 8) | (pixels[i + 2] ?? 0))
-        return [...seen]
-      },
-      `data:image/png;base64,${bytes.toString('base64')}`,
-    )
+    const colours = await page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))
+      const picture = await createImageBitmap(new Blob([bytes], { type: 'image/png' }))
+      const canvas = new OffscreenCanvas(picture.width, picture.height)
+      const context = canvas.getContext('2d')
+      context?.drawImage(picture, 0, 0)
+      const { data: pixels = [] } = context?.getImageData(0, 0, picture.width, picture.height) ?? {}
+      const seen = new Set<number>()
+      for (let i = 0; i < pixels.length; i += 4)
+        seen.add(((pixels[i] ?? 0) << 16) | ((pixels[i + 1] ?? 0) << 8) | (pixels[i + 2] ?? 0))
+      return [...seen]
+    }, bytes.toString('base64'))
     // White ground, ink, and the first series.
     for (const colour of [0xffffff, 0x14211d, 0xd5580a]) expect(colours).toContain(colour)
   })

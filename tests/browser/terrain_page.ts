@@ -101,8 +101,8 @@ export const lostContexts = (page: Page) =>
 /** How bright a picture of an element is: mean, spread, how many different values of 256, share of dark pixels. */
 export async function light(page: Page, png: Buffer) {
   return page.evaluate(async (base64) => {
-    const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob()
-    const bitmap = await createImageBitmap(blob)
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }))
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height)
     const context = canvas.getContext('2d')
     if (!context) throw new Error('no 2D canvas')

@@ -4,7 +4,7 @@ use std::process::Command;
 use super::folder::Folder;
 
 /// Runs of a question that takes a second or so, with everything in it that a journal has to keep.
-const LONGER: &str = r#"
+pub const LONGER: &str = r#"
 format = "formicarium/question@1"
 title = "Longer"
 asks = "Does anything get lost?"
@@ -52,7 +52,7 @@ fn killed_at_any_moment_it_goes_on_and_loses_no_finished_run() {
         }
         assert!(kept() >= before, "{} runs were kept, now {}", before, kept());
         before = kept();
-        if kill % 3 == 0 {
+        if kill % 3 == 0 && journal.exists() {
             // Half a line, as a write that was cut off leaves it.
             let mut bytes = std::fs::read(&journal).unwrap_or_default();
             bytes.extend_from_slice(b"{\"task\":{\"insta");
@@ -65,6 +65,9 @@ fn killed_at_any_moment_it_goes_on_and_loses_no_finished_run() {
         assert_eq!(folder.read(&format!("out/{name}")), folder.read(&format!("whole/{name}")), "{name}");
     }
     assert!(!journal.exists(), "the journal goes when the results stand");
+    // A killed process has left its unfinished files; whoever comes next removes them.
+    let names = std::fs::read_dir(folder.0.join("out")).unwrap().map(|entry| entry.unwrap().file_name());
+    assert_eq!(names.filter(|name| name.to_string_lossy().starts_with(".formicarium")).count(), 0);
 }
 
 #[test]
@@ -72,7 +75,7 @@ fn a_journal_of_another_question_is_not_taken_for_this_one() {
     let folder = Folder::with_question("journal");
     folder.write("longer.toml", LONGER);
     std::fs::create_dir_all(folder.0.join("out")).unwrap();
-    folder.write("out/longer.partial", "{\"format\":\"formicarium/journal@1\",\"engine\":\"0\",\"experiment\":\"0\"}\n{}\n");
+    folder.write("out/longer.partial", "{\"format\":\"formicarium/journal@2\",\"engine\":\"0\",\"experiment\":\"0\"}\n{}\n");
     let (code, said) = folder.compare(&["longer.toml", "--out", "out", "--seeds", "2"]);
     assert_eq!(code, 0, "{said}");
     assert_eq!(folder.read("out/longer.csv").lines().count(), 1 + 2 * 2 * 2);

@@ -1,5 +1,6 @@
 //! `compare` with results from elsewhere.
 use super::folder::{Folder, QUESTION};
+use super::journal::journal_of;
 
 /// What somebody else's planner has found on the map `small`, whose optimum is 9.
 const MINE: &str = "algorithm,map,seed,length,turns,iterations\nmine,small,5,9.0,6,3\nmine,small,6,9.9,7,1\nmine,small,7,,,\nBad luck,small,5,8.5,2,1\n";
@@ -94,15 +95,9 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     let args = ["q.toml", "--out", "out", "--seeds", "4", "--results", "mine.csv"];
     assert_eq!(folder.compare(&args).0, 0);
     // The journal of a process that was killed after two of its runs, made from the file that it would have written.
-    let whole: serde_json::Value = serde_json::from_str(&folder.read("out/q.json")).unwrap();
-    let digest = whole["recorded"]["experiment"].as_str().unwrap();
-    let version = env!("CARGO_PKG_VERSION");
-    let mut journal = format!("{{\"format\":\"formicarium/journal@1\",\"engine\":\"{version}\",\"experiment\":\"{digest}\"}}\n");
-    for row in &whole["rows"].as_array().unwrap()[..2] {
-        // Told apart from a run that is done again.
-        let row = row.to_string().replace("budget-spent", "stagnated");
-        journal += &(row + "\n");
-    }
+    // Its rows are told apart from runs that are done again.
+    let journal = journal_of(&folder.read("out/q.json").replace("budget-spent", "stagnated"));
+    let journal: String = journal.split_inclusive('\n').take(3).collect();
     std::fs::create_dir_all(folder.0.join("on")).unwrap();
     folder.write("on/q.partial", &journal);
     let on = ["q.toml", "--out", "on", "--seeds", "4", "--results", "mine.csv"];

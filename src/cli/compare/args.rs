@@ -7,6 +7,7 @@ use formicarium::comparison::report::ResultFile;
 use formicarium::error::QuestionError;
 use formicarium::params::Value;
 
+use super::place::Place;
 use crate::cli::error::CliError;
 use crate::cli::input::{file_name, stem};
 
@@ -17,8 +18,9 @@ Writes NAME.csv, one row a run, NAME.md, tables and verdicts, NAME.tests.md, ran
 NAME.summary.json, one row an entry and map with every statistic, NAME.tex, the same for a paper, and NAME.json, question, maps
 and runs in one file, which the page opens and which can be compared again: exit code 1 when other bits come out though engine, question,
 maps and parameters are the recorded ones. They depend on the question alone, not on the number of jobs.
-Every finished run is kept in NAME.partial at once: a comparison that was broken off goes on where it was when it is started again. The
-question's format and the rule of the verdicts: docs/methodology.md.
+Every finished run is kept in NAME.partial at once: a comparison that was broken off goes on where it was when it is started again. A
+second process of the same NAME waits for the first. Files that this program has not written are not overwritten, nor is a NAME.json whose
+runs do not come out again: what came out instead is in NAME.again.*. The question's format and the rule of the verdicts: docs/methodology.md.
 
 --ablate asks without a file what each component of a planner does: the full planner beside the same without one, on maps of your own.
 `formicarium catalog PLANNER` lists the components.
@@ -48,6 +50,12 @@ pub struct Args {
     /// Folder for the files; made if it is missing
     #[arg(long, value_name = "DIR", required_unless_present = "document")]
     out: Option<PathBuf>,
+    /// Overwrite files that have the names of the results and are something else
+    #[arg(long, conflicts_with = "document")]
+    pub replace: bool,
+    /// While another process compares under the same name: fail at once instead of waiting for it
+    #[arg(long, conflicts_with = "document")]
+    pub no_wait: bool,
     /// Run nothing: print the question with its maps and imported results (formicarium/comparison@1), as the page opens it
     #[arg(long, conflicts_with = "out")]
     pub document: bool,
@@ -77,9 +85,9 @@ pub struct Args {
 }
 
 impl Args {
-    /// Where the files go, without their endings.
-    pub fn place(&self) -> PathBuf {
-        self.out.as_deref().unwrap_or(Path::new("")).join(self.name())
+    /// Where the files go.
+    pub fn place(&self) -> Place {
+        Place::new(self.out.as_deref().unwrap_or(Path::new("")), self.name())
     }
 
     /// What the files are called.
@@ -90,11 +98,19 @@ impl Args {
         }
     }
 
-    /// What is asked, as the arguments say it.
-    pub fn asked(&self) -> String {
+    /// What is asked, with the file's name alone: its folder is this machine's.
+    fn asked(&self) -> String {
         match (&self.ablate, &self.question) {
             (Some(planner), _) => format!("--ablate {planner}"),
-            (None, question) => question.as_ref().map_or_else(String::new, |file| file.display().to_string()),
+            (None, question) => question.as_deref().map_or_else(String::new, file_name),
+        }
+    }
+
+    /// What is asked as it was typed, for errors alone: they are no part of a result.
+    fn typed(&self) -> String {
+        match &self.question {
+            Some(file) if self.ablate.is_none() => file.display().to_string(),
+            _ => self.asked(),
         }
     }
 
@@ -114,7 +130,7 @@ impl Args {
 
     /// Names what is asked in an error about it.
     pub fn wrong(&self, error: QuestionError) -> CliError {
-        CliError::Contents { path: self.asked(), error: error.into() }
+        CliError::Contents { path: self.typed(), error: error.into() }
     }
 }
 

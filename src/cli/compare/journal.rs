@@ -1,85 +1,197 @@
 //! The journal of a comparison: every finished run, written down at once, so that a comparison that was broken off goes on where it was.
 //!
-//! First a line that says which comparison it belongs to, then one line of JSON a run, in the order in which they finished. A line counts
-//! once its end is there; what a killed process has left of a line is cut off. The journal goes when the results stand.
+//! Whoever has the journal has the name: the file is locked as long as runs are added and results are written, and a second process waits.
+//! The system takes the lock back when a process dies. The journal goes when the results stand. What is in its way but no journal of this
+//! comparison is never emptied: another comparison's is set aside, anything else is refused.
 
-use std::fs::{File, OpenOptions};
-use std::io::Write;
+mod lines;
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use formicarium::comparison::{Comparison, Row};
 
+use super::place::Place;
 use crate::cli::error::CliError;
+use crate::cli::output::{beside, failure};
+use crate::cli::streams::say;
+use crate::cli::text;
+use lines::{Found, Lines};
 
-/// An open journal.
+/// As much of a file as tells whether it is a journal.
+const BEGINNING: u64 = 1 << 20;
+
+/// An open, locked journal.
 pub struct Journal {
     path: PathBuf,
     file: File,
+    lines: Lines,
 }
 
 impl Journal {
-    /// Opens the journal beside a comparison's results and gives the runs that it holds. One of another comparison, engine version or
-    /// format is begun anew.
-    pub fn open(path: PathBuf, comparison: &Comparison) -> Result<(Self, Vec<Row>), CliError> {
-        let head = head(comparison);
-        let kept = kept(&path)?;
-        let (rows, length) = read(&kept, &head);
-        let journal = begin(&path, &head, length).map_err(|error| failure(&path, error))?;
-        Ok((Self { path, file: journal }, rows))
+    /// Opens the journal beside a comparison's results and gives the runs that it holds. While another process has it, waits, or fails.
+    pub fn open(place: &Place, comparison: &Comparison, wait: bool) -> Result<(Self, Vec<Row>), CliError> {
+        let (path, lines) = (place.file("partial"), Lines::of(comparison));
+        loop {
+            let mut file = taken(place, &path, &lines, wait)?;
+            let bytes = contents(&path, &mut file, &lines)?;
+            match lines.read(&bytes) {
+                Found::Ours { rows, damaged, whole } => {
+                    tell_of_damage(&path, damaged);
+                    let file = match whole {
+                        0 => anew(place, &path, &lines, &rows)?,
+                        _ => cut(file, whole as u64).map_err(|error| failure(&path, error))?,
+                    };
+                    return Ok((Self { path, file, lines }, rows));
+                }
+                Found::Other => set_aside(&path, "of another comparison or version")?,
+                Found::Unchecked => set_aside(&path, "of an older version, whose lines cannot be checked")?,
+            }
+        }
     }
 
     /// Writes a run down.
     pub fn note(&mut self, row: &Row) -> Result<(), CliError> {
-        let line = row.to_line() + "\n";
-        self.file.write_all(line.as_bytes()).map_err(|error| failure(&self.path, error))
+        self.file.write_all(self.lines.line(row).as_bytes()).map_err(|error| failure(&self.path, error))
     }
 
-    /// Removes it: the results stand.
+    /// Removes it, and then lets others have the name: the results stand.
     pub fn close(self) -> Result<(), CliError> {
-        drop(self.file);
-        std::fs::remove_file(&self.path).map_err(|error| failure(&self.path, error))
+        fs::remove_file(&self.path).map_err(|error| failure(&self.path, error))
     }
 }
 
-fn failure(path: &Path, error: std::io::Error) -> CliError {
-    CliError::File { action: "write", path: path.display().to_string(), error }
-}
-
-/// What an earlier start has left; nothing where there is no journal.
-fn kept(path: &Path) -> Result<Vec<u8>, CliError> {
-    match std::fs::read(path) {
-        Ok(bytes) => Ok(bytes),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Vec::new()),
-        Err(error) => Err(CliError::File { action: "read", path: path.display().to_string(), error }),
+/// The locked file under the journal's name; a new one where there is none.
+fn taken(place: &Place, path: &Path, lines: &Lines, wait: bool) -> Result<File, CliError> {
+    let failed = |error| failure(path, error);
+    loop {
+        match fs::symlink_metadata(path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => match begun(place, path, &lines.head()).map_err(failed)? {
+                Some(file) => return Ok(file),
+                None => continue,
+            },
+            Err(error) => return Err(failed(error)),
+            Ok(found) if !found.is_file() => return Err(refused(path)),
+            Ok(_) => {}
+        }
+        let file = match OpenOptions::new().read(true).write(true).open(path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => continue,
+            opened => opened.map_err(failed)?,
+        };
+        lock(&file, path, wait)?;
+        // Whoever had it may have removed or replaced it meanwhile.
+        if is_at(&file, path) {
+            return Ok(file);
+        }
     }
 }
 
-/// What the first line says.
-fn head(comparison: &Comparison) -> String {
-    let (version, digest) = (env!("CARGO_PKG_VERSION"), comparison.digest().hex());
-    format!(r#"{{"format":"formicarium/journal@1","engine":"{version}","experiment":"{digest}"}}"#) + "\n"
+/// A new journal, locked before it gets its name; none where somebody else was faster.
+fn begun(place: &Place, path: &Path, text: &str) -> std::io::Result<Option<File>> {
+    let mut new = beside(path, &place.unfinished())?;
+    tried(new.as_file().try_lock())?;
+    new.as_file_mut().write_all(text.as_bytes())?;
+    match new.persist_noclobber(path) {
+        Ok(file) => Ok(Some(file)),
+        Err(error) if error.error.kind() == ErrorKind::AlreadyExists || path.exists() => Ok(None),
+        Err(error) => Err(error.error),
+    }
 }
 
-/// The runs of a journal with this head, and how many of its bytes are whole lines; nothing of any other.
-fn read(bytes: &[u8], head: &str) -> (Vec<Row>, usize) {
-    let Some(lines) = bytes.strip_prefix(head.as_bytes()) else { return (Vec::new(), 0) };
-    let mut rows = Vec::new();
-    let mut length = head.len();
-    for line in lines.split_inclusive(|&b| b == b'\n').filter(|line| line.ends_with(b"\n")) {
-        let Ok(row) = serde_json::from_slice(line) else { break };
-        rows.push(row);
-        length += line.len();
-    }
-    (rows, length)
+/// The journal with these runs alone, in the place of what is there.
+fn anew(place: &Place, path: &Path, lines: &Lines, rows: &[Row]) -> Result<File, CliError> {
+    let write = || {
+        let mut new = beside(path, &place.unfinished())?;
+        tried(new.as_file().try_lock())?;
+        let text = lines.head() + &rows.iter().map(|row| lines.line(row)).collect::<String>();
+        new.as_file_mut().write_all(text.as_bytes())?;
+        new.as_file().sync_all()?;
+        new.persist(path).map_err(|error| error.error)
+    };
+    write().map_err(|error| failure(path, error))
 }
 
-/// The file with its first `length` bytes, ready to be added to; with nothing but the head where that is nothing.
-fn begin(path: &Path, head: &str, length: usize) -> std::io::Result<File> {
-    path.parent().map_or(Ok(()), std::fs::create_dir_all)?;
-    let mut file = OpenOptions::new().create(true).append(true).open(path)?;
-    file.set_len(length as u64)?;
-    if length == 0 {
-        file.write_all(head.as_bytes())?;
-    }
+/// The file with its first bytes alone, ready to be added to.
+fn cut(mut file: File, length: u64) -> std::io::Result<File> {
+    file.set_len(length)?;
+    file.seek(SeekFrom::Start(length))?;
     Ok(file)
+}
+
+/// What a journal holds; what is none is refused after its beginning.
+fn contents(path: &Path, file: &mut File, lines: &Lines) -> Result<Vec<u8>, CliError> {
+    let unread = |error| CliError::File { action: "read", path: path.display().to_string(), error };
+    let mut bytes = Vec::new();
+    file.seek(SeekFrom::Start(0)).map_err(unread)?;
+    file.take(BEGINNING).read_to_end(&mut bytes).map_err(unread)?;
+    if !lines.is_journal(&bytes) {
+        return Err(refused(path));
+    }
+    file.read_to_end(&mut bytes).map_err(unread)?;
+    Ok(bytes)
+}
+
+fn refused(path: &Path) -> CliError {
+    let message = format!("{} is no journal of this program: it is left as it is", path.display());
+    CliError::usage(message, "the runs would be kept under this name: move the file away, or choose another folder with --out")
+}
+
+fn tell_of_damage(path: &Path, damaged: usize) {
+    if damaged > 0 {
+        let lines = text::count(damaged as u64, "damaged line", "damaged lines");
+        say(format!("note: {}: {lines} dropped; those runs are done again", path.display()));
+    }
+}
+
+/// Gives a journal the first name that is free.
+fn set_aside(path: &Path, what: &str) -> Result<(), CliError> {
+    let numbered = |n: u32| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".{n}"));
+        PathBuf::from(name)
+    };
+    let is_free = |path: &PathBuf| fs::symlink_metadata(path).is_err_and(|error| error.kind() == ErrorKind::NotFound);
+    let Some(aside) = (1..=u32::MAX).map(numbered).find(is_free) else { return Err(refused(path)) };
+    fs::rename(path, &aside).map_err(|error| failure(path, error))?;
+    say(format!("note: {} is a journal {what}: it is kept as {}", path.display(), aside.display()));
+    Ok(())
+}
+
+/// Locks the journal; where another process has it, waits for that.
+fn lock(file: &File, path: &Path, wait: bool) -> Result<(), CliError> {
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) if !wait => {
+            let message = format!("another process is comparing under this name: {} is its journal", path.display());
+            Err(CliError::usage(message, "leave out --no-wait to wait for it, or choose another folder with --out"))
+        }
+        Err(TryLockError::WouldBlock) => {
+            say(format!("note: another process is comparing under this name ({}): waiting for it", path.display()));
+            file.lock().map_err(|error| failure(path, error))
+        }
+        locked => tried(locked).map_err(|error| failure(path, error)),
+    }
+}
+
+/// A file system without locks is used without them.
+fn tried(locked: Result<(), TryLockError>) -> std::io::Result<()> {
+    match locked {
+        Err(TryLockError::Error(error)) if error.kind() != ErrorKind::Unsupported => Err(error),
+        Err(TryLockError::WouldBlock) => Err(ErrorKind::WouldBlock.into()),
+        _ => Ok(()),
+    }
+}
+
+/// Whether an open file is the one with this name.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let same = |a: fs::Metadata, b: fs::Metadata| (a.dev(), a.ino()) == (b.dev(), b.ino());
+    file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(|(open, named)| same(open, named))
+}
+
+/// Whether there is a file with this name at all: elsewhere than on Unix nothing tells more.
+#[cfg(not(unix))]
+fn is_at(_: &File, path: &Path) -> bool {
+    path.exists()
 }

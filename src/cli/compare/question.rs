@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use formicarium::comparison::imported::{self, ImportedResults};
-use formicarium::comparison::{Comparison, Instance, Question, Record, Row, Seeds, Verification, ablation};
+use formicarium::comparison::{Budget, Comparison, Instance, Question, Record, Row, Seeds, Verification, ablation};
 use formicarium::error::{Error, FormatError, QuestionError};
-use formicarium::formats::{comparison_json, import_results};
+use formicarium::formats::{MAX_BYTES, MAX_TEXT_BYTES, comparison_json, import_results};
 use formicarium::scenario::Scenario;
 
 use super::args::Args;
@@ -18,22 +18,49 @@ use crate::cli::{input, text};
 pub struct Before {
     record: Record,
     rows: Vec<Row>,
+    /// Whether it tells of any.
+    is_any: bool,
+    /// Whether the arguments ask for what the file asks.
+    is_same: bool,
+    /// What the file lets a run spend.
+    budget: Option<Budget>,
 }
 
 impl Before {
-    /// Whether they come out again.
-    pub fn verify(&self, comparison: &Comparison, done: &[Row]) -> Verification {
-        self.record.verify(comparison, &self.rows, done)
+    /// Whether they come out again. Under another budget other runs are asked for: there is nothing to compare them with.
+    pub fn verify(&self, comparison: &Comparison, done: &[Row]) -> Option<Verification> {
+        let is_comparable = self.is_any && comparison.question.budget == self.budget;
+        is_comparable.then(|| self.record.verify(comparison, &self.rows, done))
+    }
+
+    /// Whether new results have all that the file has, so that they can take its place.
+    pub fn stands(&self, verification: Option<&Verification>) -> bool {
+        match verification {
+            Some(told) => told.deviations.is_empty() && told.runs == told.of,
+            None => !self.is_any && self.is_same,
+        }
     }
 }
 
-/// The question with its maps and the results from elsewhere, and what was recorded of it.
-pub fn load(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
-    let (comparison, recorded) = asked(args)?;
-    Ok((joined(args, comparison)?, recorded))
+/// What is compared.
+pub struct Asked {
+    /// The question with its maps and the results from elsewhere.
+    pub comparison: Comparison,
+    /// What was recorded of it.
+    pub before: Option<Before>,
+    /// Every file that was read for it, except a comparison's own.
+    pub inputs: Vec<PathBuf>,
 }
 
-fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
+/// Reads what the arguments ask.
+pub fn load(args: &Args) -> Result<Asked, CliError> {
+    let asked = asked(args)?;
+    let files = args.map.iter().chain(&args.results).map(|(_, file)| file.clone());
+    let inputs = asked.inputs.into_iter().chain(files).collect();
+    Ok(Asked { comparison: joined(args, asked.comparison)?, before: asked.before, inputs })
+}
+
+fn asked(args: &Args) -> Result<Asked, CliError> {
     let mut left_out = Vec::new();
     let mut question = match (&args.ablate, &args.question) {
         (Some(planner), _) => components(args, planner).map_err(|e| args.wrong(e))?,
@@ -44,6 +71,8 @@ fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
         (None, None) => return Err(CliError::usage("there is no question", "name its file, or a planner by --ablate")),
     };
     let scenarios = question.instances.iter().map(|i| scenario(Path::new(&i.map))).collect::<Result<Vec<_>, _>>()?;
+    let mut inputs: Vec<PathBuf> =
+        question.instances.iter().map(|i| PathBuf::from(&i.map)).chain(args.question.clone()).collect();
     // From here on maps are known by their names: folders are this machine's.
     question.instances.iter_mut().for_each(|i| i.map = file_name(Path::new(&i.map)));
     let files: Vec<Option<PathBuf>> = question.entries.iter().map(|e| e.results.as_ref().map(PathBuf::from)).collect();
@@ -54,7 +83,8 @@ fn asked(args: &Args) -> Result<(Comparison, Option<Before>), CliError> {
         results.leave_out(&left_out);
         comparison = imported::fill(comparison, entry, &results).map_err(|e| in_results(file, e))?;
     }
-    Ok((comparison, None))
+    inputs.extend(files.into_iter().flatten());
+    Ok(Asked { comparison, before: None, inputs })
 }
 
 /// With the entries of `--results`.
@@ -68,7 +98,7 @@ fn joined(args: &Args, mut comparison: Comparison) -> Result<Comparison, CliErro
 
 /// Reads results from elsewhere.
 fn results(file: &Path) -> Result<ImportedResults, CliError> {
-    let results = input::in_file(file, |bytes, name| Ok(import_results(bytes, name)?))?;
+    let results = input::in_file(file, MAX_TEXT_BYTES, |bytes, name| Ok(import_results(bytes, name)?))?;
     text::notes(&results.notices);
     Ok(results)
 }
@@ -79,7 +109,7 @@ fn in_results(file: &Path, error: QuestionError) -> CliError {
 
 /// A question from a file; `left_out` takes the names of the maps that the arguments leave out.
 fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Question, CliError> {
-    let mut question = input::in_file(file, |bytes, _| read(bytes))?;
+    let mut question = input::in_file(file, MAX_TEXT_BYTES, |bytes, _| read(bytes))?;
     question.check().map_err(|e| args.wrong(e))?;
     let folder = file.parent().unwrap_or(Path::new(""));
     // A map that is named here is looked for here, a question's own beside it.
@@ -121,25 +151,24 @@ fn instance_id(name: &str) -> String {
 }
 
 /// A comparison that was written before, its maps in it.
-fn reopen(args: &Args, file: &Path) -> Result<(Comparison, Option<Before>), CliError> {
+fn reopen(args: &Args, file: &Path) -> Result<Asked, CliError> {
     let map = |(id, map): &(Option<String>, PathBuf)| id.clone().unwrap_or_else(|| map.display().to_string());
     if let Some(id) = args.only.first().cloned().or_else(|| args.map.first().map(map)) {
         let message = format!("`{id}` cannot be chosen or replaced: the file has its maps in it, and results on all of them");
         return Err(CliError::usage(message, "leave out --only and --map, or give a question as TOML"));
     }
-    let opened = input::in_file(file, |bytes, _| {
+    let opened = input::in_file(file, MAX_BYTES, |bytes, _| {
         let text = std::str::from_utf8(bytes).map_err(|_| FormatError::NotText { found: "binary data".into() })?;
         comparison_json::open(text)
     })?;
     let record = opened.record();
     let is_any = opened.recorded.is_some() || !opened.rows.is_empty();
     let mut comparison = opened.comparison;
-    let budget = comparison.question.budget;
+    let question = comparison.question.clone();
     narrow(args, &mut comparison.question).map_err(|e| args.wrong(e))?;
-    // Under another budget other runs are asked for: there is nothing to compare them with.
-    let is_same = comparison.question.budget == budget;
-    let before = (is_any && is_same).then_some(Before { record, rows: opened.rows });
-    Ok((comparison, before))
+    let is_same = comparison.question == question;
+    let before = Before { record, rows: opened.rows, is_any, is_same, budget: question.budget };
+    Ok(Asked { comparison, before: Some(before), inputs: Vec::new() })
 }
 
 fn read(bytes: &[u8]) -> Result<Question, Error> {
