@@ -2,6 +2,7 @@
 
 mod ablation;
 mod csv;
+mod escape;
 mod file;
 mod latex;
 mod printed;
@@ -11,6 +12,7 @@ mod verdicts;
 
 use std::fmt::Write;
 
+use self::escape::{cell, prose};
 use super::ablation::effects;
 use super::analysis::{Analysis, EntryAnalysis, MapAnalysis};
 use super::measure::RunMeasure;
@@ -47,9 +49,10 @@ pub fn markdown(comparison: &Comparison, rows: &[Row], analysis: &Analysis, comm
 
 fn head(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
     let q = &comparison.question;
-    let paper = if q.paper.is_empty() { String::new() } else { format!("Paper: {}.\n\n", q.paper) };
+    let paper = if q.paper.is_empty() { String::new() } else { format!("Paper: {}.\n\n", prose(&q.paper)) };
     let setting = setting_of(comparison, analysis);
-    format!("# {}\n\n{}\n\n{paper}Made by `{command}` with {setting} How to read it: docs/methodology.md.\n", q.title, q.asks)
+    let (title, asks, command) = (prose(&q.title), prose(&q.asks), prose(command));
+    format!("# {title}\n\n{asks}\n\n{paper}Made by `{command}` with {setting} How to read it: docs/methodology.md.\n")
 }
 
 /// What numbers depend on beside the question: engine, seeds, budget.
@@ -71,7 +74,7 @@ fn entries(out: &mut String, comparison: &Comparison) {
             Role::Improved => "improved",
             Role::Other => "",
         };
-        let _ = writeln!(out, "| {} | {role} | {} |", e.label, recipe(e));
+        let _ = writeln!(out, "| {} | {role} | {} |", cell(&e.label), cell(&recipe(e)));
     }
 }
 
@@ -90,8 +93,8 @@ fn recipe(entry: &Entry) -> String {
 
 fn map_table(out: &mut String, comparison: &Comparison, map: &Map, of: &MapAnalysis) {
     let grid = &map.scenario.grid;
-    let _ = writeln!(out, "\n## {}\n", of.name);
-    let _ = writeln!(out, "`{}`, {} × {}, {}. {}\n", of.id, grid.width(), grid.height(), moves(&map.scenario), of.note);
+    let _ = writeln!(out, "\n## {}\n", prose(&of.name));
+    let _ = writeln!(out, "`{}`, {} × {}, {}. {}\n", of.id, grid.width(), grid.height(), moves(&map.scenario), prose(&of.note));
     let _ = write!(out, "| | published: {} / turns / iterations ", of.measure_name);
     out.push_str("| found a path | best | median | IQR | mean ± sd [95 %] | iteration of best: median (IQR) ");
     out.push_str(
@@ -99,7 +102,7 @@ fn map_table(out: &mut String, comparison: &Comparison, map: &Map, of: &MapAnaly
     );
     for (entry, asked) in of.entries.iter().zip(&comparison.question.entries) {
         let published = asked.published.get(&of.id).map_or_else(|| "–".into(), |row| published(of.measure, row));
-        let _ = writeln!(out, "| {} | {published} | {} |", entry.label, ours(entry));
+        let _ = writeln!(out, "| {} | {published} | {} |", cell(&entry.label), ours(entry));
     }
     of.references.iter().for_each(|yardstick| reference(out, of, yardstick));
     impossible(out, of);
@@ -127,11 +130,11 @@ fn impossible(out: &mut String, map: &MapAnalysis) {
     for e in &map.entries {
         if let Some((value, optimum)) = e.published.filter(|p| p.impossible).and_then(|p| p.value.zip(p.optimum)) {
             let what = format!("the published {value} is impossible on this map under its rule");
-            told.push(format!("{}: {what}: the exact optimum is {}.", e.label, length(optimum)));
+            told.push(format!("{}: {what}: the exact optimum is {}.", prose(&e.label), length(optimum)));
         }
         if e.impossible > 0 {
             let what = format!("{} of {} runs are impossible on this map under its rule", e.impossible, e.runs);
-            told.push(format!("{}: {what}: they are better than the exact optimum, or there is no path.", e.label));
+            told.push(format!("{}: {what}: they are better than the exact optimum, or there is no path.", prose(&e.label)));
         }
     }
     if !told.is_empty() {

@@ -9,7 +9,7 @@ use crate::comparison::analysis::Analysis;
 pub fn latex(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
     let setting = super::setting_of(comparison, analysis);
     let title = &comparison.question.title;
-    let mut out = format!("% Made by `{command}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n");
+    let mut out = format!("% Made by `{}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n", super::escape::prose(command));
     for table in printed(comparison, analysis) {
         let rule = table.rule.replace('`', "");
         let caption = format!("{title}. {}: {rule}. {}. Formicarium, {setting}", table.name, sentence(&table.told));
@@ -45,6 +45,8 @@ fn in_two_lines(name: &str) -> String {
 
 fn field(cell: &Cell) -> String {
     let text = escape(&cell.text);
+    // Behind the `\\` of the row before, these would be its arguments.
+    let text = if text.starts_with(['[', '*']) { format!("{{}}{text}") } else { text };
     if cell.best { format!("\\textbf{{{text}}}") } else { text }
 }
 
@@ -96,7 +98,7 @@ fn escape(text: &str) -> String {
             '^' => out += "\\textasciicircum{}",
             '–' => out += "--",
             '°' => out += "\\textdegree{}",
-            '\n' | '\r' | '\t' => out.push(' '),
+            _ if letter.is_control() => out.push(' '),
             _ => match MATHS.iter().find(|(known, _)| *known == letter) {
                 Some((_, maths)) => out += &format!("${maths}$"),
                 None => out.push(letter),
@@ -124,5 +126,7 @@ mod tests {
         );
         assert_eq!(escape("η = 1/d, 20 × 20, ±0.1, 1–2, −3"), "$\\eta$ = 1/d, 20 $\\times$ 20, $\\pm$0.1, 1--2, $-$3");
         assert_eq!(escape("蚁群\nx"), "蚁群 x");
+        let cell = |text: &str| field(&Cell { text: text.into(), value: None, best: false });
+        assert_eq!([cell("[1mm] x"), cell("*x"), cell("x *")], ["{}[1mm] x", "{}*x", "x *"]);
     }
 }

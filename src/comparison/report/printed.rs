@@ -1,5 +1,6 @@
 //! The summary as papers print it: a table a map, for Markdown and LaTeX (`latex`).
 
+use super::escape::{cell, prose};
 use super::table::running_time;
 use super::{length, middle, moves, short};
 use crate::comparison::analysis::{Analysis, EntryAnalysis, MapAnalysis};
@@ -132,13 +133,13 @@ fn mark(rows: &mut [Vec<Cell>], map: &MapAnalysis) {
 
 /// The printed tables as Markdown; the best number of a column is bold.
 pub fn markdown(comparison: &Comparison, analysis: &Analysis) -> String {
-    let mut out = format!("# {}\n\n{}\n", comparison.question.title, super::setting_of(comparison, analysis));
+    let mut out = format!("# {}\n\n{}\n", prose(&comparison.question.title), super::setting_of(comparison, analysis));
     for table in printed(comparison, analysis) {
-        out += &format!("\n## {}\n\n{}. {}.\n\n", table.name, table.rule, sentence(&table.told));
+        out += &format!("\n## {}\n\n{}. {}.\n\n", prose(&table.name), table.rule, sentence(&table.told));
         out += &format!("| {} |\n|{}\n", table.head.join(" | "), "---|".repeat(table.head.len()));
         for row in table.rows {
             let fields: Vec<String> =
-                row.iter().map(|c| if c.best { format!("**{}**", c.text) } else { c.text.clone() }).collect();
+                row.iter().map(|c| if c.best { format!("**{}**", cell(&c.text)) } else { cell(&c.text).into_owned() }).collect();
             out += &format!("| {} |\n", fields.join(" | "));
         }
     }

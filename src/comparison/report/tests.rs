@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
+use super::escape::prose;
 use crate::comparison::Comparison;
 use crate::comparison::analysis::{Analysis, MapAnalysis, Pair, Ranks};
 use crate::comparison::inference::{MIN_RUNS, Test};
@@ -14,7 +15,7 @@ pub fn tests(comparison: &Comparison, analysis: &Analysis) -> String {
         "# {}: tests\n\nTwo-sided rank tests of every pair of entries, runs without a path ranked last. W: Wilcoxon's signed ranks over pairs of \
          equal seed; U: Mann and Whitney's, seeds not paired; p by Holm is adjusted for all pairs of the map. A: how likely a run of the first \
          entry is the better (smaller) one, ties counted half. How to read it: docs/methodology.md.\n",
-        comparison.question.title
+        prose(&comparison.question.title)
     );
     for map in &analysis.instances {
         let _ = writeln!(out, "\n## {}, {}\n", map.id, map.measure_name);

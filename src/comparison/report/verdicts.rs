@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::escape::{cell, prose};
 use super::{length, short};
 use crate::comparison::Comparison;
 use crate::comparison::claim::{Claim, Direction, Statistic};
@@ -24,7 +25,7 @@ pub(super) fn claims_table(out: &mut String, comparison: &Comparison, judged: &[
     let notes = comparison.question.claims.iter().filter(|c| !c.note.is_empty());
     for (number, claim) in notes.enumerate() {
         let gap = if number == 0 { "\n" } else { "" };
-        let _ = writeln!(out, "{gap}- {}: {}", in_words(comparison, claim), claim.note);
+        let _ = writeln!(out, "{gap}- {}: {}", prose(&in_words(comparison, claim)), prose(&claim.note));
     }
 }
 
@@ -44,7 +45,7 @@ fn claim_row(out: &mut String, comparison: &Comparison, c: &JudgedClaim) {
     let _ = writeln!(
         out,
         "| {} | {} | {what} | {} | {at} → {how} | {} | {} | {} | {better} | {} |",
-        in_words(comparison, claim),
+        cell(&in_words(comparison, claim)),
         instance.id,
         change(claim.direction, c.claimed),
         change(claim.direction, c.size(claim.direction)),

@@ -1,0 +1,35 @@
+//! Texts that people wrote, as Markdown takes them: no HTML, no broken rows, one line each.
+
+use std::borrow::Cow;
+
+/// A text in a paragraph, a heading or a list: no HTML begins, and no line ends.
+pub(super) fn prose(text: &str) -> Cow<'_, str> {
+    let has_meaning = |c: char| c == '<' || c.is_control();
+    if text.contains(has_meaning) { Cow::Owned(text.chars().map(plain).collect()) } else { Cow::Borrowed(text) }
+}
+
+/// A text in a cell of a table: no column begins either.
+pub(super) fn cell(text: &str) -> Cow<'_, str> {
+    let prose = prose(text);
+    if prose.contains('|') { Cow::Owned(prose.replace('|', "\\|")) } else { prose }
+}
+
+fn plain(letter: char) -> String {
+    match letter {
+        '<' => "&lt;".into(),
+        _ if letter.is_control() => " ".into(),
+        _ => letter.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_text_breaks_out() {
+        assert_eq!(prose("|h| < 3\n\u{1b}[2J <script>"), "|h| &lt; 3  [2J &lt;script>");
+        assert_eq!(cell("a|b\r\n| c"), "a\\|b  \\| c");
+        assert!(matches!(cell("ants, ρ = 0.1 & `more`"), Cow::Borrowed(_)));
+    }
+}
