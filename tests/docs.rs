@@ -29,7 +29,7 @@ fn text(document: &str) -> String {
 /// The anchor of a heading, as code hosts make it.
 fn anchor(heading: &str) -> String {
     let plain = heading.trim_start_matches('#').trim().to_lowercase();
-    let keep = |c: char| (c.is_alphanumeric() || c == '-' || c == '_' || c == ' ').then(|| if c == ' ' { '-' } else { c });
+    let keep = |c: char| (c.is_alphanumeric() || c == '-' || c == '_' || c == ' ').then_some(if c == ' ' { '-' } else { c });
     plain.chars().filter_map(keep).collect()
 }
 

@@ -57,16 +57,16 @@ async function pageCode() {
         export * as comparison from ${share('comparison_link.ts')}
         export * as codec from ${share('codec.ts')}
         export * as envelope from ${share('envelope.ts')}
-        export * as bytes from ${share('bytes.ts')}
+        export * as bytes from ${share('byte_stream.ts')}
         export * as png from ${share('png.ts')}
-        export { LinkError } from ${share('error.ts')}`
+        export { LinkError } from ${share('link_error.ts')}`
     },
   }
   const file = join(out, 'links', 'page.mjs')
   const bundle = await rolldown({
     input: 'entry',
     plugins: [stub],
-    resolve: { modules: [join(root, 'www/node_modules')] },
+    resolve: { modules: [join(root, 'www/node_modules')], alias: { '@pkg': join(root, 'pkg') } },
     logLevel: 'silent',
   })
   await bundle.write({ file, format: 'esm', codeSplitting: false })
