@@ -3,7 +3,7 @@
 //!
 //! | override point | source |
 //! |---|---|
-//! | initial trail | silent: we take ACOTSP's 1 / (n·C), here 1 / (n·L_open) |
+//! | initial trail | ACOTSP's 1 / (n·C), here 1 / (n·L_open) |
 //! | heuristic | as Ant System |
 //! | selection | as Ant System |
 //! | on each move | nothing |
@@ -11,7 +11,9 @@
 //! | daemon actions | trails start again at τ0 where best and worst are nearly alike; otherwise some mutate by ± mut(t) |
 //! | mutation | mut(t) = σ·τ_mean·(t − t_r) / (T − t_r), τ_mean over the best-so-far path, t_r = last restart |
 //!
-//! Where the publication is silent on paths, we do as in [`super::ant_system`], and:
+//! The publication itself was not at hand: rules and numbers are those of ACOTSP, which names it as their source.
+//!
+//! Where these are silent on paths, we do as in [`super::ant_system`], and:
 //! - take L_open and its number of steps n, on an open map, for the nearest-neighbour tour C and its cities;
 //! - a row of the matrix is a cell: with probability P_m one of its allowed steps, each alike, gains or loses mut(t), each alike;
 //! - best and worst differ by the share of the worst path's steps that are not on the best; the worst is the longest that arrived, and
@@ -45,7 +47,7 @@ params! {
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Stützle's program ACOTSP";
         /// whether the iteration's worst path evaporates once more where the best path so far does not go
-        worst_evaporates: bool = true, "", [], "", "Cordón et al. 2000: best-worst rule";
+        worst_evaporates: bool = true, "", [], "", "Stützle's program ACOTSP";
         /// probability that one step of a cell gains or loses trail in an iteration
         mutation_probability: f64 = 0.3, "P_m", [0.0..=1.0], "", "Stützle's program ACOTSP";
         /// how much trail a mutation brings at the end of the run, in mean trails of the best path so far

@@ -9,7 +9,6 @@ export const zhCNSources: Record<string, string> = {
     'Bullnheimer、Hartl、Strauss 1999，Central European J. Operations Research and Economics 7，25–38',
   'Clerc, Kennedy 2002, IEEE Trans. Evolutionary Computation 6, 58–73, doi:10.1109/4235.985692':
     'Clerc、Kennedy 2002，IEEE Trans. Evolutionary Computation 6，58–73，doi:10.1109/4235.985692',
-  'Cordón et al. 2000: best-worst rule': 'Cordón 等 2000：最优最差规则',
   'Cordón, Fernández de Viana, Herrera, Moreno 2000, Proc. ANTS 2000, 22–29':
     'Cordón、Fernández de Viana、Herrera、Moreno 2000，Proc. ANTS 2000，22–29',
   'Dijkstra 1959, Numerische Mathematik 1, 269–271, doi:10.1007/BF01386390':
