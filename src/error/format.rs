@@ -13,6 +13,26 @@ pub enum FormatError {
         /// What the file begins with, shortened.
         begins: String,
     },
+    /// A known format that is not read here.
+    #[error("this is {found}")]
+    Foreign {
+        /// What it is, e.g. "a PDF document".
+        found: &'static str,
+        /// What to do.
+        hint: &'static str,
+    },
+    /// Two readers are equally sure that the file is theirs.
+    #[error("this may be {found}")]
+    Ambiguous {
+        /// What it may be.
+        found: String,
+    },
+    /// A text with several matrices, and nothing says which of them is meant.
+    #[error("the file holds several matrices ({found})")]
+    Several {
+        /// Each with its number, size and line.
+        found: String,
+    },
     /// The bytes are no text that can be read.
     #[error("this is {found}, not text in UTF-8")]
     NotText {
@@ -130,9 +150,18 @@ impl FormatError {
                 "unknown-format",
                 "file",
                 message,
-                "known are MovingAI .map and .scen, a matrix of 0 and 1, rasters of heights (ESRI ASCII, CSV, GeoTIFF, SRTM), and a scenario as JSON",
+                "known are MovingAI .map and .scen, a matrix of 0 and 1, a map drawn with # and ., ROS maps, pictures, rasters of heights (ESRI ASCII, CSV, GeoTIFF, SRTM), and a scenario as JSON",
             )
             .with("begins", begins),
+            Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, *hint).with("found", found),
+            Self::Ambiguous { found } => {
+                let hint = "keep the part that is meant in a file of its own";
+                ErrorReport::new("ambiguous-file", "file", message, hint).with("found", found)
+            }
+            Self::Several { found } => {
+                let hint = "say which one: --matrix 1 on the command line";
+                ErrorReport::new("several-matrices", "matrix", message, hint).with("found", found)
+            }
             Self::NotText { found } => ErrorReport::new(
                 "not-text",
                 "file",

@@ -1,7 +1,7 @@
-//! A map as a matrix: 0 = free, 1 = blocked, 2 = start, 3 = goal, in every spelling that [`super::table`] reads. A table with many
+//! A map as a matrix: 0 = free, 1 = blocked, 2 = start, 3 = goal, in every spelling that [`super::numbers`] reads. A table with many
 //! different numbers is none: it holds heights.
 
-use super::table::{Row, Table};
+use super::numbers::{Ends, Found, Table};
 use crate::error::{FormatError, Notice};
 use crate::map::{Grid, Point, check_size};
 
@@ -20,40 +20,59 @@ pub(super) struct MatrixFile {
 pub(super) fn is_map(table: &Table) -> bool {
     let marks = Marks::of(table);
     let mut others = Others::default();
-    let values = table.rows.iter().flat_map(|row| row.values.iter().copied());
-    values.filter(|&v| v != 0.0 && v != 1.0 && !marks.has(v)).all(|v| others.add(v))
+    table.numbers().filter(|&v| v != 0.0 && v != 1.0 && !marks.has(v)).all(|v| others.add(v))
 }
 
 /// Reads a matrix; the table holds a map.
 ///
 /// # Errors
 /// [`FormatError`] with the line of a ragged row.
-pub(super) fn read(table: &Table) -> Result<MatrixFile, FormatError> {
-    let (width, height) = columns_and_rows(&table.rows)?;
+pub(super) fn read(found: Found) -> Result<MatrixFile, FormatError> {
+    let table = &found.table;
+    let (width, height) = table.size()?;
     check_size(width as u64, height as u64)?;
     let marks = Marks::of(table);
     let mut others = Others::default();
     let mut cells = Vec::with_capacity(width * height);
-    for &value in table.rows.iter().flat_map(|row| &row.values) {
+    for value in table.numbers() {
         let free = value == 0.0 || marks.has(value);
         if !free && value != 1.0 {
             others.add(value);
         }
         cells.push(u8::from(!free));
     }
-    let notices = notices(table, &marks, &others);
+    let mut notices = notices(table, &marks, &others);
     let grid = Grid::from_bytes(width as u32, height as u32, &cells)?;
-    Ok(MatrixFile { grid, start: marks.start, goal: marks.goal, notices })
+    let (mut start, mut goal) = (marks.start, marks.goal);
+    if let (Some(ends), None, None) = (found.ends, start, goal) {
+        let (places, notice) = stated_ends(&grid, ends);
+        (start, goal) = (places.map(|p| p[0]), places.map(|p| p[1]));
+        notices.push(notice);
+    }
+    notices.splice(0..0, found.notices);
+    Ok(MatrixFile { grid, start, goal, notices })
 }
 
-/// Columns and rows, if all rows are equally long.
-pub(super) fn columns_and_rows(rows: &[Row]) -> Result<(usize, usize), FormatError> {
-    let width = rows.first().map_or(0, |r| r.values.len());
-    if let Some((index, row)) = rows.iter().enumerate().find(|(_, r)| r.values.len() != width) {
-        let what = format!("row {} has {} numbers where the first row has {width}", index + 1, row.values.len());
-        return Err(FormatError::syntax(row.line, what, "equally long rows"));
-    }
-    Ok((width, rows.len()))
+/// Start and goal from the lines above a matrix: as column and row, or as row and column, where only one of the two lies on free cells.
+fn stated_ends(grid: &Grid, ends: Ends) -> (Option<[Point; 2]>, Notice) {
+    let [start, goal] = [ends.start, ends.goal];
+    let pairs = format!("{} {} and {} {}", start[0], start[1], goal[0], goal[1]);
+    let is_free = |places: &[Point; 2]| places.iter().all(|p| grid.is_free_at(p.x.into(), p.y.into()));
+    let columns = Some([start, goal].map(|[x, y]| Point::new(x, y))).filter(is_free);
+    let rows = Some([start, goal].map(|[y, x]| Point::new(x, y))).filter(is_free);
+    let (places, order) = match (columns, rows) {
+        (Some(a), Some(b)) if a != b => (None, "unsure"),
+        (Some(places), _) => (Some(places), "columns"),
+        (None, Some(places)) => (Some(places), "rows"),
+        (None, None) => (None, "nowhere"),
+    };
+    let message = match order {
+        "columns" => format!("the start and the goal {pairs} were read as column and row"),
+        "rows" => format!("the start and the goal {pairs} were read as row and column: the other way round they are not free"),
+        "unsure" => format!("{pairs} may be columns and rows, or rows and columns: start and goal were not taken from them"),
+        _ => format!("{pairs} are no free cells: start and goal were not taken from them"),
+    };
+    (places, Notice::new("matrix-stated-ends", message).with("pairs", pairs).with("order", order))
 }
 
 /// The cells that stand for start and goal.
@@ -64,19 +83,19 @@ struct Marks {
 
 impl Marks {
     fn of(table: &Table) -> Self {
-        Self { start: only(&table.rows, 2.0), goal: only(&table.rows, 3.0) }
+        Self { start: only(table, 2.0), goal: only(table, 3.0) }
     }
 
     /// Whether a number stands for an end.
-    fn has(&self, value: f64) -> bool {
+    fn has(&self, value: f32) -> bool {
         (value == 2.0 && self.start.is_some()) || (value == 3.0 && self.goal.is_some())
     }
 }
 
 /// The place of a number that occurs exactly once.
-fn only(rows: &[Row], value: f64) -> Option<Point> {
-    let mut places = rows.iter().enumerate().flat_map(|(y, row)| {
-        row.values.iter().enumerate().filter(move |&(_, &v)| v == value).map(move |(x, _)| Point::new(x as u32, y as u32))
+fn only(table: &Table, value: f32) -> Option<Point> {
+    let mut places = table.rows().enumerate().flat_map(|(y, row)| {
+        row.iter().enumerate().filter(move |&(_, v)| v == value).map(move |(x, _)| Point::new(x as u32, y as u32))
     });
     let first = places.next()?;
     places.next().is_none().then_some(first)
@@ -85,13 +104,13 @@ fn only(rows: &[Row], value: f64) -> Option<Point> {
 /// Numbers that are none of 0, 1, start and goal.
 #[derive(Default)]
 struct Others {
-    values: Vec<f64>,
+    values: Vec<f32>,
     count: usize,
 }
 
 impl Others {
     /// Counts a number; false when there are too many different ones.
-    fn add(&mut self, value: f64) -> bool {
+    fn add(&mut self, value: f32) -> bool {
         self.count += 1;
         if !self.values.contains(&value) {
             self.values.push(value);
@@ -100,7 +119,7 @@ impl Others {
     }
 
     fn list(&self) -> String {
-        self.values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+        self.values.iter().map(f32::to_string).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -126,7 +145,7 @@ fn notices(table: &Table, marks: &Marks, others: &Others) -> Vec<Notice> {
 
 /// That there was text around the numbers.
 pub(super) fn rest_notice(table: &Table) -> Option<Notice> {
-    let (rows, line) = (table.rows.len(), table.rows.first()?.line);
+    let (rows, line) = (table.height(), table.line(0));
     let message = format!("only the {rows} rows of numbers from line {line} on were read, not the text around them");
     table.has_rest.then(|| Notice::new("matrix-rest-ignored", message).with("count", rows).with("line", line))
 }

@@ -1,23 +1,28 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
-//! [`sniff`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
+//! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
 //! path, [`import_results`] results of runs from elsewhere, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
 pub mod comparison_json;
+mod drawing;
 mod ends;
+mod foreign;
 mod imported_map;
+mod kind;
 mod matrix;
 mod movingai;
+mod numbers;
 mod path_list;
+mod recognise;
 mod results;
+mod ros;
 mod scen;
 mod scenario_json;
-mod sniff;
-mod table;
 mod terrain;
 mod text;
+mod tsplib;
 
 use crate::comparison::names::stem;
 use crate::error::{Error, FormatError, Notice};
@@ -29,8 +34,8 @@ pub use imported_map::Imported;
 pub use path_list::{path_kind, read_path, read_places};
 pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
-use sniff::kind_of;
-pub use sniff::{Kind, sniff};
+pub use kind::Kind;
+pub use recognise::{Recognition, recognise, sniff};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 pub use text::{MAX_BYTES, MAX_TEXT_BYTES};
 
@@ -69,25 +74,45 @@ pub enum BinaryExport {
 /// # Errors
 /// [`FormatError`]: what is wrong, in which line or field, and what is expected there.
 pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
-    let kind = kind_of(bytes, name);
+    import_matrix(bytes, name, None)
+}
+
+/// Reads a map as [`import`] does; of a text with several matrices the one of this number, from 1.
+///
+/// # Errors
+/// As [`import`]; [`FormatError::Field`] for a matrix that is not there.
+pub fn import_matrix(bytes: &[u8], name: &str, matrix: Option<u32>) -> Result<Imported, Error> {
+    let found = match recognise(bytes, name) {
+        Ok(found) => found,
+        // An object without a format: the error names what is missing.
+        Err(FormatError::Unknown { begins }) if begins.starts_with('{') => return Ok(scenario(&text::decode(bytes)?)?),
+        Err(error) => return Err(error.into()),
+    };
+    let mut imported = read(found.kind, bytes, name, matrix)?;
+    if !found.is_certain {
+        let message = format!("it was read as {}, told by {}", found.kind.name(), found.why);
+        imported.notices.insert(0, Notice::new("read-as", message).with("kind", found.kind.name()).with("why", found.why));
+    }
+    Ok(imported)
+}
+
+/// Reads a file of this kind as a map.
+fn read(kind: Kind, bytes: &[u8], name: &str, matrix: Option<u32>) -> Result<Imported, Error> {
     if kind.is_raster() {
         return import_terrain(bytes, name, TerrainOptions::default());
     }
-    let text = text::decode(bytes)?;
     let imported = match kind {
         Kind::MovingaiMap => {
-            let file = movingai::read(&text)?;
+            let file = movingai::read(&text::decode(bytes)?)?;
             complete(kind, name, file.grid, None, None, file.notices)?
         }
-        Kind::Matrix => table(&text, name)?,
-        Kind::Scenario => scenario(&text)?,
-        Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
-        Kind::Session => return Err(FormatError::NotAMap { found: "a session" }.into()),
-        Kind::Comparison => return Err(FormatError::NotAMap { found: "a comparison" }.into()),
-        Kind::Results => return Err(FormatError::NotAMap { found: "a table of results" }.into()),
-        // An object without a format: the error names what is missing.
-        _ if text.trim_start().starts_with('{') => scenario(&text)?,
-        _ => return Err(FormatError::Unknown { begins: text::quote(&text) }.into()),
+        Kind::Matrix => table(&text::decode(bytes)?, name, matrix)?,
+        Kind::Drawing => {
+            let file = drawing::read(&text::decode(bytes)?)?;
+            complete(kind, name, file.grid, file.start, file.goal, file.notices)?
+        }
+        Kind::Scenario => scenario(&text::decode(bytes)?)?,
+        _ => return Err(FormatError::NotAMap { found: kind.name() }.into()),
     };
     Ok(imported)
 }
@@ -105,12 +130,12 @@ pub fn import_piece(bytes: &[u8], name: &str, options: TerrainOptions) -> Result
 }
 
 /// A map, or heights.
-fn table(text: &str, name: &str) -> Result<Imported, FormatError> {
-    let table = table::read(text)?;
-    if !matrix::is_map(&table) {
-        return terrain::terrain(terrain::height_table::read(&table)?, name, TerrainOptions::default());
+fn table(text: &str, name: &str, matrix: Option<u32>) -> Result<Imported, FormatError> {
+    let found = numbers::read(text, matrix)?;
+    if !matrix::is_map(&found.table) {
+        return terrain::terrain(terrain::height_table::read(found)?, name, TerrainOptions::default());
     }
-    let file = matrix::read(&table)?;
+    let file = matrix::read(found)?;
     complete(Kind::Matrix, name, file.grid, file.start, file.goal, file.notices)
 }
 

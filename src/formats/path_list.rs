@@ -4,7 +4,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::table;
+use super::{numbers, ros};
 use super::text::decode;
 use crate::error::FormatError;
 use crate::map::Point;
@@ -13,6 +13,26 @@ use crate::planner::Objective;
 
 /// What a path looks like, for error messages.
 const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]; by slices each with its level";
+
+/// Whether a text is a path by its form: pairs in round brackets, points with names, or poses of ROS.
+pub(super) fn looks_like(text: &str) -> bool {
+    let begin: String = text.chars().filter(|c| !c.is_whitespace()).take(200).collect();
+    let pairs = begin.find("[(").is_some_and(|at| begin[at + 2..].starts_with(|c: char| c.is_ascii_digit() || c == '-'));
+    let points = begin.starts_with("[{") && (begin.contains("\"x\":") || begin.contains("'x':"));
+    pairs || points || ros::is_path(text) || text.lines().next().is_some_and(is_header)
+}
+
+/// Whether a line names the columns of a path: `x,y`, `row col`, perhaps with a level or a step.
+fn is_header(line: &str) -> bool {
+    let names: Vec<String> = line.split([',', ';', '\t', ' ']).map(|name| name.trim().trim_matches('"').to_lowercase()).collect();
+    let has = |wanted: &[&str]| names.iter().any(|name| wanted.contains(&name.as_str()));
+    has(&COLUMN_NAMES) && has(&ROW_NAMES)
+}
+
+/// What a column of columns is called, in small letters.
+const COLUMN_NAMES: [&str; 6] = ["x", "col", "column", "c", "j", "列"];
+/// What a column of rows is called, in small letters.
+const ROW_NAMES: [&str; 5] = ["y", "row", "r", "i", "行"];
 
 /// Reads a path. The points are as they stand in the file: neither checked against a map nor shifted.
 ///
@@ -37,8 +57,9 @@ pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatErro
     }
     let body = without_header(&text);
     let offset = text[..text.len() - body.len()].matches('\n').count();
-    let table = table::read(body)?;
-    table.rows.iter().map(|row| place(&row.values, row.line + offset)).collect()
+    let table = numbers::rows(body)?;
+    let rows = table.rows().enumerate();
+    rows.map(|(at, row)| place(&row.iter().map(f64::from).collect::<Vec<_>>(), table.line(at) + offset)).collect()
 }
 
 /// What kind of path a file holds: what a result's objective says; steps for everything else.

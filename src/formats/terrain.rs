@@ -5,11 +5,12 @@ pub(super) mod geotiff;
 pub(super) mod ground;
 pub(super) mod height_table;
 pub(super) mod srtm;
+mod geotiff_tags;
 mod whole_tiles;
 
 use serde::Serialize;
 
-use super::{Imported, Kind, complete, text};
+use super::{Imported, Kind, complete, recognise, text};
 use crate::error::{Error, FormatError, Notice};
 use crate::map::resample::{self, Window};
 use crate::map::{Grid, MAX_SIDE, check_size};
@@ -33,8 +34,13 @@ pub(super) struct Raster {
     pub heights: Vec<f32>,
     /// Metres per cell along a row and along a column.
     pub cell: [f64; 2],
+    /// Metres of a height of 1, where the file says so.
+    pub unit: f64,
     pub notices: Vec<Notice>,
 }
+
+/// No ground on Earth lies higher above the sea, or deeper below it, in metres.
+const FARTHEST: f64 = 12_000.0;
 
 /// What to take of a raster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -56,6 +62,8 @@ pub struct Survey {
     pub height: u32,
     /// Metres per cell along a row and along a column.
     pub cell: [f64; 2],
+    /// Metres of a height of 1, where the file says so; 1 where it does not.
+    pub unit: f64,
     /// Lowest height, in the file's unit.
     pub lowest: f32,
     /// Highest height, in the file's unit.
@@ -95,8 +103,8 @@ pub fn survey(bytes: &[u8], name: &str) -> Result<Survey, Error> {
     let missing = raster.heights.iter().filter(|h| h.is_nan()).count() as u32;
     let (preview_width, preview_height) = at_most(raster.size(), PREVIEW_SIDE);
     let preview = resample::heights(&raster.heights, raster.size(), (preview_width, preview_height));
-    let Raster { kind, width, height, cell, notices, .. } = raster;
-    Ok(Survey { kind, width, height, cell, lowest, highest, missing, preview_width, preview_height, preview, notices })
+    let Raster { kind, width, height, cell, unit, notices, .. } = raster;
+    Ok(Survey { kind, width, height, cell, unit, lowest, highest, missing, preview_width, preview_height, preview, notices })
 }
 
 /// Reads a raster as a terrain: all of it, a window, or either in another number of cells. What does not fit into a map is made smaller by a
@@ -110,26 +118,26 @@ pub fn import_terrain(bytes: &[u8], name: &str, options: TerrainOptions) -> Resu
 
 /// The raster of a file.
 fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
-    let found = match super::kind_of(bytes, name) {
+    let mut raster = read_as_it_is(bytes, name)?;
+    raster.leave_out_impossible();
+    Ok(raster)
+}
+
+fn read_as_it_is(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
+    let kind = recognise(bytes, name)?.kind;
+    match kind {
         Kind::Geotiff => return geotiff::read(bytes),
         Kind::Srtm => return srtm::read(bytes, name),
         Kind::EsriAscii => return esri_ascii::read(&text::decode_up_to(bytes, text::MAX_BYTES)?),
-        Kind::HeightTable | Kind::Matrix => {
-            let table = super::table::read(&text::decode(bytes)?)?;
-            match super::matrix::is_map(&table) {
-                false => return height_table::read(&table),
-                true => "a matrix of free and blocked cells",
+        Kind::Matrix => {
+            let found = super::numbers::read(&text::decode(bytes)?, None)?;
+            if !super::matrix::is_map(&found.table) {
+                return height_table::read(found);
             }
         }
-        Kind::MovingaiMap => "a map without heights",
-        Kind::MovingaiScen => "a list of MovingAI scenarios",
-        Kind::Scenario => "a scenario",
-        Kind::Session => "a session",
-        Kind::Comparison => "a comparison",
-        Kind::Results => "a table of results",
-        Kind::Unknown => "of no known format",
-    };
-    Err(FormatError::NotATerrain { found })
+        _ => {}
+    }
+    Err(FormatError::NotATerrain { found: kind.name() })
 }
 
 /// The scenario of a raster.
@@ -146,10 +154,11 @@ pub(super) fn terrain(mut raster: Raster, name: &str, options: TerrainOptions) -
     }
     raster.range()?;
     raster.tell_of_cells();
-    let Raster { kind, width, height, heights, cell, notices } = raster;
+    let Raster { kind, width, height, heights, cell, unit, notices } = raster;
     let grid = Grid::open(width, height)?.with_heights(heights)?;
     let mut imported = complete(kind, name, grid, None, None, notices)?;
     imported.spec.resolution = libm::sqrt(cell[0] * cell[1]);
+    imported.spec.terrain.iter_mut().for_each(|terrain| terrain.vertical_unit = unit);
     Ok(imported)
 }
 
@@ -214,6 +223,23 @@ impl Raster {
         let notice = Notice::new("terrain-shrunk", message).with("by", by).with("width", width).with("height", height);
         fitted.notices.push(notice.with("columns", fitted.width).with("rows", fitted.height));
         fitted
+    }
+
+    /// Heights that no ground can have stand for no data, whatever the file says of them.
+    fn leave_out_impossible(&mut self) {
+        let most = (FARTHEST / self.unit) as f32;
+        let (mut count, mut example) = (0usize, 0.0);
+        for height in self.heights.iter_mut().filter(|height| height.abs() > most) {
+            (count, example) = (count + 1, *height);
+            *height = f32::NAN;
+        }
+        if count > 0 {
+            let message = format!(
+                "{count} cells hold heights that no ground has, such as {example:e}: beyond {FARTHEST} m above or below the sea they count as without data"
+            );
+            let notice = Notice::new("terrain-impossible", message).with("count", count);
+            self.notices.push(notice.with("value", format!("{example:e}")).with("most", FARTHEST));
+        }
     }
 
     /// Says which cells have no data, and that cells are not square.

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::foreign;
 use crate::error::FormatError;
 
 /// Largest text that is read: a 4096 × 4096 matrix at three bytes a cell fits.
@@ -10,24 +11,11 @@ pub const MAX_TEXT_BYTES: usize = 64 << 20;
 /// Largest file of any kind that is read, a raster of heights or a whole comparison: 8192 × 8192 heights at eight letters each fit.
 pub const MAX_BYTES: usize = 512 << 20;
 
-/// First bytes of files that people drop by mistake, and what to call them.
-const BINARIES: [(&[u8], &str); 9] = [
-    (b"\x89PNG", "a PNG image"),
-    (b"\xff\xd8\xff", "a JPEG image"),
-    (b"GIF8", "a GIF image"),
-    (b"PK\x03\x04", "a ZIP archive (or an Excel sheet)"),
-    (b"\x1f\x8b", "a gzip archive"),
-    (b"%PDF", "a PDF document"),
-    (b"MATLAB 5.0 MAT-file", "a binary MATLAB .mat file"),
-    (b"\xff\xfe", "text in UTF-16"),
-    (b"\xfe\xff", "text in UTF-16"),
-];
-
 /// The text of a file: UTF-8, with or without a byte order mark. Other 8-bit encodings pass as well, because the formats
 /// themselves are ASCII and only comments and names can be hurt.
 ///
 /// # Errors
-/// [`FormatError::NotText`] for UTF-16 and binary files, [`FormatError::TooLarge`] beyond 64 MiB.
+/// [`FormatError::Foreign`] or [`FormatError::NotText`] for UTF-16 and binary files, [`FormatError::TooLarge`] beyond 64 MiB.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, FormatError> {
     decode_up_to(bytes, MAX_TEXT_BYTES)
 }
@@ -38,15 +26,15 @@ pub(super) fn decode_up_to(bytes: &[u8], max: usize) -> Result<Cow<'_, str>, For
         let what = format!("a file of {} MiB", bytes.len() >> 20);
         return Err(FormatError::TooLarge { what, max: format!("{} MiB", max >> 20) });
     }
-    if let Some((_, found)) = BINARIES.iter().find(|(magic, _)| bytes.starts_with(magic)) {
-        return Err(FormatError::NotText { found: (*found).into() });
+    if let Some(error) = foreign::by_first_bytes(bytes) {
+        return Err(error);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match bytes.iter().position(|&b| is_binary(b)) {
         None => Ok(String::from_utf8_lossy(bytes)),
         // UTF-16 without a mark: every other byte of plain letters is 0.
         Some(at) if bytes[at] == 0 && at < 2 && bytes.len() > 3 && bytes[at + 2] == 0 => {
-            Err(FormatError::NotText { found: "text in UTF-16".into() })
+            Err(foreign::UTF_16)
         }
         Some(at) => Err(FormatError::NotText { found: format!("binary data (byte {at} is {:#04x})", bytes[at]) }),
     }
@@ -91,7 +79,7 @@ mod tests {
     #[test]
     fn what_is_no_text_is_named() {
         let utf16: Vec<u8> = "type octile".encode_utf16().flat_map(u16::to_le_bytes).collect();
-        for (bytes, name) in [(&utf16[..], "UTF-16"), (b"\xff\xfet\0", "UTF-16"), (b"\x89PNG\r\n", "PNG"), (b"0 1\x00", "byte 3")]
+        for (bytes, name) in [(&utf16[..], "UTF-16"), (b"\xff\xfet\0", "UTF-16"), (b"\x89PNG\r\n", "picture"), (b"0 1\x00", "byte 3")]
         {
             let error = decode(bytes).unwrap_err().to_string();
             assert!(error.contains(name), "{error}");

@@ -64,6 +64,8 @@ pub struct Survey {
     /// Metres per cell along a row and along a column.
     #[tsify(type = "[number, number]")]
     pub cell: [f64; 2],
+    /// Metres of a height of 1.
+    pub unit: f64,
     /// Lowest height, in the file's unit.
     pub lowest: f32,
     /// Highest height, in the file's unit.
@@ -150,6 +152,7 @@ pub fn survey_terrain(bytes: &[u8], name: &str) -> Answer<Ts<Survey>> {
         width: found.width,
         height: found.height,
         cell: found.cell,
+        unit: found.unit,
         lowest: found.lowest,
         highest: found.highest,
         missing: found.missing,

@@ -86,7 +86,7 @@ fn contents_decide_what_a_file_is() {
     }
     assert_eq!(refused("hello").kind, "unknown-format");
     let png = formicarium::formats::import(b"\x89PNG\r\n\x1a\n\0\0", "a.map").unwrap_err().report();
-    assert_eq!((png.kind.as_str(), png.args["found"].as_str()), ("not-text", "a PNG image"));
+    assert_eq!((png.kind.as_str(), png.args["found"].as_str()), ("not-a-map", "a picture"));
 }
 
 #[test]

@@ -214,7 +214,7 @@ fn maps_are_never_taken_for_results() {
         ("version 1\n0\tlength\t9\t9\t1\t1\t2\t2\t1.4\n", Kind::MovingaiScen),
         ("10,20,30\n40,50,60\n", Kind::HeightTable),
         ("ncols 2\nnrows 1\ncellsize 1\n1 2\n", Kind::EsriAscii),
-        ("x,y\n0,0\n1,1\n", Kind::Unknown),
+        ("x,y\n0,0\n1,1\n", Kind::Path),
     ];
     for (text, kind) in maps {
         assert_eq!(sniff(text.as_bytes(), "a.csv"), kind, "{text:?}");

@@ -154,7 +154,7 @@ fn a_window_and_a_size_can_be_asked_for() {
     assert_eq!((outside.kind.as_str(), outside.field.as_str()), ("window", "crop"));
     assert_eq!(refuse(None, Some((0, 5))).kind, "map-size");
     assert_eq!(refuse(None, Some((4097, 5))).kind, "map-size");
-    for (bytes, found) in [("0,1\n1,0\n", "a matrix"), ("type octile\nheight 1\nwidth 1\nmap\n.\n", "a map without heights")] {
+    for (bytes, found) in [("0,1\n1,0\n", "a matrix"), ("type octile\nheight 1\nwidth 1\nmap\n.\n", "a map of the MovingAI")] {
         let report = import_terrain(bytes.as_bytes(), "", TerrainOptions::default()).unwrap_err().report();
         assert!(report.kind == "not-a-terrain" && report.message.contains(found), "{}", report.message);
     }
@@ -265,9 +265,11 @@ fn an_srtm_tile_is_told_by_its_size() {
     assert!((seen.cell[0] - 45.680).abs() < 1e-3 && (seen.cell[1] - 92.767).abs() < 1e-3, "{:?}", seen.cell);
     assert!(notices(&import(&bytes, "renamed").unwrap()).contains(&"terrain-no-latitude"));
     assert_eq!(export_binary(&map.grid, &map.spec, BinaryExport::Srtm).unwrap(), bytes);
-    // One byte less is nothing that is known.
-    assert_eq!(sniff(&bytes[1..], "N60E010.hgt"), Kind::Unknown);
-    assert_eq!(import(&bytes[1..], "N60E010.hgt").unwrap_err().report().kind, "not-text");
+    // One byte less is no tile: by its name it was meant to be one, without a name nothing is known.
+    assert_eq!((sniff(&bytes[1..], "N60E010.hgt"), sniff(&bytes[1..], "")), (Kind::Srtm, Kind::Unknown));
+    let report = import(&bytes[1..], "N60E010.hgt").unwrap_err().report();
+    assert!(report.field == "size" && report.hint.contains("25,934,402"), "{report:?}");
+    assert_eq!(import(&bytes[1..], "").unwrap_err().report().kind, "not-text");
     let (grid, spec) = small();
     let report: ErrorReport = export_binary(&grid, &spec, BinaryExport::Srtm).unwrap_err().report();
     assert!(report.field == "size" && report.hint.contains("1201"), "{report:?}");

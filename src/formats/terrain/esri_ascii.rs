@@ -24,6 +24,13 @@ const LARGEST_DEGREE: f64 = 0.1;
 #[derive(Default)]
 struct Header([Option<f64>; 10]);
 
+/// Words that programs write where there is no height, in small letters: of C, of SQL and R, of old Windows.
+fn is_no_number(word: &str) -> bool {
+    let small = word.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    matches!(small.as_str(), "nan" | "null" | "na" | "n/a" | "none" | "*" | "inf" | "infinity")
+        || ["1.#", "nan("].iter().any(|begin| small.starts_with(begin))
+}
+
 /// Whether the text begins with a key of the header.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
     words(text).next().is_some_and(|(_, word)| key(word).is_some())
@@ -36,6 +43,7 @@ fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 fn key(word: &str) -> Option<usize> {
+    let word = if word.eq_ignore_ascii_case("nodata") { "nodata_value" } else { word };
     KEYS.iter().position(|key| key.eq_ignore_ascii_case(word))
 }
 
@@ -47,14 +55,16 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     let mut words = words(text).peekable();
     let mut header = Header::default();
     let mut last = 0;
-    while let Some(&(line, word)) = words.peek().filter(|(_, word)| number(word).is_none()) {
+    while let Some(&(line, word)) = words.peek().filter(|(_, word)| number(word).is_none() && !is_no_number(word)) {
         words.next();
         last = header.set(line, word, words.next())?;
     }
     let (width, height) = header.size()?;
     // A claim costs nothing: no more is set aside than the text can hold.
     let mut heights = Vec::with_capacity((width as usize * height as usize).min(text.len() / 2 + 1));
+    let mut without = 0usize;
     for (line, word) in words {
+        without += usize::from(is_no_number(word));
         if heights.len() == width as usize * height as usize {
             return Err(FormatError::syntax(line, format!("`{}` follows the last height", quote(word)), count(width, height)));
         }
@@ -65,8 +75,12 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
         let what = format!("the grid ends after {} heights, in row {}", heights.len(), heights.len() / width as usize + 1);
         return Err(FormatError::syntax(last, what, count(width, height)));
     }
-    let (cell, notices) = header.cell(height)?;
-    Ok(Raster { kind: Kind::EsriAscii, width, height, heights, cell, notices })
+    let (cell, mut notices) = header.cell(height)?;
+    if without > 0 {
+        let message = format!("{without} cells hold a word such as nan or null in place of a height: they have no data");
+        notices.push(Notice::new("terrain-words", message).with("count", without));
+    }
+    Ok(Raster { kind: Kind::EsriAscii, width, height, heights, cell, unit: 1.0, notices })
 }
 
 fn no_number(line: usize, word: &str) -> FormatError {
@@ -77,10 +91,10 @@ fn count(width: u32, height: u32) -> String {
     format!("ncols · nrows = {width} · {height} numbers")
 }
 
-/// A number, also one that stands for none: the value for no data may be `nan`.
+/// A number.
 fn number(word: &str) -> Option<f64> {
     let first = word.as_bytes().first()?;
-    let is_number = first.is_ascii_digit() || b"+-.".contains(first) || word.eq_ignore_ascii_case("nan");
+    let is_number = first.is_ascii_digit() || b"+-.".contains(first);
     if is_number { word.parse().ok() } else { None }
 }
 
@@ -91,7 +105,8 @@ impl Header {
         let at = key(word).ok_or_else(unknown)?;
         let missing = || FormatError::syntax(line, format!("nothing follows `{}`", KEYS[at]), "a number");
         let (line, value) = value.ok_or_else(missing)?;
-        let value = number(value).ok_or_else(|| no_number(line, value))?;
+        let wordy = is_no_number(value) && KEYS[at] == "nodata_value";
+        let value = if wordy { Some(f64::NAN) } else { number(value) }.ok_or_else(|| no_number(line, value))?;
         match self.0[at].replace(value) {
             Some(_) => Err(FormatError::syntax(line, format!("`{}` stands twice", KEYS[at]), "each key once")),
             None => Ok(line),
@@ -111,16 +126,19 @@ impl Header {
         check_claim(side("ncols")?, side("nrows")?)
     }
 
-    /// A height; NaN for no data; none for what is no finite number.
+    /// A height; NaN for no data; none for what is no number.
     fn height(&self, word: &str) -> Option<f32> {
+        if is_no_number(word) {
+            return Some(f32::NAN);
+        }
         let value = number(word)?;
         let no_data = self.get("nodata_value").unwrap_or(NO_DATA);
         // Printed with fewer digits than the header, or with more.
-        if value == no_data || value as f32 == no_data as f32 || (value.is_nan() && no_data.is_nan()) {
+        if value == no_data || value as f32 == no_data as f32 {
             return Some(f32::NAN);
         }
-        let height = value as f32;
-        height.is_finite().then_some(height)
+        // What is beyond all ground is told by the caller.
+        Some(value as f32)
     }
 
     /// Metres per cell.

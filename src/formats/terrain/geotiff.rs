@@ -10,7 +10,7 @@ use tiff::tags::Tag;
 use tiff::{ColorType, TiffError, TiffResult};
 
 use super::super::Kind;
-use super::{Raster, check_claim, esri_ascii, ground, whole_tiles};
+use super::{Raster, check_claim, esri_ascii, geotiff_tags, ground, whole_tiles};
 use crate::error::{FormatError, Notice};
 use crate::map::Grid;
 
@@ -29,6 +29,13 @@ const GEOGRAPHIC: u16 = 2;
 
 /// ProjLinearUnitsGeoKey: the unit of projected coordinates.
 const LINEAR_UNITS: u16 = 3076;
+
+/// VerticalUnitsGeoKey, and VerticalGeoKey: the coordinate system of heights.
+const VERTICAL_UNITS: u16 = 4099;
+const VERTICAL_SYSTEM: u16 = 4096;
+
+/// GDAL's metadata, as XML.
+const GDAL_METADATA: Tag = Tag::Unknown(42112);
 
 /// How tag Compression says LZW.
 const LZW: u16 = 5;
@@ -54,14 +61,21 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
     }
     let bands = bands(&mut tiff)?;
     check_chunk(&mut tiff)?;
-    let (cell, notices) = cells(&mut tiff, (width, height))?;
+    let (cell, mut notices) = cells(&mut tiff, (width, height))?;
     let no_data = no_data(&mut tiff)?;
+    let values = values(&mut tiff)?;
+    notices.extend(values.notices());
+    let range = range(&mut tiff)?;
+    notices.extend(no_data.and_then(|no_data| geotiff_tags::unused(no_data, range)));
     let whole = whole(&mut tiff, bytes, (width, height))?;
     if let Some(file) = &whole {
         tiff = open(file)?;
     }
-    let heights = heights(&mut tiff, (width, height), bands, no_data)?;
-    Ok(Raster { kind: Kind::Geotiff, width, height, heights, cell, notices })
+    let mut heights = heights(&mut tiff, (width, height), bands, no_data)?;
+    if !values.is_plain() {
+        heights.iter_mut().for_each(|height| *height = (f64::from(*height) * values.scale + values.offset) as f32);
+    }
+    Ok(Raster { kind: Kind::Geotiff, width, height, heights, cell, unit: values.unit, notices })
 }
 
 /// The decoder sets memory aside for a whole strip or tile, whatever the file holds of it.
@@ -157,8 +171,8 @@ fn cells(tiff: &mut Tiff, size: (u32, u32)) -> Result<([f64; 2], Vec<Notice>), F
         return Ok((cell, vec![notice]));
     }
     let metres = match geo_key(&keys, LINEAR_UNITS) {
-        Some(9002) => 0.3048,
-        Some(9003) => 1200.0 / 3937.0,
+        Some(9002) => geotiff_tags::FOOT,
+        Some(9003) => geotiff_tags::SURVEY_FOOT,
         _ => 1.0,
     };
     Ok((cell.map(|c| c * metres), Vec::new()))
@@ -197,6 +211,29 @@ fn placed(tiff: &mut Tiff, (width, height): (u32, u32)) -> Result<Option<Placed>
     Ok(Some(Placed { cell: [length(m[0], m[4]), length(m[1], m[5])], middle }))
 }
 
+/// What heights are made of, from GDAL's metadata and the keys of the vertical coordinates.
+fn values(tiff: &mut Tiff) -> Result<geotiff_tags::Values, FormatError> {
+    let metadata = match tiff.find_tag(GDAL_METADATA).map_err(broken)? {
+        Some(value) => value.into_string().map_err(broken)?,
+        None => String::new(),
+    };
+    let keys = tiff.find_tag_unsigned_vec::<u16>(Tag::GeoKeyDirectoryTag).map_err(broken)?.unwrap_or_default();
+    geotiff_tags::Values::of(&metadata, geo_key(&keys, VERTICAL_UNITS), geo_key(&keys, VERTICAL_SYSTEM))
+}
+
+/// The least and the largest number of files that hold whole numbers of up to 32 bits.
+fn range(tiff: &mut Tiff) -> Result<Option<(f64, f64)>, FormatError> {
+    let bits = tiff.find_tag_unsigned_vec::<u16>(Tag::BitsPerSample).map_err(broken)?;
+    let bits = bits.and_then(|bits| bits.first().copied()).unwrap_or(1);
+    let form = tiff.find_tag_unsigned_vec::<u16>(Tag::SampleFormat).map_err(broken)?;
+    let two = |power: u16| libm::pow(2.0, f64::from(power));
+    Ok(match form.and_then(|form| form.first().copied()).unwrap_or(1) {
+        1 if bits <= 32 => Some((0.0, two(bits) - 1.0)),
+        2 if (1..=32).contains(&bits) => Some((-two(bits - 1), two(bits - 1) - 1.0)),
+        _ => None,
+    })
+}
+
 /// The value that stands for no data, from GDAL's tag.
 fn no_data(tiff: &mut Tiff) -> Result<Option<f64>, FormatError> {
     let Some(value) = tiff.find_tag(Tag::GdalNodata).map_err(broken)? else { return Ok(None) };
@@ -226,7 +263,7 @@ fn heights(tiff: &mut Tiff, (width, height): (u32, u32), bands: usize, no_data: 
             taken: chunk_width.min(width - column) as usize,
             bands,
         };
-        place.fill(&mut heights, tiff.read_chunk(index).map_err(broken)?, no_data)?;
+        place.fill(&mut heights, tiff.read_chunk(index).map_err(broken)?, no_data);
     }
     Ok(heights)
 }
@@ -253,12 +290,12 @@ struct Place {
 
 impl Place {
     /// Puts the first number of each cell where it belongs; nothing is made on the way, since a strip may be the whole image.
-    fn fill(&self, heights: &mut [f32], chunk: DecodingResult, no_data: Option<f64>) -> Result<(), FormatError> {
+    fn fill(&self, heights: &mut [f32], chunk: DecodingResult, no_data: Option<f64>) {
         let height = |value: f64| {
             let missing = value.is_nan() || no_data.is_some_and(|no| value == no || value as f32 == no as f32);
-            if missing { Some(f32::NAN) } else { Some(value as f32).filter(|h| h.is_finite()) }
+            if missing { f32::NAN } else { value as f32 }
         };
-        let filled = match chunk {
+        match chunk {
             DecodingResult::U8(v) => self.each(heights, &v, |v| height(v.into())),
             DecodingResult::U16(v) => self.each(heights, &v, |v| height(v.into())),
             DecodingResult::U32(v) => self.each(heights, &v, |v| height(v.into())),
@@ -270,22 +307,19 @@ impl Place {
             DecodingResult::F16(v) => self.each(heights, &v, |v| height(v.to_f64())),
             DecodingResult::F32(v) => self.each(heights, &v, |v| height(v.into())),
             DecodingResult::F64(v) => self.each(heights, &v, height),
-        };
-        filled.ok_or_else(|| FormatError::field("heights", "a height is infinite", "finite numbers, or the value for no data"))
+        }
     }
 
-    /// None where a number is no height.
-    fn each<T: Copy>(&self, heights: &mut [f32], numbers: &[T], height: impl Fn(T) -> Option<f32>) -> Option<()> {
+    fn each<T: Copy>(&self, heights: &mut [f32], numbers: &[T], height: impl Fn(T) -> f32) {
         let bands = self.bands.max(1);
         for (y, row) in numbers.chunks_exact(self.columns.max(1) * bands).enumerate() {
             let from = self.corner + y * self.width;
             // The rest of a tile lies below the image.
             let Some(cells) = heights.get_mut(from..from + self.taken) else { break };
             for (cell, &number) in cells.iter_mut().zip(row.iter().step_by(bands)) {
-                *cell = height(number)?;
+                *cell = height(number);
             }
         }
-        Some(())
     }
 }
 

@@ -1,43 +1,36 @@
-//! Heights in rows and columns, in every spelling that [`super::super::table`] reads. −9999 stands for no data.
+//! Heights in rows and columns, in every spelling that [`super::super::numbers`] reads. −9999 stands for no data.
 
 use std::fmt::Write;
 
-use super::super::table::Table;
+use super::super::numbers::Found;
 use super::super::{Kind, matrix};
 use super::{Raster, check_claim};
 use crate::error::{FormatError, Notice};
 
 /// Stands for no data, as in the grids of Esri.
-pub(super) const NO_DATA: f64 = -9999.0;
+pub(super) const NO_DATA: f32 = -9999.0;
 
 /// Reads a table of heights.
 ///
 /// # Errors
-/// [`FormatError`] with the line of a ragged row or of a number that is no height.
-pub(in crate::formats) fn read(table: &Table) -> Result<Raster, FormatError> {
-    let (width, height) = matrix::columns_and_rows(&table.rows)?;
+/// [`FormatError`] with the line of a ragged row.
+pub(in crate::formats) fn read(found: Found) -> Result<Raster, FormatError> {
+    let table = &found.table;
+    let (width, height) = table.size()?;
     let (width, height) = check_claim(width as u64, height as u64)?;
-    let mut heights = Vec::with_capacity(width as usize * height as usize);
-    for row in &table.rows {
-        for &value in &row.values {
-            let height = if value == NO_DATA { f32::NAN } else { value as f32 };
-            if height.is_infinite() {
-                return Err(FormatError::syntax(row.line, format!("{value} is no height"), "a number below 3.4e38"));
-            }
-            heights.push(height);
-        }
-    }
+    let heights = table.numbers().map(|value| if value == NO_DATA { f32::NAN } else { value }).collect();
     let message = "the numbers were read as heights in metres, since a map holds 0 and 1";
-    let mut notices = vec![Notice::new("heights-in-table", message)];
+    let mut notices = found.notices;
+    notices.push(Notice::new("heights-in-table", message));
     let message = "a table does not say how large its cells are: 1 m is assumed; set the resolution";
     notices.push(Notice::new("terrain-cell-size", message));
-    notices.extend(matrix::rest_notice(table));
-    Ok(Raster { kind: Kind::HeightTable, width, height, heights, cell: [1.0, 1.0], notices })
+    notices.extend(matrix::rest_notice(&found.table));
+    Ok(Raster { kind: Kind::HeightTable, width, height, heights, cell: [1.0, 1.0], unit: 1.0, notices })
 }
 
 /// Heights as CSV, in metres.
 pub(in crate::formats) fn write(heights: &[f32], width: u32) -> String {
-    rows(heights, width, ",", NO_DATA as f32)
+    rows(heights, width, ",", NO_DATA)
 }
 
 /// Rows of numbers, in the fewest digits that give back the same f32.

@@ -39,7 +39,7 @@ pub(in crate::formats) fn read(bytes: &[u8], name: &str) -> Result<Raster, Forma
         let message = "the name tells no latitude, as N40W106.hgt does: cells are taken for those of the equator";
         notice = Notice::new("terrain-no-latitude", message);
     }
-    Ok(Raster { kind: Kind::Srtm, width: side, height: side, heights, cell, notices: vec![notice] })
+    Ok(Raster { kind: Kind::Srtm, width: side, height: side, heights, cell, unit: 1.0, notices: vec![notice] })
 }
 
 /// The latitude of the lower left corner: `N40…` is 40, `S12…` is −12.

@@ -1,0 +1,100 @@
+//! Files that are known but not read: what to call them, and what to do with them.
+
+use super::recognise::Sample;
+use crate::error::FormatError;
+
+/// First bytes, what they tell, and what to do.
+type Known = (&'static [u8], &'static str, &'static str);
+
+/// Text in UTF-16, with or without its mark.
+pub(super) const UTF_16: FormatError =
+    FormatError::Foreign { found: "text in UTF-16", hint: "save it as UTF-8: in Notepad or Excel, choose UTF-8 where it is saved" };
+
+const PICTURE: &str = "open it as a picture, with a threshold between free and blocked";
+const ARRAY: &str = "write it as text: np.savetxt(\"map.csv\", a, fmt=\"%d\", delimiter=\",\")";
+const MATLAB: &str = "write it as text: writematrix(G, \"map.csv\") in MATLAB";
+const SHEET: &str = "save the sheet as CSV";
+const UNPACK: &str = "unpack it, and open the file within";
+const BAG: &str = "write the map out of it: ros2 run nav2_map_server map_saver_cli, or ros2 topic echo --once /map";
+
+/// Pictures that are read.
+const PICTURES: [&[u8]; 3] = [b"\x89PNG", b"\xff\xd8\xff", b"BM"];
+
+/// Archives that are unpacked.
+const ARCHIVES: [Known; 2] = [(b"PK\x03\x04", "a ZIP archive", UNPACK), (b"\x1f\x8b", "a gzip archive", UNPACK)];
+
+const FOREIGN: [Known; 21] = [
+    (b"GIF8", "a GIF image", "save it as PNG, and open it as a picture"),
+    (b"%PDF", "a PDF document", "take a screenshot of the figure, and open that"),
+    (b"\x93NUMPY", "a NumPy array (.npy)", ARRAY),
+    (b"\x80\x04\x95", "a pickle of Python", ARRAY),
+    (b"\x80\x05\x95", "a pickle of Python", ARRAY),
+    (b"MATLAB 5.0 MAT-file", "a binary MATLAB .mat file", MATLAB),
+    (b"\x89HDF", "an HDF5 file (a .mat of MATLAB 7.3, perhaps)", MATLAB),
+    (b"CDF\x01", "a NetCDF file", "write the heights as GeoTIFF: gdal_translate in.nc out.tif"),
+    (b"\xd0\xcf\x11\xe0", "a sheet or document of old Microsoft Office (.xls)", SHEET),
+    (b"7z\xbc\xaf", "a 7-Zip archive", UNPACK),
+    (b"Rar!", "a RAR archive", UNPACK),
+    (b"\xfd7zXZ", "an xz archive", UNPACK),
+    (b"BZh", "a bzip2 archive", UNPACK),
+    (b"\x28\xb5\x2f\xfd", "a zstd archive", UNPACK),
+    (b"SQLite format 3", "a SQLite database (a ROS 2 bag, perhaps)", BAG),
+    (b"#ROSBAG", "a ROS bag", BAG),
+    (b"\x89MCAP", "an MCAP recording", BAG),
+    (b"# .PCD", "a cloud of points (.pcd)", "project it onto a grid first, for example with octomap_server"),
+    (b"ply\n", "a mesh or cloud of points (.ply)", "project it onto a grid first"),
+    (b"{\\rtf", "a document in RTF", "save it as plain text"),
+    (b"\0asm", "WebAssembly", "open a map"),
+];
+
+/// Whether a file begins as a picture that can be read does. A `P` and a digit begin the Netpbm formats: PBM, PGM, PPM.
+pub(super) fn is_picture(bytes: &[u8]) -> bool {
+    let is_netpbm = matches!(bytes, [b'P', b'1'..=b'6', end, ..] if end.is_ascii_whitespace() || *end == b'#');
+    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
+    let is_bmp = |magic: &[u8]| magic != b"BM" || bytes.get(6..10) == Some(&[0; 4]);
+    is_netpbm || is_webp || PICTURES.iter().any(|magic| bytes.starts_with(magic) && is_bmp(magic))
+}
+
+/// Whether a file begins as an archive that can be unpacked does.
+pub(super) fn is_archive(bytes: &[u8]) -> bool {
+    ARCHIVES.iter().any(|(magic, ..)| bytes.starts_with(magic))
+}
+
+/// The refusal of a file that is no text, by its first bytes.
+pub(super) fn by_first_bytes(bytes: &[u8]) -> Option<FormatError> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Some(UTF_16);
+    }
+    if is_picture(bytes) {
+        return Some(FormatError::Foreign { found: "a picture", hint: PICTURE });
+    }
+    let known = FOREIGN.iter().chain(&ARCHIVES).find(|(magic, ..)| bytes.starts_with(magic));
+    known.map(|&(_, found, hint)| FormatError::Foreign { found, hint })
+}
+
+/// The refusal of a file that no reader takes, by how it begins.
+pub(super) fn named(sample: &Sample<'_>) -> Option<FormatError> {
+    by_first_bytes(sample.head).or_else(|| sample.is_text.then(|| by_first_words(sample)).flatten())
+}
+
+/// The refusal of a text in a language that holds no map.
+fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
+    let text = sample.text.trim_start();
+    let starts = |word: &str| text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word));
+    let (found, hint) = if starts("<!doctype html") || starts("<html") {
+        ("a page of the web", "download the file itself: behind a link of GitHub, choose Raw")
+    } else if text.starts_with('<') && text.contains("<svg") {
+        ("a drawing in SVG", "save it as PNG, and open it as a picture")
+    } else if starts("<?xml") || text.starts_with('<') {
+        ("a document in XML", "open the map as a matrix, a picture or a .map")
+    } else if text.starts_with('{') {
+        return None;
+    } else if text.starts_with("\\") {
+        ("a text in LaTeX", "keep the rows of numbers alone")
+    } else if sample.has_keys {
+        ("a list of keys and values (YAML, perhaps) that describes no map known here", "open a ROS map.yaml, an OccupancyGrid message, or the map as a matrix")
+    } else {
+        return None;
+    };
+    Some(FormatError::Foreign { found, hint })
+}

@@ -1,0 +1,217 @@
+//! Matrices between brackets: `G = [0 1; 1 0];`, `[[0, 1], [1, 0]]`, `int grid[2][2] = {{0, 1}, {1, 0}};`, one or many in a program.
+
+use std::ops::Range;
+
+use super::scan::{Layout, scan};
+use super::{Found, Table};
+use crate::error::FormatError;
+
+/// A text with more than this many letters around its matrix is a program.
+const TITLE_LETTERS: usize = 40;
+
+/// A bracket on its way.
+struct Open {
+    from: usize,
+    letter: u8,
+    /// `dx[8]`, `grid[0][0]`: no matrix, whatever it holds.
+    is_subscript: bool,
+    /// Nothing but numbers so far.
+    is_numeric: bool,
+    /// Numeric brackets within.
+    within: Vec<Range<usize>>,
+}
+
+/// The brackets of a text that hold numbers alone, none of them within another, in order.
+struct Brackets {
+    numeric: Vec<Range<usize>>,
+    /// The first that is never closed.
+    unclosed: Option<usize>,
+}
+
+impl Brackets {
+    fn of(text: &str) -> Self {
+        let bytes = text.as_bytes();
+        let mut open: Vec<Open> = Vec::new();
+        let mut numeric = Vec::new();
+        for (at, &letter) in bytes.iter().enumerate() {
+            match letter {
+                b'[' | b'{' => {
+                    let is_subscript = is_subscript(text, at);
+                    open.push(Open { from: at, letter, is_subscript, is_numeric: true, within: Vec::new() });
+                }
+                b']' | b'}' => close(&mut open, &mut numeric, letter, at),
+                _ if is_numeric(letter) => {}
+                _ => open.last_mut().into_iter().for_each(|top| top.is_numeric = false),
+            }
+        }
+        let unclosed = open.first().map(|first| first.from);
+        open.into_iter().for_each(|one| numeric.extend(one.within));
+        numeric.sort_by_key(|span| span.start);
+        Self { numeric, unclosed }
+    }
+}
+
+/// Closes the last bracket of this kind, and those within it that were left open.
+fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, letter: u8, at: usize) {
+    let opening = if letter == b']' { b'[' } else { b'{' };
+    if !open.iter().any(|one| one.letter == opening) {
+        return;
+    }
+    while let Some(one) = open.pop() {
+        let matches = one.letter == opening;
+        let is_matrix = matches && one.is_numeric && !one.is_subscript;
+        let found = if is_matrix { vec![one.from..at + 1] } else { one.within };
+        match open.last_mut() {
+            Some(around) => {
+                around.is_numeric &= matches && one.is_numeric;
+                around.within.extend(found);
+            }
+            None => numeric.extend(found),
+        }
+        if matches {
+            return;
+        }
+    }
+}
+
+/// Whether a bracket stands right behind a name or another bracket.
+fn is_subscript(text: &str, at: usize) -> bool {
+    let before = &text[..at];
+    let ends_name = before.ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | ']' | ')' | '.'));
+    ends_name && !before.ends_with("return")
+}
+
+/// What numbers are made of, and what may stand between them.
+fn is_numeric(letter: u8) -> bool {
+    letter.is_ascii_digit() || letter.is_ascii_whitespace() || b",;.+-eE\"'".contains(&letter)
+}
+
+/// Whether a text, perhaps only its beginning, holds a matrix between brackets.
+pub(super) fn begin(text: &str) -> bool {
+    let brackets = Brackets::of(text);
+    let has_digit = |span: &Range<usize>| text[span.clone()].bytes().any(|b| b.is_ascii_digit());
+    let has_rows = |span: &Range<usize>| text[span.start + 1..span.end].contains(['[', '{', ';', '\n']);
+    let mut spans = brackets.numeric.iter().filter(|span| has_digit(span));
+    if spans.clone().any(has_rows) || text.trim_start().starts_with('[') && spans.next().is_some() {
+        return true;
+    }
+    // What is assigned and begins with a number, closed or not.
+    brackets.numeric.is_empty() && almost(text).is_some()
+}
+
+/// Every matrix between brackets, in order; none where a text holds no brackets.
+///
+/// # Errors
+/// [`FormatError`] with the line where what looks like the only matrix breaks off.
+pub(super) fn find(text: &str) -> Result<Option<Vec<Found>>, FormatError> {
+    if !text.contains(['[', '{']) {
+        return Ok(None);
+    }
+    let brackets = Brackets::of(text);
+    let (mut found, mut failed) = (Vec::new(), None);
+    for span in &brackets.numeric {
+        match matrix(text, span.clone()) {
+            Ok(one) => found.push(one),
+            Err(error) => failed = failed.or(Some(error)),
+        }
+    }
+    if let Some(rows) = one_row_each(text, &brackets.numeric)? {
+        return Ok(Some(vec![rows]));
+    }
+    let found = maps_among(found);
+    match failed.filter(|_| found.is_empty()) {
+        Some(error) => Err(error),
+        None if found.is_empty() => Err(no_matrix(text, brackets.unclosed)),
+        None => Ok(Some(found)),
+    }
+}
+
+/// Why a text with brackets holds no matrix.
+fn no_matrix(text: &str, unclosed: Option<usize>) -> FormatError {
+    let line = |at: usize| text[..at].bytes().filter(|&b| b == b'\n').count() + 1;
+    if let Some(span) = almost(text) {
+        let layout = layout(&text[span.clone()]);
+        if let Err(error) = scan(&text[span.clone()], line(span.start) - 1, layout) {
+            return error;
+        }
+        if unclosed == Some(span.start) {
+            return FormatError::syntax(line(span.start), "`[` is never closed", "a `]` after the last row");
+        }
+    }
+    let expected = "rows of numbers, or a bracket of numbers with at least two rows and two columns";
+    FormatError::syntax(0, "no bracket of the text holds a matrix", expected)
+}
+
+/// The first bracket that is assigned, or begins the text, and begins with a number: up to its end, or the text's.
+fn almost(text: &str) -> Option<Range<usize>> {
+    let starts = text.char_indices().filter(|(at, c)| *c == '[' && !is_subscript(text, *at)).map(|(at, _)| at);
+    let is_assigned = |at: &usize| {
+        let before = text[..*at].trim_end();
+        before.is_empty() || before.ends_with(['=', '('])
+    };
+    let begins = |at: &usize| text[*at..].trim_start_matches(['[', ' ', '\n', '\t']).starts_with(|c: char| c.is_ascii_digit());
+    let from = starts.filter(is_assigned).find(begins)?;
+    let mut depth = 0;
+    let end = text[from..].char_indices().find(|(_, c)| {
+        depth += i32::from(*c == '[') - i32::from(*c == ']');
+        depth == 0
+    });
+    Some(from..end.map_or(text.len(), |(at, _)| from + at + 1))
+}
+
+fn layout(span: &str) -> Layout {
+    if span[1..].contains(['[', '{']) || span.starts_with('{') { Layout::Nested } else { Layout::Semicolons }
+}
+
+/// The matrix of a bracket.
+fn matrix(text: &str, span: Range<usize>) -> Result<Found, FormatError> {
+    let (before, after) = (&text[..span.start], &text[span.end..]);
+    let mut table = scan(&text[span.clone()], before.bytes().filter(|&b| b == b'\n').count(), layout(&text[span]))?;
+    let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).take(TITLE_LETTERS + 1).count();
+    // An assignment before and a bracket or two behind belong to the matrix; a program does not.
+    table.has_rest = letters(before) + letters(after) > TITLE_LETTERS;
+    Ok(Found::new(assigned(before), table))
+}
+
+/// `[0, 1]` in one line, `[1, 0]` in the next, and nothing else: the rows of one matrix.
+fn one_row_each(text: &str, spans: &[Range<usize>]) -> Result<Option<Found>, FormatError> {
+    let is_row = |span: &Range<usize>| !text[span.start + 1..span.end].contains(['[', '{', ';', '\n']);
+    let mut outside = text.to_owned();
+    if spans.len() < 2 || !spans.iter().all(is_row) {
+        return Ok(None);
+    }
+    spans.iter().rev().for_each(|span| outside.replace_range(span.clone(), ""));
+    if outside.contains(|c: char| !c.is_whitespace() && c != ',') {
+        return Ok(None);
+    }
+    Ok(Some(Found::new("", scan(text, 0, Layout::Nested)?)))
+}
+
+/// Those that can be maps: at least two by two, unless nothing else is there. Beside another, what is two wide or high is a list of places
+/// or moves if the other is larger, or if it holds numbers below 0.
+fn maps_among(mut found: Vec<Found>) -> Vec<Found> {
+    let sides = |table: &Table| table.row(0).len().min(table.height());
+    if let [only] = &found[..]
+        && !only.table.has_rest
+    {
+        return found;
+    }
+    let smallest = found.iter().map(|one| sides(&one.table)).max().unwrap_or(0).clamp(2, 3);
+    found.retain(|one| sides(&one.table) >= smallest);
+    if found.len() > 1 {
+        found.retain(|one| sides(&one.table) > 2 || one.table.numbers().all(|number| number >= 0.0));
+    }
+    found
+}
+
+/// The name to which what follows is assigned: `G` of `G = `, `grid` of `int grid[2][2] = `, `m` of `m = np.array(`.
+fn assigned(before: &str) -> &str {
+    let line = before.rsplit(['\n', ';']).find(|part| !part.trim().is_empty()).unwrap_or("");
+    let Some((left, _)) = line.rsplit_once('=') else { return "" };
+    let mut name = left.trim_end();
+    while let Some((rest, _)) = name.strip_suffix(']').and_then(|open| open.rsplit_once('[')) {
+        name = rest.trim_end();
+    }
+    let from = name.rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |at| at + 1);
+    name.get(from..).unwrap_or("")
+}
