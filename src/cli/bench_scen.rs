@@ -61,7 +61,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = exact(&args.planner)?;
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
-    let map = input::import(&map_path)?;
+    let map = input::import(&map_path, None)?;
     text::notes(&scen.notices);
     let mut spec = map.spec;
     spec.movement.corner_rule = args.corner_rule;
@@ -144,6 +144,7 @@ struct Bench {
     scenarios: usize,
     run: usize,
     matched: usize,
+    unlisted: usize,
     mean_milliseconds: f64,
     slowest_milliseconds: f64,
     cell_expansions: u64,
@@ -164,6 +165,7 @@ impl Bench {
             scenarios,
             run: 0,
             matched: 0,
+            unlisted: 0,
             mean_milliseconds: 0.0,
             slowest_milliseconds: 0.0,
             cell_expansions: 0,
@@ -198,6 +200,7 @@ impl Bench {
     fn compare(&mut self, line: &ScenLine, found: Option<f64>) {
         let (number, listed) = (line.line, line.optimal);
         match found {
+            _ if line.is_unlisted() => self.unlisted += 1,
             None => self.add(line, "no-path", format!("line {number}: listed {listed}, but no path exists"), None),
             Some(length) if line.fits(length) => self.matched += 1,
             Some(length) => {
@@ -216,12 +219,16 @@ impl Bench {
         let (grid, name) = (&scenario.grid, entry.name);
         let rule = input::rule_id(self.corner_rule);
         let mut out = format!("{name} on {} ({} × {}, {rule})\n\n", self.scen, grid.width(), grid.height());
-        let share = if self.run == 0 { 0.0 } else { self.matched as f64 / self.run as f64 };
+        let listed = self.run - self.unlisted;
+        let share = if listed == 0 { 0.0 } else { self.matched as f64 / listed as f64 };
         row(
             &mut out,
             "matched",
-            format!("{} of {} scenarios, {:.1} % ({} in the file)", self.matched, self.run, 100.0 * share, self.scenarios),
+            format!("{} of {listed} scenarios, {:.1} % ({} in the file)", self.matched, 100.0 * share, self.scenarios),
         );
+        if self.unlisted > 0 {
+            row(&mut out, "unknown", format!("{} scenarios list no optimum", self.unlisted));
+        }
         row(
             &mut out,
             "time",

@@ -60,7 +60,7 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let mut map = input::import(&args.map)?;
+    let mut map = input::import(&args.map, None)?;
     args.movement.apply(&mut map);
     let (mut path, kind) = input::in_file(&args.path, MAX_TEXT_BYTES, |bytes, _| Ok((read_places(bytes)?, path_kind(bytes))))?;
     let kind = if args.polyline { PathKind::Polyline } else { kind };

@@ -137,7 +137,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 fn read(args: &Args) -> Result<Imported, CliError> {
     let options = TerrainOptions { crop: args.crop, size: args.size };
     if options == TerrainOptions::default() {
-        return input::import(&args.input);
+        return input::import(&args.input, None);
     }
     input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options))
 }

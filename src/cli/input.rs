@@ -21,6 +21,9 @@ pub struct ScenarioArgs {
     /// The map: MovingAI .map, a matrix of 0 and 1, a raster of heights, or a scenario as JSON
     #[arg(required_unless_present = "scenario")]
     map: Option<PathBuf>,
+    /// Which matrix, from 1, of a program or text that holds several
+    #[arg(long, value_name = "N")]
+    matrix: Option<u32>,
     /// Start cell
     #[arg(long, value_name = "X,Y", value_parser = point)]
     from: Option<Point>,
@@ -122,7 +125,7 @@ impl ScenarioArgs {
     /// Reads and validates the scenario, and prints notes about it.
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
-        let mut map = import(path)?;
+        let mut map = import(path, self.matrix)?;
         self.correct_note(&mut map);
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
@@ -190,9 +193,9 @@ pub fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Reads a map of any format.
-pub fn import(path: &Path) -> Result<Imported, CliError> {
-    in_file(path, MAX_BYTES, formats::import)
+/// Reads a map of any format; of several matrices the one of this number.
+pub fn import(path: &Path, matrix: Option<u32>) -> Result<Imported, CliError> {
+    in_file(path, MAX_BYTES, |bytes, name| formats::import_matrix(bytes, name, matrix))
 }
 
 /// Reads a file of up to `most` bytes and names it in the error when its contents cannot be used.

@@ -26,7 +26,10 @@ pub(super) fn sureness(text: &str) -> Sureness {
     let is_drawn = |row: &&str| row.chars().all(|c| WALLS.contains(c) || FREE.contains(c) || ENDS.iter().any(|e| e.contains(c)));
     // The last row may be cut off where only the beginning of a long text is looked at.
     let has = |letters: &str| rows.iter().any(|row| row.chars().any(|c| c != ' ' && letters.contains(c)));
-    let drawn = rows.len() > 1 && rows.iter().all(is_drawn) && has("#@X█■") && (has(".") || rows.iter().any(|r| r.contains([' ', '_', '□'])));
+    let drawn = rows.len() > 1
+        && rows.iter().all(is_drawn)
+        && has("#@X█■")
+        && (has(".") || rows.iter().any(|r| r.contains([' ', '_', '□'])));
     if !drawn {
         return Sureness::No;
     }
@@ -47,7 +50,8 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
 /// # Errors
 /// [`FormatError::Syntax`] with the line of a row of another length, or of a letter that means nothing here or stands for an end twice.
 pub(super) fn read(text: &str) -> Result<DrawnMap, FormatError> {
-    let rows: Vec<(usize, Vec<char>)> = rows(text).map(|(line, row)| (line, row.trim_end_matches('\r').chars().collect())).collect();
+    let rows: Vec<(usize, Vec<char>)> =
+        rows(text).map(|(line, row)| (line, row.trim_end_matches('\r').chars().collect())).collect();
     let is_blank = |from: usize, row: &[char]| row.iter().skip(from).step_by(2).all(|&c| c == ' ');
     let spaced = rows.iter().all(|(_, row)| row.len() > 2 && is_blank(1, row) && !row.iter().step_by(2).any(|&c| c == ' '));
     let letters = |row: &[char]| -> Vec<char> { if spaced { row.iter().step_by(2).copied().collect() } else { row.to_vec() } };
@@ -88,7 +92,9 @@ fn cell(letter: char, at: Point, line: usize, ends: &mut [Option<Point>; 2]) -> 
     match letter {
         _ if WALLS.contains(letter) => Ok(1),
         _ if FREE.contains(letter) => Ok(0),
-        _ => Err(FormatError::syntax(line, format!("`{}` means nothing in a drawing", quote(&letter.to_string())), "# . and S, G")),
+        _ => {
+            Err(FormatError::syntax(line, format!("`{}` means nothing in a drawing", quote(&letter.to_string())), "# . and S, G"))
+        }
     }
 }
 

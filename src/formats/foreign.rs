@@ -7,8 +7,10 @@ use crate::error::FormatError;
 type Known = (&'static [u8], &'static str, &'static str);
 
 /// Text in UTF-16, with or without its mark.
-pub(super) const UTF_16: FormatError =
-    FormatError::Foreign { found: "text in UTF-16", hint: "save it as UTF-8: in Notepad or Excel, choose UTF-8 where it is saved" };
+pub(super) const UTF_16: FormatError = FormatError::Foreign {
+    found: "text in UTF-16",
+    hint: "save it as UTF-8: in Notepad or Excel, choose UTF-8 where it is saved",
+};
 
 const PICTURE: &str = "open it as a picture, with a threshold between free and blocked";
 const ARRAY: &str = "write it as text: np.savetxt(\"map.csv\", a, fmt=\"%d\", delimiter=\",\")";
@@ -92,7 +94,10 @@ fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
     } else if text.starts_with("\\") {
         ("a text in LaTeX", "keep the rows of numbers alone")
     } else if sample.has_keys {
-        ("a list of keys and values (YAML, perhaps) that describes no map known here", "open a ROS map.yaml, an OccupancyGrid message, or the map as a matrix")
+        (
+            "a list of keys and values (YAML, perhaps) that describes no map known here",
+            "open a ROS map.yaml, an OccupancyGrid message, or the map as a matrix",
+        )
     } else {
         return None;
     };

@@ -31,11 +31,11 @@ use crate::scenario::ScenarioSpec;
 
 pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
+pub use kind::Kind;
 pub use path_list::{path_kind, read_path, read_places};
+pub use recognise::{Recognition, recognise, sniff};
 pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
-pub use kind::Kind;
-pub use recognise::{Recognition, recognise, sniff};
 pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
 pub use text::{MAX_BYTES, MAX_TEXT_BYTES};
 

@@ -1,6 +1,8 @@
 //! MovingAI `.map`: four header lines (`type`, `height`, `width`, `map`), then one line of terrain letters per row.
 //!
-//! `.` `G` `S` are passable, `@` `O` `T` `W` are not. The format's rules for swamp (`S`: only from passable ground) and water
+//! `.` `G` `S` are passable, `@` `O` `T` `W` are not; so is `E`, an emitter in the maps of the League of Robot Runners. Maps of type
+//! `octile-corner` (Warcraft III) have the heights of the corners before the cells; these are left out.
+//! The format's rules for swamp (`S`: only from passable ground) and water
 //! (`W`: only from water) need terrain that this engine does not have; a notice says so where they occur.
 
 use super::text::{lines, quote};
@@ -42,7 +44,9 @@ pub(super) fn looks_like(text: &str) -> bool {
 pub(super) fn read(text: &str) -> Result<MapFile, FormatError> {
     let mut lines = lines(text);
     let (header, map_line) = read_header(&mut lines)?;
-    let (width, height) = header.size(map_line)?;
+    let (mut width, mut height) = header.size(map_line)?;
+    let mut lines = lines.peekable();
+    let corners = if header.has_corners() { Some(skip_corners(&mut lines, &mut width, &mut height)?) } else { None };
     let mut cells = Vec::with_capacity(width as usize * height as usize);
     let mut terrain = Terrain::default();
     let mut last = map_line;
@@ -60,7 +64,7 @@ pub(super) fn read(text: &str) -> Result<MapFile, FormatError> {
         return Err(FormatError::syntax(number, what, "the end of the file, or a larger `height`"));
     }
     let grid = Grid::from_bytes(width, height, &cells)?;
-    let notices = header.notice().into_iter().chain(terrain.notices()).collect();
+    let notices = header.notice().into_iter().chain(corners).chain(terrain.notices()).collect();
     Ok(MapFile { grid, notices })
 }
 
@@ -112,13 +116,41 @@ impl Header {
         Ok((narrow(width)?, narrow(height)?))
     }
 
+    /// Whether heights of the corners stand before the cells: the maps of Warcraft III.
+    fn has_corners(&self) -> bool {
+        self.kind.as_deref().is_some_and(|kind| kind.eq_ignore_ascii_case("octile-corner"))
+    }
+
     fn notice(&self) -> Option<Notice> {
         let kind = self.kind.as_deref().unwrap_or("missing");
-        (!kind.eq_ignore_ascii_case("octile")).then(|| {
+        (!kind.eq_ignore_ascii_case("octile") && !self.has_corners()).then(|| {
             Notice::new("map-type", format!("the map's type is `{}`; it was read as `octile`", quote(kind)))
                 .with("value", quote(kind))
         })
     }
+}
+
+/// Leaves out the rows of corner heights, digits all of them. The header's size is theirs or that of the cells, which are one fewer a side;
+/// afterwards it is that of the cells.
+fn skip_corners<'a>(
+    lines: &mut std::iter::Peekable<impl Iterator<Item = (usize, &'a str)>>,
+    width: &mut u32,
+    height: &mut u32,
+) -> Result<Notice, FormatError> {
+    let is_corners = |line: &str| !line.is_empty() && line.bytes().all(|b| b.is_ascii_hexdigit());
+    let (mut rows, mut columns) = (0u32, 0u32);
+    while let Some((_, line)) = lines.next_if(|(_, line)| is_corners(line.trim_end())) {
+        (rows, columns) = (rows.saturating_add(1), u32::try_from(line.trim_end().len()).unwrap_or(u32::MAX));
+    }
+    let line = lines.peek().map_or(0, |(line, _)| *line);
+    if (columns, rows) == (*width, *height) && rows > 1 && columns > 1 {
+        (*width, *height) = (*width - 1, *height - 1);
+    } else if (columns, rows) != (width.saturating_add(1), height.saturating_add(1)) {
+        let what = format!("{rows} rows of {columns} corner heights stand before the cells");
+        return Err(FormatError::syntax(line, what, "as many corners as the header says, or one more a side"));
+    }
+    let message = format!("the heights of {columns} × {rows} corners were left out: only the cells between them were read");
+    Ok(Notice::new("map-corners", message).with("columns", columns).with("rows", rows))
 }
 
 fn too_few_rows(line: usize, row: u32, height: u32) -> FormatError {
@@ -130,6 +162,7 @@ fn too_few_rows(line: usize, row: u32, height: u32) -> FormatError {
 struct Terrain {
     swamp: usize,
     water: usize,
+    emitters: usize,
 }
 
 impl Terrain {
@@ -140,6 +173,10 @@ impl Terrain {
             b'@' | b'O' | b'T' => Some(1),
             b'S' => {
                 self.swamp += 1;
+                Some(0)
+            }
+            b'E' => {
+                self.emitters += 1;
                 Some(0)
             }
             b'W' => {
@@ -155,7 +192,14 @@ impl Terrain {
             let message = format!("{count} cells of {name} were read as {read_as}; going from terrain to terrain is not limited");
             (count > 0).then(|| Notice::new(kind, message).with("count", count))
         };
-        [say("swamp", self.swamp, "swamp (S)", "free"), say("water", self.water, "water (W)", "blocked")].into_iter().flatten()
+        // Where there are emitters, S is a station beside them and not swamp.
+        let robots = (self.emitters > 0).then(|| {
+            let (emitters, stations) = (self.emitters, self.swamp);
+            let message = format!("{emitters} emitters (E) and {stations} stations (S) were read as free");
+            Notice::new("map-stations", message).with("emitters", emitters).with("stations", stations)
+        });
+        let swamp = say("swamp", self.swamp, "swamp (S)", "free").filter(|_| self.emitters == 0);
+        [swamp, robots, say("water", self.water, "water (W)", "blocked")].into_iter().flatten()
     }
 }
 
@@ -163,7 +207,7 @@ fn read_row(number: usize, line: &str, width: u32, terrain: &mut Terrain, cells:
     for (column, letter) in line.char_indices().take(width as usize) {
         let Some(cell) = u8::try_from(letter).ok().and_then(|b| terrain.cell(b)) else {
             let what = format!("`{letter}` in column {column} is no terrain");
-            return Err(FormatError::syntax(number, what, ". G S (free) or @ O T W (blocked)"));
+            return Err(FormatError::syntax(number, what, ". G S E (free) or @ O T W (blocked)"));
         };
         cells.push(cell);
     }

@@ -4,8 +4,8 @@
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::{numbers, ros};
 use super::text::decode;
+use super::{numbers, ros};
 use crate::error::FormatError;
 use crate::map::Point;
 use crate::path::PathKind;

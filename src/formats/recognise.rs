@@ -93,7 +93,8 @@ impl<'a> Sample<'a> {
 
 /// Whether a text is made of `key: value` lines as YAML is, or begins as an object of JSON or a document of XML.
 fn has_keys(text: &str) -> bool {
-    let mut said = lines(text).map(|(_, line)| line).filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+    let mut said =
+        lines(text).map(|(_, line)| line).filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
     let Some(first) = said.next() else { return false };
     let is_key = |line: &str| {
         let word = |key: &str| !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "_-./".contains(c));
@@ -156,7 +157,7 @@ fn srtm(sample: &Sample<'_>) -> Sureness {
     let called = sample.name.ends_with(".hgt");
     match terrain::srtm::side_of(sample.size) {
         Some(_) if called || !sample.is_text => Sureness::Certain("its size"),
-        None if called && !sample.is_text && !foreign::is_archive(sample.head) => Sureness::Likely("its name"),
+        None if called && !foreign::is_archive(sample.head) => Sureness::Likely("its name"),
         _ => Sureness::No,
     }
 }

@@ -35,13 +35,18 @@ pub struct ScenLine {
     /// Goal cell.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number]"))]
     pub goal: Point,
-    /// Listed length of the shortest path, in cells.
+    /// Listed length of the shortest path, in cells; 0 between different cells where it is not known.
     pub optimal: f64,
     /// How far a length may be from the listed one and still be the same: half a unit of its last digit, and 1e-6 of it.
     pub tolerance: f64,
 }
 
 impl ScenLine {
+    /// Whether the line lists no optimum: 0 between different cells, as generators without a solver write it.
+    pub fn is_unlisted(&self) -> bool {
+        self.optimal == 0.0 && self.start != self.goal
+    }
+
     /// Whether a length is the listed one within the digits that were printed.
     pub fn fits(&self, length: f64) -> bool {
         (length - self.optimal).abs() <= self.tolerance
@@ -105,6 +110,11 @@ pub(super) fn read(text: &str) -> Result<ScenFile, FormatError> {
         return Err(FormatError::syntax(0, "the file holds no scenario", FIELDS));
     }
     let precision = Precision::of(&found);
+    let unlisted = found.iter().filter(|l| l.line.is_unlisted()).count();
+    if unlisted > 0 {
+        let message = format!("{unlisted} scenarios list an optimum of 0 between different cells: it counts as unknown");
+        notices.push(Notice::new("scen-unlisted", message).with("count", unlisted));
+    }
     let lines = found.into_iter().map(|l| l.finish(precision)).collect();
     Ok(ScenFile { lines, notices })
 }

@@ -2,10 +2,10 @@
 
 pub(super) mod esri_ascii;
 pub(super) mod geotiff;
+mod geotiff_tags;
 pub(super) mod ground;
 pub(super) mod height_table;
 pub(super) mod srtm;
-mod geotiff_tags;
 mod whole_tiles;
 
 use serde::Serialize;

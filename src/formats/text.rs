@@ -33,9 +33,7 @@ pub(super) fn decode_up_to(bytes: &[u8], max: usize) -> Result<Cow<'_, str>, For
     match bytes.iter().position(|&b| is_binary(b)) {
         None => Ok(String::from_utf8_lossy(bytes)),
         // UTF-16 without a mark: every other byte of plain letters is 0.
-        Some(at) if bytes[at] == 0 && at < 2 && bytes.len() > 3 && bytes[at + 2] == 0 => {
-            Err(foreign::UTF_16)
-        }
+        Some(at) if bytes[at] == 0 && at < 2 && bytes.len() > 3 && bytes[at + 2] == 0 => Err(foreign::UTF_16),
         Some(at) => Err(FormatError::NotText { found: format!("binary data (byte {at} is {:#04x})", bytes[at]) }),
     }
 }
@@ -79,7 +77,8 @@ mod tests {
     #[test]
     fn what_is_no_text_is_named() {
         let utf16: Vec<u8> = "type octile".encode_utf16().flat_map(u16::to_le_bytes).collect();
-        for (bytes, name) in [(&utf16[..], "UTF-16"), (b"\xff\xfet\0", "UTF-16"), (b"\x89PNG\r\n", "picture"), (b"0 1\x00", "byte 3")]
+        for (bytes, name) in
+            [(&utf16[..], "UTF-16"), (b"\xff\xfet\0", "UTF-16"), (b"\x89PNG\r\n", "picture"), (b"0 1\x00", "byte 3")]
         {
             let error = decode(bytes).unwrap_err().to_string();
             assert!(error.contains(name), "{error}");

@@ -192,7 +192,7 @@ fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
 }
 
 fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
-    let map = input::import(path)?;
+    let map = input::import(path, None)?;
     text::notes(&map.notices);
     let scenario = Scenario::new(map.grid, map.spec)
         .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;

@@ -89,7 +89,11 @@ fn first_row_counts(table: &Table) -> Result<bool, FormatError> {
     match first.len() {
         3 if first.at(0) == 0.0 && table.height() == 4 && table.numbers().filter(|&n| n >= 2.0).count() == 1 => {
             let expected = "a line without labels; or names such as a,b,c above the columns";
-            Err(FormatError::syntax(table.line(0), "0 1 2 may be labels of the columns, or a free cell, a wall and the start", expected))
+            Err(FormatError::syntax(
+                table.line(0),
+                "0 1 2 may be labels of the columns, or a free cell, a wall and the start",
+                expected,
+            ))
         }
         length => Ok(length >= FEWEST),
     }

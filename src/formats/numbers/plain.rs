@@ -39,7 +39,9 @@ pub(super) fn begins(text: &str) -> bool {
         let fields = fields(line);
         2 * fields.iter().filter(|field| number(field.trim().trim_matches('"')).is_some()).count() > fields.len()
     };
-    numbers(first) || (labels::is_names(&fields(first)) && lines.next().is_some_and(mostly)) || first.contains(',') && mostly(first)
+    numbers(first)
+        || (labels::is_names(&fields(first)) && lines.next().is_some_and(mostly))
+        || first.contains(',') && mostly(first)
 }
 
 /// Every matrix of a text.
@@ -172,4 +174,3 @@ fn body(lines: &[&str], before: bool) -> String {
     }
     text
 }
-

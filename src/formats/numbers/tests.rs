@@ -132,7 +132,9 @@ fn refusal_of_size(text: &str) -> String {
 
 #[test]
 fn an_empty_field_is_never_skipped() {
-    for (text, place) in [("0,,1\n0,1,0\n", "line 1: column 2"), (",0,1\n0,1,0\n", "line 1: column 1"), ("0;0\n;1\n", "line 2: column 1")] {
+    for (text, place) in
+        [("0,,1\n0,1,0\n", "line 1: column 2"), (",0,1\n0,1,0\n", "line 1: column 1"), ("0;0\n;1\n", "line 2: column 1")]
+    {
         assert!(refusal(text).contains(place), "{}", refusal(text));
     }
     assert!(refusal("G = [0,,1; 0,1,0]").contains("column 2"));

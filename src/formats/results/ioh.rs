@@ -1,6 +1,9 @@
 //! The data files of IOHprofiler (`.dat`, `.idat`, `.tdat`, `.cdat`), as IOHanalyzer reads them: a separation line of column names before
 //! each run, then one line a record. Function evaluations are constructed paths, and the best-so-far value is that of the best path.
 //!
+//! COCO's data files (`.dat`, `.tdat`) are alike: `% function evaluation | … | best noise-free fitness - Fopt | …` before each run. What is read
+//! of them is that difference to the optimum, as COCO's own figures show it.
+//!
 //! The older loggers write `"function evaluation" "best-so-far f(x)"`, perhaps with `"current f(x)"` and more columns between; newer ones
 //! (IOHexperimenter 0.3) write `evaluations raw_y` and what else was asked for.
 
@@ -12,10 +15,14 @@ use crate::error::{FormatError, Notice};
 use crate::formats::text::{lines, quote};
 
 /// Names of the first column.
-const EVALUATIONS: [&str; 3] = ["function evaluation", "evaluations", "evaluation"];
+const EVALUATIONS: [&str; 4] = ["function evaluation", "evaluations", "evaluation", "f evaluations"];
+
+/// The column of a file of COCO that is read.
+const COCO: &str = "best noise-free fitness - fopt";
 
 /// Names of columns that hold a value, the preferred one first, and whether it is the best so far by its name.
-const VALUES: [(&str, bool); 6] = [
+const VALUES: [(&str, bool); 7] = [
+    (COCO, true),
     ("best-so-far f(x)", true),
     ("raw_y_best", true),
     ("raw_y", false),
@@ -58,6 +65,10 @@ fn header(line: &str) -> Option<Header> {
 /// The names of a separation line, in small letters: between quotation marks, else between tabs, else the known ones between blanks.
 fn names(line: &str) -> Vec<String> {
     let line = line.trim().to_lowercase();
+    if let Some(coco) = line.strip_prefix('%') {
+        let bare = |name: &str| name.split('(').next().unwrap_or("").trim().to_owned();
+        return coco.split('|').map(bare).collect();
+    }
     if line.contains('"') {
         return line.split('"').skip(1).step_by(2).map(|name| name.trim().into()).collect();
     }
@@ -108,7 +119,7 @@ impl File {
             return Err(too_many_rows(number));
         }
         // The first line is one, whatever stands before its names: it is what the file was told by.
-        if self.header.is_none() || line.trim_start().starts_with(|c: char| c == '"' || c.is_alphabetic()) {
+        if self.header.is_none() || line.trim_start().starts_with(|c: char| matches!(c, '"' | '%') || c.is_alphabetic()) {
             let header = header(line).ok_or_else(|| {
                 let expected = "\"function evaluation\" \"best-so-far f(x)\", or evaluations raw_y";
                 FormatError::syntax(number, format!("`{}` is no separation line", quote(line)), expected)
@@ -154,6 +165,10 @@ impl File {
             let message = format!("{} records with too few fields were left out", self.incomplete);
             Notice::new("results-incomplete", message).with("records", self.incomplete)
         });
-        incomplete.into_iter().collect()
+        let coco = self.header.as_ref().filter(|header| header.name == COCO).map(|_| {
+            let message = "a data file of COCO: the differences to the optimum were read as lengths";
+            Notice::new("results-coco", message)
+        });
+        incomplete.into_iter().chain(coco).collect()
     }
 }
