@@ -11,6 +11,7 @@ mod imported_map;
 mod matrix;
 mod movingai;
 mod path_list;
+pub mod picture;
 mod results;
 mod scen;
 mod scenario_json;
