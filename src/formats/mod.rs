@@ -15,6 +15,7 @@ mod matrix;
 mod movingai;
 mod numbers;
 mod path_list;
+pub mod picture;
 mod recognise;
 mod results;
 mod ros;

@@ -17,7 +17,7 @@ use crate::map::{Grid, MAX_SIDE, check_size};
 use crate::scenario::ScenarioSpec;
 
 /// Most cells of a raster that is read.
-const MAX_CELLS: u64 = 1 << 26;
+pub(super) const MAX_CELLS: u64 = 1 << 26;
 
 /// Longest side of a preview, in cells.
 const PREVIEW_SIDE: u32 = 256;
