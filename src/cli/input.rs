@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::error::{Error, FormatError, Notice};
-use formicarium::formats::{self, Imported, MAX_BYTES, MAX_TEXT_BYTES, ScenLine};
+use formicarium::formats::{self, Imported, MAX_BYTES, MAX_TEXT_BYTES, ReadOptions, ScenLine};
 use formicarium::map::{CornerRule, Moves, Point, Window};
 use formicarium::scenario::{Goal, Scenario};
 
@@ -195,7 +195,10 @@ pub fn stem(path: &Path) -> String {
 
 /// Reads a map of any format; of several matrices the one of this number.
 pub fn import(path: &Path, matrix: Option<u32>) -> Result<Imported, CliError> {
-    in_file(path, MAX_BYTES, |bytes, name| formats::import_matrix(bytes, name, matrix))
+    in_file(path, MAX_BYTES, |bytes, name| {
+        let options = ReadOptions { matrix, ..ReadOptions::default() };
+        formats::import_with(bytes, name, &options, None)
+    })
 }
 
 /// Reads a file of up to `most` bytes and names it in the error when its contents cannot be used.

@@ -21,6 +21,14 @@ pub enum FormatError {
         /// What to do.
         hint: &'static str,
     },
+    /// A file that is only half of what is needed.
+    #[error("this is {found}, which needs `{other}`")]
+    Needs {
+        /// What it is.
+        found: &'static str,
+        /// The file that belongs to it.
+        other: String,
+    },
     /// Two readers are equally sure that the file is theirs.
     #[error("this may be {found}")]
     Ambiguous {
@@ -154,6 +162,10 @@ impl FormatError {
             )
             .with("begins", begins),
             Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, *hint).with("found", found),
+            Self::Needs { found, other } => {
+                let hint = "open both together; on the command line, keep them in one folder";
+                ErrorReport::new("needs-file", "file", message, hint).with("found", found).with("other", other)
+            }
             Self::Ambiguous { found } => {
                 let hint = "keep the part that is meant in a file of its own";
                 ErrorReport::new("ambiguous-file", "file", message, hint).with("found", found)

@@ -14,11 +14,12 @@ mod kind;
 mod matrix;
 mod movingai;
 mod numbers;
+mod options;
 mod path_list;
 pub mod picture;
 mod recognise;
 mod results;
-mod ros;
+pub mod ros;
 mod scen;
 mod scenario_json;
 mod terrain;
@@ -33,7 +34,9 @@ use crate::scenario::ScenarioSpec;
 pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
+pub use options::ReadOptions;
 pub use path_list::{path_kind, read_path, read_places};
+use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};
 pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
@@ -75,21 +78,30 @@ pub enum BinaryExport {
 /// # Errors
 /// [`FormatError`]: what is wrong, in which line or field, and what is expected there.
 pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
-    import_matrix(bytes, name, None)
+    import_with(bytes, name, &ReadOptions::default(), None)
 }
 
-/// Reads a map as [`import`] does; of a text with several matrices the one of this number, from 1.
+/// A file that came with others, e.g. the picture of a ROS map.
+#[derive(Debug, Clone, Copy)]
+pub struct Companion<'a> {
+    /// Its name, perhaps with folders.
+    pub name: &'a str,
+    /// What it holds.
+    pub bytes: &'a [u8],
+}
+
+/// Reads a map as [`import`] does, with what was chosen where the file leaves a choice, and with the file that belongs to it.
 ///
 /// # Errors
-/// As [`import`]; [`FormatError::Field`] for a matrix that is not there.
-pub fn import_matrix(bytes: &[u8], name: &str, matrix: Option<u32>) -> Result<Imported, Error> {
+/// As [`import`]; [`FormatError::Needs`] where another file belongs to it; [`FormatError::Several`] where nothing says which matrix is meant.
+pub fn import_with(bytes: &[u8], name: &str, options: &ReadOptions, beside: Option<Companion<'_>>) -> Result<Imported, Error> {
     let found = match recognise(bytes, name) {
         Ok(found) => found,
         // An object without a format: the error names what is missing.
         Err(FormatError::Unknown { begins }) if begins.starts_with('{') => return Ok(scenario(&text::decode(bytes)?)?),
         Err(error) => return Err(error.into()),
     };
-    let mut imported = read(found.kind, bytes, name, matrix)?;
+    let mut imported = read(found.kind, bytes, name, options, beside)?;
     if !found.is_certain {
         let message = format!("it was read as {}, told by {}", found.kind.name(), found.why);
         imported.notices.insert(0, Notice::new("read-as", message).with("kind", found.kind.name()).with("why", found.why));
@@ -98,23 +110,42 @@ pub fn import_matrix(bytes: &[u8], name: &str, matrix: Option<u32>) -> Result<Im
 }
 
 /// Reads a file of this kind as a map.
-fn read(kind: Kind, bytes: &[u8], name: &str, matrix: Option<u32>) -> Result<Imported, Error> {
+fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Option<Companion<'_>>) -> Result<Imported, Error> {
     if kind.is_raster() {
         return import_terrain(bytes, name, TerrainOptions::default());
     }
+    let decoded = || text::decode(bytes);
+    let (unknown, cells) = (options.unknown, options.cells);
     let imported = match kind {
         Kind::MovingaiMap => {
-            let file = movingai::read(&text::decode(bytes)?)?;
+            let file = movingai::read(&decoded()?)?;
             complete(kind, name, file.grid, None, None, file.notices)?
         }
-        Kind::Matrix => table(&text::decode(bytes)?, name, matrix)?,
+        Kind::Matrix => table(&decoded()?, name, options.matrix)?,
         Kind::Drawing => {
-            let file = drawing::read(&text::decode(bytes)?)?;
+            let file = drawing::read(&decoded()?)?;
             complete(kind, name, file.grid, file.start, file.goal, file.notices)?
         }
-        Kind::Scenario => scenario(&text::decode(bytes)?)?,
+        Kind::Picture => picture(bytes, name, &options.picture)?,
+        Kind::RosMap => match beside {
+            Some(image) => ros::read_map(bytes, image.bytes, name, unknown, cells)?,
+            None => return Err(FormatError::Needs { found: kind.name(), other: ros::image_of(bytes)? }.into()),
+        },
+        Kind::OccupancyGrid => ros::read_message(&decoded()?, name, unknown, cells)?,
+        Kind::Mapf => ros::read_mapf(&decoded()?, name)?,
+        Kind::Scenario => scenario(&decoded()?)?,
         _ => return Err(FormatError::NotAMap { found: kind.name() }.into()),
     };
+    Ok(imported)
+}
+
+/// A picture by its threshold.
+fn picture(bytes: &[u8], name: &str, options: &PictureOptions) -> Result<Imported, FormatError> {
+    let picture::Cells { width, height, blocked, resolution, notices, .. } =
+        picture::to_cells(&picture::decode(bytes)?, options)?;
+    let grid = Grid::from_bytes(width, height, &blocked)?;
+    let mut imported = complete(Kind::Picture, name, grid, None, None, notices)?;
+    imported.spec.resolution = resolution.unwrap_or(imported.spec.resolution);
     Ok(imported)
 }
 

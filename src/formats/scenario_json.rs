@@ -170,7 +170,7 @@ fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, Format
 /// The scenario as a file: one line for each field and for each row of the map.
 pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     // Taken apart, so that a new field cannot be forgotten.
-    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle, terrain } = spec;
+    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle, terrain, world } = spec;
     let fields = [
         ("format", text(&FORMAT)),
         ("name", text(name)),
@@ -183,7 +183,9 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
         ("vehicle", text(vehicle)),
     ];
     let terrain = terrain.iter().map(|terrain| ("terrain", text(terrain)));
-    let fields: String = fields.into_iter().chain(terrain).map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
+    let world = world.iter().map(|world| ("world", text(world)));
+    let fields: String =
+        fields.into_iter().chain(terrain).chain(world).map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
     format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))
 }

@@ -1,6 +1,7 @@
 //! A scenario: a map and the question asked on it. [`ScenarioSpec`] is what people write, [`Scenario`] what planners may rely on.
 
 mod terrain;
+mod world;
 
 use std::sync::Arc;
 
@@ -11,6 +12,7 @@ use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices
 
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
+pub use world::World;
 
 /// Largest number of goals of a scenario.
 pub const MAX_GOALS: usize = 64;
@@ -98,6 +100,11 @@ pub struct ScenarioSpec {
     #[cfg_attr(not(feature = "whole"), serde(skip))]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "TerrainFields", optional))]
     pub terrain: Option<TerrainSpec>,
+    /// Where the map lies in the world; none where that is not known. No result depends on it.
+    #[cfg_attr(feature = "whole", serde(default, skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(not(feature = "whole"), serde(skip))]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub world: Option<World>,
 }
 
 impl Generated {
@@ -122,6 +129,7 @@ impl ScenarioSpec {
             goals: vec![Goal::new(goal, "")],
             vehicle: Vehicle::default(),
             terrain: grid.heights().map(|_| TerrainSpec::default()),
+            world: None,
         }
     }
 
@@ -137,6 +145,7 @@ impl ScenarioSpec {
         quantity("speed", self.vehicle.speed, self.vehicle.speed > 0.0, "a positive number of metres per second")?;
         let turn = self.vehicle.seconds_per_turn;
         quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
+        self.world.as_ref().map_or(Ok(()), World::check)?;
         check_terrain(grid, self)
     }
 

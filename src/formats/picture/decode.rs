@@ -31,6 +31,8 @@ pub struct Picture {
     pub height: u32,
     /// Red, green, blue, alpha of each pixel (0–255, alpha not multiplied in), row by row from the upper left: `width · height` of them.
     pub pixels: Vec<[u8; 4]>,
+    /// Whether the file has a channel of alpha, even where all of it is opaque.
+    pub has_alpha: bool,
     /// What was left out.
     pub notices: Vec<Notice>,
 }
@@ -149,7 +151,7 @@ fn from(mut decoder: Box<dyn ImageDecoder + '_>, source: Source) -> Result<Pictu
     let notices = notices(&mut decoder, &source);
     let color = decoder.color_type();
     let raw = raw(decoder).map_err(|e| broken(source.name, e))?;
-    Ok(Picture { width, height, pixels: rgba(&raw, color), notices })
+    Ok(Picture { width, height, pixels: rgba(&raw, color), has_alpha: color.has_alpha(), notices })
 }
 
 fn raw(mut decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Vec<u8>> {

@@ -39,7 +39,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, FormatError> {
     };
     let more = reader.rest.iter().any(|byte| !byte.is_ascii_whitespace());
     let notices = if more { vec![first_only()] } else { Vec::new() };
-    Ok(Picture { width: header.width, height: header.height, pixels, notices })
+    Ok(Picture { width: header.width, height: header.height, pixels, has_alpha: false, notices })
 }
 
 /// A row of PGM bytes with its header: `gray` is `width · height` values, 0 black and 255 white.

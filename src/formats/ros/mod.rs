@@ -1,7 +1,22 @@
 //! Files of ROS: the description of a map (`map.yaml`) with its picture, OccupancyGrid and Path messages; and instances of multi-agent path
 //! finding, which are YAML as well.
 
-use super::text::lines;
+mod map_server;
+mod mapf;
+mod occupancy_grid;
+mod states;
+mod write;
+mod yaml;
+
+use super::imported_map::Imported;
+use super::kind::Kind;
+use super::picture;
+use super::text::{self, lines};
+use crate::error::{Error, FormatError, Notice};
+
+use map_server::Description;
+pub use states::Unknown;
+pub use write::{RosMap, write};
 
 /// Keys at the beginning of lines that are not indented; of an object of JSON, its names.
 fn has_keys(text: &str, wanted: &[&str]) -> bool {
@@ -30,4 +45,71 @@ pub(super) fn is_path(text: &str) -> bool {
 /// Whether a text is an instance of multi-agent path finding.
 pub(super) fn is_mapf(text: &str) -> bool {
     has_keys(text, &["map", "agents"]) || has_keys(text, &["map", "robots"])
+}
+
+/// The name of the picture that a description names, perhaps with folders.
+///
+/// # Errors
+/// [`FormatError`]: the description cannot be used.
+pub fn image_of(yaml: &[u8]) -> Result<String, Error> {
+    Ok(Description::read(&text::decode(yaml)?)?.image)
+}
+
+/// Reads a description with its picture.
+///
+/// # Errors
+/// [`FormatError`]: either cannot be read.
+pub(super) fn read_map(yaml: &[u8], image: &[u8], name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, Error> {
+    let description = Description::read(&text::decode(yaml)?)?;
+    let (states, notices) = description.states(&picture::decode(image)?);
+    let placed = Placed { kind: Kind::RosMap, states, resolution: description.resolution, world: description.world, notices };
+    Ok(placed.import(name, unknown, cells)?)
+}
+
+/// Reads an OccupancyGrid message.
+///
+/// # Errors
+/// [`FormatError`] with the line or the field at fault.
+pub(super) fn read_message(text: &str, name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, FormatError> {
+    let occupancy_grid::Message { states, resolution, world } = occupancy_grid::read(text)?;
+    Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices: Vec::new() }.import(name, unknown, cells)
+}
+
+/// Reads an instance of multi-agent path finding.
+///
+/// # Errors
+/// [`FormatError`] with the line or the field at fault.
+pub(super) fn read_mapf(text: &str, name: &str) -> Result<Imported, FormatError> {
+    let mapf::Instance { grid, start, goal, notices } = mapf::read(text)?;
+    super::complete(Kind::Mapf, name, grid, start, goal, notices)
+}
+
+/// Cells with their place in the world.
+struct Placed {
+    kind: Kind,
+    states: states::States,
+    resolution: f64,
+    world: crate::scenario::World,
+    notices: Vec<Notice>,
+}
+
+impl Placed {
+    fn import(self, name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, FormatError> {
+        let rows = self.states.height;
+        let (states, grown, shrunk) = self.states.shrunk(cells)?;
+        let (grid, counted) = states.grid(unknown)?;
+        let mut notices = self.notices;
+        notices.push(counted);
+        notices.extend(shrunk);
+        let mut imported = super::complete(self.kind, name, grid, None, None, notices)?;
+        let resolution = self.resolution * f64::from(grown);
+        // Fewer cells may reach a little beyond the lower edge: the upper one stays where it is.
+        let below = f64::from(states.height * grown - rows) * self.resolution;
+        let mut world = self.world;
+        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
+        (world.x, world.y) = (world.x + sin * below, world.y - cos * below);
+        imported.spec.resolution = resolution;
+        imported.spec.world = Some(world);
+        Ok(imported)
+    }
 }

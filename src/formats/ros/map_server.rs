@@ -1,0 +1,161 @@
+//! Maps of ROS's map_server: a description in YAML, and a picture whose grays say how occupied a cell is. As nav2 reads them
+//! (`nav2_map_server/src/map_io.cpp`): the thresholds are exclusive, alpha counts as a fourth colour in the mode `trinary`.
+
+use super::states::{self, FREE, OCCUPIED, States, UNKNOWN};
+use super::yaml::{self, Value, required};
+use crate::error::{FormatError, Notice};
+use crate::formats::picture::Picture;
+use crate::formats::text::quote;
+use crate::scenario::World;
+
+/// The gray that map_saver writes for unknown cells.
+const SAVED_UNKNOWN: u8 = 205;
+
+/// How grays become occupancy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    /// Occupied, free, or unknown between the thresholds.
+    Trinary,
+    /// As trinary, but what is not opaque is unknown, and cells between the thresholds have a value between.
+    Scale,
+    /// The gray is the value: 0 to 100, above it unknown.
+    Raw,
+}
+
+/// What a `map.yaml` says.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::formats) struct Description {
+    /// The name of the picture, perhaps with folders.
+    pub image: String,
+    /// Metres per cell.
+    pub resolution: f64,
+    /// Where the map lies.
+    pub world: World,
+    mode: Mode,
+    negate: bool,
+    occupied: f64,
+    free: f64,
+    notices: Vec<Notice>,
+}
+
+impl Description {
+    /// Reads a description.
+    ///
+    /// # Errors
+    /// [`FormatError`] with the line of broken YAML, or the key at fault.
+    pub fn read(text: &str) -> Result<Self, FormatError> {
+        let document = yaml::read(text)?;
+        let image = document.get(&["image"]).and_then(Value::text).filter(|image| !image.trim().is_empty());
+        let image = image.ok_or_else(|| FormatError::field("image", "missing", "the name of the picture, e.g. map.pgm"))?;
+        let mut notices = Vec::new();
+        let mut threshold = |key: &'static str, usual: f64| match document.get(&[key]) {
+            None => {
+                let message = format!("the file has no {key}: {usual} is used, as map_saver writes it");
+                notices.push(Notice::new("ros-no-threshold", message).with("key", key).with("value", usual));
+                Ok(usual)
+            }
+            Some(_) => {
+                let value = required(&document, &[key], key, "a number from 0 to 1")?;
+                let wrong = || FormatError::field(key, value.to_string(), "a number from 0 to 1");
+                Some(value).filter(|v| (0.0..=1.0).contains(v)).ok_or_else(wrong)
+            }
+        };
+        let (occupied, free) = (threshold("occupied_thresh", 0.65)?, threshold("free_thresh", 0.196)?);
+        if free > occupied {
+            return Err(FormatError::field(
+                "free_thresh",
+                format!("{free} is above occupied_thresh, {occupied}"),
+                "a number below it",
+            ));
+        }
+        Ok(Self {
+            image: image.trim().into(),
+            resolution: resolution(&document, &["resolution"])?,
+            world: world(&document)?,
+            mode: mode(&document)?,
+            negate: negate(&document)?,
+            occupied,
+            free,
+            notices,
+        })
+    }
+
+    /// The cells of a picture, and what is worth saying.
+    pub fn states(&self, picture: &Picture) -> (States, Vec<Notice>) {
+        let mut notices = picture.notices.clone();
+        notices.extend(self.notices.iter().cloned());
+        let cells: Vec<u8> = picture.pixels.iter().map(|&pixel| self.state(pixel, picture.has_alpha)).collect();
+        let states = States { width: picture.width, height: picture.height, cells };
+        notices.extend(self.trap(picture));
+        (states, notices)
+    }
+
+    fn state(&self, [r, g, b, alpha]: [u8; 4], has_alpha: bool) -> u8 {
+        let colours = f64::from(r) + f64::from(g) + f64::from(b);
+        // Nav2 takes alpha for a fourth colour where the mode is trinary and the picture has it.
+        let shade = match self.mode {
+            Mode::Trinary if has_alpha => (colours + f64::from(alpha)) / 4.0 / 255.0,
+            _ => colours / 3.0 / 255.0,
+        };
+        if self.mode == Mode::Raw {
+            return states::of_percent(libm::round(shade * 255.0), self.free, self.occupied);
+        }
+        let occupancy = if self.negate { shade } else { 1.0 - shade };
+        match occupancy {
+            _ if self.mode == Mode::Scale && alpha < 255 => UNKNOWN,
+            o if o > self.occupied => OCCUPIED,
+            o if o < self.free => FREE,
+            _ => UNKNOWN,
+        }
+    }
+
+    /// Maps whose unknown cells would be free: map_saver writes gray 205 for them, which is 0.196 occupied, and newer descriptions say that
+    /// what is below 0.25 is free.
+    fn trap(&self, picture: &Picture) -> Option<Notice> {
+        let saved = [SAVED_UNKNOWN, SAVED_UNKNOWN, SAVED_UNKNOWN, 255];
+        let count = picture.pixels.iter().filter(|&&pixel| pixel == saved).count();
+        let falls = self.mode != Mode::Raw && self.state(saved, picture.has_alpha) == FREE;
+        (count > 0 && falls).then(|| {
+            let free = self.free;
+            let message = format!(
+                "{count} cells have gray 205, which map_saver writes for unknown: they are free by the file's free_thresh of {free}; with 0.196 they would be unknown"
+            );
+            Notice::new("ros-205", message).with("count", count).with("free", free)
+        })
+    }
+}
+
+/// Metres per cell.
+fn resolution(document: &Value, path: &[&str]) -> Result<f64, FormatError> {
+    let value = required(document, path, "resolution", "metres per cell, above 0")?;
+    Some(value)
+        .filter(|&v| v > 0.0)
+        .ok_or_else(|| FormatError::field("resolution", value.to_string(), "metres per cell, above 0"))
+}
+
+/// `origin: [x, y, yaw]`.
+fn world(document: &Value) -> Result<World, FormatError> {
+    const EXPECTED: &str = "[x, y, yaw] of the lower left corner, in metres and radians";
+    let origin = document.get(&["origin"]).ok_or_else(|| FormatError::field("origin", "missing", EXPECTED))?;
+    match origin.numbers() {
+        Some(&[x, y, yaw]) if [x, y, yaw].iter().all(|v| v.is_finite()) => Ok(World { yaw, ..World::at(x, y) }),
+        _ => Err(FormatError::field("origin", "not three numbers", EXPECTED)),
+    }
+}
+
+fn mode(document: &Value) -> Result<Mode, FormatError> {
+    match document.get(&["mode"]).map(|mode| mode.text().unwrap_or("a list")) {
+        None | Some("trinary") => Ok(Mode::Trinary),
+        Some("scale") => Ok(Mode::Scale),
+        Some("raw") => Ok(Mode::Raw),
+        Some(other) => Err(FormatError::field("mode", format!("`{}`", quote(other)), "trinary, scale or raw")),
+    }
+}
+
+fn negate(document: &Value) -> Result<bool, FormatError> {
+    match document.get(&["negate"]).map(|negate| negate.text().unwrap_or("a list")) {
+        None | Some("0" | "false" | "False" | "no") => Ok(false),
+        Some("1" | "true" | "True" | "yes") => Ok(true),
+        Some(other) => Err(FormatError::field("negate", format!("`{}`", quote(other)), "0 or 1")),
+    }
+}

@@ -1,0 +1,73 @@
+//! `nav_msgs/OccupancyGrid` as `ros2 topic echo` prints it (YAML), or as JSON: rows from the south, −1 for unknown, 0 to 100 for occupancy.
+
+use super::states::{States, of_percent};
+use super::yaml::{self, Value, required};
+use crate::error::FormatError;
+use crate::scenario::World;
+
+/// Occupancies above it are blocked, below the other free, as map_saver writes them.
+const THRESHOLDS: (f64, f64) = (0.25, 0.65);
+
+/// A message as read.
+pub(in crate::formats) struct Message {
+    pub states: States,
+    pub resolution: f64,
+    pub world: World,
+}
+
+/// Reads a message.
+///
+/// # Errors
+/// [`FormatError`] with the line of broken YAML, or the field at fault; also for a message that was cut short while printing.
+pub(in crate::formats) fn read(text: &str) -> Result<Message, FormatError> {
+    let message = yaml::read(text)?;
+    let side = |field: &'static str| {
+        let value = required(&message, &["info", field], field, "a number of cells")?;
+        let whole = value.fract() == 0.0 && (1.0..=1e6).contains(&value);
+        if whole {
+            Ok(value as u32)
+        } else {
+            Err(FormatError::field(field, value.to_string(), "a whole number of cells, above 0"))
+        }
+    };
+    let (width, height) = (side("width")?, side("height")?);
+    let resolution = required(&message, &["info", "resolution"], "resolution", "metres per cell")?;
+    if resolution <= 0.0 {
+        return Err(FormatError::field("resolution", resolution.to_string(), "metres per cell, above 0"));
+    }
+    let data = match message.get(&["data"]) {
+        Some(data @ (Value::Numbers(_) | Value::Many(_))) => data.many(),
+        Some(Value::List(_)) => {
+            let hint = "the whole message: ros2 topic echo --once --full-length /map";
+            return Err(FormatError::field("data", "the list was cut short while printing", hint));
+        }
+        _ => return Err(FormatError::field("data", "no list", "one number for each cell")),
+    };
+    let count = u64::from(width) * u64::from(height);
+    if data.len() as u64 != count {
+        return Err(FormatError::field(
+            "data",
+            format!("{} numbers for {width} × {height} cells", data.len()),
+            "one for each cell",
+        ));
+    }
+    if let Some(wrong) = data.iter().find(|&&v| !(v == -1.0 || (0.0..=100.0).contains(&v) && v.fract() == 0.0)) {
+        return Err(FormatError::field("data", format!("{wrong}"), "−1, or 0 to 100"));
+    }
+    let from_south = data.chunks(width as usize).rev().flatten();
+    let cells = from_south.map(|&value| of_percent(f64::from(value), THRESHOLDS.0, THRESHOLDS.1)).collect();
+    Ok(Message { states: States { width, height, cells }, resolution, world: world(&message)? })
+}
+
+/// Position and heading of the origin.
+fn world(message: &Value) -> Result<World, FormatError> {
+    let number = |path: &[&str], field| required(message, path, field, "a number");
+    let (x, y) = (number(&["info", "origin", "position", "x"], "x")?, number(&["info", "origin", "position", "y"], "y")?);
+    let turn = |axis: &'static str| number(&["info", "origin", "orientation", axis], axis);
+    let (z, w) = match message.get(&["info", "origin", "orientation"]) {
+        Some(_) => (turn("z")?, turn("w")?),
+        None => (0.0, 1.0),
+    };
+    let frame = message.get(&["header", "frame_id"]).and_then(Value::text).unwrap_or("").to_owned();
+    Ok(World { x, y, yaw: 2.0 * libm::atan2(z, w), frame })
+}

@@ -1,0 +1,100 @@
+//! Where a map lies in the world: metres of a robot's map, instead of cells.
+
+use serde::{Deserialize, Serialize};
+
+use super::ScenarioSpec;
+use crate::error::ScenarioError;
+use crate::map::Point;
+
+/// Longest name of a coordinate system, in letters.
+const LONGEST_FRAME: usize = 80;
+
+/// Farthest origin, in metres: beyond it an f64 no longer tells millimetres.
+const FARTHEST: f64 = 1e9;
+
+/// The place of a map in the world. Rows run from the top; the lower left corner of the lower left cell lies at (x, y), and the map is turned
+/// by `yaw` about it, as ROS's map_server has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct World {
+    /// x of the lower left corner, in metres.
+    pub x: f64,
+    /// y of the lower left corner, in metres.
+    pub y: f64,
+    /// Anticlockwise turn about that corner, in radians.
+    #[serde(default)]
+    pub yaw: f64,
+    /// Name of the coordinate system, e.g. `map`; may be empty.
+    #[serde(default)]
+    pub frame: String,
+}
+
+impl World {
+    /// The axes of a map that is not turned, from the lower left corner.
+    pub fn at(x: f64, y: f64) -> Self {
+        Self { x, y, yaw: 0.0, frame: String::new() }
+    }
+
+    /// # Errors
+    /// [`ScenarioError::Quantity`] for what is no place, or a frame's name of more than 80 letters.
+    pub(super) fn check(&self) -> Result<(), ScenarioError> {
+        for (field, value) in [("world.x", self.x), ("world.y", self.y)] {
+            super::quantity(field, value, value.abs() <= FARTHEST, "metres, at most 1e9 from zero")?;
+        }
+        super::quantity("world.yaw", self.yaw, self.yaw.abs() <= 1e3, "radians, at most 1000 from zero")?;
+        super::quantity(
+            "world.frame",
+            self.frame.len() as f64,
+            self.frame.chars().count() <= LONGEST_FRAME,
+            "a name of at most 80 letters",
+        )
+    }
+}
+
+impl ScenarioSpec {
+    /// The middle of a cell in the world, in metres; none for a map whose place is not known.
+    pub fn to_world(&self, at: Point) -> Option<[f64; 2]> {
+        let world = self.world.as_ref()?;
+        let east = (f64::from(at.x) + 0.5) * self.resolution;
+        let north = (f64::from(self.height) - f64::from(at.y) - 0.5) * self.resolution;
+        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
+        Some([world.x + cos * east - sin * north, world.y + sin * east + cos * north])
+    }
+
+    /// The cell that holds a place of the world; none beside the map, or where the map's place is not known.
+    pub fn to_cell(&self, [x, y]: [f64; 2]) -> Option<Point> {
+        let world = self.world.as_ref()?;
+        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
+        let (dx, dy) = (x - world.x, y - world.y);
+        let column = libm::floor((cos * dx + sin * dy) / self.resolution);
+        let row = f64::from(self.height) - 1.0 - libm::floor((cos * dy - sin * dx) / self.resolution);
+        let within = (0.0..f64::from(self.width)).contains(&column) && (0.0..f64::from(self.height)).contains(&row);
+        within.then(|| Point::new(column as u32, row as u32))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::Grid;
+
+    #[test]
+    fn cells_go_to_the_world_and_back() {
+        let grid = Grid::open(4, 3).unwrap();
+        let mut spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+        assert_eq!((spec.to_world(Point::new(0, 0)), spec.to_cell([0.0, 0.0])), (None, None));
+        spec.resolution = 0.5;
+        spec.world = Some(World::at(-1.0, 2.0));
+        assert_eq!(spec.to_world(Point::new(0, 2)), Some([-0.75, 2.25]));
+        assert_eq!(spec.to_world(Point::new(3, 0)), Some([0.75, 3.25]));
+        for yaw in [0.0, 1.0, -2.5] {
+            spec.world = Some(World { yaw, ..World::at(-1.0, 2.0) });
+            for (x, y) in [(0, 0), (3, 0), (1, 2), (3, 2)] {
+                let at = Point::new(x, y);
+                assert_eq!(spec.to_cell(spec.to_world(at).unwrap()), Some(at));
+            }
+        }
+        assert_eq!(spec.to_cell([100.0, 0.0]), None);
+    }
+}
