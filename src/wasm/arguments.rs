@@ -4,7 +4,8 @@
 //! Each crosses as a bare JS value. Where wasm-bindgen converts by itself, a number in the place of an array would be an address, and 2³² a 0.
 
 use js_sys::{Array, ArrayBuffer, Float32Array, JSON, Reflect, Uint8Array};
-use serde::de::DeserializeOwned;
+use serde::de::value::StringDeserializer;
+use serde::de::{DeserializeOwned, IntoDeserializer};
 use tsify::{Ts, Tsify};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
@@ -52,6 +53,7 @@ extern "C" {
 
 impl Text {
     /// The text; half a surrogate pair becomes U+FFFD.
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<String> {
         text(self, field)
     }
@@ -59,6 +61,7 @@ impl Text {
 
 impl Number {
     /// 0 to 2³² − 1.
+    #[inline(never)]
     pub(super) fn whole(&self, field: &str) -> Answer<u32> {
         let most = f64::from(u32::MAX);
         let whole = self.as_f64().filter(|n| (0.0..=most).contains(n) && *n == f64::from(*n as u32));
@@ -73,27 +76,31 @@ impl Number {
 }
 
 impl Flag {
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<bool> {
         self.as_bool().ok_or_else(|| not(field, "true or false"))
     }
 }
 
 impl ParamValues {
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<Values> {
         let wrong = || not(field, "an object of numbers, texts, true and false");
         let keys = if Array::is_array(self) { None } else { Reflect::own_keys(self).ok() };
         let keys = keys.filter(|_| !self.is_function()).ok_or_else(wrong)?;
-        let pair = |key: JsValue| {
-            let value = Reflect::get(self, &key).ok()?;
+        let mut values = Values::new();
+        for key in keys.iter() {
+            let value = Reflect::get(self, &key).map_err(|_| wrong())?;
             let flag = || value.as_bool().map(Value::Flag);
-            let read = value.as_f64().map(Value::Number).or_else(flag).or_else(|| value.as_string().map(Value::Text))?;
-            Some((key.as_string()?, read))
-        };
-        keys.iter().map(|key| pair(key).ok_or_else(wrong)).collect()
+            let read = value.as_f64().map(Value::Number).or_else(flag).or_else(|| value.as_string().map(Value::Text));
+            values.insert(key.as_string().ok_or_else(wrong)?, read.ok_or_else(wrong)?);
+        }
+        Ok(values)
     }
 }
 
 impl Bytes {
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<Vec<u8>> {
         match self.dyn_ref::<Uint8Array>().filter(|_| ArrayBuffer::is_view(self)) {
             Some(view) => {
@@ -108,6 +115,7 @@ impl Bytes {
 }
 
 impl Heights {
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<Vec<f32>> {
         match self.dyn_ref::<Float32Array>().filter(|_| ArrayBuffer::is_view(self)) {
             Some(view) => {
@@ -122,6 +130,7 @@ impl Heights {
 
 #[cfg(feature = "whole")]
 impl Seconds {
+    #[inline(never)]
     pub(super) fn read(&self, field: &str) -> Answer<Vec<f64>> {
         match self.dyn_ref::<js_sys::Float64Array>().filter(|_| ArrayBuffer::is_view(self)) {
             Some(view) => {
@@ -144,20 +153,23 @@ pub(super) fn value<T: Tsify + DeserializeOwned>(given: &Ts<T>, field: &str) -> 
 
 /// One of a few words. Nothing but a text is looked into: an object's getter could call back, or throw.
 pub(super) fn word<T: DeserializeOwned>(given: &JsValue, field: &str) -> Answer<T> {
-    text(given, field)?;
-    serde_wasm_bindgen::from_value(given.clone()).map_err(|e| argument(field, &e.to_string()))
+    let word: StringDeserializer<serde::de::value::Error> = text(given, field)?.into_deserializer();
+    T::deserialize(word).map_err(|e| argument(field, &e.to_string()))
 }
 
 /// Throws for an argument that is not what it should be.
+#[inline(never)]
 pub(super) fn not(field: &str, expected: &str) -> JsValue {
     argument(field, &format!("{field} is not {expected}"))
 }
 
 /// Throws for an argument that cannot be used.
+#[inline(never)]
 pub(super) fn argument(field: &str, message: &str) -> JsValue {
     plain(&ErrorReport::new("bad-argument", field, message, "see the types of the package"))
 }
 
+#[inline(never)]
 fn text(given: &JsValue, field: &str) -> Answer<String> {
     given.as_string().ok_or_else(|| not(field, "a text"))
 }
@@ -171,6 +183,7 @@ fn zeros<T: Clone + Default>(length: u32, field: &str) -> Answer<Vec<T>> {
 }
 
 /// A plain list of numbers.
+#[inline(never)]
 fn list(given: &JsValue, field: &str, expected: &str, fits: &dyn Fn(f64) -> bool) -> Answer<Vec<f64>> {
     let wrong = || not(field, &format!("{expected} or a list of such numbers"));
     let length = given.dyn_ref::<Array>().ok_or_else(wrong)?.length();
