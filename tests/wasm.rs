@@ -7,6 +7,7 @@ mod golden;
 use formicarium::digest::Digest;
 use formicarium::map::{Generator, generate};
 use formicarium::wasm;
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test]
@@ -25,7 +26,8 @@ fn the_catalog_crosses_as_plain_objects() {
 #[wasm_bindgen_test]
 fn errors_are_objects_with_kind_field_message_and_hint() {
     for bytes in [&b""[..], b"\xff\xfe\x00", b"type octile\nheight 9\nwidth 99999999\nmap\n"] {
-        let error = wasm::import_map(bytes, "x.map").expect_err("no map");
+        let (bytes, name) = (js_sys::Uint8Array::from(bytes), JsValue::from("x.map"));
+        let error = wasm::import_map(bytes.unchecked_ref(), name.unchecked_ref()).expect_err("no map");
         for key in ["kind", "field", "message", "hint"] {
             let value = js_sys::Reflect::get(&error, &key.into()).expect("an object");
             assert!(value.as_string().is_some_and(|s| !s.is_empty()), "{key}");

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use tsify::{Ts, Tsify};
+use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
-use super::run::ParamInput;
-use super::{Answer, argument, object, throw};
+use super::arguments::{self, Clock, Flag, Number, ParamValues, Seconds, Text, argument, not};
+use super::{Answer, object, throw};
 use crate::comparison::report::{Reports, ResultFile};
 use crate::comparison::{
     self, Ablated, AblationRole, Analysis, Axis, Entry, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed,
@@ -70,9 +71,11 @@ pub struct AblationEntry {
 /// The entries of a question that asks what each component of a planner does: the full planner with these values first, then the same without
 /// each component. Throws where the catalog refuses planner, preset or values, and where nothing can be taken out.
 #[wasm_bindgen]
-pub fn ablation(planner: &str, preset: Option<String>, set: Ts<ParamInput>) -> Answer<Vec<Ts<AblationEntry>>> {
-    let ParamInput(set) = set.to_rust().map_err(|e| argument("set", &e.to_string()))?;
-    let entries = comparison::ablation::ablation(planner, preset.as_deref(), &set).map_err(throw)?;
+pub fn ablation(planner: &Text, preset: Option<Text>, set: &ParamValues) -> Answer<Vec<Ts<AblationEntry>>> {
+    let planner = planner.read("planner")?;
+    let preset = preset.map(|name| name.read("preset")).transpose()?;
+    let set = set.read("set")?;
+    let entries = comparison::ablation::ablation(&planner, preset.as_deref(), &set).map_err(throw)?;
     Ok(entries.into_iter().map(|(entry, role)| object(&AblationEntry { entry, role })).collect())
 }
 
@@ -96,8 +99,8 @@ pub struct Comparison {
 impl Comparison {
     /// Opens a document (`formicarium/comparison@1`); the runs in it are kept.
     #[wasm_bindgen(constructor)]
-    pub fn new(document: &str) -> Answer<Comparison> {
-        let opened = comparison_json::open(document).map_err(throw)?;
+    pub fn new(document: &Text) -> Answer<Comparison> {
+        let opened = comparison_json::open(&document.read("document")?).map_err(throw)?;
         let (record, tasks) = (opened.record(), opened.comparison.tasks());
         let place = |row: Row| Some((tasks.binary_search(&row.task).ok()?, Timed { row, seconds: Vec::new() }));
         let done: BTreeMap<usize, Timed> = opened.rows.into_iter().filter_map(place).collect();
@@ -135,8 +138,9 @@ impl Comparison {
 
     /// The places of the tasks in the order in which they are handed out: seed by seed, so that every entry is seen early on every map. Of each
     /// entry and map only the first `seeds` seeds; all where it is left out.
-    pub fn seed_by_seed(&self, seeds: Option<u32>) -> Vec<u32> {
-        self.inner.seed_by_seed(seeds.unwrap_or(u32::MAX)).into_iter().map(|place| place as u32).collect()
+    pub fn seed_by_seed(&self, seeds: Option<Number>) -> Answer<Vec<u32>> {
+        let seeds = seeds.map_or(Ok(u32::MAX), |seeds| seeds.whole("seeds"))?;
+        Ok(self.inner.seed_by_seed(seeds).into_iter().map(|place| place as u32).collect())
     }
 
     /// The places of the tasks that are not done yet.
@@ -155,16 +159,19 @@ impl Comparison {
     }
 
     /// Does one run to its end; `now` tells seconds. It is not kept.
-    pub fn run(&self, index: usize, now: &js_sys::Function) -> Answer<Ts<DoneRun>> {
-        let task = *self.tasks.get(index).ok_or_else(|| argument("index", "there is no such run"))?;
+    pub fn run(&self, index: &Number, now: &Clock) -> Answer<Ts<DoneRun>> {
+        let now: &js_sys::Function = now.dyn_ref().ok_or_else(|| not("now", "a function"))?;
+        let index = index.whole("index")?;
+        let task = *self.tasks.get(index as usize).ok_or_else(|| argument("index", "there is no such run"))?;
         let mut clock = || now.call0(&JsValue::NULL).ok().and_then(|t| t.as_f64()).unwrap_or(0.0);
         let Timed { row, seconds } = self.inner.run(task, &mut clock).map_err(throw)?;
-        Ok(object(&DoneRun { index: index as u32, row: row.to_line(), found: row.found.is_some(), seconds }))
+        Ok(object(&DoneRun { index, row: row.to_line(), found: row.found.is_some(), seconds }))
     }
 
     /// Takes in a run that is done, from any worker or from before; `seconds` as `run` tells them, empty for a run that somebody else has done.
-    pub fn keep(&mut self, row: &str, seconds: Vec<f64>) -> Answer<()> {
-        let (index, row) = self.placed(row)?;
+    pub fn keep(&mut self, row: &Text, seconds: &Seconds) -> Answer<()> {
+        let seconds = seconds.read("seconds")?;
+        let (index, row) = self.placed(&row.read("row")?)?;
         if seconds.is_empty() {
             self.brought.insert(index, row.clone());
         }
@@ -173,30 +180,31 @@ impl Comparison {
     }
 
     /// Takes in a run that was done again, only to be compared: the one that somebody else has done stays.
-    pub fn check(&mut self, row: &str) -> Answer<()> {
-        let (index, row) = self.placed(row)?;
+    pub fn check(&mut self, row: &Text) -> Answer<()> {
+        let (index, row) = self.placed(&row.read("row")?)?;
         self.again.insert(index, row);
         Ok(())
     }
 
     /// What the runs so far say, the imported ones among them, with effort counted on an axis. Bootstrap intervals and the verdicts that
     /// follow from them take long, but only once for the same runs.
-    pub fn analysis(&mut self, axis: Ts<Axis>, intervals: bool) -> Answer<Ts<Analysis>> {
-        let axis = axis.to_rust().map_err(|e| argument("axis", &e.to_string()))?;
+    pub fn analysis(&mut self, axis: Ts<Axis>, intervals: &Flag) -> Answer<Ts<Analysis>> {
+        let (axis, intervals) = (arguments::word(&axis.js_value(), "axis")?, intervals.read("intervals")?);
         let runs = self.done.values().map(Seen::from).chain(self.inner.imported.iter().map(Seen::from));
         let samples = Samples::new(&self.inner, runs);
         Ok(object(&analyse(&samples, axis, intervals.then_some(&mut self.intervals))))
     }
 
     /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made.
-    pub fn file(&mut self, file: Ts<ResultFile>, command: &str) -> Answer<String> {
-        let file = file.to_rust().map_err(|e| argument("file", &e.to_string()))?;
+    pub fn file(&mut self, file: Ts<ResultFile>, command: &Text) -> Answer<String> {
+        let (file, command) = (arguments::word(&file.js_value(), "file")?, command.read("command")?);
         let done = self.done_rows();
         let rows = self.inner.all_rows(&done);
         let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
         let recorded = self.recorded_now(&done);
         let document = |with_rows| comparison_json::write_as(&self.inner, &done, with_rows, recorded.as_ref());
-        let reports = Reports { comparison: &self.inner, rows: &rows, analysis: &analysis, command, document: &document };
+        let reports =
+            Reports { comparison: &self.inner, rows: &rows, analysis: &analysis, command: &command, document: &document };
         Ok(reports.contents(file))
     }
 

@@ -2,6 +2,8 @@
 
 use wasm_bindgen::prelude::*;
 
+use super::Answer;
+use super::arguments::{Heights, Number};
 use super::paint::{Rgb, Style, Theme};
 use crate::map::{self, LEVEL_LIGHT, Shading};
 
@@ -98,8 +100,9 @@ pub struct ContourLines {
 impl ContourLines {
     /// Of heights row by row, `unit` metres each; NaN where there is no data.
     #[wasm_bindgen(constructor)]
-    pub fn new(width: u32, heights: &[f32], unit: f64) -> ContourLines {
-        ContourLines { contours: map::Contours::of(heights, width, unit) }
+    pub fn new(width: &Number, heights: &Heights, unit: &Number) -> Answer<ContourLines> {
+        let (width, heights) = (width.whole("width")?, heights.read("heights")?);
+        Ok(ContourLines { contours: map::Contours::of(&heights, width, unit.real("unit")?) })
     }
 
     /// Metres between one line and the next; 0 on level ground.

@@ -6,7 +6,8 @@ use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-use super::{Answer, argument, grid, object, plain, scenario, throw};
+use super::arguments::{self, Bytes, Heights, Number, Text};
+use super::{Answer, grid, object, plain, scenario, throw};
 use crate::error::{ErrorReport, Notice};
 use crate::formats::{self, BinaryExport, Export, Kind, ScenFile, TerrainOptions};
 use crate::map::{Generator, Grid, Movement, Point, SliceRules, Window};
@@ -119,15 +120,15 @@ pub struct Sniffed {
 
 /// Tells a file's format; contents decide, the name helps.
 #[wasm_bindgen]
-pub fn sniff(bytes: &[u8], name: &str) -> Ts<Sniffed> {
-    let kind = formats::sniff(bytes, name);
-    object(&Sniffed { kind, raster: kind.is_raster() })
+pub fn sniff(bytes: &Bytes, name: &Text) -> Answer<Ts<Sniffed>> {
+    let kind = formats::sniff(&bytes.read("bytes")?, &name.read("name")?);
+    Ok(object(&Sniffed { kind, raster: kind.is_raster() }))
 }
 
 /// Reads a map or scenario of any known format.
 #[wasm_bindgen]
-pub fn import_map(bytes: &[u8], name: &str) -> Answer<Ts<Imported>> {
-    Ok(imported(formats::import(bytes, name).map_err(throw)?))
+pub fn import_map(bytes: &Bytes, name: &Text) -> Answer<Ts<Imported>> {
+    Ok(imported(formats::import(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?))
 }
 
 fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
@@ -145,8 +146,8 @@ fn le_bytes(heights: &[f32]) -> Vec<u8> {
 
 /// Looks at a raster of heights without opening it.
 #[wasm_bindgen]
-pub fn survey_terrain(bytes: &[u8], name: &str) -> Answer<Ts<Survey>> {
-    let found = formats::survey(bytes, name).map_err(throw)?;
+pub fn survey_terrain(bytes: &Bytes, name: &Text) -> Answer<Ts<Survey>> {
+    let found = formats::survey(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?;
     Ok(object(&Survey {
         kind: found.kind,
         width: found.width,
@@ -166,47 +167,48 @@ pub fn survey_terrain(bytes: &[u8], name: &str) -> Answer<Ts<Survey>> {
 /// Reads a raster of heights: all of it or a window, in its own cells or in another number of them. What a map cannot hold is shrunk by a
 /// whole number.
 #[wasm_bindgen]
-pub fn import_terrain(bytes: &[u8], name: &str, crop: Option<Ts<Window>>, size: Option<Ts<Size>>) -> Answer<Ts<Imported>> {
-    let crop = crop.map(|c| c.to_rust()).transpose().map_err(|e| argument("crop", &e.to_string()))?;
-    let size = size.map(|s| s.to_rust()).transpose().map_err(|e| argument("size", &e.to_string()))?;
+pub fn import_terrain(bytes: &Bytes, name: &Text, crop: Option<Ts<Window>>, size: Option<Ts<Size>>) -> Answer<Ts<Imported>> {
+    let (bytes, name) = (bytes.read("bytes")?, name.read("name")?);
+    let crop = crop.map(|crop| arguments::value(&crop, "crop")).transpose()?;
+    let size = size.map(|size| arguments::value(&size, "size")).transpose()?;
     let options = TerrainOptions { crop, size: size.map(|Size(size)| size) };
-    Ok(imported(formats::import_terrain(bytes, name, options).map_err(throw)?))
+    Ok(imported(formats::import_terrain(&bytes, &name, options).map_err(throw)?))
 }
 
 /// The rules of movement by slices that suit a terrain whose heights are `vertical_unit` metres each.
 #[wasm_bindgen]
 pub fn fitting_slices(
     spec: Ts<ScenarioSpec>,
-    cells: &[u8],
-    heights: Option<Vec<f32>>,
-    vertical_unit: f64,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    vertical_unit: &Number,
 ) -> Answer<Ts<SliceRules>> {
-    let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
-    let grid = grid(spec.width, spec.height, cells, heights)?;
+    let (spec, vertical_unit) = (arguments::value(&spec, "spec")?, vertical_unit.real("vertical_unit")?);
+    let grid = grid(spec.width, spec.height, cells, heights.as_ref())?;
     let goal = spec.goals.first().map_or(spec.start, |goal| goal.at);
     Ok(object(&SliceRules::fitting_map(&grid, vertical_unit, spec.start, goal, None)))
 }
 
 /// Writes the heights as a GeoTIFF of f32 in metres.
 #[wasm_bindgen]
-pub fn export_geotiff(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Vec<u8>> {
-    let scenario = scenario(&spec, cells, heights)?;
+pub fn export_geotiff(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>) -> Answer<Vec<u8>> {
+    let scenario = scenario(&spec, cells, heights.as_ref())?;
     formats::export_binary(&scenario.grid, &scenario.spec, BinaryExport::Geotiff).map_err(throw)
 }
 
 /// Reads the lines of a MovingAI .scen file.
 #[wasm_bindgen]
-pub fn import_scen(bytes: &[u8]) -> Answer<Ts<ScenFile>> {
-    Ok(object(&formats::import_scen(bytes).map_err(throw)?))
+pub fn import_scen(bytes: &Bytes) -> Answer<Ts<ScenFile>> {
+    Ok(object(&formats::import_scen(&bytes.read("bytes")?).map_err(throw)?))
 }
 
 /// Writes a map or scenario. A .scen line carries the exact optimum of its format's rule (8 moves, no corner cut), computed here; it throws
 /// when there is no path to write down.
 #[wasm_bindgen]
-pub fn export_map(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>, format: Ts<ExportFormat>) -> Answer<String> {
-    let scenario = scenario(&spec, cells, heights)?;
+pub fn export_map(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>, format: Ts<ExportFormat>) -> Answer<String> {
+    let scenario = scenario(&spec, cells, heights.as_ref())?;
     let (grid, spec) = (&scenario.grid, &scenario.spec);
-    let format = match format.to_rust().map_err(|e| argument("format", &e.to_string()))? {
+    let format = match arguments::word(&format.js_value(), "format")? {
         ExportFormat::MovingaiMap => Export::MovingaiMap,
         ExportFormat::MovingaiScen => Export::MovingaiScen { optimal: movingai_optimum(grid, spec)? },
         ExportFormat::Matrix => Export::Matrix,
@@ -228,9 +230,10 @@ fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
 
 /// Makes a seeded map; `density` (0..=0.9) counts for `random`, and is the roughness of the terrains `fractal` and `hills`.
 #[wasm_bindgen]
-pub fn generate(kind: Ts<Generator>, width: u32, height: u32, seed: u32, density: f64) -> Answer<Ts<Generated>> {
-    let kind = kind.to_rust().map_err(|e| argument("kind", &e.to_string()))?;
-    let made = crate::map::generate(kind, width, height, seed, density).map_err(throw)?;
+pub fn generate(kind: Ts<Generator>, width: &Number, height: &Number, seed: &Number, density: &Number) -> Answer<Ts<Generated>> {
+    let (width, height, seed) = (width.whole("width")?, height.whole("height")?, seed.whole("seed")?);
+    let kind = arguments::word(&kind.js_value(), "kind")?;
+    let made = crate::map::generate(kind, width, height, seed, density.real("density")?).map_err(throw)?;
     let (cells, heights) = (made.grid.to_bytes(), height_bytes(&made.grid));
     Ok(object(&Generated { cells, heights, resolution: made.resolution, start: made.start, goal: made.goal }))
 }

@@ -1,8 +1,9 @@
 //! The whole browser boundary: types and functions as `pkg/formicarium.d.ts` shows them.
 //!
-//! Nothing is decided here. Every fallible function throws an `EngineError` object (see [`crate::error::ErrorReport`]); nothing panics on
-//! what a page may send.
+//! Nothing is decided here. Every function throws an `EngineError` object (see [`crate::error::ErrorReport`]) for what it cannot use; nothing
+//! panics on what a script may send (see [`arguments`]).
 
+mod arguments;
 #[cfg(feature = "whole")]
 mod comparison;
 #[cfg(feature = "whole")]
@@ -21,7 +22,8 @@ use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-use crate::error::{Error, ErrorReport, Notice};
+use self::arguments::{Bytes, Heights};
+use crate::error::{Error, Notice};
 use crate::exact::Reference;
 use crate::map::Grid;
 use crate::planner::Objective;
@@ -76,23 +78,18 @@ fn throw(error: impl Into<Error>) -> JsValue {
     plain(&error.into().report())
 }
 
-/// Throws for an argument of the wrong shape.
-fn argument(field: &str, message: &str) -> JsValue {
-    plain(&ErrorReport::new("bad-argument", field, message, "see the types of the package"))
-}
-
 /// The map from what the page holds: one byte a cell, and on a terrain one height.
-fn grid(width: u32, height: u32, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Grid> {
-    let grid = Grid::from_bytes(width, height, cells).map_err(throw)?;
+fn grid(width: u32, height: u32, cells: &Bytes, heights: Option<&Heights>) -> Answer<Grid> {
+    let grid = Grid::from_bytes(width, height, &cells.read("cells")?).map_err(throw)?;
     match heights {
-        Some(heights) => grid.with_heights(heights).map_err(throw),
+        Some(heights) => grid.with_heights(heights.read("heights")?).map_err(throw),
         None => Ok(grid),
     }
 }
 
 /// A validated scenario from what the page holds.
-fn scenario(spec: &Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Arc<Scenario>> {
-    let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
+fn scenario(spec: &Ts<ScenarioSpec>, cells: &Bytes, heights: Option<&Heights>) -> Answer<Arc<Scenario>> {
+    let spec = arguments::value(spec, "spec")?;
     let grid = grid(spec.width, spec.height, cells, heights)?;
     Ok(Arc::new(Scenario::new(grid, spec).map_err(throw)?))
 }
@@ -106,7 +103,7 @@ pub fn version() -> String {
 /// A fresh seed, 0..=2³²−1, from the operating system: the only place that asks it.
 #[wasm_bindgen]
 pub fn propose_seed() -> Answer<u32> {
-    getrandom::u32().map_err(|e| argument("seed", &e.to_string()))
+    getrandom::u32().map_err(|e| arguments::argument("seed", &e.to_string()))
 }
 
 /// THE list of planners.
@@ -117,8 +114,8 @@ pub fn catalog() -> Ts<crate::catalog::Catalog> {
 
 /// Throws when a scenario cannot be used; otherwise tells what is worth saying, e.g. that the goal cannot be reached.
 #[wasm_bindgen]
-pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<f32>>) -> Answer<Vec<Ts<Notice>>> {
-    Ok(scenario(&spec, cells, heights)?.notices().iter().map(object).collect())
+pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>) -> Answer<Vec<Ts<Notice>>> {
+    Ok(scenario(&spec, cells, heights.as_ref())?.notices().iter().map(object).collect())
 }
 
 /// The yardstick of an objective on a scenario: what results are compared with. The core of the engine knows that of `length` alone; to it
@@ -126,12 +123,12 @@ pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &[u8], heights: Option<Vec<
 #[wasm_bindgen]
 pub fn reference(
     spec: Ts<ScenarioSpec>,
-    cells: &[u8],
-    heights: Option<Vec<f32>>,
+    cells: &Bytes,
+    heights: Option<Heights>,
     objective: Ts<Objective>,
 ) -> Answer<Ts<Reference>> {
-    let objective = objective.to_rust().map_err(|e| argument("objective", &e.to_string()))?;
-    Ok(object(&yardstick(&scenario(&spec, cells, heights)?, objective)))
+    let objective = arguments::word(&objective.js_value(), "objective")?;
+    Ok(object(&yardstick(&scenario(&spec, cells, heights.as_ref())?, objective)))
 }
 
 #[cfg(feature = "whole")]

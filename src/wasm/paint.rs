@@ -1,13 +1,18 @@
 //! Raster layers: the map and one field over it, one pixel a cell. On a terrain the field lies over shaded ground, and what has no data
 //! is left clear, for the page to hatch.
 
-use wasm_bindgen::{Clamped, JsValue};
+use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
+use super::Answer;
+use super::arguments::{Context, Flag, ThemeName, argument, not};
 #[cfg(feature = "whole")]
 use super::ground::Ground;
 use crate::map::Grid;
 use crate::planner::{Layer, Planner};
+
+/// What the browser calls it.
+const CONTEXT: &str = "an OffscreenCanvasRenderingContext2D";
 
 pub(super) type Rgb = [u8; 3];
 
@@ -19,9 +24,12 @@ pub(super) enum Theme {
 }
 
 impl Theme {
-    /// From `light` or `dark`.
-    pub(super) fn of(name: &str) -> Self {
-        if name == "dark" { Self::Dark } else { Self::Light }
+    fn of(name: &ThemeName) -> Answer<Self> {
+        match name.as_string().as_deref() {
+            Some("light") => Ok(Self::Light),
+            Some("dark") => Ok(Self::Dark),
+            _ => Err(not("theme", "light or dark")),
+        }
     }
 
     fn free(self) -> Rgb {
@@ -105,6 +113,12 @@ pub(super) struct Style {
     pub shaded: bool,
 }
 
+impl Style {
+    pub(super) fn of(theme: &ThemeName, scale: f64, shaded: &Flag) -> Answer<Self> {
+        Ok(Self { theme: Theme::of(theme)?, scale, shaded: shaded.read("shaded")? })
+    }
+}
+
 /// The pixel buffer and the field of one run, kept from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
@@ -118,33 +132,23 @@ impl Canvas {
     /// Paints map and layer.
     pub(super) fn paint(
         &mut self,
-        context: &OffscreenCanvasRenderingContext2d,
+        context: &Context,
         grid: &Grid,
         planner: &dyn Planner,
         layer: Option<Layer>,
         style: Style,
-    ) -> Result<(), JsValue> {
+    ) -> Answer<()> {
         let layer = layer.filter(|&kind| planner.layer(kind, &mut self.field));
         self.put(context, grid, layer, style)
     }
 
     /// Paints the map alone.
-    pub(super) fn paint_map(
-        &mut self,
-        context: &OffscreenCanvasRenderingContext2d,
-        grid: &Grid,
-        style: Style,
-    ) -> Result<(), JsValue> {
+    pub(super) fn paint_map(&mut self, context: &Context, grid: &Grid, style: Style) -> Answer<()> {
         self.put(context, grid, None, style)
     }
 
-    fn put(
-        &mut self,
-        context: &OffscreenCanvasRenderingContext2d,
-        grid: &Grid,
-        layer: Option<Layer>,
-        style: Style,
-    ) -> Result<(), JsValue> {
+    fn put(&mut self, context: &Context, grid: &Grid, layer: Option<Layer>, style: Style) -> Answer<()> {
+        let context: &OffscreenCanvasRenderingContext2d = context.dyn_ref().ok_or_else(|| not("context", CONTEXT))?;
         self.rgba.resize(grid.len() * 4, u8::MAX);
         #[cfg(feature = "whole")]
         match grid.heights() {
@@ -153,8 +157,9 @@ impl Canvas {
         }
         #[cfg(not(feature = "whole"))]
         self.fill(grid, style.theme, layer);
-        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&self.rgba), grid.width(), grid.height())?;
-        context.put_image_data(&image, 0.0, 0.0)
+        let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(&self.rgba), grid.width(), grid.height());
+        let painted = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
+        painted.map_err(|_| argument("context", "nothing can be painted here"))
     }
 
     fn fill(&mut self, grid: &Grid, theme: Theme, layer: Option<Layer>) {

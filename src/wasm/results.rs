@@ -4,6 +4,7 @@ use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
+use super::arguments::{Bytes, Text};
 use super::{Answer, object, throw};
 use crate::comparison::imported::{self, ImportedEntry};
 use crate::error::Notice;
@@ -33,8 +34,8 @@ pub struct SurveyedEntry {
 
 /// Looks at a file of results (a table, or a data file of IOHanalyzer) without joining it.
 #[wasm_bindgen]
-pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
-    let results = import_results(bytes, name).map_err(throw)?;
+pub fn survey_results(bytes: &Bytes, name: &Text) -> Answer<Ts<ResultsSurvey>> {
+    let results = import_results(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?;
     let entry = |e: &ImportedEntry| SurveyedEntry {
         label: e.label.clone(),
         runs: e.runs.len() as u32,
@@ -48,9 +49,10 @@ pub fn survey_results(bytes: &[u8], name: &str) -> Answer<Ts<ResultsSurvey>> {
 /// `instance` is the id of the map for runs that name none, and for a file that names a single other one; it may be left out where the question
 /// has one map.
 #[wasm_bindgen]
-pub fn join_results(document: &str, bytes: &[u8], name: &str, instance: Option<String>) -> Answer<String> {
-    let opened = comparison_json::open(document).map_err(throw)?;
-    let results = import_results(bytes, name).map_err(throw)?;
+pub fn join_results(document: &Text, bytes: &Bytes, name: &Text, instance: Option<Text>) -> Answer<String> {
+    let opened = comparison_json::open(&document.read("document")?).map_err(throw)?;
+    let results = import_results(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?;
+    let instance = instance.map(|id| id.read("instance")).transpose()?;
     let place = instance.map(|id| opened.comparison.question.place(&id)).transpose().map_err(throw)?;
     let comparison = imported::join(opened.comparison, &results, place).map_err(throw)?;
     Ok(comparison_json::write(&comparison, &opened.rows, true))

@@ -6,20 +6,21 @@ use std::sync::Arc;
 use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
-use web_sys::OffscreenCanvasRenderingContext2d;
 
-use super::paint::{Canvas, Style, Theme};
-use super::{Answer, argument, grid, object, scenario, throw};
+use super::arguments::{self, Bytes, Context, Flag, Heights, LayerOrNone, Number, ParamValues, Text, ThemeName};
+use super::paint::{Canvas, Style};
+use super::{Answer, grid, object, scenario, throw};
 use crate::metrics::Metrics;
-use crate::params::Values;
 use crate::planner::playback::{Playback, Replay};
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
 use crate::scenario::{Scenario, ScenarioSpec};
 
-/// Parameter values by key.
-#[derive(serde::Deserialize, Tsify)]
-#[serde(transparent)]
-pub struct ParamInput(#[tsify(type = "Record<string, number | string | boolean>")] pub(super) Values);
+/// What the types of the package call parameter values by key.
+#[wasm_bindgen(typescript_custom_section)]
+const PARAM_INPUT: &str = r#"
+/** Parameter values by key. */
+export type ParamInput = Record<string, number | string | boolean>;
+"#;
 
 /// Where a run stands.
 #[derive(Serialize, Tsify)]
@@ -76,25 +77,26 @@ impl Run {
     #[wasm_bindgen(constructor)]
     pub fn new(
         spec: Ts<ScenarioSpec>,
-        cells: &[u8],
-        heights: Option<Vec<f32>>,
-        planner: &str,
-        params: Ts<ParamInput>,
-        seed: u32,
+        cells: &Bytes,
+        heights: Option<Heights>,
+        planner: &Text,
+        params: &ParamValues,
+        seed: &Number,
     ) -> Answer<Run> {
-        let scenario = scenario(&spec, cells, heights)?;
-        let ParamInput(values) = params.to_rust().map_err(|e| argument("params", &e.to_string()))?;
-        let layers = crate::catalog::find(planner).map_err(throw)?.layers;
-        let planner = crate::catalog::build(&scenario, planner, None, &values, seed).map_err(throw)?;
+        let scenario = scenario(&spec, cells, heights.as_ref())?;
+        let (planner, seed) = (planner.read("planner")?, seed.whole("seed")?);
+        let values = params.read("params")?;
+        let layers = crate::catalog::find(&planner).map_err(throw)?.layers;
+        let planner = crate::catalog::build(&scenario, &planner, None, &values, seed).map_err(throw)?;
         let (canvas, measured) = Default::default();
         let playback = Playback::new(&*planner, 0);
         Ok(Run { scenario, planner, playback, replay: None, past: None, layers, canvas, measured })
     }
 
     /// Advances by up to `count` moves or iterations; stops early when finished.
-    pub fn advance(&mut self, by: Ts<Granularity>, count: u32) -> Answer<Ts<Status>> {
-        let by = by.to_rust().map_err(|e| argument("by", &e.to_string()))?;
-        for _ in 0..count {
+    pub fn advance(&mut self, by: Ts<Granularity>, count: &Number) -> Answer<Ts<Status>> {
+        let by = arguments::word(&by.js_value(), "by")?;
+        for _ in 0..count.whole("count")? {
             let finished = self.planner.advance(by).is_finished();
             self.playback.note(&*self.planner, by);
             if finished {
@@ -136,15 +138,17 @@ impl Run {
     }
 
     /// Rows of the history from `from_row` on: iteration, best so far, iteration best, mean, worst, arrived; NaN where no ant arrived.
-    pub fn history(&self, from_row: usize) -> Vec<f64> {
-        let rows = self.shown().history().get(from_row..).unwrap_or_default();
+    pub fn history(&self, from_row: &Number) -> Answer<Vec<f64>> {
+        let rows = self.shown().history().get(from_row.whole("from_row")? as usize..).unwrap_or_default();
         let real = |v: Option<f64>| v.unwrap_or(f64::NAN);
-        rows.iter()
+        let numbers = rows
+            .iter()
             .flat_map(|r| {
                 let lengths = [r.best_so_far, r.iteration_best, r.iteration_mean, r.iteration_worst].map(real);
                 [f64::from(r.iteration), lengths[0], lengths[1], lengths[2], lengths[3], f64::from(r.arrived)]
             })
-            .collect()
+            .collect();
+        Ok(numbers)
     }
 
     /// Number of rows of the history.
@@ -176,15 +180,9 @@ impl Run {
 
     /// Paints map and layer into a canvas of width × height pixels, one pixel a cell; a terrain with light and shade or, not `shaded`, in
     /// the ground's colours alone. Cells without data stay clear.
-    pub fn paint(
-        &self,
-        context: &OffscreenCanvasRenderingContext2d,
-        #[wasm_bindgen(unchecked_param_type = "Layer | 'none'")] layer: JsValue,
-        #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
-        shaded: bool,
-    ) -> Answer<()> {
-        let layer: Option<Layer> = serde_wasm_bindgen::from_value(layer).ok();
-        let style = Style { theme: Theme::of(theme), scale: cells_per_unit(&self.scenario.spec), shaded };
+    pub fn paint(&self, context: &Context, layer: &LayerOrNone, theme: &ThemeName, shaded: &Flag) -> Answer<()> {
+        let layer = if **layer == *"none" { None } else { Some(arguments::word(layer, "layer")?) };
+        let style = Style::of(theme, cells_per_unit(&self.scenario.spec), shaded)?;
         self.canvas.borrow_mut().paint(context, &self.scenario.grid, self.shown(), layer, style)
     }
 }
@@ -192,16 +190,16 @@ impl Run {
 /// Paints a map without a run on it, for a panel whose planner refuses: one pixel a cell, as [`Run::paint`] does.
 #[wasm_bindgen]
 pub fn paint_map(
-    context: &OffscreenCanvasRenderingContext2d,
+    context: &Context,
     spec: Ts<ScenarioSpec>,
-    cells: &[u8],
-    heights: Option<Vec<f32>>,
-    #[wasm_bindgen(unchecked_param_type = "'light' | 'dark'")] theme: &str,
-    shaded: bool,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    theme: &ThemeName,
+    shaded: &Flag,
 ) -> Answer<()> {
-    let spec = spec.to_rust().map_err(|e| argument("spec", &e.to_string()))?;
-    let grid = grid(spec.width, spec.height, cells, heights)?;
-    Canvas::default().paint_map(context, &grid, Style { theme: Theme::of(theme), scale: cells_per_unit(&spec), shaded })
+    let spec = arguments::value(&spec, "spec")?;
+    let grid = grid(spec.width, spec.height, cells, heights.as_ref())?;
+    Canvas::default().paint_map(context, &grid, Style::of(theme, cells_per_unit(&spec), shaded)?)
 }
 
 /// Cells per unit of the heights; 1 on a plane, which has none.

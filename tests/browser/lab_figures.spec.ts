@@ -145,6 +145,23 @@ test.describe('figures of results', () => {
     })
   }
 
+  test('names hold what XML does not allow, and an SVG is well-formed all the same', async ({
+    page,
+  }) => {
+    const name = 'a\u0000b\u0008c\u000bd\u001fe\ufffef\uffff <&"\'> 蚁🐜'
+    const document = JSON.parse(richDocument())
+    document.question.entries[0].label = name
+    document.question.title = `Rich ${name}`
+    const results = new ResultsPage(page)
+    await results.show(JSON.stringify(document))
+    await results.figures()
+    const { bytes } = await results.downloaded('figure-ranks-svg')
+    const svg = await parsed(page, bytes.toString('utf8'))
+    expect(svg.wellFormed).toBe(true)
+    expect(svg.texts.join(' ')).toContain('a\ufffdb\ufffdc\ufffdd\ufffde\ufffdf\ufffd <&"\'> 蚁🐜')
+    await results.downloaded('figure-ranks-png')
+  })
+
   test('a PNG has twice the pixels of the SVG', async ({ page }) => {
     const results = new ResultsPage(page)
     await results.show()

@@ -23,7 +23,9 @@ async function wholeEngine(): Promise<typeof import('@pkg/formicarium')> {
 test('the facts are those of the engine', async () => {
   const engine = await wholeEngine()
   const { format: _, planners, ...known } = engine.catalog()
-  expect(FACTS).toEqual({ ...known, formats: engine.formats() })
+  const { memory, ...others } = FACTS
+  expect(others).toEqual({ ...known, formats: engine.formats() })
+  expect(Object.keys(memory)).toEqual(planners.map(({ id }) => id))
   const drawn = new Set(planners.flatMap(({ layers }) => layers))
   expect(FACTS.layers.filter((layer) => drawn.has(layer))).toEqual(FACTS.layers)
 })

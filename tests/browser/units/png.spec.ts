@@ -98,4 +98,17 @@ test.describe('texts in pictures', () => {
     const short = chunk('iTXt', Buffer.from('formicarium\0\x01', 'latin1'))
     expect(await refusal(Buffer.concat([SIGNATURE, short]))).toBe('link-damaged')
   })
+
+  test('a picture of nothing but empty chunks is refused at once', async () => {
+    const empty = chunk('tEXt', Buffer.alloc(0))
+    const picture = Buffer.concat([PIXEL.subarray(0, 33), Buffer.alloc(63_000_000, empty)])
+    const began = performance.now()
+    expect(await refusal(picture)).toBe('link-damaged')
+    expect(performance.now() - began).toBeLessThan(500)
+    // What stands before the many is found without looking at them.
+    const added = Buffer.concat([await pngWith(PIXEL, TEXT), picture.subarray(33)])
+    expect(await textOfPng(added)).toBe(TEXT)
+    const many = Buffer.concat([PIXEL.subarray(0, 33), Buffer.alloc(8192 * 12, empty)])
+    expect(await textOfPng(await pngWith(many, 'one'))).toBe('one')
+  })
 })

@@ -16,8 +16,13 @@ const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10]
 const FRAME = 12
 /** No session or comparison is longer. */
 const MOST_TEXT = 64 * 1024 * 1024
+/** A picture of 64 MB in parts of 8 KB, as most programs write them, has 8,192 chunks. */
+const MOST_CHUNKS = 1 << 16
 
 const ascii = (text: string) => Uint8Array.from(text, (char) => char.charCodeAt(0))
+const viewOf = (bytes: Uint8Array) => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+const KEY = ascii(`${KEYWORD}\0`)
+const TEXT_KIND = viewOf(ascii('iTXt')).getUint32(0)
 
 export function isPng(bytes: Uint8Array): boolean {
   return SIGNATURE.every((byte, i) => bytes[i] === byte)
@@ -29,18 +34,19 @@ export async function pngWith(png: Uint8Array, text: string): Promise<Uint8Array
   const added = chunk('iTXt', [ascii(KEYWORD), [0, 1, 0, 0, 0], packed])
   const [head, ...rest] = chunksOf(png)
   if (!head) throw damaged('the picture is empty')
-  const others = rest.filter((one) => !isOurs(one))
-  return joined([SIGNATURE, head.whole, added, ...others.map(({ whole }) => whole)])
+  const others = rest.filter((one) => !isOurs(png, one)).map((one) => whole(png, one))
+  return joined([SIGNATURE, whole(png, head), added, ...others])
 }
 
 /** The text in a picture. Throws a LinkError where there is none. */
 export async function textOfPng(png: Uint8Array): Promise<string> {
-  const ours = chunksOf(png).find(isOurs)
+  const ours = oursIn(png)
   if (!ours) throw new LinkError('picture-bare', 'The picture holds no session or comparison.')
-  if (crc32(ours.whole.subarray(4, -4)) !== intAt(ours.whole, ours.whole.length - 4))
+  const end = ours.at + 8 + ours.length
+  if (crc32(png.subarray(ours.at + 4, end)) !== viewOf(png).getInt32(end))
     throw damaged('the text in the picture is not the same as when it was made')
   // Two flags, then language and translated keyword, each up to a zero.
-  const data = ours.data.subarray(KEYWORD.length + 1)
+  const data = png.subarray(ours.at + 8 + KEY.length, end)
   const language = data.indexOf(0, 2)
   const start = data.indexOf(0, language + 1) + 1
   if (language < 0 || start === 0) throw damaged('the text in the picture ends too early')
@@ -51,26 +57,36 @@ export async function textOfPng(png: Uint8Array): Promise<string> {
 }
 
 interface Chunk {
-  kind: string
-  data: Uint8Array
-  whole: Uint8Array
+  /** Where it begins. */
+  at: number
+  /** Four letters as a number. */
+  kind: number
+  /** Bytes between its letters and its CRC. */
+  length: number
 }
 
-const isOurs = ({ kind, data }: Chunk) =>
-  kind === 'iTXt' && ascii(`${KEYWORD}\0`).every((byte, i) => data[i] === byte)
+/** The first chunk of ours; what comes after it is not looked at. */
+function oursIn(png: Uint8Array): Chunk | null {
+  for (const one of chunksOf(png)) if (isOurs(png, one)) return one
+  return null
+}
+
+const isOurs = (png: Uint8Array, { at, kind, length }: Chunk) =>
+  kind === TEXT_KIND && length >= KEY.length && KEY.every((byte, i) => png[at + 8 + i] === byte)
+
+const whole = (png: Uint8Array, { at, length }: Chunk) => png.subarray(at, at + FRAME + length)
 
 /** What stands after the last whole chunk is left out: such a picture can still be seen. */
-function chunksOf(png: Uint8Array): Chunk[] {
-  const chunks: Chunk[] = []
+function* chunksOf(png: Uint8Array): Generator<Chunk> {
+  const view = viewOf(png)
+  let count = 0
   for (let at = SIGNATURE.length; at + FRAME <= png.length; ) {
-    const length = intAt(png, at) >>> 0
-    if (at + FRAME + length > png.length) break
-    const whole = png.subarray(at, at + FRAME + length)
-    const kind = String.fromCharCode(...whole.subarray(4, 8))
-    chunks.push({ kind, data: whole.subarray(8, 8 + length), whole })
-    at += whole.length
+    const length = view.getUint32(at)
+    if (at + FRAME + length > png.length) return
+    if (++count > MOST_CHUNKS) throw damaged(`the picture has more than ${MOST_CHUNKS} parts`)
+    yield { at, kind: view.getUint32(at + 4), length }
+    at += FRAME + length
   }
-  return chunks
 }
 
 function chunk(kind: string, parts: ArrayLike<number>[]): Uint8Array {
@@ -81,9 +97,6 @@ function chunk(kind: string, parts: ArrayLike<number>[]): Uint8Array {
   const bytes = new Uint8Array(frame.buffer)
   return joined([bytes.subarray(0, 4), covered, bytes.subarray(4)])
 }
-
-const intAt = (bytes: Uint8Array, at: number) =>
-  new DataView(bytes.buffer, bytes.byteOffset).getInt32(at)
 
 function unpacked(zlib: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   return inflate(zlib, MOST_TEXT, 'deflate').catch((error: unknown) => {

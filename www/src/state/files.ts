@@ -1,6 +1,6 @@
 /** Files in and out: recognises what was dropped, pasted or chosen, and puts it where it belongs. */
 
-import type { EngineError, ExportFormat, Imported, ScenLine } from '@pkg/formicarium'
+import type { ExportFormat, Imported, ScenLine } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
@@ -9,6 +9,7 @@ import { heightsOf } from '../model/height_bytes'
 import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
+import { bytesOf, refuseLarge } from './file_bytes'
 import { lazyParts } from './lazy_parts'
 import { notify, notifyError } from './notices'
 import { showView } from './page_view'
@@ -27,8 +28,6 @@ export interface ScenChoice {
 export const scenChoice = signal<ScenChoice | null>(null)
 /** Reading and writing sessions is fetched when it is first needed: most visits only watch. */
 const sessionFormat = () => import('../share/link')
-/** Larger files are refused before they are read. */
-const MAX_BYTES = 64 * 1024 * 1024
 
 interface Opening {
   /** A .scen is about to say where start and goal lie. */
@@ -54,6 +53,7 @@ async function openFile(bytes: Uint8Array, name: string, opening: Opening = {}):
 
 /** Pasted or typed text: a share link, or the contents of any file we read. */
 export async function openText(text: string, opening: Opening = {}): Promise<void> {
+  refuseLarge(text.length, t('maps.pastedName'))
   // A file may contain a link, so only text that is no JSON is searched for one.
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
@@ -68,10 +68,7 @@ export async function openFiles(files: Iterable<File>): Promise<void> {
   const inOrder = [...files].sort((a, b) => Number(isScen(a)) - Number(isScen(b)))
   const scenFollows = inOrder.some(isScen)
   for (const file of inOrder) {
-    if (file.size > MAX_BYTES) throw tooLarge(file.name)
-    await openFile(new Uint8Array(await file.arrayBuffer()), file.name, {
-      scenFollows,
-    })
+    await openFile(await bytesOf(file), file.name, { scenFollows })
   }
 }
 
@@ -115,17 +112,6 @@ async function shown(opening: Promise<void>): Promise<boolean> {
   } catch (error) {
     notifyError(error)
     return false
-  }
-}
-
-function tooLarge(name: string): EngineError {
-  const message = t('notices.fileTooLarge', { name })
-  return {
-    kind: 'file-too-large',
-    field: name,
-    message,
-    hint: t('notices.fileTooLargeHint'),
-    args: {},
   }
 }
 

@@ -30,8 +30,8 @@ export function announce(text: string): void {
 export function notify(
   tone: Tone,
   message: string,
-  options: { hint?: string; action?: Toast['action'] } = {},
-): void {
+  options: { hint?: string; action?: Toast['action']; stays?: boolean } = {},
+): number {
   const same = toasts.value.find((toast) => toast.message === message)
   if (same) dismiss(same.id)
   const toast = {
@@ -42,8 +42,9 @@ export function notify(
     action: options.action ?? null,
   }
   toasts.value = [...toasts.value, toast].slice(-MAX_TOASTS)
-  const lifetime = LIFETIME_MS[tone]
+  const lifetime = options.stays ? 0 : LIFETIME_MS[tone]
   if (lifetime > 0) setTimeout(() => dismiss(toast.id), lifetime)
+  return toast.id
 }
 
 export function dismiss(id: number): void {

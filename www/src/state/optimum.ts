@@ -5,6 +5,7 @@ import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { question } from '../model/goals'
 import type { Scenario } from '../model/session'
+import { held } from './memory'
 import { type Panel, panels, references, scenario, scenarioNotices } from './store'
 
 /** Long enough that a drag does not ask for every cell it crosses. */
@@ -55,7 +56,8 @@ export function watchScenario(): void {
     if (now) remarkTimer = window.setTimeout(() => void remark(now), SETTLE_MS)
   })
   effect(() => {
-    const now = scenario.value
+    // A search on a large map takes as much memory as a panel.
+    const now = held.value ? null : scenario.value
     const asked = objectives.value
     clearTimeout(referenceTimer)
     references.value = now ? knownOf(now) : {}

@@ -5,6 +5,7 @@ import type { RunSetup } from '../model/messages'
 import type { Scenario } from '../model/session'
 import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
+import { allowed } from './memory'
 import {
   liveTick,
   type Panel,
@@ -33,7 +34,7 @@ let lastRunId = 0
 
 export function play(): void {
   if (!scenario.peek() || panels.peek().length === 0) return
-  if (phase.peek() === 'running') return
+  if (phase.peek() === 'running' || !allowed()) return
   leavePast()
   if (phase.peek() === 'finished') reset()
   phase.value = 'running'
@@ -60,6 +61,7 @@ export function stepIteration(): void {
 
 export function runToEnd(): void {
   if (!scenario.peek() || panels.peek().length === 0 || phase.peek() === 'finished') return
+  if (!allowed()) return
   leavePast()
   phase.value = 'running'
   conductor.runToEnd()
@@ -101,7 +103,7 @@ export function dropRun(panelId: number): void {
 }
 
 function step(by: () => void): void {
-  if (!scenario.peek() || phase.peek() === 'finished') return
+  if (!scenario.peek() || phase.peek() === 'finished' || !allowed()) return
   // Steps wait in line; pausing would clear it, so only playing is paused.
   if (phase.peek() === 'running') pause()
   leavePast()

@@ -7,10 +7,11 @@ import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
 import { latest, setVerified } from './live_reports'
+import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
-import { dropRun, pause, reset, restart, runSetup } from './runs'
+import { dropRun, pause, play, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -48,6 +49,7 @@ export function loadSession(session: Session): void {
   pause()
   for (const panel of panels.peek()) dropRun(panel.id)
   batch(() => {
+    holdIfLarge()
     seed.value = session.seed
     sync.value = session.sync
     setSpeedOfSession(session.speed)
@@ -113,8 +115,15 @@ export function firstSession(): Session {
   }
 }
 
-/** Plays at once, or, when the reader prefers less motion, after the first key or click. */
+/**
+ * Plays at once, or, when the reader prefers less motion, after the first key or click. What takes much memory waits until somebody asks
+ * for it.
+ */
 export function autoplay(): void {
+  if (held.peek()) {
+    tellHeld(play)
+    return
+  }
   if (!reducedMotion()) {
     playWhenShown()
     return
@@ -125,7 +134,7 @@ export function autoplay(): void {
     removeEventListener('keydown', start)
     // After the click's own effect: the play button must not be undone by this.
     setTimeout(() => {
-      if (phase.peek() === 'editing') playWhenShown()
+      if (phase.peek() === 'editing' && !held.peek()) playWhenShown()
     })
   }
   addEventListener('click', start)
@@ -156,12 +165,28 @@ function recordedResult(panel: Panel): RecordedResult | null {
   }
 }
 
+/** Panels whose runs are repeated once the race may run. */
+const waitingToVerify = new Set<number>()
+
+export function verifyWaiting(): void {
+  const ids = [...waitingToVerify]
+  waitingToVerify.clear()
+  for (const id of ids) {
+    const panel = panelById(id)
+    if (panel) void verify(panel)
+  }
+}
+
 /** Repeats a recorded run in the background: bit for bit the same, or said to differ. */
 async function verify(panel: Panel): Promise<void> {
   const recorded = panel.setup.result
   const now = scenario.peek()
   if (!recorded || !now) return
   setVerified(panel.id, 'pending')
+  if (held.peek()) {
+    waitingToVerify.add(panel.id)
+    return
+  }
   if (!plannerEntry(panel.setup.planner)) return
   try {
     const summary = await tools.replay(runSetup(panel, now), recorded)

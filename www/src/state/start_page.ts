@@ -3,9 +3,10 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
+import { held } from './memory'
 import { watchScenario } from './optimum'
 import { followAddress } from './page_view'
-import { admitWaiting, autoplay, openFirstSession, openFragment } from './sessions'
+import { admitWaiting, autoplay, openFirstSession, openFragment, verifyWaiting } from './sessions'
 import { catalog, engineVersion, startError, wholeEngine } from './store'
 import { openStoredSession, storeSessionChanges } from './stored_session'
 import { fetchWholeEngineWhenIdle } from './whole_engine'
@@ -35,6 +36,9 @@ function watch(): void {
   fetchWholeEngineWhenIdle()
   effect(() => {
     if (wholeEngine.value === 'here') untracked(admitWaiting)
+  })
+  effect(() => {
+    if (!held.value) untracked(verifyWaiting)
   })
   addEventListener('hashchange', async () => {
     followAddress()

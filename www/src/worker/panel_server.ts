@@ -4,6 +4,7 @@
  */
 import type * as core from '@pkg/core/formicarium'
 import { isEngineError } from '../model/errors'
+import { KEPT_BYTES } from '../model/kept_bytes'
 import type {
   Frame,
   PanelAnswers,
@@ -21,9 +22,6 @@ import { Stepper } from './stepper'
 export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
 /** What a terrain has besides its raster; null on a plane. */
 export type GroundOf = (setup: RunSetup) => ContourLayer | null
-
-/** Memory for snapshots of a run, by which one can look back at it; what is not kept is computed again. */
-const KEPT_BYTES = 64 * 1024 * 1024
 
 export interface Running {
   id: number

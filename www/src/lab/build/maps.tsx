@@ -6,6 +6,7 @@ import { gallery } from '../../gallery/gallery'
 import { t } from '../../i18n/lab'
 import type { DraftMap } from '../../model/draft'
 import { notifyError } from '../../state'
+import { bytesOf } from '../../state/file_bytes'
 import { toScenario } from '../../state/files'
 import { IconButton } from '../../ui/buttons'
 import { useFilePicker } from '../../ui/file_picker'
@@ -164,7 +165,7 @@ function Group({ at }: { at: 0 | 1 | 2 }) {
 /** Rasters of heights are taken whole; a part of one can be opened in the race view. */
 async function openMapFiles(files: File[]): Promise<void> {
   for (const file of files) {
-    const bytes = new Uint8Array(await file.arrayBuffer())
+    const bytes = await bytesOf(file)
     const opened = toScenario(await tools.importMap(bytes, file.name), file.name)
     addMap(opened.spec.name || file.name, opened)
   }

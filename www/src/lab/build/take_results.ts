@@ -1,6 +1,8 @@
 /** Imports result files into the open comparison, or into the draft. */
 import { tools } from '../../engine/tools'
 import type { ImportedFile } from '../../model/draft'
+import { notifyError } from '../../state'
+import { bytesOf } from '../../state/file_bytes'
 import { joinResults, phase } from '../run/actions'
 import { addImportedFile, refusedFile } from '../store/imported_files'
 import { compose } from './compose_document'
@@ -21,7 +23,11 @@ export async function takeResults(
 }
 
 export async function takeResultFiles(files: Iterable<File>): Promise<void> {
-  for (const file of files) await takeResults(file.name, new Uint8Array(await file.arrayBuffer()))
+  for (const file of files) {
+    // A file that is refused unread leaves nothing to try again with.
+    const bytes = await bytesOf(file).catch(notifyError)
+    if (bytes) await takeResults(file.name, bytes)
+  }
 }
 
 /** A file that does not fit is refused now, rather than when the runs start. */

@@ -2,6 +2,9 @@
 
 const NAMESPACE = 'http://www.w3.org/2000/svg'
 
+/** No Char of XML 1.0 (2.2): control characters, halves of surrogate pairs, U+FFFE and U+FFFF; not even as a reference. */
+const NOT_IN_XML = /[^\t\n\r\u{20}-\u{d7ff}\u{e000}-\u{fffd}\u{10000}-\u{10ffff}]/gu
+
 export type Attributes = Record<string, string | number | undefined>
 
 export function element<K extends keyof SVGElementTagNameMap>(
@@ -52,7 +55,8 @@ export function wrapped(text: string, most: number, font: string): string[] {
   return lines
 }
 
-/** As a file that stands alone. */
+/** As a file that stands alone. Names come from files, and the serializer writes what no XML may hold as it is. */
 export function svgText(svg: SVGSVGElement): string {
-  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(svg)}\n`
+  const text = new XMLSerializer().serializeToString(svg).replace(NOT_IN_XML, '\ufffd')
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${text}\n`
 }
