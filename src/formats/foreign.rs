@@ -1,5 +1,6 @@
 //! Files that are known but not read: what to call them, and what to do with them.
 
+use super::picture;
 use super::recognise::Sample;
 use crate::error::FormatError;
 
@@ -18,9 +19,6 @@ const MATLAB: &str = "write it as text: writematrix(G, \"map.csv\") in MATLAB";
 const SHEET: &str = "save the sheet as CSV";
 const UNPACK: &str = "unpack it, and open the file within";
 const BAG: &str = "write the map out of it: ros2 run nav2_map_server map_saver_cli, or ros2 topic echo --once /map";
-
-/// Pictures that are read.
-const PICTURES: [&[u8]; 3] = [b"\x89PNG", b"\xff\xd8\xff", b"BM"];
 
 /// Archives that are unpacked.
 const ARCHIVES: [Known; 2] = [(b"PK\x03\x04", "a ZIP archive", UNPACK), (b"\x1f\x8b", "a gzip archive", UNPACK)];
@@ -49,14 +47,6 @@ const FOREIGN: [Known; 21] = [
     (b"\0asm", "WebAssembly", "open a map"),
 ];
 
-/// Whether a file begins as a picture that can be read does. A `P` and a digit begin the Netpbm formats: PBM, PGM, PPM.
-pub(super) fn is_picture(bytes: &[u8]) -> bool {
-    let is_netpbm = matches!(bytes, [b'P', b'1'..=b'6', end, ..] if end.is_ascii_whitespace() || *end == b'#');
-    let is_webp = bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP");
-    let is_bmp = |magic: &[u8]| magic != b"BM" || bytes.get(6..10) == Some(&[0; 4]);
-    is_netpbm || is_webp || PICTURES.iter().any(|magic| bytes.starts_with(magic) && is_bmp(magic))
-}
-
 /// Whether a file begins as an archive that can be unpacked does.
 pub(super) fn is_archive(bytes: &[u8]) -> bool {
     ARCHIVES.iter().any(|(magic, ..)| bytes.starts_with(magic))
@@ -67,8 +57,11 @@ pub(super) fn by_first_bytes(bytes: &[u8]) -> Option<FormatError> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
         return Some(UTF_16);
     }
-    if is_picture(bytes) {
+    if picture::looks_like(bytes) {
         return Some(FormatError::Foreign { found: "a picture", hint: PICTURE });
+    }
+    if bytes.get(257..262) == Some(b"ustar") {
+        return Some(FormatError::Foreign { found: "a tar archive", hint: UNPACK });
     }
     let known = FOREIGN.iter().chain(&ARCHIVES).find(|(magic, ..)| bytes.starts_with(magic));
     known.map(|&(_, found, hint)| FormatError::Foreign { found, hint })

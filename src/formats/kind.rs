@@ -55,6 +55,22 @@ impl Kind {
         matches!(self, Self::EsriAscii | Self::HeightTable | Self::Geotiff | Self::Srtm)
     }
 
+    /// Whether a map can be made of files of this kind.
+    pub const fn holds_cells(self) -> bool {
+        self.is_raster()
+            || matches!(
+                self,
+                Self::MovingaiMap
+                    | Self::Matrix
+                    | Self::Drawing
+                    | Self::Picture
+                    | Self::RosMap
+                    | Self::OccupancyGrid
+                    | Self::Mapf
+                    | Self::Scenario
+            )
+    }
+
     /// What to call it, with its article.
     pub const fn name(self) -> &'static str {
         match self {

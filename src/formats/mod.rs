@@ -1,10 +1,11 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
-//! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_scen`] a list of scenarios, [`read_path`] a
+//! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_with`] one that leaves a choice or comes in two files, [`import_scen`] a list of scenarios, [`read_path`] a
 //! path, [`import_results`] results of runs from elsewhere, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
+mod archive;
 pub mod comparison_json;
 mod drawing;
 mod ends;
@@ -26,11 +27,14 @@ mod terrain;
 mod text;
 mod tsplib;
 
+use serde::Serialize;
+
 use crate::comparison::names::stem;
 use crate::error::{Error, FormatError, Notice};
 use crate::map::{Grid, Point};
 use crate::scenario::ScenarioSpec;
 
+pub use archive::{NamedFile, unpack};
 pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
@@ -114,6 +118,9 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
     if kind.is_raster() {
         return import_terrain(bytes, name, TerrainOptions::default());
     }
+    if kind == Kind::Archive {
+        return archive::import_archive(bytes, name, options);
+    }
     let decoded = || text::decode(bytes);
     let (unknown, cells) = (options.unknown, options.cells);
     let imported = match kind {
@@ -139,6 +146,38 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
     Ok(imported)
 }
 
+/// A matrix of a text that may hold several.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct MatrixInfo {
+    /// Its number, from 1: what [`ReadOptions::matrix`] takes.
+    pub number: u32,
+    /// What it is called in the text, or nothing.
+    pub name: String,
+    /// Its first line, from 1.
+    pub line: u32,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+/// Which matrices a text holds.
+///
+/// # Errors
+/// [`FormatError`]: it holds none, or what looks like one is broken.
+pub fn list_matrices(bytes: &[u8]) -> Result<Vec<MatrixInfo>, Error> {
+    let found = numbers::find(&text::decode(bytes)?)?;
+    let info = |(index, one): (usize, &numbers::Found)| MatrixInfo {
+        number: index as u32 + 1,
+        name: one.name.clone(),
+        line: one.table.line(0) as u32,
+        width: one.table.row(0).len() as u32,
+        height: one.table.height() as u32,
+    };
+    Ok(found.iter().enumerate().map(info).collect())
+}
+
 /// A picture by its threshold.
 fn picture(bytes: &[u8], name: &str, options: &PictureOptions) -> Result<Imported, FormatError> {
     let picture::Cells { width, height, blocked, resolution, notices, .. } =
@@ -155,6 +194,11 @@ fn picture(bytes: &[u8], name: &str, options: &PictureOptions) -> Result<Importe
 /// # Errors
 /// As [`import`]; [`FormatError::Window`], or [`crate::error::ScenarioError::MapSize`].
 pub fn import_piece(bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, Error> {
+    if sniff(bytes, name) == Kind::Archive {
+        let files = archive::unpack(bytes, name)?;
+        let one = archive::only(&files)?;
+        return import_piece(&one.bytes, &one.name, options);
+    }
     if sniff(bytes, name).is_raster() {
         return import_terrain(bytes, name, options);
     }

@@ -6,7 +6,9 @@
 use std::borrow::Cow;
 
 use super::text::{self, lines, quote};
-use super::{drawing, foreign, matrix, movingai, numbers, path_list, results, ros, scen, scenario_json, terrain, tsplib};
+use super::{
+    drawing, foreign, matrix, movingai, numbers, path_list, picture, results, ros, scen, scenario_json, terrain, tsplib,
+};
 use crate::error::FormatError;
 
 pub use super::kind::Kind;
@@ -57,7 +59,7 @@ struct Reader(Kind, fn(&Sample<'_>) -> Sureness);
 
 const READERS: [Reader; 18] = [
     Reader(Kind::Geotiff, |s| certain_if(terrain::geotiff::looks_like(s.head), "its first bytes")),
-    Reader(Kind::Picture, |s| certain_if(foreign::is_picture(s.head), "its first bytes")),
+    Reader(Kind::Picture, |s| certain_if(picture::looks_like(s.head), "its first bytes")),
     Reader(Kind::Archive, |s| certain_if(foreign::is_archive(s.head), "its first bytes")),
     Reader(Kind::Srtm, srtm),
     Reader(Kind::Scenario, |s| json(s, Kind::Scenario)),

@@ -8,8 +8,10 @@ use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Bytes, Heights, Number, Text};
 use super::{Answer, grid, object, plain, scenario, throw};
-use crate::error::{ErrorReport, Notice};
-use crate::formats::{self, BinaryExport, Export, Kind, ScenFile, TerrainOptions};
+use crate::error::{ErrorReport, FormatError, Notice};
+use crate::formats::{
+    self, BinaryExport, Companion, Export, Kind, MatrixInfo, NamedFile, ReadOptions, Recognition, ScenFile, TerrainOptions,
+};
 use crate::map::{Generator, Grid, Movement, Point, SliceRules, Window};
 use crate::scenario::{Scenario, ScenarioSpec};
 
@@ -111,24 +113,96 @@ pub enum ExportFormat {
 
 /// What a file is.
 #[derive(Serialize, Tsify)]
-pub struct Sniffed {
-    /// The format found.
+pub struct Recognised {
+    /// The format found; `unknown` where the import will say why.
     pub kind: Kind,
     /// Whether files of this kind are rasters of heights, which are looked at and cut to size before they are opened.
     pub raster: bool,
+    /// Whether nothing else could be meant.
+    pub certain: bool,
+    /// By what it was told, in English.
+    pub why: String,
 }
 
-/// Tells a file's format; contents decide, the name helps.
+/// Tells a file's format; contents decide, the name helps. Throws for a known format that is not read here, with what to do.
 #[wasm_bindgen]
-pub fn sniff(bytes: &Bytes, name: &Text) -> Answer<Ts<Sniffed>> {
-    let kind = formats::sniff(&bytes.read("bytes")?, &name.read("name")?);
-    Ok(object(&Sniffed { kind, raster: kind.is_raster() }))
+pub fn recognise(bytes: &Bytes, name: &Text) -> Answer<Ts<Recognised>> {
+    let (bytes, name) = (bytes.read("bytes")?, name.read("name")?);
+    let found = match formats::recognise(&bytes, &name) {
+        Ok(found) => found,
+        // The import names what is missing.
+        Err(FormatError::Unknown { .. }) => Recognition { kind: Kind::Unknown, is_certain: false, why: "" },
+        Err(error) => return Err(throw(error)),
+    };
+    let kind = if found.kind == Kind::Matrix { formats::sniff(&bytes, &name) } else { found.kind };
+    // A text with several matrices is told apart by its numbers later.
+    let kind = if kind == Kind::Unknown { found.kind } else { kind };
+    Ok(object(&Recognised { kind, raster: kind.is_raster(), certain: found.is_certain, why: found.why.into() }))
 }
 
-/// Reads a map or scenario of any known format.
+/// Reads a map or scenario of any known format. `options` say what to do where a file leaves a choice; `image` is the picture of a ROS map.
 #[wasm_bindgen]
-pub fn import_map(bytes: &Bytes, name: &Text) -> Answer<Ts<Imported>> {
-    Ok(imported(formats::import(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?))
+pub fn import_map(bytes: &Bytes, name: &Text, options: Option<Ts<ReadOptions>>, image: Option<Bytes>) -> Answer<Ts<Imported>> {
+    let (bytes, name) = (bytes.read("bytes")?, name.read("name")?);
+    let options = options.map(|options| arguments::value(&options, "options")).transpose()?.unwrap_or_default();
+    let image = image.map(|image| image.read("image")).transpose()?;
+    let beside = image.as_ref().map(|bytes| Companion { name: "", bytes });
+    Ok(imported(formats::import_with(&bytes, &name, &options, beside).map_err(throw)?))
+}
+
+/// Which matrices a text holds.
+#[wasm_bindgen]
+pub fn list_matrices(bytes: &Bytes) -> Answer<Vec<Ts<MatrixInfo>>> {
+    Ok(formats::list_matrices(&bytes.read("bytes")?).map_err(throw)?.iter().map(object).collect())
+}
+
+/// The name of the picture that the description of a ROS map names, perhaps with folders.
+#[wasm_bindgen]
+pub fn ros_image(yaml: &Bytes) -> Answer<String> {
+    formats::ros::image_of(&yaml.read("yaml")?).map_err(throw)
+}
+
+/// A file of an archive.
+#[derive(Serialize, Tsify)]
+pub struct Unpacked {
+    /// Its name, perhaps with folders.
+    pub name: String,
+    /// What it holds.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub bytes: Vec<u8>,
+}
+
+/// The files of a ZIP or gzip archive: at most 1000, at most 512 MiB.
+#[wasm_bindgen]
+pub fn unpack(bytes: &Bytes, name: &Text) -> Answer<Vec<Ts<Unpacked>>> {
+    let files = formats::unpack(&bytes.read("bytes")?, &name.read("name")?).map_err(throw)?;
+    Ok(files.into_iter().map(|NamedFile { name, bytes }| object(&Unpacked { name, bytes })).collect())
+}
+
+/// A map for ROS's map_server.
+#[derive(Serialize, Tsify)]
+pub struct RosFiles {
+    /// The description, `map.yaml`.
+    pub yaml: String,
+    /// The picture that it names.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub pgm: Vec<u8>,
+}
+
+/// Writes the cells and the place of a map for ROS's map_server; `image` is the name that the picture will have.
+#[wasm_bindgen]
+pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer<Ts<RosFiles>> {
+    let scenario = scenario(
+        &arguments::value(&spec, "spec")
+            .map(|spec: ScenarioSpec| ScenarioSpec { terrain: None, ..spec })
+            .map(|spec| object(&spec))?,
+        cells,
+        None,
+    )?;
+    let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.grid, &scenario.spec, &image.read("image")?);
+    Ok(object(&RosFiles { yaml, pgm }))
 }
 
 fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {

@@ -35,7 +35,8 @@ pub use comparison::{Comparison, ablation, formats};
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]
 pub use maps::{
-    export_geotiff, export_map, fitting_slices, generate, import_map, import_scen, import_terrain, sniff, survey_terrain,
+    export_geotiff, export_map, export_ros, fitting_slices, generate, import_map, import_scen, import_terrain, list_matrices,
+    recognise, ros_image, survey_terrain, unpack,
 };
 #[cfg(feature = "whole")]
 pub use results::{join_results, survey_results};
