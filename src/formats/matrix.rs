@@ -1,7 +1,7 @@
 //! A map as a matrix: 0 = free, 1 = blocked, 2 = start, 3 = goal, in every spelling that [`super::table`] reads. A table with many
 //! different numbers is none: it holds heights.
 
-use super::table::{Row, Table};
+use super::table::{Other, Sink, Table};
 use crate::error::{FormatError, Notice};
 use crate::map::{Grid, Point, check_size};
 
@@ -19,9 +19,7 @@ pub(super) struct MatrixFile {
 /// Whether a table holds a map: 0 and 1, one 2, one 3, and no more than three different numbers else.
 pub(super) fn is_map(table: &Table) -> bool {
     let marks = Marks::of(table);
-    let mut others = Others::default();
-    let values = table.rows.iter().flat_map(|row| row.values.iter().copied());
-    values.filter(|&v| v != 0.0 && v != 1.0 && !marks.has(v)).all(|v| others.add(v))
+    table.census.others.as_ref().is_some_and(|others| others.iter().filter(|o| !marks.has(o.value)).count() <= MAX_OTHER_NUMBERS)
 }
 
 /// Reads a matrix; the table holds a map.
@@ -29,31 +27,30 @@ pub(super) fn is_map(table: &Table) -> bool {
 /// # Errors
 /// [`FormatError`] with the line of a ragged row.
 pub(super) fn read(table: &Table) -> Result<MatrixFile, FormatError> {
-    let (width, height) = columns_and_rows(&table.rows)?;
+    let (width, height) = table.size()?;
     check_size(width as u64, height as u64)?;
     let marks = Marks::of(table);
-    let mut others = Others::default();
-    let mut cells = Vec::with_capacity(width * height);
-    for &value in table.rows.iter().flat_map(|row| &row.values) {
-        let free = value == 0.0 || marks.has(value);
-        if !free && value != 1.0 {
-            others.add(value);
-        }
-        cells.push(u8::from(!free));
-    }
-    let notices = notices(table, &marks, &others);
-    let grid = Grid::from_bytes(width as u32, height as u32, &cells)?;
-    Ok(MatrixFile { grid, start: marks.start, goal: marks.goal, notices })
+    let mut cells = Cells { marks: &marks, cells: Vec::with_capacity(width * height) };
+    table.read(&mut cells)?;
+    let grid = Grid::from_bytes(width as u32, height as u32, &cells.cells)?;
+    Ok(MatrixFile { grid, start: marks.start, goal: marks.goal, notices: notices(table, &marks) })
 }
 
-/// Columns and rows, if all rows are equally long.
-pub(super) fn columns_and_rows(rows: &[Row]) -> Result<(usize, usize), FormatError> {
-    let width = rows.first().map_or(0, |r| r.values.len());
-    if let Some((index, row)) = rows.iter().enumerate().find(|(_, r)| r.values.len() != width) {
-        let what = format!("row {} has {} numbers where the first row has {width}", index + 1, row.values.len());
-        return Err(FormatError::syntax(row.line, what, "equally long rows"));
+/// The cells of a map on their way in.
+struct Cells<'a> {
+    marks: &'a Marks,
+    /// 0 where it is free.
+    cells: Vec<u8>,
+}
+
+impl Sink for Cells<'_> {
+    fn number(&mut self, value: f64) {
+        self.cells.push(u8::from(!(value == 0.0 || self.marks.has(value))));
     }
-    Ok((width, rows.len()))
+
+    fn end_row(&mut self, _line: usize) -> Result<(), FormatError> {
+        Ok(())
+    }
 }
 
 /// The cells that stand for start and goal.
@@ -64,7 +61,10 @@ struct Marks {
 
 impl Marks {
     fn of(table: &Table) -> Self {
-        Self { start: only(&table.rows, 2.0), goal: only(&table.rows, 3.0) }
+        let others = || table.census.others.iter().flatten();
+        // The place of a number that occurs exactly once.
+        let only = |value: f64| others().find(|o| o.value == value && o.count == 1).map(|o| o.first);
+        Self { start: only(2.0), goal: only(3.0) }
     }
 
     /// Whether a number stands for an end.
@@ -73,38 +73,7 @@ impl Marks {
     }
 }
 
-/// The place of a number that occurs exactly once.
-fn only(rows: &[Row], value: f64) -> Option<Point> {
-    let mut places = rows.iter().enumerate().flat_map(|(y, row)| {
-        row.values.iter().enumerate().filter(move |&(_, &v)| v == value).map(move |(x, _)| Point::new(x as u32, y as u32))
-    });
-    let first = places.next()?;
-    places.next().is_none().then_some(first)
-}
-
-/// Numbers that are none of 0, 1, start and goal.
-#[derive(Default)]
-struct Others {
-    values: Vec<f64>,
-    count: usize,
-}
-
-impl Others {
-    /// Counts a number; false when there are too many different ones.
-    fn add(&mut self, value: f64) -> bool {
-        self.count += 1;
-        if !self.values.contains(&value) {
-            self.values.push(value);
-        }
-        self.values.len() <= MAX_OTHER_NUMBERS
-    }
-
-    fn list(&self) -> String {
-        self.values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
-    }
-}
-
-fn notices(table: &Table, marks: &Marks, others: &Others) -> Vec<Notice> {
+fn notices(table: &Table, marks: &Marks) -> Vec<Notice> {
     let mut notices = Vec::new();
     let assumed = "0 was read as free and 1 as blocked; if the file means the opposite, invert the map (`convert --invert`)";
     notices.push(Notice::new("matrix-one-is-blocked", assumed));
@@ -116,9 +85,12 @@ fn notices(table: &Table, marks: &Marks, others: &Others) -> Vec<Notice> {
         };
         notices.push(Notice::new("matrix-ends", read));
     }
-    if others.count > 0 {
-        let message = format!("{} cells hold {}: they were read as blocked", others.count, others.list());
-        notices.push(Notice::new("matrix-other-numbers", message).with("count", others.count).with("value", others.list()));
+    let others: Vec<&Other> = table.census.others.iter().flatten().filter(|o| !marks.has(o.value)).collect();
+    if !others.is_empty() {
+        let count: usize = others.iter().map(|o| o.count).sum();
+        let list = others.iter().map(|o| o.value.to_string()).collect::<Vec<_>>().join(", ");
+        let message = format!("{count} cells hold {list}: they were read as blocked");
+        notices.push(Notice::new("matrix-other-numbers", message).with("count", count).with("value", list));
     }
     notices.extend(rest_notice(table));
     notices
@@ -126,7 +98,7 @@ fn notices(table: &Table, marks: &Marks, others: &Others) -> Vec<Notice> {
 
 /// That there was text around the numbers.
 pub(super) fn rest_notice(table: &Table) -> Option<Notice> {
-    let (rows, line) = (table.rows.len(), table.rows.first()?.line);
+    let (rows, line) = (table.census.rows, table.census.first_line);
     let message = format!("only the {rows} rows of numbers from line {line} on were read, not the text around them");
     table.has_rest.then(|| Notice::new("matrix-rest-ignored", message).with("count", rows).with("line", line))
 }

@@ -69,9 +69,14 @@ pub enum BinaryExport {
 /// # Errors
 /// [`FormatError`]: what is wrong, in which line or field, and what is expected there.
 pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
+    import_with(bytes, name, TerrainOptions::default())
+}
+
+/// The same; the options are for heights alone.
+fn import_with(bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, Error> {
     let kind = kind_of(bytes, name);
     if kind.is_raster() {
-        return import_terrain(bytes, name, TerrainOptions::default());
+        return Ok(terrain::import_as(kind, bytes, name, options)?);
     }
     let text = text::decode(bytes)?;
     let imported = match kind {
@@ -79,7 +84,7 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
             let file = movingai::read(&text)?;
             complete(kind, name, file.grid, None, None, file.notices)?
         }
-        Kind::Matrix => table(&text, name)?,
+        Kind::Matrix => table(&text, name, options)?,
         Kind::Scenario => scenario(&text)?,
         Kind::MovingaiScen => return Err(FormatError::NotAMap { found: "a list of MovingAI scenarios" }.into()),
         Kind::Session => return Err(FormatError::NotAMap { found: "a session" }.into()),
@@ -98,17 +103,15 @@ pub fn import(bytes: &[u8], name: &str) -> Result<Imported, Error> {
 /// # Errors
 /// As [`import`]; [`FormatError::Window`], or [`crate::error::ScenarioError::MapSize`].
 pub fn import_piece(bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, Error> {
-    if sniff(bytes, name).is_raster() {
-        return import_terrain(bytes, name, options);
-    }
-    Ok(import(bytes, name)?.piece(options)?)
+    let imported = import_with(bytes, name, options)?;
+    if imported.kind.is_raster() { Ok(imported) } else { Ok(imported.piece(options)?) }
 }
 
 /// A map, or heights.
-fn table(text: &str, name: &str) -> Result<Imported, FormatError> {
+fn table(text: &str, name: &str, options: TerrainOptions) -> Result<Imported, FormatError> {
     let table = table::read(text)?;
     if !matrix::is_map(&table) {
-        return terrain::terrain(terrain::height_table::read(&table)?, name, TerrainOptions::default());
+        return terrain::terrain(terrain::height_table::read(&table)?, name, options);
     }
     let file = matrix::read(&table)?;
     complete(Kind::Matrix, name, file.grid, file.start, file.goal, file.notices)

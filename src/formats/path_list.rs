@@ -4,7 +4,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::table;
+use super::table::{self, Sink};
 use super::text::decode;
 use crate::error::FormatError;
 use crate::map::Point;
@@ -37,8 +37,39 @@ pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatErro
     }
     let body = without_header(&text);
     let offset = text[..text.len() - body.len()].matches('\n').count();
+    // What is no number is said before what is no place.
     let table = table::read(body)?;
-    table.rows.iter().map(|row| place(&row.values, row.line + offset)).collect()
+    let rows = if matches!(table.census.columns, 2 | 3) { table.census.rows } else { 0 };
+    let mut read = Places { offset, places: Vec::with_capacity(rows), ..Places::default() };
+    table.read(&mut read)?;
+    Ok(read.places)
+}
+
+/// Places on their way in.
+#[derive(Default)]
+struct Places {
+    /// Lines before the table.
+    offset: usize,
+    places: Vec<(Point, Option<u32>)>,
+    /// The first numbers of the row at hand: one more than a place has.
+    row: [f64; 4],
+    /// How many numbers it has.
+    count: usize,
+}
+
+impl Sink for Places {
+    fn number(&mut self, value: f64) {
+        if let Some(place) = self.row.get_mut(self.count) {
+            *place = value;
+        }
+        self.count += 1;
+    }
+
+    fn end_row(&mut self, line: usize) -> Result<(), FormatError> {
+        let count = std::mem::take(&mut self.count).min(self.row.len());
+        self.places.push(place(&self.row[..count], line + self.offset)?);
+        Ok(())
+    }
 }
 
 /// What kind of path a file holds: what a result's objective says; steps for everything else.

@@ -108,14 +108,24 @@ pub fn import_terrain(bytes: &[u8], name: &str, options: TerrainOptions) -> Resu
     Ok(terrain(read(bytes, name)?, name, options)?)
 }
 
+/// The same of a file whose kind is known.
+pub(super) fn import_as(kind: Kind, bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, FormatError> {
+    terrain(read_as(kind, bytes, name)?, name, options)
+}
+
 /// The raster of a file.
 fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
-    let found = match super::kind_of(bytes, name) {
+    read_as(super::kind_of(bytes, name), bytes, name)
+}
+
+fn read_as(kind: Kind, bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
+    let found = match kind {
         Kind::Geotiff => return geotiff::read(bytes),
         Kind::Srtm => return srtm::read(bytes, name),
         Kind::EsriAscii => return esri_ascii::read(&text::decode_up_to(bytes, text::MAX_BYTES)?),
         Kind::HeightTable | Kind::Matrix => {
-            let table = super::table::read(&text::decode(bytes)?)?;
+            let text = text::decode(bytes)?;
+            let table = super::table::read(&text)?;
             match super::matrix::is_map(&table) {
                 false => return height_table::read(&table),
                 true => "a matrix of free and blocked cells",

@@ -24,6 +24,9 @@ pub const MAX_ENTRIES: usize = 100;
 /// Most maps of a file.
 pub const MAX_INSTANCES: usize = 1000;
 
+/// Longest line in bytes: a text of 64 MiB on one line would have millions of columns.
+const LONGEST_LINE: usize = 1 << 20;
+
 /// Longest name of an entry or an instance, in letters; the rest is cut off.
 const LONGEST_NAME: usize = 80;
 
@@ -41,6 +44,10 @@ pub fn import_results(bytes: &[u8], name: &str) -> Result<ImportedResults, Forma
     // A lone CR ends lines as well; the readers below know LF and CRLF.
     let unified = if text.contains('\n') { None } else { Some(text.replace('\r', "\n")) };
     let text = unified.as_deref().unwrap_or(text);
+    if let Some((line, _)) = text::lines(text).find(|(_, line)| line.len() > LONGEST_LINE) {
+        let expected = "a line of column names, then one line a run";
+        return Err(FormatError::syntax(line, format!("the line has more than {LONGEST_LINE} bytes"), expected));
+    }
     if ioh::looks_like(text) { ioh::read(text, name) } else { table::read(text, name) }
 }
 
