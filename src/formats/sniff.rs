@@ -69,6 +69,9 @@ fn holds_heights(bytes: &[u8]) -> bool {
 }
 
 fn sniff_text(text: &str, name: &str) -> Kind {
+    // Blank lines say nothing: they are looked at once, and not by every reader.
+    let blank = text.len() - text.trim_start().len();
+    let text = &text[text[..blank].rfind(['\n', '\r']).map_or(0, |at| at + 1)..];
     if text.trim_start().starts_with('{') {
         return sniff_json(text);
     }
