@@ -16,6 +16,8 @@ static COUNTING: allocator::Counting = allocator::Counting;
 
 const BYTES: usize = 8 << 20;
 
+type Reader = fn(&[u8]);
+
 #[test]
 fn long_tables_take_little_memory() {
     let pieces = [
@@ -40,8 +42,8 @@ fn long_tables_take_little_memory() {
         let head = if piece == "," { "length\n" } else { "" };
         let text = (head.to_owned() + &piece.repeat(BYTES / piece.len())).into_bytes();
         let allowed = Limits::text(text.len()).bytes;
-        let readers: [(&str, fn(&[u8])); 6] = [
-            ("sniff", |text| drop(sniff(text, "a.csv"))),
+        let readers: [(&str, Reader); 6] = [
+            ("sniff", |text| _ = sniff(text, "a.csv")),
             ("import", |text| drop(import(text, "a.csv"))),
             ("import_piece", |text| drop(import_piece(text, "a.csv", TerrainOptions::default()))),
             ("survey", |text| drop(survey(text, "a.csv"))),

@@ -22,7 +22,7 @@ use crate::path::line_of_sight;
 use crate::planner::{Family, Ground, Objective, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
-/// Cells along which a search looks at most, counted by the longer side of every segment whose sight is tried: some seconds.
+/// Cells along which a search looks at most, counted by the longer side of every segment whose sight is tried: a quarter of a minute.
 const MOST_LOOKED_AT: u64 = 1 << 33;
 
 /// The rules of Theta*.

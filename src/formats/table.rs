@@ -480,7 +480,8 @@ mod tests {
 
     #[test]
     fn rows_end_where_they_end() {
-        let cases: [(&str, &[(usize, &[f64])]); 8] = [
+        type Rows = &'static [(usize, &'static [f64])];
+        let cases: [(&str, Rows); 8] = [
             ("1 2 ...\n3\n\n4 5 6", &[(2, &[1.0, 2.0, 3.0]), (4, &[4.0, 5.0, 6.0])]),
             ("1 2 ... 7\n", &[(2, &[1.0, 2.0])]),
             ("[[1,\n2],\n[3,4\n]]\n", &[(2, &[1.0, 2.0]), (4, &[3.0, 4.0])]),

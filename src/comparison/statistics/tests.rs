@@ -145,7 +145,7 @@ fn a12_counts_pairs() {
 #[test]
 fn a12_is_what_all_pairs_say() {
     let sample = |n: u64, seed: u64| -> Vec<f64> {
-        let value = |i: u64| if (i * seed) % 13 == 0 { f64::INFINITY } else { ((i * seed * 7) % 31) as f64 / 3.0 - 2.0 };
+        let value = |i: u64| if (i * seed).is_multiple_of(13) { f64::INFINITY } else { ((i * seed * 7) % 31) as f64 / 3.0 - 2.0 };
         (0..n).map(value).collect()
     };
     for (n, m) in [(1, 1), (1, 40), (37, 41), (200, 3)] {
