@@ -261,6 +261,7 @@ impl Report<'_> {
             Status::Optimal => "optimal (proven)".into(),
             Status::Complete => "complete (not proven)".into(),
             Status::Stagnated => "stagnated".into(),
+            Status::BudgetSpent if self.planner.budget().is_none() => "stopped at the limit of its work".into(),
             Status::BudgetSpent => "budget spent".into(),
             Status::NoPath => "no path exists".into(),
         }

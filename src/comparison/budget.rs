@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
+use super::row::MAX_COUNT;
 use crate::error::QuestionError;
 
 /// What a run may spend. It ends runs, it does not lengthen them: a planner whose own parameters end it earlier ends earlier.
@@ -15,7 +16,7 @@ pub struct Budget {
     /// What is counted; not [`Axis::Time`], by which no two machines agree.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Exclude<Axis, \"time\">"))]
     pub axis: Axis,
-    /// How much of it, at least 1. Only iterations that end within the budget count.
+    /// How much of it, from 1 to 2⁵³. Only iterations that end within the budget count.
     pub amount: u64,
 }
 
@@ -82,8 +83,8 @@ impl Budget {
                 let allowed = "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
                 Err(QuestionError::field("budget.axis", "time", allowed))
             }
-            Self { amount: 0, .. } => Err(QuestionError::field("budget.amount", 0, "at least 1")),
-            _ => Ok(()),
+            Self { amount: 1..=MAX_COUNT, .. } => Ok(()),
+            Self { amount, .. } => Err(QuestionError::field("budget.amount", amount, format!("1 to {MAX_COUNT}"))),
         }
     }
 }
@@ -97,8 +98,9 @@ mod tests {
         let budget = Budget { axis: Axis::ConstructedPaths, amount: 5000 };
         assert_eq!(budget.to_string(), "constructed-paths=5000");
         assert_eq!(budget.to_string().parse(), Ok(budget));
-        for wrong in ["constructed-paths", "paths=3", "time=3", "moves=0", "moves=-1"] {
+        for wrong in ["constructed-paths", "paths=3", "time=3", "moves=0", "moves=-1", "moves=9007199254740993"] {
             assert!(wrong.parse::<Budget>().is_err(), "{wrong}");
         }
+        assert!("moves=9007199254740992".parse::<Budget>().is_ok());
     }
 }

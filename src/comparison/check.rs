@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::claim::Claim;
 use super::question::{Entry, FORMAT, Question};
+use super::row::MAX_COUNT;
 use crate::catalog::{self, MAX_SEEDS};
 use crate::error::QuestionError;
 
@@ -65,6 +66,11 @@ impl Question {
             let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations];
             if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && *v >= 0.0)) {
                 return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, "numbers of at least 0"));
+            }
+            // As floats they came, so that 2⁵³ itself may have been another number.
+            if let Some(wrong) = [row.turns, row.iterations].into_iter().flatten().find(|v| *v >= MAX_COUNT as f64) {
+                let allowed = format!("counts below {MAX_COUNT}");
+                return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, allowed));
             }
         }
         Ok(())

@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-use super::statistics::{minus, rounded, sorted};
+use super::statistics::{minus, rounded};
 
 /// Fewest runs of a sample.
 pub const MIN_RUNS: usize = 20;
@@ -25,19 +25,17 @@ pub struct Test {
 /// Mid-ranks of a sample, in its order, from 1; and Σ (t³ − t) over its ties.
 fn ranks(values: &[f64]) -> (Vec<f64>, f64) {
     let values: Vec<f64> = values.iter().copied().map(rounded).collect();
-    let ascending = sorted(values.clone());
-    let below = |v: f64| ascending.partition_point(|a| a.total_cmp(&v).is_lt());
-    let upto = |v: f64| ascending.partition_point(|a| a.total_cmp(&v).is_le());
-    let rank = |&v: &f64| (below(v) + upto(v) + 1) as f64 / 2.0;
-    let mut ties = 0.0;
-    let mut at = 0;
-    while at < ascending.len() {
-        let next = upto(ascending[at]);
-        let t = (next - at) as f64;
+    let mut ascending: Vec<usize> = (0..values.len()).collect();
+    ascending.sort_unstable_by(|&a, &b| values[a].total_cmp(&values[b]));
+    let (mut ranks, mut ties, mut at) = (vec![0.0; values.len()], 0.0, 0);
+    for equal in ascending.chunk_by(|&a, &b| values[a].total_cmp(&values[b]).is_eq()) {
+        let next = at + equal.len();
+        equal.iter().for_each(|&index| ranks[index] = (at + next + 1) as f64 / 2.0);
+        let t = equal.len() as f64;
         ties += t * t * t - t;
         at = next;
     }
-    (values.iter().map(rank).collect(), ties)
+    (ranks, ties)
 }
 
 /// Mann and Whitney 1947: U of the first of two independent samples, with tie and continuity correction. `None` below [`MIN_RUNS`].

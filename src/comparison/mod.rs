@@ -47,7 +47,7 @@ pub use judge::{JudgedClaim, Verdict};
 pub use maps::{Map, Yardstick};
 pub use measure::RunMeasure;
 pub use question::{Entry, Instance, Published, Question, Role, Seeds};
-pub use row::{Found, Improvement, Row, Spent, Task};
+pub use row::{Found, Improvement, MAX_COUNT, Row, Spent, Task};
 pub use run::{Clock, Timed};
 pub use samples::{Samples, Seen};
 pub use verify::{Deviation, Record, Recorded, Runs, Verification};

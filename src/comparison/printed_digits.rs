@@ -5,16 +5,26 @@ use crate::map::Moves;
 
 /// Half a unit of the last decimal that any of the values has, because those of one of them may end in zeros; 0 where there is no value.
 pub(super) fn half_unit(values: impl Iterator<Item = f64>) -> f64 {
-    let decimals = |v: f64| v.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let most = values.map(decimals).max();
-    most.map_or(0.0, |most| (0..most).fold(0.5, |unit, _| unit / 10.0))
+    values.map(decimals).max().map_or(0.0, half_of)
+}
+
+fn decimals(value: f64) -> usize {
+    value.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
+}
+
+fn half_of(decimals: usize) -> f64 {
+    (0..decimals).fold(0.5, |unit, _| unit / 10.0)
 }
 
 /// The same for each of `entries` entries, over its imported runs.
 pub(super) fn half_units(entries: usize, imported: &[Row]) -> Vec<f64> {
-    let of = |entry| imported.iter().filter(move |row| row.task.entry == entry);
-    let unit = |entry| half_unit(of(entry).filter_map(|row| Some(row.found?.value)));
-    (0..entries).map(unit).collect()
+    let mut most: Vec<Option<usize>> = vec![None; entries];
+    for row in imported {
+        if let (Some(most), Some(found)) = (most.get_mut(row.task.entry), row.found) {
+            *most = (*most).max(Some(decimals(found.value)));
+        }
+    }
+    most.into_iter().map(|most| most.map_or(0.0, half_of)).collect()
 }
 
 impl Comparison {

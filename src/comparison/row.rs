@@ -1,6 +1,8 @@
 //! What one run has come to: a row of the results.
 
-use serde::de::Error;
+use std::fmt;
+
+use serde::de::{Error, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::budget::Axis;
@@ -67,7 +69,7 @@ pub struct Found {
 
 /// A better path than before, by what the planner searches for: of one that refines its best path, the length after refinement may rise. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(from = "Numbers", into = "Numbers")]
+#[serde(try_from = "(f64, Read, Read, Read, Read)", into = "Numbers")]
 pub struct Improvement {
     /// Its value by the planner's own objective, in cells.
     pub value: f64,
@@ -75,9 +77,13 @@ pub struct Improvement {
     pub spent: Spent,
 }
 
-/// An effort, as far as it is known. In JSON `[iterations, constructed paths, ant moves, cell expansions]`.
+/// Largest count that is read, 2⁵³: above it numbers of JSON and of the page are no longer told apart from their neighbours.
+pub const MAX_COUNT: u64 = 1 << 53;
+
+/// An effort, as far as it is known; no count is read that is above [`MAX_COUNT`]. In JSON
+/// `[iterations, constructed paths, ant moves, cell expansions]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(from = "[Option<u64>; 4]", into = "[Option<u64>; 4]")]
+#[serde(try_from = "[Read; 4]", into = "[Option<u64>; 4]")]
 pub struct Spent {
     /// Finished iterations.
     pub iterations: Option<u64>,
@@ -92,21 +98,68 @@ pub struct Spent {
 /// As they stand in JSON.
 type Numbers = (f64, Option<u64>, Option<u64>, Option<u64>, Option<u64>);
 
-impl From<Numbers> for Improvement {
-    fn from((value, iterations, constructed_paths, ant_moves, cell_expansions): Numbers) -> Self {
-        Self { value, spent: Spent { iterations, constructed_paths, ant_moves, cell_expansions } }
+/// A count on its way in, or none.
+type Read = Option<Count>;
+
+/// A whole number, or as it is written where it is above [`MAX_COUNT`].
+struct Count(Result<u64, String>);
+
+impl<'de> Deserialize<'de> for Count {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_u64(CountVisitor)
+    }
+}
+
+struct CountVisitor;
+
+impl Visitor<'_> for CountVisitor {
+    type Value = Count;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a whole number of at least 0")
+    }
+
+    fn visit_u64<E: Error>(self, count: u64) -> Result<Count, E> {
+        Ok(Count(if count <= MAX_COUNT { Ok(count) } else { Err(count.to_string()) }))
+    }
+
+    /// What no u64 holds comes as a float.
+    fn visit_f64<E: Error>(self, count: f64) -> Result<Count, E> {
+        if count > MAX_COUNT as f64 {
+            return Ok(Count(Err(count.to_string())));
+        }
+        Err(E::invalid_type(serde::de::Unexpected::Float(count), &self))
+    }
+}
+
+impl TryFrom<[Read; 4]> for Spent {
+    type Error = String;
+
+    fn try_from([iterations, constructed_paths, ant_moves, cell_expansions]: [Read; 4]) -> Result<Self, String> {
+        let known = |name: &str, count: Read| {
+            let too_large = |count| format!("`{name}` is {count}: counts are read up to {MAX_COUNT}, which is 2^53");
+            count.map(|Count(count)| count.map_err(too_large)).transpose()
+        };
+        Ok(Self {
+            iterations: known("iterations", iterations)?,
+            constructed_paths: known("constructed_paths", constructed_paths)?,
+            ant_moves: known("ant_moves", ant_moves)?,
+            cell_expansions: known("cell_expansions", cell_expansions)?,
+        })
+    }
+}
+
+impl TryFrom<(f64, Read, Read, Read, Read)> for Improvement {
+    type Error = String;
+
+    fn try_from((value, a, b, c, d): (f64, Read, Read, Read, Read)) -> Result<Self, String> {
+        Ok(Self { value, spent: Spent::try_from([a, b, c, d])? })
     }
 }
 
 impl From<Improvement> for Numbers {
     fn from(Improvement { value, spent: s }: Improvement) -> Self {
         (value, s.iterations, s.constructed_paths, s.ant_moves, s.cell_expansions)
-    }
-}
-
-impl From<[Option<u64>; 4]> for Spent {
-    fn from([iterations, constructed_paths, ant_moves, cell_expansions]: [Option<u64>; 4]) -> Self {
-        Self { iterations, constructed_paths, ant_moves, cell_expansions }
     }
 }
 
@@ -204,5 +257,25 @@ mod tests {
         }
         assert_eq!((spent.on(Axis::ConstructedPaths), spent.on(Axis::Moves), spent.on(Axis::Time)), (Some(60.0), None, None));
         assert_eq!((row.value(RunMeasure::IterationOfBest), row.value(RunMeasure::TurnIndex)), (Some(3.0), None));
+    }
+
+    #[test]
+    fn counts_that_numbers_of_json_do_not_hold_are_refused_by_name() {
+        let read = |text: &str| serde_json::from_str::<Spent>(text).map_err(|e| e.to_string());
+        let most = read("[9007199254740992,0,null,1]").unwrap();
+        assert_eq!((most.iterations, most.ant_moves), (Some(MAX_COUNT), None));
+        for count in ["9007199254740993", "18446744073709551615", "18446744073709551616", "1e300"] {
+            for (at, name) in ["iterations", "constructed_paths", "ant_moves", "cell_expansions"].into_iter().enumerate() {
+                let counts: Vec<&str> = (0..4).map(|i| if i == at { count } else { "1" }).collect();
+                let (spent, counts) = (read(&format!("[{}]", counts.join(","))), counts.join(","));
+                let step = serde_json::from_str::<Improvement>(&format!("[1.5,{counts}]")).map_err(|e| e.to_string());
+                for error in [spent.unwrap_err(), step.unwrap_err()] {
+                    assert!(error.contains(&format!("`{name}` is")) && error.contains("2^53"), "{error}");
+                }
+            }
+        }
+        for wrong in ["[1.5,1,1,1]", "[-1,1,1,1]", "[\"1\",1,1,1]", "[1,1,1]"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
     }
 }

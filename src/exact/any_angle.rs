@@ -9,7 +9,7 @@
 //! tells whether a segment is worth following. Bends lie on cells that can be reached by steps, as those of every refined path do; with a
 //! limit of slope an oblique segment may be passable where no step is.
 //!
-//! Pairs of cells grow with the square of the map, hence the limit of [`MOST_CELLS`]; `theta-star` has none.
+//! Pairs of cells grow with the square of the map, hence the limit of [`MOST_CELLS`]; `theta-star` takes any map, with a limit of its work.
 
 use std::sync::Arc;
 

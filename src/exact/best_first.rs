@@ -39,6 +39,10 @@ pub(super) trait Rules: Clone + Send {
     fn bytes(&self) -> usize {
         0
     }
+    /// Whether it has done all the work that it may do.
+    fn is_spent(&self) -> bool {
+        false
+    }
     /// A lower bound of the cost from a cell to the goal.
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64;
     /// Relaxes what can follow a state.
@@ -173,21 +177,33 @@ impl<R: Rules> BestFirst<R> {
         self.progress.effort.iterations += 1;
         match least {
             Some(f) => self.contour = libm::floor(f) + 1.0,
-            None => self.finish(),
+            None => self.finish(Status::NoPath, R::FOUND),
         }
+        self.record();
+    }
+
+    /// Ends the search where it stands: the goal may not be reached, and a better way may be open.
+    fn stop(&mut self) {
+        self.progress.effort.iterations += 1;
+        self.finish(Status::BudgetSpent, Status::BudgetSpent);
+        self.record();
+    }
+
+    fn record(&mut self) {
         let length = self.progress.best.as_ref().map(|b| b.length);
         self.progress.record(Record::of_search(self.progress.effort.iterations, length));
     }
 
-    fn finish(&mut self) {
+    /// `lost` or `found` is what it is without a way to the goal, or with one.
+    fn finish(&mut self, lost: Status, found: Status) {
         if !self.tree.bound.is_finite() {
-            self.progress.status = Status::NoPath;
+            self.progress.status = lost;
             return;
         }
         let path: Vec<Cell> = self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect();
         let length = self.scenario.path_length(&path);
         // Nothing is shorter than not to move at all.
-        self.progress.status = if length == 0.0 { Status::Optimal } else { R::FOUND };
+        self.progress.status = if length == 0.0 { Status::Optimal } else { found };
         self.progress.effort.constructed_paths = 1;
         self.progress.best = Some(Solution { path, length, iteration: self.progress.effort.iterations, refined: None });
     }
@@ -215,6 +231,10 @@ impl<R: Rules> Contours for BestFirst<R> {
         let least = self.tree.least();
         if least.is_none_or(|f| f >= self.contour) {
             self.close_contour(least);
+            return false;
+        }
+        if self.rules.is_spent() {
+            self.stop();
             return false;
         }
         let Some(Open { state, .. }) = self.tree.open.pop() else { return false };

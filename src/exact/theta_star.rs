@@ -5,6 +5,9 @@
 //! the neighbour (path 1). Sight is [`line_of_sight`], under the scenario's corner rule. Short polylines, but no proof: a parent is only
 //! sought where the search by steps comes by.
 //!
+//! Each step of the search may look as far as the map is wide: in corridors of a map of 4096 × 4096 cells it would look at 10¹¹ of them. So it
+//! ends when it has looked along [`MOST_LOOKED_AT`] cells, as a run whose budget is spent, with the best way to the goal that it then knows, if any.
+//!
 //! Unlike the print we open a cell again when a shorter way to it turns up, so the result is never longer than the path of A*.
 
 use std::sync::Arc;
@@ -19,13 +22,23 @@ use crate::path::line_of_sight;
 use crate::planner::{Family, Ground, Objective, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
+/// Cells along which a search looks at most, counted by the longer side of every segment whose sight is tried: a quarter of a minute.
+const MOST_LOOKED_AT: u64 = 1 << 33;
+
 /// The rules of Theta*.
 #[derive(Clone)]
-struct ThetaStar;
+struct ThetaStar {
+    /// Cells that it may still look along.
+    left: u64,
+}
 
 impl Rules for ThetaStar {
     const OBJECTIVE: Objective = Objective::PolylineLength;
     const FOUND: Status = Status::Complete;
+
+    fn is_spent(&self) -> bool {
+        self.left == 0
+    }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
         euclidean(scenario, cell, scenario.goal)
@@ -42,7 +55,9 @@ impl Rules for ThetaStar {
             if !tree.improves(next, straight, to_goal) {
                 continue;
             }
-            let (g, via) = if line_of_sight(scenario, at(parent), at(next)) {
+            let (from, to) = (at(parent), at(next));
+            self.left = self.left.saturating_sub(from.x.abs_diff(to.x).max(from.y.abs_diff(to.y)).into());
+            let (g, via) = if line_of_sight(scenario, from, to) {
                 (straight, parent)
             } else {
                 (tree.g(cell) + euclidean(scenario, cell, next), cell)
@@ -54,7 +69,7 @@ impl Rules for ThetaStar {
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     check_keys(ENTRY.id, &[], values)?;
-    Ok(Box::new(BestFirst::new(Arc::clone(scenario), ThetaStar)))
+    Ok(Box::new(BestFirst::new(Arc::clone(scenario), ThetaStar { left: MOST_LOOKED_AT })))
 }
 
 /// Theta* in the catalog.
@@ -68,3 +83,36 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     build,
     ..SEARCH
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::map::{Grid, Movement, Point};
+    use crate::planner::Snapshot;
+
+    /// Walls in every other row, open at one end and the other in turn.
+    fn serpentine(side: u32) -> Arc<Scenario> {
+        let gap = |y: u32| if y % 4 == 1 { side - 1 } else { 0 };
+        let cell = |i: u32| u8::from((i / side) % 2 == 1 && i % side != gap(i / side));
+        let grid = Grid::from_bytes(side, side, &(0..side * side).map(cell).collect::<Vec<u8>>()).unwrap();
+        Arc::new(Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(0, side - 1)).unwrap())
+    }
+
+    #[test]
+    fn it_ends_at_the_limit_of_its_work() {
+        let scenario = serpentine(41);
+        let run = |left| {
+            let mut search = BestFirst::new(Arc::clone(&scenario), ThetaStar { left });
+            (search.run(), search)
+        };
+        let (status, whole) = run(MOST_LOOKED_AT);
+        assert_eq!((status, whole.best().is_some()), (Status::Complete, true));
+        let (status, stopped) = run(500);
+        assert_eq!((status, stopped.best().is_some()), (Status::BudgetSpent, false));
+        assert!(stopped.effort().cell_expansions < whole.effort().cell_expansions);
+        // What is spent stays spent, and the record says that there is no path yet.
+        let mut again = stopped.snapshot();
+        assert_eq!(again.run(), Status::BudgetSpent);
+        assert_eq!(again.history().last().unwrap().best_so_far, None);
+    }
+}

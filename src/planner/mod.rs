@@ -52,7 +52,7 @@ pub enum Status {
     Complete,
     /// No improvement for as long as the planner was told to wait.
     Stagnated,
-    /// The budget of iterations is spent.
+    /// The budget of iterations is spent, or a search has done all the work that it may do.
     BudgetSpent,
     /// No path exists. An answer, not an error.
     NoPath,

@@ -84,11 +84,36 @@ fn every_comparison_fits_the_schema() {
         ("/recorded/experiment", json!("12")),
         ("/rows/0/effort", json!([1, 2, 3])),
         ("/rows/0/task/seed", json!(-1)),
+        ("/question/budget/amount", json!(1u64 << 54)),
+        ("/rows/0/effort/2", json!(1u64 << 54)),
     ] {
         let mut spoilt = written.clone();
         *spoilt.pointer_mut(place).unwrap() = value;
         assert!(!violations(&schema, &spoilt).is_empty(), "{place}");
         assert!(comparison_json::open(&spoilt.to_string()).is_err() || place.starts_with("/recorded"), "{place}");
+    }
+}
+
+#[test]
+fn counts_above_two_to_the_53rd_are_refused_by_name() {
+    let e = comparison();
+    let written: Value = serde_json::from_str(&comparison_json::write(&e, &run_all(&e), true)).unwrap();
+    let with = |place: &str, value: u64| {
+        let mut other = written.clone();
+        *other.pointer_mut(place).unwrap() = json!(value);
+        comparison_json::open(&other.to_string())
+    };
+    for (place, name) in [
+        ("/rows/0/effort/0", "iterations"),
+        ("/rows/0/effort/3", "cell_expansions"),
+        ("/rows/0/trace/0/2", "constructed_paths"),
+        ("/rows/0/trace/0/3", "ant_moves"),
+        ("/question/budget/amount", "budget.amount"),
+    ] {
+        assert!(with(place, 1 << 53).is_ok(), "{place}");
+        let report = with(place, (1 << 53) + 1).unwrap_err().report();
+        assert!(report.message.contains(name) && report.message.contains("9007199254740993"), "{place}: {report:?}");
+        assert!(!report.hint.is_empty(), "{report:?}");
     }
 }
 

@@ -203,6 +203,23 @@ fn limits_are_told() {
 }
 
 #[test]
+fn counts_that_are_not_told_apart_are_refused_by_name() {
+    let columns = ["iterations", "iteration_of_best", "evaluations", "paths_to_best", "ant_moves", "cell_expansions"];
+    for column in columns {
+        assert!(import_results(format!("length,{column}\n1,9007199254740992\n").as_bytes(), "a.csv").is_ok(), "{column}");
+        for count in ["9007199254740993", "9007199254740993.0", "1e16"] {
+            let report = refused(&format!("length,{column}\n1,{count}\n"));
+            assert!(report.message.contains(&format!("line 2, column `{column}`: `{count}`")), "{report:?}");
+            assert!(report.kind == "bad-cell" && report.hint.contains("2^53"), "{report:?}");
+        }
+    }
+    let report = refused("evaluations raw_y\n9007199254740993 2\n");
+    assert!(report.message.contains("line 2, column `function evaluation`") && report.hint.contains("2^53"), "{report:?}");
+    let report = refused("length,turns\n1,4294967296\n");
+    assert!(report.message.contains("column `turns`: `4294967296`") && report.hint.contains("4294967295"), "{report:?}");
+}
+
+#[test]
 fn maps_are_never_taken_for_results() {
     let maps = [
         ("0,0,1\n0,1,0\n", Kind::Matrix),

@@ -7,7 +7,7 @@ use super::TARGET_GAPS;
 use crate::comparison::budget::Axis;
 use crate::comparison::gap::reaches;
 use crate::comparison::samples::Seen;
-use crate::comparison::statistics::{quantile, sorted};
+use crate::comparison::statistics::{quantile_of, sorted};
 
 /// Most points of a band.
 const BAND_POINTS: usize = 200;
@@ -100,12 +100,6 @@ impl Course {
         steps.filter(|steps| !steps.is_empty()).map(|steps| Self { steps, end })
     }
 
-    /// The value of what the run would have answered after some effort.
-    fn value(&self, x: f64) -> f64 {
-        let known = self.steps.partition_point(|step| step.0 <= x);
-        known.checked_sub(1).and_then(|last| self.steps.get(last)).map_or(f64::INFINITY, |step| step.1)
-    }
-
     /// The effort until a target is reached for good: a planner that chooses by length before refinement may give up a better answer.
     fn hit(&self, target: f64) -> Option<f64> {
         let reaching = self.steps.iter().rev().take_while(|step| reaches(step.1, target));
@@ -137,17 +131,80 @@ impl Curves {
     }
 }
 
-/// Quartiles over all runs, those without a path so far and those that have ended among them.
+/// Quartiles over all runs, those without a path so far and those that have ended among them. In O(n log n) of all improvements: from point to
+/// point only what changes is taken out and put in.
 fn band(courses: &[Course]) -> Vec<BandPoint> {
     let events = courses.iter().flat_map(|c| c.steps.iter().map(|step| step.0));
-    let mut sample = vec![0.0; courses.len()];
-    let mut point = |x: f64| {
-        courses.iter().zip(&mut sample).for_each(|(course, value)| *value = course.value(x));
-        sample.sort_unstable_by(f64::total_cmp);
-        let at = |p| quantile(&sample, p).filter(|v| v.is_finite());
-        BandPoint { x, lower: at(0.25), median: at(0.5), upper: at(0.75) }
-    };
-    thinned(events.chain(longest(courses)).collect(), BAND_POINTS).into_iter().map(&mut point).collect()
+    let points = thinned(events.chain(longest(courses)).collect(), BAND_POINTS);
+    let mut values = sorted(courses.iter().flat_map(|c| c.steps.iter().map(|step| step.1)).chain([f64::INFINITY]).collect());
+    values.dedup_by(|a, b| a.total_cmp(b).is_eq());
+    let place = |value: f64| values.partition_point(|v| v.total_cmp(&value).is_lt());
+    let mut now = Ordered::new(values.len());
+    now.add(place(f64::INFINITY), courses.len());
+    let mut changes: Vec<(usize, usize, usize)> = Vec::new();
+    for course in courses {
+        let mut before = place(f64::INFINITY);
+        let mut at = 0;
+        while at < course.steps.len() {
+            // The first point at which the step counts, and the last step that counts there.
+            let point = points.partition_point(|&x| x < course.steps[at].0);
+            let Some(&x) = points.get(point) else { break };
+            at += course.steps[at..].iter().take_while(|step| step.0 <= x).count().max(1);
+            let after = place(course.steps[at - 1].1);
+            changes.push((point, before, after));
+            before = after;
+        }
+    }
+    changes.sort_unstable();
+    let mut changes = changes.into_iter().peekable();
+    let mut told = Vec::with_capacity(points.len());
+    for (point, &x) in points.iter().enumerate() {
+        while let Some((_, before, after)) = changes.next_if(|change| change.0 <= point) {
+            now.remove(before, 1);
+            now.add(after, 1);
+        }
+        let at = |p| quantile_of(courses.len(), p, |k| values[now.nth(k)]).filter(|v| v.is_finite());
+        told.push(BandPoint { x, lower: at(0.25), median: at(0.5), upper: at(0.75) });
+    }
+    told
+}
+
+/// How often each of `n` places in an order is taken (Fenwick 1994): counts change, and the k-th is found, in O(log n).
+struct Ordered(Vec<usize>);
+
+impl Ordered {
+    fn new(places: usize) -> Self {
+        Self(vec![0; places.next_power_of_two() + 1])
+    }
+
+    fn add(&mut self, place: usize, count: usize) {
+        self.change(place, |sum| sum + count);
+    }
+
+    fn remove(&mut self, place: usize, count: usize) {
+        self.change(place, |sum| sum - count);
+    }
+
+    fn change(&mut self, place: usize, to: impl Fn(usize) -> usize) {
+        let mut at = place + 1;
+        while at < self.0.len() {
+            self.0[at] = to(self.0[at]);
+            at += at & at.wrapping_neg();
+        }
+    }
+
+    /// The place of the k-th, from 0.
+    fn nth(&self, k: usize) -> usize {
+        let (mut place, mut left, mut step) = (0, k, self.0.len() - 1);
+        while step > 0 {
+            if place + step < self.0.len() && self.0[place + step] <= left {
+                place += step;
+                left -= self.0[place];
+            }
+            step /= 2;
+        }
+        place
+    }
 }
 
 /// The whole effort of the run that went on longest.

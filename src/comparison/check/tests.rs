@@ -55,6 +55,8 @@ fn what_does_not_fit_is_named() {
     );
     wrong(|q| q.budget = Some(Budget { axis: Axis::Time, amount: 3 }), "budget.axis");
     wrong(|q| q.budget = Some(Budget { axis: Axis::Moves, amount: 0 }), "budget.amount");
+    wrong(|q| q.budget = Some(Budget { axis: Axis::Moves, amount: (1 << 53) + 1 }), "budget.amount");
+    wrong(|q| q.entries[0].published.get_mut("a").unwrap().iterations = Some(1e16), "entries.old.published.a");
     wrong(|q| q.entries[0].results = Some("mine.csv".into()), "entries.old.planner");
     wrong(|q| q.instances.clear(), "instances");
     wrong(|q| q.instances[0].id = "A map".into(), "instances.id");

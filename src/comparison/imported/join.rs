@@ -145,7 +145,8 @@ fn alike(one: &str, other: &str) -> bool {
 
 /// The id, or with the first number from 2 on that no entry has.
 fn unique(id: &str, entries: &[Entry]) -> String {
-    let free = |id: &String| entries.iter().all(|e| e.id != *id);
+    let taken: BTreeSet<&str> = entries.iter().map(|e| e.id.as_str()).collect();
+    let free = |id: &String| !taken.contains(id.as_str());
     let numbered = (2..).map(|n| format!("{id}-{n}"));
     std::iter::once(id.to_owned()).chain(numbered).find(free).unwrap_or_else(|| id.to_owned())
 }

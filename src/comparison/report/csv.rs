@@ -35,6 +35,8 @@ pub fn line(comparison: &Comparison, row: &Row) -> String {
     let [value, gap] = [row.found.map(|f| f.value), comparison.gap(row)].map(maybe);
     let (seed, status, digest) = (task.seed, id(row.status), &row.digest);
     let best = maybe(reference.value());
+    // Ids are plain, but may begin with a `-`.
+    let [instance, entry] = [instance, entry].map(harmless);
     format!("{instance},{entry},{seed},{status},{path},{effort},{objective},{value},{best},{proven},{gap},{digest}")
 }
 
@@ -84,6 +86,11 @@ fn id(value: impl Serialize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_id_is_a_formula() {
+        assert_eq!(["-a1", "-1", "a-1", ""].map(|id| harmless(id).into_owned()), ["'-a1", "-1", "a-1", ""]);
+    }
 
     #[test]
     fn no_cell_is_a_formula_and_numbers_stay() {

@@ -141,3 +141,26 @@ fn a12_counts_pairs() {
     let (first, second): (Vec<f64>, Vec<f64>) = SLEEP.iter().copied().unzip();
     assert_eq!(a12(&first, &second), Some(0.745));
 }
+
+#[test]
+fn a12_is_what_all_pairs_say() {
+    let sample = |n: u64, seed: u64| -> Vec<f64> {
+        let value = |i: u64| if (i * seed).is_multiple_of(13) { f64::INFINITY } else { ((i * seed * 7) % 31) as f64 / 3.0 - 2.0 };
+        (0..n).map(value).collect()
+    };
+    for (n, m) in [(1, 1), (1, 40), (37, 41), (200, 3)] {
+        let (first, second) = (sample(n, 5), sample(m, 11));
+        let points = |a: &f64, b: &f64| if rounded(*a) > rounded(*b) { 2 } else { u64::from(rounded(*a) == rounded(*b)) };
+        let sum: u64 = first.iter().map(|a| second.iter().map(|b| points(a, b)).sum::<u64>()).sum();
+        assert_eq!(a12(&first, &second), Some(sum as f64 / (2 * n * m) as f64));
+    }
+}
+
+#[test]
+fn a_bootstrap_is_bounded_and_the_same_for_every_sample_that_can_be_run_in_time() {
+    assert_eq!([0, 1, 100, 10_000].map(resamples), [RESAMPLES; 4]);
+    assert_eq!([20_000, 100_000, 999_000, 2_000_000].map(resamples), [5000, 1000, FEWEST_RESAMPLES, FEWEST_RESAMPLES]);
+    let many: Vec<f64> = (0..200_000u32).map(|i| f64::from(i % 1000)).collect();
+    let [low, high] = mean_interval(&many, "many").unwrap();
+    assert!(low < 499.5 && high > 499.5 && high - low < 4.0, "{low} to {high}");
+}

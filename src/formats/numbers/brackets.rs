@@ -9,6 +9,12 @@ use crate::error::FormatError;
 /// A text with more than this many letters around its matrix is a program.
 const TITLE_LETTERS: usize = 40;
 
+/// Deepest nesting that is followed: a matrix has two.
+const DEEPEST: usize = 64;
+
+/// Most brackets of numbers in a text.
+const MOST: usize = 1 << 20;
+
 /// A bracket on its way.
 struct Open {
     from: usize,
@@ -33,13 +39,24 @@ impl Brackets {
         let bytes = text.as_bytes();
         let mut open: Vec<Open> = Vec::new();
         let mut numeric = Vec::new();
+        let mut too_deep = 0usize;
         for (at, &letter) in bytes.iter().enumerate() {
             match letter {
+                b'[' | b'{' if open.len() == DEEPEST => {
+                    too_deep += 1;
+                    open.last_mut().into_iter().for_each(|top| top.is_numeric = false);
+                }
+                b']' | b'}' if too_deep > 0 => too_deep -= 1,
                 b'[' | b'{' => {
                     let is_subscript = is_subscript(text, at);
                     open.push(Open { from: at, letter, is_subscript, is_numeric: true, within: Vec::new() });
                 }
-                b']' | b'}' => close(&mut open, &mut numeric, letter, at),
+                b']' | b'}' => {
+                    close(&mut open, &mut numeric, bytes, at);
+                    if numeric.len() > MOST {
+                        break;
+                    }
+                }
                 _ if is_numeric(letter) => {}
                 _ => open.last_mut().into_iter().for_each(|top| top.is_numeric = false),
             }
@@ -52,14 +69,15 @@ impl Brackets {
 }
 
 /// Closes the last bracket of this kind, and those within it that were left open.
-fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, letter: u8, at: usize) {
-    let opening = if letter == b']' { b'[' } else { b'{' };
+fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, bytes: &[u8], at: usize) {
+    let opening = if bytes[at] == b']' { b'[' } else { b'{' };
     if !open.iter().any(|one| one.letter == opening) {
         return;
     }
     while let Some(one) = open.pop() {
         let matches = one.letter == opening;
-        let is_matrix = matches && one.is_numeric && !one.is_subscript;
+        let has_digit = || bytes[one.from..at].iter().any(u8::is_ascii_digit);
+        let is_matrix = matches && one.is_numeric && !one.is_subscript && has_digit();
         let found = if is_matrix { vec![one.from..at + 1] } else { one.within };
         match open.last_mut() {
             Some(around) => {
@@ -108,15 +126,18 @@ pub(super) fn find(text: &str) -> Result<Option<Vec<Found>>, FormatError> {
         return Ok(None);
     }
     let brackets = Brackets::of(text);
+    if brackets.numeric.len() > MOST {
+        return Err(FormatError::TooLarge { what: "the number of brackets".into(), max: format!("{MOST} brackets") });
+    }
+    if let Some(rows) = one_row_each(text, &brackets.numeric)? {
+        return Ok(Some(vec![rows]));
+    }
     let (mut found, mut failed) = (Vec::new(), None);
-    for span in &brackets.numeric {
+    for span in brackets.numeric.iter().take(super::MAX_MATRICES) {
         match matrix(text, span.clone()) {
             Ok(one) => found.push(one),
             Err(error) => failed = failed.or(Some(error)),
         }
-    }
-    if let Some(rows) = one_row_each(text, &brackets.numeric)? {
-        return Ok(Some(vec![rows]));
     }
     let found = maps_among(found);
     match failed.filter(|_| found.is_empty()) {
@@ -176,12 +197,10 @@ fn matrix(text: &str, span: Range<usize>) -> Result<Found, FormatError> {
 /// `[0, 1]` in one line, `[1, 0]` in the next, and nothing else: the rows of one matrix.
 fn one_row_each(text: &str, spans: &[Range<usize>]) -> Result<Option<Found>, FormatError> {
     let is_row = |span: &Range<usize>| !text[span.start + 1..span.end].contains(['[', '{', ';', '\n']);
-    let mut outside = text.to_owned();
-    if spans.len() < 2 || !spans.iter().all(is_row) {
-        return Ok(None);
-    }
-    spans.iter().rev().for_each(|span| outside.replace_range(span.clone(), ""));
-    if outside.contains(|c: char| !c.is_whitespace() && c != ',') {
+    let ends = spans.iter().map(|span| span.start).chain([text.len()]);
+    let mut outside = [0].into_iter().chain(spans.iter().map(|span| span.end)).zip(ends).map(|(from, to)| &text[from..to]);
+    let is_blank = |between: &str| between.chars().all(|c| c.is_whitespace() || c == ',');
+    if spans.len() < 2 || !spans.iter().all(is_row) || !outside.all(is_blank) {
         return Ok(None);
     }
     Ok(Some(Found::new("", scan(text, 0, Layout::Nested)?)))

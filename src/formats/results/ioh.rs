@@ -7,7 +7,7 @@
 //! The older loggers write `"function evaluation" "best-so-far f(x)"`, perhaps with `"current f(x)"` and more columns between; newer ones
 //! (IOHexperimenter 0.3) write `evaluations raw_y` and what else was asked for.
 
-use super::{MAX_ROWS, cell, counted, ended, label, measured, plain, too_many_rows};
+use super::{LONGEST_LINE, MAX_ROWS, cell, counted, ended, label, measured, plain, too_many_rows};
 use crate::comparison::Spent;
 use crate::comparison::imported::{ImportedEntry, ImportedResults, ImportedRun, ImportedStep};
 use crate::comparison::names::file_name;
@@ -50,6 +50,9 @@ pub(super) fn looks_like(text: &str) -> bool {
 }
 
 fn header(line: &str) -> Option<Header> {
+    if line.len() > LONGEST_LINE {
+        return None;
+    }
     let names = names(line);
     let (first, others) = names.split_first()?;
     if !EVALUATIONS.contains(&first.as_str()) {

@@ -9,6 +9,7 @@ mod run;
 mod table;
 
 use super::text::{self, quote};
+use crate::comparison::MAX_COUNT;
 use crate::comparison::imported::{ImportedResults, ImportedStep};
 use crate::comparison::names::stem;
 use crate::error::FormatError;
@@ -23,14 +24,14 @@ pub const MAX_ENTRIES: usize = 100;
 /// Most maps of a file.
 pub const MAX_INSTANCES: usize = 1000;
 
+/// Longest line in bytes: a text of 64 MiB on one line would have millions of columns.
+const LONGEST_LINE: usize = 1 << 20;
+
 /// Longest name of an entry or an instance, in letters; the rest is cut off.
 const LONGEST_NAME: usize = 80;
 
 /// What reads as "no path was found" where a length is expected, in small letters.
 const MISSING: [&str; 12] = ["", "-", "–", "inf", "+inf", "infinity", "∞", "nan", "na", "n/a", "none", "null"];
-
-/// Largest whole number that every f64 below it tells apart from its neighbours.
-const MAX_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// Reads the results of runs: a table with one line a run or one line an improvement, or a data file of IOHanalyzer.
 ///
@@ -43,6 +44,10 @@ pub fn import_results(bytes: &[u8], name: &str) -> Result<ImportedResults, Forma
     // A lone CR ends lines as well; the readers below know LF and CRLF.
     let unified = if text.contains('\n') { None } else { Some(text.replace('\r', "\n")) };
     let text = unified.as_deref().unwrap_or(text);
+    if let Some((line, _)) = text::lines(text).find(|(_, line)| line.len() > LONGEST_LINE) {
+        let expected = "a line of column names, then one line a run";
+        return Err(FormatError::syntax(line, format!("the line has more than {LONGEST_LINE} bytes"), expected));
+    }
     if ioh::looks_like(text) { ioh::read(text, name) } else { table::read(text, name) }
 }
 
@@ -91,10 +96,16 @@ fn measured(text: &str) -> Result<Option<f64>, &'static str> {
     }
 }
 
-/// A whole number, or none where nothing stands; `100.0` and `1e3` are whole as well.
+/// A whole number up to [`MAX_COUNT`], or none where nothing stands; `100.0` and `1e3` are whole as well.
 fn counted(text: &str) -> Result<Option<u64>, &'static str> {
+    const TOO_LARGE: &str = "a whole number of at most 9007199254740992, which is 2^53: larger ones are not told apart";
+    // Digits alone are read as they are: as a float 2⁵³ + 1 would be 2⁵³.
+    if let Ok(count) = text.parse::<u64>() {
+        return if count <= MAX_COUNT { Ok(Some(count)) } else { Err(TOO_LARGE) };
+    }
     match measured(text) {
-        Ok(Some(v)) if v.fract() == 0.0 && v <= MAX_WHOLE => Ok(Some(v as u64)),
+        Ok(Some(v)) if v >= MAX_COUNT as f64 => Err(TOO_LARGE),
+        Ok(Some(v)) if v.fract() == 0.0 => Ok(Some(v as u64)),
         Ok(None) => Ok(None),
         _ => Err("a whole number of at least 0, or nothing where it is not known"),
     }
@@ -137,6 +148,10 @@ mod tests {
             assert!(measured(text).is_err(), "{text}");
         }
         assert_eq!((counted("1e3"), counted("7.0"), counted("")), (Ok(Some(1000)), Ok(Some(7)), Ok(None)));
-        assert!(counted("7.5").is_err() && counted("1e17").is_err());
+        assert!(counted("7.5").is_err());
+        assert_eq!((counted("+9007199254740992"), counted("9007199254740991.0")), (Ok(Some(MAX_COUNT)), Ok(Some(MAX_COUNT - 1))));
+        for text in ["9007199254740993", "9007199254740993.0", "1e17", "18446744073709551616"] {
+            assert!(counted(text).unwrap_err().contains(&MAX_COUNT.to_string()), "{text}");
+        }
     }
 }

@@ -196,10 +196,17 @@ impl Table<'_> {
     fn step(&self, record: &StringRecord, spent: Spent) -> Result<Option<ImportedStep>, FormatError> {
         let number = |column| self.number(record, column);
         let (length, value) = (number(Column::Length)?, number(Column::Value)?);
-        let turns = self.count(record, Column::Turns)?.map(|t| u32::try_from(t).unwrap_or(u32::MAX));
+        let turns = self.count(record, Column::Turns)?.map(|turns| self.turns(record, turns)).transpose()?;
         let (turn_index, weight) = (number(Column::TurnIndex)?, number(Column::Weight)?);
         let step = ImportedStep { length, value, turns, turn_index, weight, spent };
         Ok((length.is_some() || value.is_some()).then_some(step))
+    }
+
+    fn turns(&self, record: &StringRecord, turns: u64) -> Result<u32, FormatError> {
+        u32::try_from(turns).map_err(|_| {
+            let expected = format!("a whole number from 0 to {}", u32::MAX);
+            cell(line_of(self.text, record), self.name(Column::Turns), self.field(record, Column::Turns), &expected)
+        })
     }
 
     fn status(&mut self, record: &StringRecord) -> Option<Status> {

@@ -125,3 +125,45 @@ fn many_places_are_thinned_on_a_logarithmic_scale() {
     assert_eq!(thinned(vec![3.0, 1.0, 3.0, 2.0], 200), [1.0, 2.0, 3.0]);
     assert!(thinned(vec![], 3).is_empty());
 }
+
+/// The band as it is defined: at each point the quartiles of what all runs would have answered.
+fn by_definition(courses: &[Course], points: &[BandPoint]) -> Vec<BandPoint> {
+    let answer = |course: &Course, x| {
+        let known = course.steps.iter().rev().find(|step| step.0 <= x);
+        known.map_or(f64::INFINITY, |step| step.1)
+    };
+    let point = |x| {
+        let sample = sorted(courses.iter().map(|course| answer(course, x)).collect());
+        let at = |p| crate::comparison::statistics::quantile(&sample, p).filter(|v| v.is_finite());
+        BandPoint { x, lower: at(0.25), median: at(0.5), upper: at(0.75) }
+    };
+    points.iter().map(|told| point(told.x)).collect()
+}
+
+#[test]
+fn a_band_of_many_runs_is_what_it_is_by_definition() {
+    let mut dice = 7u64;
+    let mut next = |below: u64| {
+        dice = dice.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (dice >> 33) % below
+    };
+    for runs in [1, 2, 3, 50, 400] {
+        let mut rows = Vec::new();
+        for _ in 0..runs {
+            let (mut spent, mut value) = (0, 60.0);
+            let mut steps = Vec::new();
+            for _ in 0..next(6) {
+                // Some improvements come at once, and some answers get worse.
+                spent += next(4) * next(300);
+                value -= next(40) as f64 / 4.0 - 2.0;
+                steps.push((spent, value));
+            }
+            rows.push(run(&steps, spent + next(50) + 1));
+        }
+        let seen: Vec<Seen> = rows.iter().map(Seen::from).collect();
+        let all: Option<Vec<Course>> = seen.iter().map(|&s| Course::of(s, Axis::ConstructedPaths, f64::INFINITY)).collect();
+        let courses = all.unwrap();
+        let told = band(&courses);
+        assert_eq!(told, by_definition(&courses, &told), "{runs} runs");
+    }
+}
