@@ -7,6 +7,7 @@
 
 pub mod comparison_json;
 mod ends;
+pub mod figure;
 mod imported_map;
 mod matrix;
 mod movingai;
