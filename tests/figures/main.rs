@@ -168,3 +168,66 @@ fn how_long_it_takes() {
     println!("{} × {} pixels: {} ms, found: {found}", picture.width, picture.height, start.elapsed().as_millis());
     assert!(found);
 }
+
+/// A picture of what a colour is at each place.
+fn painted(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Picture {
+    let pixel = |at: u32| {
+        let [r, g, b] = colour(at % width, at / width);
+        [r, g, b, 255]
+    };
+    Picture { width, height, pixels: (0..width * height).map(pixel).collect(), notices: Vec::new() }
+}
+
+/// Clouds of several sizes, as a photograph has them.
+fn photo(seed: u64, detail: u32) -> Picture {
+    let node =
+        |x: u32, y: u32, layer: u32| Dice(seed ^ u64::from(x) << 40 ^ u64::from(y) << 20 ^ u64::from(layer)).between(0.0, 1.0);
+    let smooth = |x: u32, y: u32, layer: u32| {
+        let side = 128 >> layer;
+        let (i, j) = (x / side, y / side);
+        let (u, v) = (f64::from(x % side) / f64::from(side), f64::from(y % side) / f64::from(side));
+        let mix = |a: f64, b: f64, t: f64| a + (b - a) * t * t * (3.0 - 2.0 * t);
+        let upper = mix(node(i, j, layer), node(i + 1, j, layer), u);
+        mix(upper, mix(node(i, j + 1, layer), node(i + 1, j + 1, layer), u), v)
+    };
+    painted(500, 400, |x, y| {
+        let sum: f64 = (0..detail).map(|layer| smooth(x, y, layer) / f64::from(1 << layer)).sum();
+        let value = (sum / 2.0 * 255.0).min(255.0) as u8;
+        [value, value / 2 + 60, 255 - value]
+    })
+}
+
+/// Walls of rooms at any place, with doors.
+fn plan(seed: u64) -> Picture {
+    let mut dice = Dice(seed);
+    let mut walls: Vec<[u32; 4]> = vec![[20, 20, 580, 26], [20, 20, 26, 480], [574, 20, 580, 480], [20, 474, 580, 480]];
+    for _ in 0..12 {
+        let (x, y, long) = (dice.below(500) as u32 + 26, dice.below(400) as u32 + 26, dice.below(200) as u32 + 40);
+        let thick = dice.below(4) as u32 + 3;
+        walls.push(if dice.below(2) == 0 { [x, y, x + long, y + thick] } else { [x, y, x + thick, y + long] });
+    }
+    painted(600, 500, |x, y| {
+        let is_wall = walls.iter().any(|&[left, top, right, bottom]| (left..right).contains(&x) && (top..bottom).contains(&y));
+        if is_wall { [0; 3] } else { [255; 3] }
+    })
+}
+
+#[test]
+fn what_has_no_lattice_is_refused() {
+    let none = |name: &str, picture: &Picture| match figure::find(picture) {
+        Ok(found) => panic!("{name}: {:?}", found.lattice),
+        Err(error) => assert!(error.report().hint.contains("threshold"), "{name}: {error}"),
+    };
+    none("blank", &painted(300, 200, |_, _| [255; 3]));
+    none("a pixel", &painted(1, 1, |_, _| [9; 3]));
+    none("a row", &painted(3000, 1, |x, _| [if x % 10 < 5 { 0 } else { 255 }; 3]));
+    none("stripes", &painted(300, 200, |x, _| [if x % 10 < 5 { 0 } else { 255 }; 3]));
+    none("slope", &painted(300, 200, |x, y| [(x / 3 + y / 4) as u8; 3]));
+    for seed in 0..20 {
+        none("floor plan", &plan(seed));
+        none("photo", &photo(seed, 3));
+        none("rough photo", &photo(seed, 7));
+        none("noise", &painted(200, 150, |x, y| [(Dice(seed << 32 ^ u64::from(x << 16 | y)).roll() & 255) as u8; 3]));
+        none("floor plan as JPEG", &as_jpeg(&plan(seed)));
+    }
+}

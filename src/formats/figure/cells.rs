@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::colours::{self, Colour, FILLED};
 use super::lattice::Lattice;
-use super::look::{Look, looks};
+use super::look::{Look, looks, medians};
 use crate::error::{FormatError, Notice};
-use crate::formats::picture::Picture;
+use crate::formats::picture::{Picture, otsu};
 
 /// Classes of cells, as [`FigureCells::classes`] numbers them.
 pub mod class {
@@ -69,8 +69,9 @@ impl FigureCells {
 /// [`FormatError::Field`]: the lattice is out of its ranges ([`Lattice::check`]).
 pub fn read(picture: &Picture, lattice: &Lattice) -> Result<FigureCells, FormatError> {
     lattice.check()?;
-    let looks: Vec<Look> = looks(picture, lattice).collect();
-    let light = Light::of(&looks);
+    let medians = medians(picture, lattice);
+    let light = Light::of(&medians);
+    let looks = looks(picture, lattice, &medians, light.threshold);
     let (walls, drawn): (Vec<Colour>, Vec<Colour>) =
         colours::colours(&looks).into_iter().partition(|colour| colour.is_wall(&looks, light.threshold));
     let judged = |cell: usize| judge(&looks[cell], share(&walls, cell), share(&drawn, cell), &light);
@@ -99,9 +100,8 @@ struct Light {
 
 impl Light {
     /// Two classes of the cells' lumas, by Otsu's method; dark is what lies below the middle of their means.
-    fn of(looks: &[Look]) -> Self {
-        let lumas: Vec<u8> = looks.iter().map(|look| look.luma).collect();
-        let parted = crate::formats::picture::otsu(&lumas);
+    fn of(lumas: &[u8]) -> Self {
+        let parted = otsu(lumas);
         let mean = |dark: bool| {
             let class = lumas.iter().filter(|&&luma| (luma < parted) == dark);
             let (count, sum) = class.fold((0_u64, 0_u64), |(count, sum), &luma| (count + 1, sum + u64::from(luma)));
@@ -119,10 +119,11 @@ impl Light {
 
 /// The class of a cell, and how sure it is; `walls` and `drawn` are the shares of coloured walls and of what else has a colour.
 fn judge(look: &Look, walls: f64, drawn: f64, light: &Light) -> (u8, u8) {
-    let dark: u32 = look.lumas[..usize::from(light.threshold)].iter().map(|&count| u32::from(count)).sum();
-    let all = f64::from(look.pixels.max(1));
+    if look.pixels == 0 {
+        return (class::UNSURE, 0);
+    }
     // What is drawn in colour hides what lies under it.
-    let dark = ((f64::from(dark) / all).max(walls) - drawn).max(0.0);
+    let dark = ((f64::from(look.dark) / f64::from(look.pixels)).max(walls) - drawn).max(0.0);
     let contrast = f64::from(look.luma.abs_diff(light.threshold)) / f64::from(light.half.max(1));
     let sure = |share: f64| (255.0 * share.clamp(0.0, 1.0)) as u8;
     if dark >= FILLED && look.corner < light.threshold {

@@ -1,6 +1,6 @@
 //! What is drawn in colour: start, goal, a path, coloured walls.
 
-use super::look::{HUES, Look};
+use super::look::{COLOURS, HUES, Look};
 
 /// Cells that less of a colour touches than this share are not counted.
 const TOUCHED: f64 = 0.1;
@@ -32,19 +32,36 @@ pub(super) struct Marker {
 
 /// Hues that lie together, the most frequent first.
 pub(super) fn colours(looks: &[Look]) -> Vec<Colour> {
-    let mut counts = [0_u64; HUES];
-    looks.iter().for_each(|look| counts.iter_mut().zip(look.hues).for_each(|(sum, n)| *sum += u64::from(n)));
+    let mut counts = [0_u64; COLOURS];
+    looks.iter().for_each(|look| counts.iter_mut().zip(look.colours).for_each(|(sum, n)| *sum += u64::from(n)));
     let mut colours = Vec::new();
-    while let Some(hue) = (0..HUES).filter(|&hue| counts[hue] > 0).max_by_key(|&hue| counts[hue]) {
-        let hues: Vec<usize> = (0..5).map(|i| (hue + HUES + i - 2) % HUES).filter(|&hue| counts[hue] > 0).collect();
+    while let Some(hue) = (0..COLOURS).filter(|&hue| counts[hue] > 0).max_by_key(|&hue| counts[hue]) {
+        let hues = around(&counts, hue);
         hues.iter().for_each(|&hue| counts[hue] = 0);
         let share = |look: &Look| {
-            let count: u32 = hues.iter().map(|&hue| u32::from(look.hues[hue])).sum();
+            let count: u32 = hues.iter().map(|&hue| u32::from(look.colours[hue])).sum();
             f64::from(count) / f64::from(look.pixels.max(1))
         };
-        colours.push(Colour { hue, shares: looks.iter().map(share).collect() });
+        colours.push(Colour { hue: hue % HUES, shares: looks.iter().map(share).collect() });
     }
     colours
+}
+
+/// A hue and up to two on either side, as far as they become rarer: brown walls and a red path are two colours.
+fn around(counts: &[u64; COLOURS], hue: usize) -> Vec<usize> {
+    let mut hues = vec![hue];
+    for step in [1, HUES - 1] {
+        let mut last = hue;
+        for _ in 0..2 {
+            let next = last / HUES * HUES + (last + step) % HUES;
+            if counts[next] == 0 || counts[next] > counts[last] {
+                break;
+            }
+            hues.push(next);
+            last = next;
+        }
+    }
+    hues
 }
 
 impl Colour {
@@ -81,29 +98,29 @@ impl Colour {
 /// Start and goal: the two fullest markers, of two colours where there are two. Green is a start and red a goal; otherwise the first is the
 /// one that comes first row by row, and the answer says so by `false`.
 pub(super) fn ends(colours: &[Colour], columns: usize) -> (Option<Marker>, Option<Marker>, bool) {
-    let mut found: Vec<Marker> = Vec::new();
-    for colour in colours {
-        let mut markers = colour.markers();
-        // A marker that reaches into the next cell.
-        if let [a, b] = markers[..]
-            && (a.cell % columns).abs_diff(b.cell % columns) <= 1
-            && (a.cell / columns).abs_diff(b.cell / columns) <= 1
-        {
-            markers.truncate(1);
-        }
-        found.extend(markers);
-    }
+    let mut found: Vec<Marker> = colours.iter().flat_map(|colour| apart(colour.markers(), columns)).collect();
     found.sort_by(|a, b| b.share.total_cmp(&a.share).then(a.cell.cmp(&b.cell)));
     let Some(&first) = found.first() else { return (None, None, true) };
     let others = || found.iter().copied().filter(|other| other.cell != first.cell);
-    let second = others().find(|other| other.hue != first.hue).or_else(|| others().next());
-    let Some(second) = second else {
-        let is_goal = first.likes_goal() > 0;
-        return if is_goal { (None, Some(first), false) } else { (Some(first), None, first.likes_goal() < 0) };
+    let Some(second) = others().find(|other| other.hue != first.hue).or_else(|| others().next()) else {
+        let likes = first.likes_goal();
+        return if likes > 0 { (None, Some(first), true) } else { (Some(first), None, likes < 0) };
     };
     let (a, b) = (first.likes_goal(), second.likes_goal());
-    let swapped = a > b || (a == b && first.cell > second.cell);
-    if swapped { (Some(second), Some(first), a != b) } else { (Some(first), Some(second), a != b) }
+    let is_turned = a > b || (a == b && first.cell > second.cell);
+    let (start, goal) = if is_turned { (second, first) } else { (first, second) };
+    (Some(start), Some(goal), a != b)
+}
+
+/// Two markers of a colour, or the first alone if the second is that one reaching into the next cell.
+fn apart(mut markers: Vec<Marker>, columns: usize) -> Vec<Marker> {
+    if let [a, b] = markers[..] {
+        let near = |a: usize, b: usize| a.abs_diff(b) <= 1;
+        if near(a.cell % columns, b.cell % columns) && near(a.cell / columns, b.cell / columns) {
+            markers.truncate(1);
+        }
+    }
+    markers
 }
 
 impl Marker {

@@ -1,5 +1,7 @@
 //! Which cells of an endless lattice are the figure: where its sides are drawn.
 
+use std::collections::BTreeMap;
+
 use super::lattice::Lattice;
 use super::plane::Plane;
 
@@ -30,6 +32,12 @@ pub(super) struct Extent {
 }
 
 impl Extent {
+    /// What holds both.
+    fn with(self, other: Self) -> Self {
+        let both = |a: (usize, usize), b: (usize, usize)| (a.0.min(b.0), a.1.max(b.1));
+        Self { columns: both(self.columns, other.columns), rows: both(self.rows, other.rows) }
+    }
+
     /// Without its first or last column, first or last row (0 to 3).
     fn without(mut self, side: usize) -> Self {
         match side {
@@ -75,11 +83,7 @@ impl Sides {
     pub(super) fn extent(&self) -> Option<Extent> {
         let parts = self.parts();
         let largest = parts.iter().max_by_key(|part| part.sides)?;
-        let union = |a: Extent, b: Extent| Extent {
-            columns: (a.columns.0.min(b.columns.0), a.columns.1.max(b.columns.1)),
-            rows: (a.rows.0.min(b.rows.0), a.rows.1.max(b.rows.1)),
-        };
-        let closed = || parts.iter().filter(|part| part.sides >= part.corners).map(|part| part.extent).reduce(union);
+        let closed = || parts.iter().filter(|part| part.is_closed).map(|part| part.extent).reduce(Extent::with);
         self.framed(largest.extent).or_else(closed)
     }
 
@@ -106,47 +110,47 @@ impl Sides {
         }
     }
 
-    /// Corners that drawn sides join.
+    /// What drawn sides join, in the order of their first corners.
     fn parts(&self) -> Vec<Part> {
         let wide = self.columns + 1;
-        let mut roots: Vec<usize> = (0..wide * (self.rows + 1)).collect();
+        let mut roots: Vec<u32> = (0..(wide * (self.rows + 1)) as u32).collect();
+        let mut closed = Vec::new();
+        let sides = self.joined();
+        for &(a, b) in &sides {
+            let (a, b) = (root(&mut roots, a), root(&mut roots, b));
+            roots[a.max(b) as usize] = a.min(b);
+            if a == b {
+                closed.push(a);
+            }
+        }
+        let mut parts: BTreeMap<u32, Part> = BTreeMap::new();
+        for &(a, b) in &sides {
+            let part = parts.entry(root(&mut roots, a)).or_insert_with(|| Part::at(a as usize, wide));
+            part.sides += 1;
+            part.extent = part.extent.with(Part::at(b as usize, wide).extent).with(Part::at(a as usize, wide).extent);
+        }
+        for corner in closed {
+            parts.entry(root(&mut roots, corner)).and_modify(|part| part.is_closed = true);
+        }
+        parts.into_values().collect()
+    }
+
+    /// The numbers of the corners at both ends of each drawn side.
+    fn joined(&self) -> Vec<(u32, u32)> {
+        let wide = self.columns + 1;
         let mut sides = Vec::new();
         for v in 0..=self.rows {
             for u in 0..=self.columns {
                 let corner = v * wide + u;
-                if v < self.rows && self.upright[v * wide + u] {
-                    sides.push((corner, corner + wide));
+                if v < self.rows && self.upright[corner] {
+                    sides.push((corner as u32, (corner + wide) as u32));
                 }
                 if u < self.columns && self.level[u * (self.rows + 1) + v] {
-                    sides.push((corner, corner + 1));
+                    sides.push((corner as u32, corner as u32 + 1));
                 }
             }
         }
-        for &(a, b) in &sides {
-            let (a, b) = (root(&mut roots, a), root(&mut roots, b));
-            roots[a.max(b)] = a.min(b);
-        }
-        self.gathered(&mut roots, &sides)
-    }
-
-    fn gathered(&self, roots: &mut [usize], sides: &[(usize, usize)]) -> Vec<Part> {
-        let wide = self.columns + 1;
-        let mut parts: Vec<Option<Part>> = vec![None; roots.len()];
-        for corner in 0..roots.len() {
-            let (u, v) = (corner % wide, corner / wide);
-            let root = root(roots, corner);
-            let new = Part { sides: 0, corners: 0, extent: Extent { columns: (u, u), rows: (v, v) } };
-            let part = parts[root].get_or_insert(new);
-            part.corners += 1;
-            let Extent { columns, rows } = &mut part.extent;
-            (*columns, *rows) = ((columns.0.min(u), columns.1.max(u)), (rows.0.min(v), rows.1.max(v)));
-        }
-        for &(corner, _) in sides {
-            if let Some(part) = &mut parts[root(roots, corner)] {
-                part.sides += 1;
-            }
-        }
-        parts.into_iter().flatten().filter(|part| part.sides > 0).collect()
+        sides
     }
 }
 
@@ -156,17 +160,26 @@ pub(super) fn between(plane: &Plane, turned: &Plane, lattice: &Lattice) -> usize
     count(plane, lattice) + count(turned, &lattice.transposed())
 }
 
+/// Sides that hang together.
 #[derive(Debug, Clone, Copy)]
 struct Part {
     sides: usize,
-    corners: usize,
+    /// Whether they close around something.
+    is_closed: bool,
     extent: Extent,
 }
 
-fn root(roots: &mut [usize], mut corner: usize) -> usize {
-    while roots[corner] != corner {
-        roots[corner] = roots[roots[corner]];
-        corner = roots[corner];
+impl Part {
+    fn at(corner: usize, wide: usize) -> Self {
+        let (u, v) = (corner % wide, corner / wide);
+        Self { sides: 0, is_closed: false, extent: Extent { columns: (u, u), rows: (v, v) } }
+    }
+}
+
+fn root(roots: &mut [u32], mut corner: u32) -> u32 {
+    while roots[corner as usize] != corner {
+        roots[corner as usize] = roots[roots[corner as usize] as usize];
+        corner = roots[corner as usize];
     }
     corner
 }

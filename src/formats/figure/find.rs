@@ -59,11 +59,13 @@ fn frequencies(x: &Spectrum, y: &Spectrum) -> Vec<(f64, f64)> {
 /// The lattice over the whole picture.
 fn endless(plane: &Plane, upright: Lines, level: Lines) -> Option<Lattice> {
     let whole = |lines: Lines, sides: usize| {
-        let sound = lines.apart >= 0.8 * period::LEAST && lines.start.is_finite();
+        if !(lines.apart >= 0.8 * period::LEAST && lines.start.is_finite()) {
+            return None;
+        }
         let before = libm::floor(lines.start / lines.apart) + 1.0;
         let start = lines.start - before * lines.apart;
-        let count = libm::ceil((sides as f64 - start) / lines.apart) as u32 + 1;
-        (sound && count <= 4 * MOST_CELLS).then_some((Lines { start, ..lines }, count))
+        let count = libm::ceil((sides as f64 - start) / lines.apart) + 1.0;
+        (count <= MOST_PIXELS as f64).then_some((Lines { start, ..lines }, count as u32))
     };
     let (upright, columns) = whole(upright, plane.width)?;
     let (level, rows) = whole(level, plane.height)?;

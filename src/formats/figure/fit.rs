@@ -3,6 +3,9 @@
 use super::period::Wave;
 use super::plane::{Bands, peaks};
 
+/// How often lines are moved to the peaks near them.
+const ROUNDS: usize = 6;
+
 /// Most that lines may lean: pixels a pixel.
 const STEEPEST: f64 = 0.03;
 
@@ -20,8 +23,8 @@ pub(super) fn lines(bands: &Bands, frequency: f64) -> Lines {
     let profile = peaks(&bands.upright(slope));
     let start = Wave::of(&profile, frequency).crest(frequency);
     let mut lines = Lines { start, apart: 1.0 / frequency, slope };
-    for reach in [0.35, 0.3, 0.25, 0.25] {
-        lines = refined(&profile, lines, reach);
+    for _ in 0..ROUNDS {
+        lines = refined(&profile, lines);
     }
     lines
 }
@@ -44,19 +47,22 @@ fn slope(bands: &Bands, frequency: f64) -> f64 {
     straight(&points).map_or(0.0, |(_, slope)| slope.clamp(-STEEPEST, STEEPEST))
 }
 
-/// Lines through the peaks near those of `lines`, within `reach` of a cell.
-fn refined(profile: &[f64], lines: Lines, reach: f64) -> Lines {
+/// Lines through the middles of the peaks near those of `lines`. Peaks count the less the farther they are, down to nothing half a cell away:
+/// a thick line has two, and a border between them and the next would pull the line to one side.
+fn refined(profile: &[f64], lines: Lines) -> Lines {
     let mut points = Vec::new();
+    let reach = lines.apart / 2.0;
     let first = libm::ceil(-lines.start / lines.apart) as i64;
     let last = libm::floor((profile.len() as f64 - lines.start) / lines.apart) as i64;
     for line in first..=last {
         let centre = lines.start + line as f64 * lines.apart;
-        let (from, to) = (centre - reach * lines.apart, centre + reach * lines.apart);
-        let (from, to) = (libm::ceil(from.max(0.0)) as usize, libm::floor(to.max(0.0)) as usize);
+        let (from, to) = (libm::ceil((centre - reach).max(0.0)) as usize, libm::floor((centre + reach).max(0.0)) as usize);
         let (mut mass, mut moment) = (0.0, 0.0);
         for (x, &value) in profile.iter().enumerate().take(to + 1).skip(from) {
-            mass += value;
-            moment += value * x as f64;
+            let away = (x as f64 - centre) / reach;
+            let weight = value * (1.0 - away * away) * (1.0 - away * away);
+            mass += weight;
+            moment += weight * x as f64;
         }
         if mass > 0.0 {
             points.push((line as f64, moment / mass, mass));

@@ -6,7 +6,7 @@ use super::fit::Lines;
 use crate::error::FormatError;
 
 /// Most columns or rows of a figure.
-pub(super) const MOST_CELLS: u32 = 1024;
+pub(super) const MOST_CELLS: u32 = 512;
 
 /// The cells of a figure in a picture. The corner between column u and row v (0 is the upper left one) lies at
 /// x = `x0` + u · `dx` + v · `shear_x`, y = `y0` + v · `dy` + u · `shear_y`, in pixels: pixel (0, 0) covers 0 to 1.
@@ -26,9 +26,9 @@ pub struct Lattice {
     pub shear_x: f64,
     /// Pixels that a column lies below the column left of it; less than half a cell either way.
     pub shear_y: f64,
-    /// Columns, 1–1024.
+    /// Columns, 1–512.
     pub columns: u32,
-    /// Rows, 1–1024.
+    /// Rows, 1–512.
     pub rows: u32,
 }
 
@@ -36,6 +36,12 @@ impl Lattice {
     /// The pixel coordinates of a place in cells: (0.5, 0.5) is the middle of the first.
     pub fn at(&self, u: f64, v: f64) -> (f64, f64) {
         (self.x0 + u * self.dx + v * self.shear_x, self.y0 + v * self.dy + u * self.shear_y)
+    }
+
+    /// The upper left corners of its cells, row by row, in cells.
+    pub(super) fn cells(&self) -> impl Iterator<Item = (f64, f64)> + use<> {
+        let (columns, rows) = (self.columns, self.rows);
+        (0..rows).flat_map(move |v| (0..columns).map(move |u| (f64::from(u), f64::from(v))))
     }
 
     /// Whether cells can be read by it.
@@ -55,7 +61,7 @@ impl Lattice {
             return wrong("shear_x", format!("{} and {} pixels", self.shear_x, self.shear_y), "less than half a cell");
         }
         if !((1..=MOST_CELLS).contains(&self.columns) && (1..=MOST_CELLS).contains(&self.rows)) {
-            return wrong("columns", format!("{} × {} cells", self.columns, self.rows), "1 to 1024 columns and rows");
+            return wrong("columns", format!("{} × {} cells", self.columns, self.rows), "1 to 512 columns and rows");
         }
         Ok(())
     }

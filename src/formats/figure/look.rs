@@ -16,6 +16,12 @@ pub(super) const COLOURED: u8 = 44;
 /// Hues are told apart by tens of degrees.
 pub(super) const HUES: usize = 36;
 
+/// The largest channel of a bright colour: dark blue walls and a bright blue path are two colours.
+const BRIGHT: u8 = 128;
+
+/// Dark colours by hue, then bright ones.
+pub(super) const COLOURS: usize = 2 * HUES;
+
 /// The inside of a cell.
 #[derive(Debug, Clone)]
 pub(super) struct Look {
@@ -23,34 +29,40 @@ pub(super) struct Look {
     pub luma: u8,
     /// Mean luma of the lightest of its corners: what is drawn across a cell does not fill all four.
     pub corner: u8,
-    /// Pixels of the core.
+    /// Pixels of the core; 0 beyond the picture.
     pub pixels: u32,
-    /// How many pixels of the core have which luma; those with a colour are counted in `hues` as well.
-    pub lumas: Box<[u16; 256]>,
-    /// How many coloured pixels have which hue.
-    pub hues: [u16; HUES],
+    /// How many of them are dark, those with a colour too.
+    pub dark: u32,
+    /// How many of them have which colour.
+    pub colours: [u16; COLOURS],
 }
 
-/// Looks at the cells of a lattice, row by row.
-pub(super) fn looks(picture: &Picture, lattice: &Lattice) -> impl Iterator<Item = Look> {
-    let cells = (0..lattice.rows).flat_map(|v| (0..lattice.columns).map(move |u| (f64::from(u), f64::from(v))));
+/// Median luma of the core of each cell of a lattice, row by row.
+pub(super) fn medians(picture: &Picture, lattice: &Lattice) -> Vec<u8> {
     let mut lumas = Vec::new();
-    cells.map(move |cell| look(picture, lattice, cell, &mut lumas))
+    let median = |cell| {
+        lumas.clear();
+        lumas.extend(core(picture, lattice, cell).map(luma));
+        lumas.sort_unstable();
+        lumas.get(lumas.len() / 2).copied().unwrap_or(255)
+    };
+    lattice.cells().map(median).collect()
 }
 
-fn look(picture: &Picture, lattice: &Lattice, cell: (f64, f64), lumas: &mut Vec<u8>) -> Look {
-    lumas.clear();
-    lumas.extend(inside(picture, lattice, cell, CORE).map(luma));
-    lumas.sort_unstable();
-    let median = lumas.get(lumas.len() / 2).copied().unwrap_or(255);
+/// Looks at the cells of a lattice, whose medians are known; below the threshold is dark.
+pub(super) fn looks(picture: &Picture, lattice: &Lattice, medians: &[u8], threshold: u8) -> Vec<Look> {
+    let look = |(cell, &luma)| look(picture, lattice, cell, luma, threshold);
+    lattice.cells().zip(medians).map(look).collect()
+}
+
+fn look(picture: &Picture, lattice: &Lattice, cell: (f64, f64), median: u8, threshold: u8) -> Look {
     let corner = corner(picture, lattice, cell);
-    let mut look = Look { luma: median, corner, pixels: 0, lumas: Box::new([0; 256]), hues: [0; HUES] };
-    for pixel in inside(picture, lattice, cell, CORE) {
+    let mut look = Look { luma: median, corner, pixels: 0, dark: 0, colours: [0; COLOURS] };
+    for pixel in core(picture, lattice, cell) {
         look.pixels += 1;
-        let count = &mut look.lumas[usize::from(luma(pixel))];
-        *count = count.saturating_add(1);
-        if let Some(hue) = hue(pixel) {
-            look.hues[hue] = look.hues[hue].saturating_add(1);
+        look.dark += u32::from(luma(pixel) < threshold);
+        if let Some(colour) = colour(pixel) {
+            look.colours[colour] = look.colours[colour].saturating_add(1);
         }
     }
     look
@@ -68,11 +80,12 @@ fn corner(picture: &Picture, lattice: &Lattice, (u, v): (f64, f64)) -> u8 {
     corners.into_iter().map(mean).max().unwrap_or(255)
 }
 
-/// The pixels of a cell, but for a border; those beyond the picture are left out. At most about 60 000 of them, evenly spread.
-fn inside(picture: &Picture, lattice: &Lattice, (u, v): (f64, f64), border: f64) -> impl Iterator<Item = [u8; 3]> {
-    pixels(picture, lattice, (u + border, v + border), 1.0 - 2.0 * border)
+/// The pixels of a cell, but for a border.
+fn core(picture: &Picture, lattice: &Lattice, (u, v): (f64, f64)) -> impl Iterator<Item = [u8; 3]> {
+    pixels(picture, lattice, (u + CORE, v + CORE), 1.0 - 2.0 * CORE)
 }
 
+/// The pixels of a square, its side in cells; those beyond the picture are left out. At most about 60 000 of them, evenly spread.
 fn pixels(picture: &Picture, lattice: &Lattice, (u, v): (f64, f64), side: f64) -> impl Iterator<Item = [u8; 3]> {
     let (left, top) = lattice.at(u, v);
     let (right, bottom) = lattice.at(u + side, v + side);
@@ -94,8 +107,8 @@ fn span(from: f64, to: f64, sides: u32) -> core::ops::Range<usize> {
     within(first)..within(end)
 }
 
-/// The hue of a pixel in tens of degrees from red, if it has one.
-fn hue([r, g, b]: [u8; 3]) -> Option<usize> {
+/// The hue of a pixel in tens of degrees from red, 36 more if it is bright; none if it is gray.
+fn colour([r, g, b]: [u8; 3]) -> Option<usize> {
     let (most, least) = (r.max(g).max(b), r.min(g).min(b));
     let chroma = i32::from(most - least);
     if most - least < COLOURED {
@@ -107,7 +120,8 @@ fn hue([r, g, b]: [u8; 3]) -> Option<usize> {
         _ if most == g => 120 + part(b, r),
         _ => 240 + part(r, g),
     };
-    Some((degrees + 5).rem_euclid(360) as usize / 10)
+    let hue = (degrees + 5).rem_euclid(360) as usize / 10;
+    Some(if most < BRIGHT { hue } else { HUES + hue })
 }
 
 #[cfg(test)]
@@ -115,10 +129,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hues() {
-        let of = |r, g, b| hue([r, g, b]);
-        assert_eq!([of(255, 0, 0), of(0, 255, 0), of(0, 0, 255)], [Some(0), Some(12), Some(24)]);
-        assert_eq!([of(255, 0, 10), of(255, 255, 0), of(90, 90, 120)], [Some(0), Some(6), None]);
+    fn hues_of_dark_and_bright() {
+        let of = |r, g, b| colour([r, g, b]);
+        assert_eq!([of(255, 0, 0), of(0, 255, 0), of(0, 0, 255)], [Some(36), Some(48), Some(60)]);
+        assert_eq!([of(255, 0, 10), of(255, 255, 0), of(90, 90, 120)], [Some(36), Some(42), None]);
+        assert_eq!([of(20, 30, 90), of(90, 0, 0)], [Some(23), Some(0)]);
     }
 
     #[test]

@@ -68,8 +68,8 @@ impl Histogram {
             if below == 0.0 || above == 0.0 {
                 continue;
             }
-            let apart = sum_below / below - (sum - sum_below) / above;
-            let between = below * above * apart * apart;
+            let difference = sum_below / below - (sum - sum_below) / above;
+            let between = below * above * difference * difference;
             if between > best {
                 (best, first) = (between, threshold);
             }
