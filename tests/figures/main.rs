@@ -1,5 +1,5 @@
 //! Figures of grids, drawn in eight styles and read back: `cargo test --test figures -- --nocapture` prints how well.
-//! `FIGURE_SEED=N` draws others.
+//! `FIGURE_SEED=2` draws others, `FIGURE_SEED=101-150` one of each size and style for each of fifty seeds.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod digits;
@@ -15,7 +15,7 @@ use render::{Dice, Scene, Style};
 
 const SIDES: [usize; 3] = [20, 30, 50];
 
-/// Figures of each style and side.
+/// Figures of each style and size, of one seed.
 const EACH: usize = 4;
 
 const GRAYS: &[u8] = &[0, 60, 128, 200];
@@ -81,79 +81,86 @@ impl Tally {
     fn add(&mut self, scene: &Scene, picture: &Picture) {
         self.cells += scene.cells.len();
         self.lattices += 1;
-        let figure = figure::find(picture);
         let side = scene.side as u32;
-        let Some(figure) = figure.ok().filter(|figure| (figure.cells.columns, figure.cells.rows) == (side, side)) else {
-            self.wrong += scene.cells.len();
-            return;
-        };
-        self.lattices_right += 1;
-        for (&truth, &found) in scene.cells.iter().zip(&figure.cells.classes) {
-            let is_right = truth == found || (truth == class::FREE && found == class::PATH);
-            self.right += usize::from(is_right);
-            self.unsure += usize::from(found == class::UNSURE);
-            self.wrong += usize::from(!is_right && found != class::UNSURE);
-            if !is_right && std::env::var("DBG").is_ok() {
-                println!("truth {truth} found {found} colours {:?} size {} path {}", scene.colours, scene.size, scene.path_width);
+        match figure::find(picture) {
+            Ok(figure) if (figure.cells.columns, figure.cells.rows) == (side, side) => {
+                self.lattices_right += 1;
+                scene.cells.iter().zip(&figure.cells.classes).for_each(|(&truth, &found)| self.cell(truth, found));
             }
-            if truth == class::START || truth == class::GOAL {
-                self.ends += 1;
-                self.ends_right += usize::from(is_right);
-            }
+            _ => self.wrong += scene.cells.len(),
         }
+    }
+
+    fn cell(&mut self, truth: u8, found: u8) {
+        let is_right = truth == found || (truth == class::FREE && found == class::PATH);
+        self.right += usize::from(is_right);
+        self.unsure += usize::from(found == class::UNSURE);
+        self.wrong += usize::from(!is_right && found != class::UNSURE);
+        if truth == class::START || truth == class::GOAL {
+            self.ends += 1;
+            self.ends_right += usize::from(is_right);
+        }
+    }
+
+    fn percent(&self, part: usize) -> f64 {
+        100.0 * part as f64 / self.cells as f64
+    }
+
+    fn row(&self, name: &str) -> String {
+        let ends = if self.ends == 0 { "–".into() } else { format!("{} of {}", self.ends_right, self.ends) };
+        let lattices = format!("{} of {}", self.lattices_right, self.lattices);
+        let [right, unsure, wrong] = [self.right, self.unsure, self.wrong].map(|part| self.percent(part));
+        format!("| {name} | {lattices} | {right:.2} % | {unsure:.2} % | {wrong:.2} % | {ends} |")
     }
 }
 
-fn tally(style: &Style, seed: u64, each: usize) -> Tally {
+/// Draws and reads `each` figures of a style in each size, for every seed.
+fn tally(style: &Style, seeds: &[u64], each: usize) -> Tally {
     let mut tally = Tally::default();
-    for side in SIDES {
-        for number in 0..each {
+    for &seed in seeds {
+        for (side, number) in SIDES.into_iter().flat_map(|side| (0..each).map(move |number| (side, number))) {
             let mut dice = Dice(seed.wrapping_mul(1_000_003).wrapping_add((side * 1000 + number) as u64));
             let scene = Scene::new(side, style, &mut dice);
             let drawn = scene.picture();
-            let drawn = if style.jpeg { as_jpeg(&drawn) } else { drawn };
-            let before = (tally.lattices_right, tally.right);
-            tally.add(&scene, &drawn);
-            let gained = tally.right - before.1;
-            if std::env::var("FIGURE_SEED").is_ok() && gained * 100 < side * side * 99 {
-                println!(
-                    "{} {side}/{number}: lattice {} {gained} of {} cell {:.2} line {:.2} pad {:?} lean {:?}",
-                    style.name,
-                    tally.lattices_right - before.0,
-                    side * side,
-                    scene.size,
-                    scene.line,
-                    scene.padding,
-                    scene.lean
-                );
-            }
+            tally.add(&scene, &if style.jpeg { as_jpeg(&drawn) } else { drawn });
         }
     }
     tally
 }
 
+/// Seeds from FIGURE_SEED, as `1` or `101-150`.
+fn seeds() -> Vec<u64> {
+    let text = std::env::var("FIGURE_SEED").unwrap_or_else(|_| "1".into());
+    let (first, last) = text.split_once('-').unwrap_or((&text, &text));
+    let number = |text: &str| text.parse().expect("FIGURE_SEED is a number, or two with `-` between them");
+    (number(first)..=number(last)).collect()
+}
+
 #[test]
 fn ninety_nine_of_a_hundred_cells_in_every_style() {
-    let seed = std::env::var("FIGURE_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
-    let each = std::env::var("FIGURE_EACH").ok().and_then(|each| each.parse().ok()).unwrap_or(EACH);
-    let percent = |part: usize, of: usize| 100.0 * part as f64 / of.max(1) as f64;
+    let seeds = seeds();
+    let each = if seeds.len() == 1 { EACH } else { 1 };
     println!("| style | lattices | cells right | unsure | wrong | start and goal |\n|---|---|---|---|---|---|");
     let mut least: f64 = 100.0;
     for style in styles() {
-        let t = tally(&style, seed, each);
-        let ends = if t.ends == 0 { "–".into() } else { format!("{} of {}", t.ends_right, t.ends) };
-        println!(
-            "| {} | {} of {} | {:.2} % | {:.2} % | {:.2} % | {ends} |",
-            style.name,
-            t.lattices_right,
-            t.lattices,
-            percent(t.right, t.cells),
-            percent(t.unsure, t.cells),
-            percent(t.wrong, t.cells)
-        );
-        least = least.min(percent(t.right, t.cells));
+        let tally = tally(&style, &seeds, each);
+        println!("{}", tally.row(style.name));
+        least = least.min(tally.percent(tally.right));
     }
     assert!(least >= 99.0, "{least} %");
+}
+
+#[test]
+fn a_figure_may_fill_its_picture() {
+    for padding in [[17.0, 22.0, 22.0, 0.0], [0.0; 4], [0.0, 0.0, 30.0, 30.0], [-0.5, -0.5, 0.0, 0.0], [3.0, 0.0, 0.0, 9.0]] {
+        for seed in 0..4 {
+            let mut scene = Scene::new(20, &THIN, &mut Dice(seed));
+            scene.padding = padding;
+            let mut tally = Tally::default();
+            tally.add(&scene, &scene.picture());
+            assert_eq!((tally.right, tally.lattices_right), (400, 1), "{padding:?}, seed {seed}");
+        }
+    }
 }
 
 #[test]

@@ -35,7 +35,7 @@ impl Dice {
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Style {
     pub name: &'static str,
-    /// Pixels of a line between cells, of its lightest gray at most; 0 for no lines.
+    /// Pixels of a line between cells, from and to; 0 for no lines.
     pub line: (f64, f64),
     pub line_grays: &'static [u8],
     /// Whether cells are a whole number of pixels.
@@ -57,11 +57,11 @@ pub struct Scene {
     path: Vec<(f64, f64)>,
     /// Pixels of a cell.
     pub size: f64,
-    pub line: f64,
-    pub lean: (f64, f64),
+    line: f64,
+    lean: (f64, f64),
     pub padding: [f64; 4],
-    pub colours: [[u8; 3]; 5],
-    pub path_width: f64,
+    colours: [[u8; 3]; 5],
+    path_width: f64,
     filled: bool,
     labels: bool,
 }
@@ -69,19 +69,23 @@ pub struct Scene {
 const WHITE: [u8; 3] = [255; 3];
 const BLACK: [u8; 3] = [0; 3];
 
+/// Of walls, start, goal, path and lines.
+fn colours(style: &Style, dice: &mut Dice) -> [[u8; 3]; 5] {
+    let walls = [BLACK, [40; 3], [80; 3], [20, 30, 90], [92, 51, 23]];
+    let ends = [([0, 160, 0], [230, 20, 20]), ([0, 200, 60], [200, 0, 0]), ([30, 60, 230], [230, 20, 20])];
+    let (start, goal) = dice.one_of(&ends);
+    let path = dice.one_of(&[[30, 80, 230], [220, 30, 30], [240, 130, 0], [190, 0, 190]]);
+    [dice.one_of(&walls), start, goal, path, [dice.one_of(style.line_grays); 3]]
+}
+
 impl Scene {
     pub fn new(side: usize, style: &Style, dice: &mut Dice) -> Self {
-        let mut cells: Vec<u8> = vec![0; side * side];
         let density = dice.between(0.1, 0.4);
-        cells.iter_mut().for_each(|cell| *cell = u8::from(dice.between(0.0, 1.0) < density));
+        let cells = (0..side * side).map(|_| u8::from(dice.between(0.0, 1.0) < density)).collect();
         let size = dice.between(8.0, 25.0);
         let size = if style.whole { size.round() } else { size };
-        let walls = [BLACK, [40; 3], [80; 3], [20, 30, 90], [92, 51, 23]];
-        let ends = [([0, 160, 0], [230, 20, 20]), ([0, 200, 60], [200, 0, 0]), ([30, 60, 230], [230, 20, 20])];
-        let (start, goal) = dice.one_of(&ends);
-        let gray = if style.line_grays.is_empty() { 0 } else { dice.one_of(style.line_grays) };
-        let path = dice.one_of(&[[30, 80, 230], [220, 30, 30], [240, 130, 0], [190, 0, 190]]);
         let margin = if style.labels { (40.0, 90.0) } else { (0.0, 40.0) };
+        let part = if style.whole { 0.0 } else { dice.between(0.0, 1.0) };
         let mut scene = Self {
             side,
             cells,
@@ -89,61 +93,56 @@ impl Scene {
             size,
             line: dice.between(style.line.0, style.line.1).min(0.3 * size),
             lean: (dice.between(-style.skew, style.skew), dice.between(-style.skew, style.skew)),
-            padding: core::array::from_fn(|_| dice.between(margin.0, margin.1).round() + style.skew),
-            colours: [dice.one_of(&walls), start, goal, path, [gray; 3]],
+            padding: core::array::from_fn(|_| dice.between(margin.0, margin.1).round() + style.skew + part),
+            colours: colours(style, dice),
             path_width: dice.between(2.0, 4.0),
             filled: dice.below(2) == 0,
             labels: style.labels,
         };
-        if !style.whole {
-            scene.padding[0] += dice.between(0.0, 1.0);
-            scene.padding[1] += dice.between(0.0, 1.0);
+        if style.ends || style.path {
+            scene.ends(style, dice);
         }
-        scene.ends(style, dice);
         scene
     }
 
-    /// A start, a goal that can be reached from it, and a way between them.
+    /// A start, the goal farthest from it, and a way between them.
     fn ends(&mut self, style: &Style, dice: &mut Dice) {
-        if !style.ends && !style.path {
-            return;
-        }
         let n = self.side;
         let start = dice.below(n / 3) * n + dice.below(n / 3);
         self.cells[start] = 0;
-        let mut from = vec![usize::MAX; n * n];
+        let (from, goal) = self.ways(start);
+        if goal == start {
+            return;
+        }
+        if style.path {
+            let before = |cell: &usize| (*cell != start).then_some(from[*cell]);
+            let middle = |cell: usize| ((cell % n) as f64 + 0.5, (cell / n) as f64 + 0.5);
+            self.path = std::iter::successors(Some(goal), before).map(middle).collect();
+        }
+        if style.ends {
+            (self.cells[start], self.cells[goal]) = (class::START, class::GOAL);
+        }
+    }
+
+    /// For each cell the one before it on a way from `start`, and the cell that is reached last.
+    fn ways(&self, start: usize) -> (Vec<usize>, usize) {
+        let n = self.side as i64;
+        let mut from = vec![usize::MAX; self.cells.len()];
         from[start] = start;
         let mut queue = vec![start];
         let mut next = 0;
         while let Some(&cell) = queue.get(next) {
             next += 1;
-            let (x, y) = ((cell % n) as i64, (cell / n) as i64);
             for (dx, dy) in [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)] {
-                let (x, y) = (x + dx, y + dy);
-                if (0..n as i64).contains(&x) && (0..n as i64).contains(&y) {
-                    let to = y as usize * n + x as usize;
-                    if self.cells[to] == 0 && from[to] == usize::MAX {
-                        from[to] = cell;
-                        queue.push(to);
-                    }
+                let (x, y) = (cell as i64 % n + dx, cell as i64 / n + dy);
+                let to = (y * n + x) as usize;
+                if (0..n).contains(&x) && (0..n).contains(&y) && self.cells[to] == 0 && from[to] == usize::MAX {
+                    from[to] = cell;
+                    queue.push(to);
                 }
             }
         }
-        let goal = *queue.last().unwrap();
-        if goal == start {
-            return;
-        }
-        if style.path {
-            let mut cell = goal;
-            while cell != start {
-                self.path.push(((cell % n) as f64 + 0.5, (cell / n) as f64 + 0.5));
-                cell = from[cell];
-            }
-            self.path.push(((start % n) as f64 + 0.5, (start / n) as f64 + 0.5));
-        }
-        if style.ends {
-            (self.cells[start], self.cells[goal]) = (class::START, class::GOAL);
-        }
+        (from, queue[queue.len() - 1])
     }
 
     pub fn picture(&self) -> Picture {
@@ -152,21 +151,18 @@ impl Scene {
         let [left, top, right, bottom] = self.padding;
         let (width, height) = ((left + span + right).ceil() as usize, (top + span + bottom).ceil() as usize);
         let near = self.near();
-        let mut pixels = Vec::with_capacity(width * height);
-        for y in 0..height {
-            for x in 0..width {
-                let mut sum = [0_u32; 3];
-                for i in 0..FINE * FINE {
-                    let at = |n: usize, i: usize| n as f64 + (i as f64 + 0.5) / FINE as f64;
-                    let (px, py) = (at(x, i % FINE) - left, at(y, i / FINE) - top);
-                    let (px, py) = (px - self.lean.0 * py / span, py - self.lean.1 * px / span);
-                    let colour = self.colour(px, py, &near);
-                    sum.iter_mut().zip(colour).for_each(|(sum, c)| *sum += u32::from(c));
-                }
-                let [r, g, b] = sum.map(|sum| (sum / (FINE * FINE) as u32) as u8);
-                pixels.push([r, g, b, 255]);
+        let pixel = |x: usize, y: usize| {
+            let mut sum = [0_u32; 3];
+            for i in 0..FINE * FINE {
+                let at = |n: usize, i: usize| n as f64 + (i as f64 + 0.5) / FINE as f64;
+                let (px, py) = (at(x, i % FINE) - left, at(y, i / FINE) - top);
+                let (px, py) = (px - self.lean.0 * py / span, py - self.lean.1 * px / span);
+                sum.iter_mut().zip(self.colour(px, py, &near)).for_each(|(sum, c)| *sum += u32::from(c));
             }
-        }
+            let [r, g, b] = sum.map(|sum| (sum / (FINE * FINE) as u32) as u8);
+            [r, g, b, 255]
+        };
+        let pixels = (0..width * height).map(|i| pixel(i % width, i / width)).collect();
         Picture { width: width as u32, height: height as u32, pixels, notices: Vec::new() }
     }
 
@@ -188,28 +184,30 @@ impl Scene {
     /// The colour at a place in pixels from the upper left corner of the cells.
     fn colour(&self, x: f64, y: f64, near: &[Vec<usize>]) -> [u8; 3] {
         let (u, v) = (x / self.size, y / self.size);
-        let n = self.side as f64;
-        let half = self.line / 2.0;
-        let on_line = |place: f64| (place - place.round()).abs() * self.size <= half;
-        let frame = half.max(0.5) / self.size;
-        let inside = |place: f64, margin: f64| place > -margin && place < n + margin;
-        if !(inside(u, frame) && inside(v, frame)) {
+        let frame = (self.line / 2.0).max(0.5) / self.size;
+        let away = |place: f64| (-place).max(place - self.side as f64);
+        let outside = away(u).max(away(v));
+        if outside >= frame {
             return if self.labels && self.is_label(x, y) { BLACK } else { WHITE };
         }
-        let is_frame = |place: f64| place.abs() <= frame || (place - n).abs() <= frame;
-        if is_frame(u) || is_frame(v) {
+        if outside >= -frame {
             return BLACK;
         }
         let cell = v as usize * self.side + u as usize;
-        if !near[cell].is_empty() && near[cell].iter().any(|&i| self.is_on_path(i, u, v)) {
+        if near[cell].iter().any(|&i| self.is_on_path(i, u, v)) {
             return self.colours[3];
         }
-        let (cu, cv) = (u.fract() - 0.5, v.fract() - 0.5);
-        let is_marker = self.filled || cu * cu + cv * cv < 0.36 * 0.36;
+        let on_line = |place: f64| (place - place.round()).abs() * self.size <= self.line / 2.0;
         if self.line > 0.0 && (on_line(u) || on_line(v)) {
             return self.colours[4];
         }
-        match self.cells[cell] {
+        self.filling(self.cells[cell], u.fract() - 0.5, v.fract() - 0.5)
+    }
+
+    /// The colour of a cell's inside, at a place beside its middle.
+    fn filling(&self, class: u8, u: f64, v: f64) -> [u8; 3] {
+        let is_marker = self.filled || u * u + v * v < 0.36 * 0.36;
+        match class {
             class::WALL => self.colours[0],
             class::START if is_marker => self.colours[1],
             class::GOAL if is_marker => self.colours[2],

@@ -8,6 +8,9 @@ use super::plane::Plane;
 /// A side is drawn where luma changes by at least this much across it, along three quarters of it.
 const DRAWN: i16 = 8;
 
+/// The edges of a thick line lie within so many cells of its middle.
+const REACH: f64 = 0.17;
+
 /// A frame is whole where so much of each of its sides is drawn.
 const WHOLE: f64 = 0.6;
 
@@ -54,7 +57,12 @@ impl Sides {
     /// Looks at every side; `turned` is the transposed plane.
     pub(super) fn new(plane: &Plane, turned: &Plane, lattice: &Lattice) -> Self {
         let (columns, rows) = (lattice.columns as usize, lattice.rows as usize);
-        Self { columns, rows, upright: drawn(plane, lattice, 0.0), level: drawn(turned, &lattice.transposed(), 0.0) }
+        Self {
+            columns,
+            rows,
+            upright: drawn(plane, lattice, (0.0, REACH)),
+            level: drawn(turned, &lattice.transposed(), (0.0, REACH)),
+        }
     }
 
     /// How many sides are drawn.
@@ -85,6 +93,28 @@ impl Sides {
         let largest = parts.iter().max_by_key(|part| part.sides)?;
         let closed = || parts.iter().filter(|part| part.is_closed).map(|part| part.extent).reduce(Extent::with);
         self.framed(largest.extent).or_else(closed)
+    }
+
+    /// With the columns and rows that reach a picture's edge, where there is no side to be drawn: `at_edge` says which of a lattice's lines,
+    /// across and down, lie there.
+    pub(super) fn to_the_edge(&self, mut e: Extent, at_edge: impl Fn(usize, bool) -> bool) -> Extent {
+        let level = |u: usize, e: Extent| (e.rows.0..=e.rows.1).filter(|v| self.level[u * (self.rows + 1) + v]).count();
+        let upright =
+            |v: usize, e: Extent| (e.columns.0..=e.columns.1).filter(|u| self.upright[v * (self.columns + 1) + u]).count();
+        let some = |drawn: usize, (from, to): (usize, usize)| 10 * drawn > to - from;
+        if e.columns.0 > 0 && at_edge(e.columns.0 - 1, false) && some(level(e.columns.0 - 1, e), e.rows) {
+            e.columns.0 -= 1;
+        }
+        if e.columns.1 < self.columns && at_edge(e.columns.1 + 1, false) && some(level(e.columns.1, e), e.rows) {
+            e.columns.1 += 1;
+        }
+        if e.rows.0 > 0 && at_edge(e.rows.0 - 1, true) && some(upright(e.rows.0 - 1, e), e.columns) {
+            e.rows.0 -= 1;
+        }
+        if e.rows.1 < self.rows && at_edge(e.rows.1 + 1, true) && some(upright(e.rows.1, e), e.columns) {
+            e.rows.1 += 1;
+        }
+        e
     }
 
     /// The frame in it: ticks and numbers beside it are peeled off, line by line where least is drawn.
@@ -156,7 +186,7 @@ impl Sides {
 
 /// How many of the sides would be drawn, if the lattice were moved by half a cell: few, unless it is none.
 pub(super) fn between(plane: &Plane, turned: &Plane, lattice: &Lattice) -> usize {
-    let count = |plane, lattice: &Lattice| drawn(plane, lattice, 0.5).iter().filter(|&&drawn| drawn).count();
+    let count = |plane, lattice: &Lattice| drawn(plane, lattice, (0.5, 0.0)).iter().filter(|&&drawn| drawn).count();
     count(plane, lattice) + count(turned, &lattice.transposed())
 }
 
@@ -184,18 +214,19 @@ fn root(roots: &mut [u32], mut corner: u32) -> u32 {
     corner
 }
 
-/// Whether the left side of each cell is drawn, row by row, and the right side of the last; `moved` cells to the right.
-fn drawn(plane: &Plane, lattice: &Lattice, moved: f64) -> Vec<bool> {
+/// Whether the left side of each cell is drawn, row by row, and the right side of the last; `moved` cells to the right, and within so many
+/// cells of there.
+fn drawn(plane: &Plane, lattice: &Lattice, (moved, reach): (f64, f64)) -> Vec<bool> {
     let cells = (0..lattice.rows).flat_map(|v| (0..=lattice.columns).map(move |u| (f64::from(u) + moved, f64::from(v))));
     let mut steps = Vec::new();
-    cells.map(|(u, v)| is_drawn(plane, lattice, (u, v), &mut steps)).collect()
+    let reach = (reach * lattice.dx).max(0.5);
+    cells.map(|(u, v)| is_drawn(plane, lattice, (u, v), reach, &mut steps)).collect()
 }
 
-fn is_drawn(plane: &Plane, lattice: &Lattice, (u, v): (f64, f64), steps: &mut Vec<i16>) -> bool {
+fn is_drawn(plane: &Plane, lattice: &Lattice, (u, v): (f64, f64), reach: f64, steps: &mut Vec<i16>) -> bool {
     let ((x, top), (_, bottom)) = (lattice.at(u, v + 0.15), lattice.at(u, v + 0.85));
     let (top, bottom) = (libm::ceil(top - 0.5) as isize, libm::floor(bottom - 0.5) as isize);
     let lean = lattice.shear_x / lattice.dy;
-    let reach = (0.17 * lattice.dx).max(1.0);
     let (from, to) = (libm::ceil(-reach - 0.5) as isize, libm::floor(reach + 0.5) as isize);
     (from..=to).any(|offset| {
         steps.clear();

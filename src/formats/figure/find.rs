@@ -13,6 +13,9 @@ const MOST_PIXELS: usize = 8192;
 /// Share of the lines inside a figure on which at least one side is drawn.
 const USED: f64 = 0.7;
 
+/// A line so many cells from the picture's edge lies there.
+const EDGE: f64 = 0.25;
+
 /// A lattice moved by half a cell meets less than this share of the sides that it meets where it is.
 const MISSED: f64 = 0.35;
 
@@ -85,6 +88,12 @@ fn settled(plane: &Plane, turned: &Plane, endless: Lattice) -> Option<(Lattice, 
 fn figure(plane: &Plane, turned: &Plane, lattice: Lattice) -> Option<(Lattice, usize)> {
     let sides = Sides::new(plane, turned, &lattice);
     let extent = sides.extent()?;
+    let at_edge = |line: usize, is_level: bool| {
+        let (x, y) = (lattice.x0 + line as f64 * lattice.dx, lattice.y0 + line as f64 * lattice.dy);
+        let near = |place: f64, side: usize, cell: f64| place.abs().min((place - side as f64).abs()) <= EDGE * cell;
+        if is_level { near(y, plane.height, lattice.dy) } else { near(x, plane.width, lattice.dx) }
+    };
+    let extent = sides.to_the_edge(extent, at_edge);
     let Extent { columns, rows } = extent;
     let (wide, high) = ((columns.1 - columns.0) as u32, (rows.1 - rows.0) as u32);
     let enough = period::FEWEST as u32..=MOST_CELLS;
