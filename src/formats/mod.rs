@@ -9,6 +9,7 @@ mod archive;
 pub mod comparison_json;
 mod drawing;
 mod ends;
+pub mod figure;
 mod foreign;
 mod imported_map;
 mod kind;

@@ -98,7 +98,8 @@ pub(super) fn check_claim(width: u64, height: u64) -> Result<(u32, u32), FormatE
 /// # Errors
 /// [`FormatError`]: the file is no raster, or cannot be read.
 pub fn survey(bytes: &[u8], name: &str) -> Result<Survey, Error> {
-    let raster = read(bytes, name)?;
+    let mut raster = read(bytes, name)?;
+    raster.leave_out_impossible();
     let (lowest, highest) = raster.range()?;
     let missing = raster.heights.iter().filter(|h| h.is_nan()).count() as u32;
     let (preview_width, preview_height) = at_most(raster.size(), PREVIEW_SIDE);
@@ -118,12 +119,6 @@ pub fn import_terrain(bytes: &[u8], name: &str, options: TerrainOptions) -> Resu
 
 /// The raster of a file.
 fn read(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
-    let mut raster = read_as_it_is(bytes, name)?;
-    raster.leave_out_impossible();
-    Ok(raster)
-}
-
-fn read_as_it_is(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
     let kind = recognise(bytes, name)?.kind;
     match kind {
         Kind::Geotiff => return geotiff::read(bytes),
@@ -142,6 +137,7 @@ fn read_as_it_is(bytes: &[u8], name: &str) -> Result<Raster, FormatError> {
 
 /// The scenario of a raster.
 pub(super) fn terrain(mut raster: Raster, name: &str, options: TerrainOptions) -> Result<Imported, FormatError> {
+    raster.leave_out_impossible();
     if let Some(window) = options.crop {
         raster = raster.cropped(window)?;
     }
@@ -234,8 +230,9 @@ impl Raster {
             *height = f32::NAN;
         }
         if count > 0 {
+            let hold = if count == 1 { "1 cell holds a height".to_owned() } else { format!("{count} cells hold heights") };
             let message = format!(
-                "{count} cells hold heights that no ground has, such as {example:e}: beyond {FARTHEST} m above or below the sea they count as without data"
+                "{hold} that no ground has, such as {example:e}: beyond {FARTHEST} m above or below the sea they count as without data"
             );
             let notice = Notice::new("terrain-impossible", message).with("count", count);
             self.notices.push(notice.with("value", format!("{example:e}")).with("most", FARTHEST));

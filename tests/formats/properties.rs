@@ -50,8 +50,7 @@ fn maps() -> impl Strategy<Value = Grid> {
 
 /// Any finite heights, and cells without; the first cell has one.
 fn terrains() -> impl Strategy<Value = Grid> {
-    let height =
-        prop_oneof![4 => -500.0f32..9000.0, 1 => Just(f32::NAN), 1 => Just(-9999.0f32), 1 => -1e6f32..1e6, 1 => -1e-20f32..1e-20];
+    let height = prop_oneof![4 => -500.0f32..9000.0, 1 => Just(f32::NAN), 1 => Just(-9999.0f32), 1 => -12e3f32..12e3, 1 => -1e-20f32..1e-20];
     (1u32..12, 1u32..12).prop_flat_map(move |(w, h)| {
         proptest::collection::vec(height.clone(), (w * h) as usize).prop_map(move |mut heights| {
             heights[0] = 1.0;

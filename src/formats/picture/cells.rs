@@ -86,12 +86,6 @@ pub fn to_cells(picture: &Picture, options: &PictureOptions) -> Result<Cells, Fo
 
 /// Columns and rows of the map.
 fn size(pixels: (u32, u32), options: &PictureOptions) -> Result<(u32, u32), FormatError> {
-    let metres = |field, value: Option<f64>| match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => {
-            Err(FormatError::field(field, format!("{value} m"), "a length above 0"))
-        }
-        value => Ok(value),
-    };
     let pixel = metres("metres_per_pixel", options.metres_per_pixel)?;
     let cell = metres("metres_per_cell", options.metres_per_cell)?;
     let longer = pixels.0.max(pixels.1);
@@ -108,6 +102,15 @@ fn size(pixels: (u32, u32), options: &PictureOptions) -> Result<(u32, u32), Form
         return Err(FormatError::field("cells", what, format!("1 to {}", longer.min(MAX_SIDE))));
     }
     Ok(at_most(pixels, sides))
+}
+
+fn metres(field: &'static str, value: Option<f64>) -> Result<Option<f64>, FormatError> {
+    match value {
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            Err(FormatError::field(field, format!("{value} m"), "a length above 0"))
+        }
+        value => Ok(value),
+    }
 }
 
 /// As many cells of a size in metres as fit best.

@@ -71,29 +71,36 @@ fn format(bytes: &[u8]) -> Option<Format> {
 /// [`FormatError::NotAMap`]: no picture of a known format. [`FormatError::TooLarge`]: it claims more than [`MAX_PIXELS`], before memory is
 /// set aside for them. [`FormatError::Field`]: it is broken, or holds fewer bytes than its size takes.
 pub fn decode(bytes: &[u8]) -> Result<Picture, FormatError> {
-    let file = Cursor::new(bytes);
     match format(bytes) {
-        Some(Format::Png) => {
-            let png = PngDecoder::with_limits(file, limits()).map_err(|e| broken("PNG", e))?;
-            let is_moving = png.is_apng().unwrap_or(false);
-            from(Box::new(png), Source { name: "PNG", is_moving, most: Some(MOST_OF_PNG * bytes.len() as u64) })
-        }
-        Some(Format::Jpeg) => {
-            let jpeg = JpegDecoder::new(file).map_err(|e| broken("JPEG", e))?;
-            from(Box::new(jpeg), Source { name: "JPEG", is_moving: false, most: Some(MOST_OF_JPEG * bytes.len() as u64) })
-        }
-        Some(Format::Bmp) => {
-            let bmp = BmpDecoder::new(file).map_err(|e| broken("BMP", e))?;
-            from(Box::new(bmp), Source { name: "BMP", is_moving: false, most: None })
-        }
-        Some(Format::Webp) => {
-            let webp = WebPDecoder::new(file).map_err(|e| broken("WebP", e))?;
-            let is_moving = webp.has_animation();
-            from(Box::new(webp), Source { name: "WebP", is_moving, most: None })
-        }
+        Some(Format::Png) => png(bytes),
+        Some(Format::Jpeg) => jpeg(bytes),
+        Some(Format::Bmp) => bmp(bytes),
+        Some(Format::Webp) => webp(bytes),
         Some(Format::Netpbm) => pnm::read(bytes),
         None => Err(FormatError::NotAMap { found: "no picture of a known format (PNG, JPEG, BMP, WebP, PBM, PGM, PPM)" }),
     }
+}
+
+fn png(bytes: &[u8]) -> Result<Picture, FormatError> {
+    let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits()).map_err(|e| broken("PNG", e))?;
+    let is_moving = decoder.is_apng().unwrap_or(false);
+    from(Box::new(decoder), Source { name: "PNG", is_moving, most: Some(MOST_OF_PNG * bytes.len() as u64) })
+}
+
+fn jpeg(bytes: &[u8]) -> Result<Picture, FormatError> {
+    let decoder = JpegDecoder::new(Cursor::new(bytes)).map_err(|e| broken("JPEG", e))?;
+    from(Box::new(decoder), Source { name: "JPEG", is_moving: false, most: Some(MOST_OF_JPEG * bytes.len() as u64) })
+}
+
+fn bmp(bytes: &[u8]) -> Result<Picture, FormatError> {
+    let decoder = BmpDecoder::new(Cursor::new(bytes)).map_err(|e| broken("BMP", e))?;
+    from(Box::new(decoder), Source { name: "BMP", is_moving: false, most: None })
+}
+
+fn webp(bytes: &[u8]) -> Result<Picture, FormatError> {
+    let decoder = WebPDecoder::new(Cursor::new(bytes)).map_err(|e| broken("WebP", e))?;
+    let is_moving = decoder.has_animation();
+    from(Box::new(decoder), Source { name: "WebP", is_moving, most: None })
 }
 
 /// What a decoder does not tell by itself.
@@ -208,7 +215,7 @@ mod tests {
 
     use super::*;
 
-    fn png(raw: &[u8], (width, height): (u32, u32), color: ExtendedColorType) -> Vec<u8> {
+    fn packed(raw: &[u8], (width, height): (u32, u32), color: ExtendedColorType) -> Vec<u8> {
         let mut bytes = Vec::new();
         PngEncoder::new(&mut bytes).write_image(raw, width, height, color).unwrap();
         bytes
@@ -216,16 +223,16 @@ mod tests {
 
     #[test]
     fn gray_colour_alpha_and_sixteen_bits() {
-        let gray = decode(&png(&[0, 7, 255, 128], (2, 2), ExtendedColorType::L8)).unwrap();
+        let gray = decode(&packed(&[0, 7, 255, 128], (2, 2), ExtendedColorType::L8)).unwrap();
         assert_eq!((gray.width, gray.height), (2, 2));
         assert_eq!(gray.pixels, [[0, 0, 0, 255], [7, 7, 7, 255], [255, 255, 255, 255], [128, 128, 128, 255]]);
-        let clear = decode(&png(&[1, 2, 3, 4], (1, 1), ExtendedColorType::Rgba8)).unwrap();
+        let clear = decode(&packed(&[1, 2, 3, 4], (1, 1), ExtendedColorType::Rgba8)).unwrap();
         assert_eq!(clear.pixels, [[1, 2, 3, 4]]);
         let values: Vec<u8> = [0x12ff_u16, 0xfe80, 0x0100, 0x8000].iter().flat_map(|v| v.to_ne_bytes()).collect();
-        let deep = decode(&png(&values, (1, 1), ExtendedColorType::Rgba16)).unwrap();
+        let deep = decode(&packed(&values, (1, 1), ExtendedColorType::Rgba16)).unwrap();
         assert_eq!(deep.pixels, [[0x12, 0xfe, 0x01, 0x80]]);
         let values: Vec<u8> = [0x12ff_u16, 0xfe80].iter().flat_map(|v| v.to_ne_bytes()).collect();
-        assert_eq!(decode(&png(&values, (1, 1), ExtendedColorType::La16)).unwrap().pixels, [[0x12, 0x12, 0x12, 0xfe]]);
+        assert_eq!(decode(&packed(&values, (1, 1), ExtendedColorType::La16)).unwrap().pixels, [[0x12, 0x12, 0x12, 0xfe]]);
     }
 
     #[test]
@@ -243,7 +250,7 @@ mod tests {
         assert!(matches!(check_claim(0, 3), Err(FormatError::Field { .. })));
         assert_eq!(check_claim(8192, 8192).unwrap(), (8192, 8192));
         // A header that claims 8000 × 8000 pixels, and a few bytes behind it.
-        let mut claims = png(&[0; 4], (2, 2), ExtendedColorType::L8);
+        let mut claims = packed(&[0; 4], (2, 2), ExtendedColorType::L8);
         claims[16..24].copy_from_slice(&[0, 0, 0x1f, 0x40, 0, 0, 0x1f, 0x40]);
         assert!(decode(&claims).is_err());
     }
@@ -251,7 +258,7 @@ mod tests {
     #[test]
     fn broken_files_are_refused() {
         assert!(matches!(decode(b"hello"), Err(FormatError::NotAMap { .. })));
-        let whole = png(&[9; 64], (8, 8), ExtendedColorType::L8);
+        let whole = packed(&[9; 64], (8, 8), ExtendedColorType::L8);
         for end in 0..whole.len() - 16 {
             assert!(decode(&whole[..end]).is_err(), "{end} bytes");
         }

@@ -13,4 +13,5 @@ pub use cells::{Cells, PictureOptions, to_cells};
 pub use decode::{MAX_PIXELS, Picture, decode, looks_like};
 pub use pnm::write_pgm;
 pub use shrink::shrink_worst;
+pub(super) use threshold::otsu;
 pub use threshold::{luma, over_white};

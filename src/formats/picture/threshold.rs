@@ -33,6 +33,11 @@ pub(super) fn gray(picture: &Picture, window: Window, notices: &mut Vec<Notice>)
     gray
 }
 
+/// Otsu's threshold of some values: those below it and the others differ most. 128 where there is one value only.
+pub(in crate::formats) fn otsu(values: &[u8]) -> u8 {
+    Histogram::new(values).otsu()
+}
+
 /// How many pixels have each gray.
 pub(super) struct Histogram([u64; 256]);
 
@@ -63,8 +68,8 @@ impl Histogram {
             if below == 0.0 || above == 0.0 {
                 continue;
             }
-            let apart = sum_below / below - (sum - sum_below) / above;
-            let between = below * above * apart * apart;
+            let difference = sum_below / below - (sum - sum_below) / above;
+            let between = below * above * difference * difference;
             if between > best {
                 (best, first) = (between, threshold);
             }

@@ -68,7 +68,7 @@ fn header(line: &str) -> Option<Header> {
 /// The names of a separation line, in small letters: between quotation marks, else between tabs, else the known ones between blanks.
 fn names(line: &str) -> Vec<String> {
     let line = line.trim().to_lowercase();
-    if let Some(coco) = line.strip_prefix('%') {
+    if let Some(coco) = line.strip_prefix('%').filter(|coco| coco.contains('|')) {
         let bare = |name: &str| name.split('(').next().unwrap_or("").trim().to_owned();
         return coco.split('|').map(bare).collect();
     }
