@@ -15,6 +15,7 @@ use rand::Rng;
 use serde::Serialize;
 
 use super::error::CliError;
+use super::reading::ReadingArgs;
 use super::{Outcome, input, text, text::TextOrJson, text::row};
 
 /// Runs an exact planner on the scenarios of a MovingAI .scen and compares with the listed optima
@@ -61,7 +62,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = exact(&args.planner)?;
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
-    let map = input::import(&map_path, None)?;
+    let map = ReadingArgs::default().import(&map_path)?;
     text::notes(&scen.notices);
     let mut spec = map.spec;
     spec.movement.corner_rule = args.corner_rule;

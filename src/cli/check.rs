@@ -2,15 +2,17 @@
 
 use std::path::PathBuf;
 
-use formicarium::formats::{Imported, MAX_TEXT_BYTES, path_kind, read_places};
+use formicarium::error::FormatError;
+use formicarium::formats::{Imported, MAX_TEXT_BYTES, path_kind, read_places, read_world_path};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::path::{PathKind, audit_slices, direction_between, in_sight};
-use formicarium::scenario::{Scenario, TerrainMoves, TerrainSpec};
+use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use serde::Serialize;
 
 use super::error::CliError;
 use super::input::{self, MovementArgs};
+use super::reading::ReadingArgs;
 use super::terrain::TerrainArgs;
 use super::{Outcome, text, text::TextOrJson, text::row};
 
@@ -48,6 +50,8 @@ pub struct Args {
     /// The path names the row before the column
     #[arg(long)]
     rows_first: bool,
+    #[command(flatten)]
+    reading: ReadingArgs,
     /// text or json
     #[arg(long, value_enum, hide_possible_values = true, default_value_t = TextOrJson::Text)]
     format: TextOrJson,
@@ -60,9 +64,11 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let mut map = input::import(&args.map, None)?;
+    let mut map = args.reading.import(&args.map)?;
     args.movement.apply(&mut map);
-    let (mut path, kind) = input::in_file(&args.path, MAX_TEXT_BYTES, |bytes, _| Ok((read_places(bytes)?, path_kind(bytes))))?;
+    let spec = &map.spec;
+    let read = |bytes: &[u8], _: &str| Ok((places(bytes, spec)?, path_kind(bytes)));
+    let (mut path, kind) = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
     let kind = if args.polyline { PathKind::Polyline } else { kind };
     path.iter_mut().try_for_each(|(p, _)| args.shift(p))?;
     if let (true, Some(&(first, _)), Some(&(last, _))) = (map.ends_were_chosen(), path.first(), path.last()) {
@@ -82,6 +88,22 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         TextOrJson::Json => text::json(&findings, 2),
     };
     Ok(Outcome { text, fine: findings.ok })
+}
+
+/// The places of a file; of a Path message of ROS the cells in which its poses lie, one for each run of poses in the same cell.
+fn places(bytes: &[u8], spec: &ScenarioSpec) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
+    let Some(metres) = read_world_path(bytes)? else { return read_places(bytes) };
+    let mut places = Vec::with_capacity(metres.len());
+    for (index, [x, y]) in metres.into_iter().enumerate() {
+        let expected = "poses on the map; the map must say where it lies: check against the ROS map";
+        let cell = spec.to_cell([x, y]);
+        places.push((
+            cell.ok_or_else(|| FormatError::field("poses", format!("pose {index} ({x}, {y}) lies beside the map"), expected))?,
+            None,
+        ));
+    }
+    places.dedup();
+    Ok(places)
 }
 
 impl Args {

@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use formicarium::exact;
-use formicarium::formats::{self, BinaryExport, Export, Imported, MAX_BYTES, TerrainOptions};
+use formicarium::formats::{self, BinaryExport, Export, Imported, Kind, MAX_BYTES, TerrainOptions, ros};
 use formicarium::map::{Movement, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
+use super::reading::ReadingArgs;
 use super::streams::say;
 use super::{Outcome, input, output, text};
 
@@ -17,19 +18,22 @@ use super::{Outcome, input, output, text};
 #[derive(clap::Args)]
 #[command(after_help = "\
 Endings: .map and .scen (MovingAI; a .scen lists start and goal with the exact optimum), .csv .txt .m (matrix;
-of a terrain a table of heights), .asc (ESRI ASCII grid), .tif (GeoTIFF), .hgt (SRTM), .json (scenario)
+of a terrain a table of heights), .asc (ESRI ASCII grid), .tif (GeoTIFF), .hgt (SRTM), .json (scenario),
+.yaml (ROS map, with its .pgm beside it)
 
 Examples:
   formicarium convert grid.m grid.map
   formicarium convert grid.csv grid.json --invert
   formicarium convert arena2.map - --as matrix | head
+  formicarium convert plan.png plan.map --threshold 128 --cells 120
+  formicarium convert lab.yaml lab.json --unknown free
   formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100")]
 pub struct Args {
     /// The file to read
     input: PathBuf,
     /// The file to write; `-` needs --as
     output: PathBuf,
-    /// movingai-map, movingai-scen, matrix, esri-ascii, height-table, geotiff, srtm or scenario, whatever the ending
+    /// movingai-map, movingai-scen, matrix, esri-ascii, height-table, geotiff, srtm, scenario or ros-map, whatever the ending
     #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
     format: Option<Format>,
     /// Swap free and blocked cells
@@ -44,6 +48,8 @@ pub struct Args {
     /// Metres per cell, where the file says nothing or something else
     #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
     resolution: Option<f64>,
+    #[command(flatten)]
+    reading: ReadingArgs,
 }
 
 /// A format that can be written.
@@ -57,6 +63,7 @@ pub enum Format {
     Geotiff,
     Srtm,
     Scenario,
+    RosMap,
 }
 
 impl Format {
@@ -71,6 +78,7 @@ impl Format {
             "tif" | "tiff" => Some(Self::Geotiff),
             "hgt" => Some(Self::Srtm),
             "json" => Some(Self::Scenario),
+            "yaml" | "yml" => Some(Self::RosMap),
             _ => None,
         }
     }
@@ -89,6 +97,9 @@ impl Format {
             Self::EsriAscii => Export::EsriAscii,
             Self::HeightTable => Export::HeightTable,
             Self::Scenario => Export::Scenario,
+            Self::RosMap => {
+                return Err(CliError::usage("a ROS map is two files", "name a file: formicarium convert IN map.yaml"));
+            }
             Self::Geotiff => return Ok(formats::export_binary(&map.grid, &map.spec, BinaryExport::Geotiff)?),
             Self::Srtm => return Ok(formats::export_binary(&map.grid, &map.spec, BinaryExport::Srtm)?),
         };
@@ -129,17 +140,37 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     map.spec.check(&map.grid)?;
     text::notes(&map.notices);
     tell_of_losses(format, &map);
-    output::write(Some(&args.output), &format.write(&map)?)?;
+    if format == Format::RosMap && args.output != Path::new("-") {
+        write_ros(&args.output, &map)?;
+    } else {
+        output::write(Some(&args.output), &format.write(&map)?)?;
+    }
     Ok(Outcome::fine(String::new()))
 }
 
-/// The map, or the piece of it that is asked for.
+/// The description, and its picture beside it. The picture first: a description without one is of no use.
+fn write_ros(yaml: &Path, map: &Imported) -> Result<(), CliError> {
+    let pgm = yaml.with_extension("pgm");
+    output::check(Some(&pgm))?;
+    let files = ros::write(&map.grid, &map.spec, &input::file_name(&pgm));
+    output::write(Some(&pgm), &files.pgm)?;
+    output::write(Some(yaml), files.yaml.as_bytes())
+}
+
+/// The map, or the piece of it that is asked for: of a picture a window of its pixels.
 fn read(args: &Args) -> Result<Imported, CliError> {
     let options = TerrainOptions { crop: args.crop, size: args.size };
     if options == TerrainOptions::default() {
-        return input::import(&args.input, None);
+        return args.reading.import(&args.input);
     }
-    input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options))
+    let kind = input::in_file(&args.input, MAX_BYTES, |bytes, name| Ok(formats::sniff(bytes, name)))?;
+    if kind == Kind::Picture && args.size.is_none() {
+        return args.reading.import_window(&args.input, args.crop);
+    }
+    if kind.is_raster() || kind == Kind::Archive {
+        return input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options));
+    }
+    Ok(args.reading.import(&args.input)?.piece(options)?)
 }
 
 /// What the format does not hold.

@@ -7,11 +7,12 @@ use std::sync::Arc;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::error::{Error, FormatError, Notice};
-use formicarium::formats::{self, Imported, MAX_BYTES, MAX_TEXT_BYTES, ReadOptions, ScenLine};
+use formicarium::formats::{self, Imported, MAX_TEXT_BYTES, ScenLine};
 use formicarium::map::{CornerRule, Moves, Point, Window};
 use formicarium::scenario::{Goal, Scenario};
 
 use super::error::CliError;
+use super::reading::ReadingArgs;
 use super::terrain::TerrainArgs;
 use super::text;
 
@@ -21,15 +22,12 @@ pub struct ScenarioArgs {
     /// The map: MovingAI .map, a matrix of 0 and 1, a raster of heights, or a scenario as JSON
     #[arg(required_unless_present = "scenario")]
     map: Option<PathBuf>,
-    /// Which matrix, from 1, of a program or text that holds several
-    #[arg(long, value_name = "N")]
-    matrix: Option<u32>,
-    /// Start cell
-    #[arg(long, value_name = "X,Y", value_parser = point)]
-    from: Option<Point>,
-    /// Goal cell; repeated for several goals
-    #[arg(long, value_name = "X,Y", value_parser = point)]
-    to: Vec<Point>,
+    /// Start: a cell, or a place of a ROS map in metres such as -1.5m,2m
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
+    from: Option<Place>,
+    /// Goal: a cell, or a place in metres; repeated for several goals
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
+    to: Vec<Place>,
     /// Start and goal from a line of a MovingAI .scen, counted from 1 as in an editor
     #[arg(long, value_name = "FILE:LINE", conflicts_with_all = ["from", "to", "scenario"])]
     scen: Option<String>,
@@ -40,6 +38,33 @@ pub struct ScenarioArgs {
     movement: MovementArgs,
     #[command(flatten)]
     terrain: TerrainArgs,
+    #[command(flatten)]
+    reading: ReadingArgs,
+}
+
+/// A place that was asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// Column and row.
+    Cell(Point),
+    /// x and y in the world.
+    Metres([f64; 2]),
+}
+
+impl Place {
+    /// Its cell on a map.
+    fn on(self, map: &Imported) -> Result<Point, CliError> {
+        match self {
+            Self::Cell(at) => Ok(at),
+            Self::Metres([x, y]) => map.spec.to_cell([x, y]).ok_or_else(|| match map.spec.world {
+                Some(_) => CliError::usage(format!("({x} m, {y} m) lies beside the map"), "give a place on the map"),
+                None => {
+                    let hint = "give a cell such as 3,12; a ROS map and an OccupancyGrid say where they lie";
+                    CliError::usage("the map does not say where it lies in the world", hint)
+                }
+            }),
+        }
+    }
 }
 
 /// How one moves.
@@ -113,6 +138,15 @@ pub fn window(text: &str) -> Result<Window, String> {
     }
 }
 
+/// Reads `x,y`, or `1.5m,-2m`.
+fn place(text: &str) -> Result<Place, String> {
+    let metres = |part: &str| part.trim().strip_suffix('m')?.trim().parse().ok().filter(|v: &f64| v.is_finite());
+    match text.split_once(',').and_then(|(x, y)| metres(x).zip(metres(y))) {
+        Some((x, y)) => Ok(Place::Metres([x, y])),
+        None => point(text).map(Place::Cell),
+    }
+}
+
 /// Reads `x,y`.
 pub fn point(text: &str) -> Result<Point, String> {
     let wrong = || format!("`{text}` is no cell: write column,row such as 3,12");
@@ -125,7 +159,7 @@ impl ScenarioArgs {
     /// Reads and validates the scenario, and prints notes about it.
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
-        let mut map = import(path, self.matrix)?;
+        let mut map = self.reading.import(path)?;
         self.correct_note(&mut map);
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
@@ -133,7 +167,9 @@ impl ScenarioArgs {
             map.notices.extend(formats::misfit(&line, &map.grid).filter(|n| n.kind == "scen-size"));
             set_ends(&mut map, Some(line.start), &[line.goal]);
         }
-        set_ends(&mut map, self.from, &self.to);
+        let start = self.from.map(|place| place.on(&map)).transpose()?;
+        let goals = self.to.iter().map(|place| place.on(&map)).collect::<Result<Vec<_>, _>>()?;
+        set_ends(&mut map, start, &goals);
         self.movement.apply(&mut map);
         self.terrain.apply(&mut map)?;
         let scenario = Scenario::new(map.grid, map.spec)?;
@@ -193,14 +229,6 @@ pub fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Reads a map of any format; of several matrices the one of this number.
-pub fn import(path: &Path, matrix: Option<u32>) -> Result<Imported, CliError> {
-    in_file(path, MAX_BYTES, |bytes, name| {
-        let options = ReadOptions { matrix, ..ReadOptions::default() };
-        formats::import_with(bytes, name, &options, None)
-    })
-}
-
 /// Reads a file of up to `most` bytes and names it in the error when its contents cannot be used.
 pub fn in_file<T>(path: &Path, most: usize, read: impl FnOnce(&[u8], &str) -> Result<T, Error>) -> Result<T, CliError> {
     let name = path.display().to_string();
@@ -209,7 +237,7 @@ pub fn in_file<T>(path: &Path, most: usize, read: impl FnOnce(&[u8], &str) -> Re
 }
 
 /// What a file holds. No more of it is read than tells that it is too large; some files have no end.
-fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, CliError> {
+pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, CliError> {
     let name = || path.display().to_string();
     let failed = |error| CliError::File { action: "read", path: name(), error };
     let too_large = |what: String| {

@@ -10,6 +10,7 @@ mod generate;
 mod input;
 mod output;
 mod plan;
+mod reading;
 mod streams;
 mod terrain;
 mod text;

@@ -25,7 +25,10 @@ impl Imported {
     }
 
     /// A window of the map, and the same ground in another number of cells.
-    pub(super) fn piece(mut self, TerrainOptions { crop, size }: TerrainOptions) -> Result<Self, FormatError> {
+    ///
+    /// # Errors
+    /// [`FormatError::Window`], or [`crate::error::ScenarioError::MapSize`].
+    pub fn piece(mut self, TerrainOptions { crop, size }: TerrainOptions) -> Result<Self, FormatError> {
         let window = crop.unwrap_or(Window { x: 0, y: 0, width: self.grid.width(), height: self.grid.height() });
         self.grid = self.grid.cropped(window)?;
         let (width, height) = size.unwrap_or((window.width, window.height));
@@ -51,6 +54,12 @@ impl Imported {
             goals.push(Goal::new(ends.goal, ""));
         }
         let resolution = self.spec.resolution * libm::sqrt(of / to);
+        self.spec.world = self.spec.world.take().and_then(|world| {
+            let (left, below) = (window.x, self.spec.height - window.y - window.height);
+            // Cells that are no squares afterwards have no place.
+            let evenly = u64::from(window.width) * u64::from(height) == u64::from(window.height) * u64::from(width);
+            evenly.then(|| world.moved(f64::from(left) * self.spec.resolution, f64::from(below) * self.spec.resolution))
+        });
         self.spec = ScenarioSpec { width, height, resolution, start: ends.start, goals, ..self.spec };
         lift_ends(&self.grid, &mut self.spec);
         self.notices.retain(|n| n.kind != ends::CHOSEN);

@@ -36,6 +36,13 @@ impl World {
         Self { x, y, yaw: 0.0, frame: String::new() }
     }
 
+    /// The place of what lies so many metres to the right of the corner and above it, along the map's own axes.
+    pub fn moved(self, right: f64, up: f64) -> Self {
+        let (sin, cos) = (libm::sin(self.yaw), libm::cos(self.yaw));
+        let (x, y) = (self.x + cos * right - sin * up, self.y + sin * right + cos * up);
+        Self { x, y, ..self }
+    }
+
     /// # Errors
     /// [`ScenarioError::Quantity`] for what is no place, or a frame's name of more than 80 letters.
     pub(super) fn check(&self) -> Result<(), ScenarioError> {
@@ -58,8 +65,8 @@ impl ScenarioSpec {
         let world = self.world.as_ref()?;
         let east = (f64::from(at.x) + 0.5) * self.resolution;
         let north = (f64::from(self.height) - f64::from(at.y) - 0.5) * self.resolution;
-        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
-        Some([world.x + cos * east - sin * north, world.y + sin * east + cos * north])
+        let World { x, y, .. } = world.clone().moved(east, north);
+        Some([x, y])
     }
 
     /// The cell that holds a place of the world; none beside the map, or where the map's place is not known.

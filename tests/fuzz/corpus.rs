@@ -97,6 +97,33 @@ fn written() -> Vec<(&'static str, Vec<u8>)> {
         ("p.csv", "x,y\n0,0\n1,1\n2,1\n"),
         ("p.m", "[1 1; 2 2; 3 2]"),
         ("l.csv", "0,0,1\n1,0,2\n"),
+        (
+            "lab.yaml",
+            "image: lab.pgm\nresolution: 0.05\norigin: [-10.0, 3.5, 0.2]\nnegate: 0\nmode: scale\noccupied_thresh: 0.65\nfree_thresh: 0.25\n",
+        ),
+        (
+            "grid.yaml",
+            "header:\n  frame_id: map\ninfo:\n  resolution: 0.5\n  width: 2\n  height: 2\n  origin:\n    position: {x: 1.0, y: 2.0, z: 0.0}\n    orientation: {x: 0.0, y: 0.0, z: 0.5, w: 0.8}\ndata:\n- 0\n- 100\n- -1\n- 30\n---\n",
+        ),
+        ("mapf.yaml", "agents:\n- {name: a, start: [0, 0], goal: [2, 1]}\nmap:\n  dimensions: [3, 2]\n  obstacles: [ [1, 0] ]\n"),
+        ("path.yaml", "poses:\n- pose:\n    position: {x: 1.0, y: 2.0}\n- pose:\n    position: {x: 1.5, y: 2.0}\n"),
+        ("maze.txt", "S.#.\n.#.G\n....\n"),
+        ("sized.txt", "3 4\n0 0\n2 3\n0 0 1 0\n0 0 0 0\n1 0 0 0\n"),
+        ("frame.csv", ",0,1,2,3\n0,0,0,1,1\n1,0,1,0,0\n2,1,0,0,0\n"),
+        ("two.m", "%{\nG=[1]\n%}\nG=[0 0;\n 0 1];\nH=[0 1;\n 1 0];\nd=[0 1;0 -1];\n"),
+        ("a.cpp", "#define N 2\nint g[N][N] = {{0, 1}, /* wall */ {1, 0}};\nint main() { return g[0][1]; }\n"),
+        ("shown.txt", "G =\n\n  Columns 1 through 2\n\n   0   1\n   1   0\n\n  Column 3\n\n   0\n   0\n"),
+        ("t.py", "[(0, 0), (np.int64(1), 1), (2, 1)]"),
+        ("t.json", "[{'x': 0, 'y': 0}, {'y': 1, 'x': 1}]"),
+        ("rc.csv", "step;Row;Col\n0;0;0\n1;1;1\n"),
+        ("five.tsp", "NAME : five\nTYPE : TSP\nDIMENSION: 2\nNODE_COORD_SECTION\n1 1 1\n2 5 1\nEOF\n"),
+        (
+            "coco.dat",
+            "% function evaluation | noise-free fitness - Fopt (7.9e+01) | best noise-free fitness - Fopt | x1\n1 +2.0e+01 +2.0e+01 +1.0e+00\n4 +1.2e+01 +1.2e+01 +1.0e+00\n",
+        ),
+        ("corner.map", "type octile-corner\nheight 3\nwidth 3\nmap\n000\n010\n000\n.E\nTS\n"),
+        ("p2.pgm", "P2\n# by hand\n3 2\n9\n0 3 9\n9 9 1\n"),
+        ("words.asc", "ncols 2\nnrows 2\ncellsize 2\nnodata null\nnan 1.#QNAN\n3 -3.4e38\n"),
     ];
     let mut all: Vec<_> = texts.into_iter().map(|(name, text)| (name, text.as_bytes().to_vec())).collect();
     all.push(("q.json", comparison(QUESTION)));

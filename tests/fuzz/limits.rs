@@ -30,10 +30,11 @@ impl Limits {
         Self { bytes: 4 * len + (16 << 20), time: Duration::from_millis(200) }
     }
 
-    /// Rasters may take what their headers honestly claim: for each cell its height as read and as resampled, and the block of the file that
+    /// Rasters and pictures may take what their headers honestly claim: for each cell its height as read and as resampled, or a pixel as it
+    /// is unpacked and as red, green, blue and alpha, and the block of the file that
     /// is being unpacked, as large as `geotiff.rs` allows, twice: packed numbers, and as they are decoded.
     pub fn raster(len: usize, cells: u64) -> Self {
-        const BYTES_PER_CELL: usize = 9;
+        const BYTES_PER_CELL: usize = 16;
         const BLOCK: usize = 128 << 20;
         let text = Self::text(len);
         let bytes = text.bytes + 2 * BLOCK + BYTES_PER_CELL * cells as usize;

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use formicarium::comparison::{Axis, Question, Samples, Seen, analyse};
 use formicarium::error::{Error, ErrorReport};
-use formicarium::formats::{self, BinaryExport, Export, Imported, TerrainOptions, comparison_json};
+use formicarium::formats::{self, BinaryExport, Companion, Export, Imported, ReadOptions, TerrainOptions, comparison_json};
 use formicarium::map::{Grid, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
@@ -43,6 +43,17 @@ pub const READERS: &[Reader] = &[
     text("import_results", import_results),
     text("read_path", |file| typed(formats::read_path(&file.bytes).map_err(Error::from)).map(drop)),
     text("read_places", |file| typed(formats::read_places(&file.bytes).map_err(Error::from)).map(drop)),
+    text("read_world_path", |file| typed(formats::read_world_path(&file.bytes).map_err(Error::from)).map(drop)),
+    raster("list_matrices", |file| typed(formats::list_matrices(&file.bytes)).map(drop)),
+    raster("unpack", |file| typed(formats::unpack(&file.bytes, &file.name).map_err(Error::from)).map(drop)),
+    raster("recognise", |file| typed(formats::recognise(&file.bytes, &file.name).map_err(Error::from)).map(drop)),
+    raster("picture of a ROS map", ros_picture),
+    text("description of a ROS map", |file| {
+        typed(formats::ros::image_of(&file.bytes))?;
+        let beside = Companion { name: "lab.pgm", bytes: b"P5\n2 2\n255\n\xfe\xcd\x00\xfe" };
+        typed(formats::import_with(&file.bytes, &file.name, &ReadOptions::default(), Some(beside))).map(drop)
+    }),
+    raster("figure", figure),
     text("path_kind", |file| done(formats::path_kind(&file.bytes))),
     text("read_scenario", |file| typed(formats::read_scenario(&utf8(file)).map_err(Error::from)).map(drop)),
     text("format_of", |file| done(formats::format_of(&utf8(file)))),
@@ -58,10 +69,24 @@ impl Reader {
     }
 }
 
-/// What a raster honestly claims; a packed one that cannot be read to its end, what its length allows.
+/// The picture of a ROS map, as it stands and in fewer cells.
+fn ros_picture(file: &File) -> Result<(), Fault> {
+    let yaml = b"image: a.pgm\nresolution: 0.05\norigin: [-1.0, 2.0, 0.5]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
+    let beside = Companion { name: "a.pgm", bytes: &file.bytes };
+    let options = ReadOptions { cells: Some(7), unknown: formats::ros::Unknown::Free, ..ReadOptions::default() };
+    typed(formats::import_with(yaml, "a.yaml", &options, Some(beside))).map(drop)
+}
+
+fn figure(file: &File) -> Result<(), Fault> {
+    let Some(picture) = typed(formats::picture::decode(&file.bytes).map_err(Error::from))? else { return Ok(()) };
+    typed(formats::figure::find(&picture).map_err(Error::from)).map(drop)
+}
+
+/// What a raster honestly claims; a packed one that cannot be read to its end, and pictures and archives, what their length allows.
 fn cells(file: &File) -> u64 {
     let len = file.bytes.len() as u64;
-    let packed = [&b"II"[..], b"MM"].iter().any(|magic| file.bytes.starts_with(magic));
+    let packed = [&b"II"[..], b"MM", b"PK", b"\x1f\x8b"].iter().any(|magic| file.bytes.starts_with(magic))
+        || formats::picture::looks_like(&file.bytes);
     let most = if packed { (len * MOST_CELLS_PER_BYTE).min(MOST_CELLS) } else { 0 };
     let survey = catch_unwind(AssertUnwindSafe(|| formats::survey(&file.bytes, &file.name)));
     survey.ok().and_then(Result::ok).map_or(most, |survey| u64::from(survey.width) * u64::from(survey.height))

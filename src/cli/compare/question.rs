@@ -12,6 +12,7 @@ use formicarium::scenario::Scenario;
 use super::args::Args;
 use crate::cli::error::CliError;
 use crate::cli::input::{file_name, stem};
+use crate::cli::reading::ReadingArgs;
 use crate::cli::{input, text};
 
 /// What a file tells of runs that were done before.
@@ -192,7 +193,7 @@ fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
 }
 
 fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
-    let map = input::import(path, None)?;
+    let map = ReadingArgs::default().import(path)?;
     text::notes(&map.notices);
     let scenario = Scenario::new(map.grid, map.spec)
         .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;

@@ -13,7 +13,7 @@ const TITLE_LETTERS: usize = 40;
 const DEEPEST: usize = 64;
 
 /// Most brackets of numbers in a text.
-const MOST: usize = 1 << 20;
+const MOST: usize = 1 << 18;
 
 /// A bracket on its way.
 struct Open {

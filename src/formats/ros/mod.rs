@@ -75,6 +75,26 @@ pub(super) fn read_message(text: &str, name: &str, unknown: Unknown, cells: Opti
     Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices: Vec::new() }.import(name, unknown, cells)
 }
 
+/// The places of a Path message, in metres.
+///
+/// # Errors
+/// [`FormatError`] with the line of broken YAML, or the number of the pose at fault, from 0.
+pub(super) fn read_path(text: &str) -> Result<Vec<[f64; 2]>, FormatError> {
+    let message = yaml::read(text)?;
+    let poses = message.get(&["poses"]).and_then(yaml::Value::list);
+    let poses =
+        poses.ok_or_else(|| FormatError::field("poses", "no list of poses", "what ros2 topic echo --full-length prints"))?;
+    let read = |(index, pose): (usize, &yaml::Value)| {
+        let number = |axis: &str| {
+            let stamped = pose.get(&["pose", "position", axis]).or_else(|| pose.get(&["position", axis]));
+            stamped.and_then(yaml::Value::number)
+        };
+        let missing = || FormatError::field("poses", format!("pose {index} has no position"), "position: {x, y}");
+        Ok([number("x").ok_or_else(missing)?, number("y").ok_or_else(missing)?])
+    };
+    poses.iter().enumerate().map(read).collect()
+}
+
 /// Reads an instance of multi-agent path finding.
 ///
 /// # Errors
@@ -105,11 +125,8 @@ impl Placed {
         let resolution = self.resolution * f64::from(grown);
         // Fewer cells may reach a little beyond the lower edge: the upper one stays where it is.
         let below = f64::from(states.height * grown - rows) * self.resolution;
-        let mut world = self.world;
-        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
-        (world.x, world.y) = (world.x + sin * below, world.y - cos * below);
         imported.spec.resolution = resolution;
-        imported.spec.world = Some(world);
+        imported.spec.world = Some(self.world.moved(0.0, -below));
         Ok(imported)
     }
 }

@@ -1,0 +1,114 @@
+//! What the arguments say of a map's file where it leaves a choice, and the files that belong to it.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use formicarium::formats::picture::PictureOptions;
+use formicarium::formats::ros::{self, Unknown};
+use formicarium::formats::{self, Companion, Imported, Kind, MAX_BYTES, ReadOptions};
+use formicarium::map::Window;
+
+use super::error::CliError;
+use super::input;
+
+/// How to read a map's file where it leaves a choice.
+#[derive(clap::Args, Clone, Default)]
+#[command(next_help_heading = "Programs, pictures and ROS maps")]
+pub struct ReadingArgs {
+    /// Which matrix, from 1, of a program or text that holds several
+    #[arg(long, value_name = "N")]
+    matrix: Option<u32>,
+    /// Pictures: gray from 0 to 255 below which a pixel is dark; auto parts dark from light best [default: 128]
+    #[arg(long, value_name = "N|auto", value_parser = threshold)]
+    threshold: Option<Threshold>,
+    /// Pictures: light pixels are walls, not dark ones
+    #[arg(long)]
+    light_is_blocked: bool,
+    /// Pictures and ROS maps: most cells of the longer side; a cell is blocked if anything under it is
+    #[arg(long, value_name = "N")]
+    cells: Option<u32>,
+    /// Pictures: metres of a pixel
+    #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
+    metres_per_pixel: Option<f64>,
+    /// Pictures: metres of a cell; with --metres-per-pixel it says how many cells there are
+    #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
+    metres_per_cell: Option<f64>,
+    /// ROS maps: cells that nobody has seen are blocked or free [default: blocked]
+    #[arg(long, value_enum, value_name = "blocked|free", hide_possible_values = true)]
+    unknown: Option<UnknownAs>,
+}
+
+/// A threshold that was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Threshold {
+    Gray(u8),
+    Auto,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum UnknownAs {
+    Blocked,
+    Free,
+}
+
+fn threshold(text: &str) -> Result<Threshold, String> {
+    match text {
+        "auto" => Ok(Threshold::Auto),
+        _ => text.parse().map(Threshold::Gray).map_err(|_| format!("`{text}` is no gray: write a number from 0 to 255, or auto")),
+    }
+}
+
+impl ReadingArgs {
+    /// The same as the engine has it; of a picture only the window.
+    fn options(&self, crop: Option<Window>) -> ReadOptions {
+        let usual = PictureOptions::default();
+        let picture = PictureOptions {
+            threshold: match self.threshold {
+                None => usual.threshold,
+                Some(Threshold::Auto) => None,
+                Some(Threshold::Gray(gray)) => Some(gray),
+            },
+            light_is_blocked: self.light_is_blocked,
+            crop,
+            cells: self.cells,
+            metres_per_pixel: self.metres_per_pixel,
+            metres_per_cell: self.metres_per_cell,
+        };
+        let unknown = if self.unknown == Some(UnknownAs::Free) { Unknown::Free } else { Unknown::Blocked };
+        ReadOptions { matrix: self.matrix, picture, unknown, cells: self.cells }
+    }
+
+    /// Reads a map; the picture of a ROS map is looked for beside its description.
+    pub fn import(&self, path: &Path) -> Result<Imported, CliError> {
+        self.import_window(path, None)
+    }
+
+    /// The same; of a picture only a window of its pixels.
+    pub fn import_window(&self, path: &Path, crop: Option<Window>) -> Result<Imported, CliError> {
+        let options = self.options(crop);
+        let image = image_beside(path)?;
+        let beside = image.as_ref().map(|(name, bytes)| Companion { name, bytes });
+        input::in_file(path, MAX_BYTES, |bytes, name| formats::import_with(bytes, name, &options, beside))
+    }
+}
+
+/// The picture that the description of a ROS map names, with its name; none for any other file.
+fn image_beside(path: &Path) -> Result<Option<(String, Vec<u8>)>, CliError> {
+    /// A description is a few lines.
+    const MOST: u64 = 1 << 20;
+    if path == Path::new("-") || std::fs::metadata(path).is_ok_and(|file| file.len() > MOST) {
+        return Ok(None);
+    }
+    let image = input::in_file(path, MAX_BYTES, |bytes, name| match formats::recognise(bytes, name) {
+        Ok(found) if found.kind == Kind::RosMap => ros::image_of(bytes).map(Some),
+        _ => Ok(None),
+    })?;
+    let Some(image) = image else { return Ok(None) };
+    // As it is written, else of this name beside the description: packages move.
+    let beside = path.with_file_name(&image);
+    let file = PathBuf::from(image.replace('\\', "/"));
+    let moved = path.with_file_name(file.file_name().unwrap_or_default());
+    let found = [beside.clone(), moved].into_iter().find(|candidate| candidate.is_file()).unwrap_or(beside);
+    let bytes = input::bytes(&found, MAX_BYTES as u64)?;
+    Ok(Some((image, bytes)))
+}
