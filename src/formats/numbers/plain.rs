@@ -1,6 +1,8 @@
 //! Rows of numbers without brackets: CSV, blanks, semicolons, digits; with names, sizes or a title above; several of them with a blank
 //! line between; what MATLAB prints of a wide matrix, a few columns at a time.
 
+use std::borrow::Cow;
+
 use super::labels::{self, Labels};
 use super::scan::{Layout, plain_layout, scan, separator};
 use super::table::number;
@@ -19,10 +21,11 @@ struct Block<'a> {
     title: &'a str,
     /// Whether `Columns 4 through 6` stands above it.
     goes_on: bool,
-    /// Its first line in the text, from 1.
+    /// Its first line in the text, from 1, and how many lines it has.
     line: usize,
-    /// Its lines.
-    lines: Vec<&'a str>,
+    lines: usize,
+    /// From its first line to the end of its last.
+    text: &'a str,
 }
 
 /// Whether a text, perhaps only its beginning, starts with rows of numbers.
@@ -53,7 +56,7 @@ pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
         return Err(FormatError::TooLarge { what: "the number of lines".into(), max: format!("{MOST_LINES} lines") });
     }
     let mut found: Vec<Found> = Vec::new();
-    for block in joined(blocks(text)) {
+    for block in joined(text, blocks(text)) {
         let one = read(&block)?;
         match found.last_mut().filter(|_| block.goes_on) {
             Some(before) => before.table = before.table.beside(&one.table)?,
@@ -71,7 +74,9 @@ pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
 fn blocks(text: &str) -> Vec<Block<'_>> {
     let mut blocks: Vec<Block<'_>> = Vec::new();
     let (mut name, mut goes_on, mut is_open) = ("", false, false);
-    for (index, line) in text.lines().enumerate() {
+    let mut from = 0;
+    for (index, line) in text.split('\n').enumerate() {
+        let to = from + line.len();
         if line.trim().is_empty() {
             is_open = false;
         } else if let Some(title) = title(line) {
@@ -79,24 +84,32 @@ fn blocks(text: &str) -> Vec<Block<'_>> {
         } else if let Some(first) = columns(line) {
             (goes_on, is_open) = (first > 1, false);
         } else if let Some(block) = blocks.last_mut().filter(|_| is_open) {
-            block.lines.push(line);
+            block.lines += 1;
+            block.text = &text[start_of(text, block.text)..to];
         } else {
-            blocks.push(Block { title: name, goes_on, line: index + 1, lines: vec![line] });
+            blocks.push(Block { title: name, goes_on, line: index + 1, lines: 1, text: &text[from..to] });
             (name, goes_on, is_open) = ("", false, true);
         }
+        from = to + 1;
     }
     blocks
 }
 
+/// Where a part of a text begins in it.
+fn start_of(text: &str, part: &str) -> usize {
+    part.as_ptr() as usize - text.as_ptr() as usize
+}
+
 /// Blocks of a single line belong to what follows: blank lines stand between all rows, or below a line of sizes.
-fn joined(blocks: Vec<Block<'_>>) -> Vec<Block<'_>> {
+fn joined<'a>(text: &'a str, blocks: Vec<Block<'a>>) -> Vec<Block<'a>> {
     let mut joined: Vec<Block<'_>> = Vec::new();
     for block in blocks {
         let is_free = block.title.is_empty() && !block.goes_on;
-        match joined.last_mut().filter(|before| is_free && (before.lines.len() == 1 || before.is_spaced(&block))) {
+        match joined.last_mut().filter(|before| is_free && (before.lines == 1 || before.is_spaced(&block))) {
             Some(before) => {
-                before.lines.resize(block.line - before.line, "");
-                before.lines.extend(block.lines);
+                before.lines = block.line - before.line + block.lines;
+                let (from, end) = (start_of(text, before.text), start_of(text, block.text) + block.text.len());
+                before.text = &text[from..end];
             }
             None => joined.push(block),
         }
@@ -107,7 +120,9 @@ fn joined(blocks: Vec<Block<'_>>) -> Vec<Block<'_>> {
 impl Block<'_> {
     /// Whether blank lines stand between all rows so far, and before a single one that follows.
     fn is_spaced(&self, next: &Self) -> bool {
-        next.lines.len() == 1 && self.lines.windows(2).all(|pair| pair[0].trim().is_empty() != pair[1].trim().is_empty())
+        let mut blank = self.text.split('\n').map(|line| line.trim().is_empty());
+        let first = blank.next();
+        next.lines == 1 && blank.try_fold(first, |before, now| (before != Some(now)).then_some(Some(now))).is_some()
     }
 }
 
@@ -137,12 +152,13 @@ fn fields(line: &str) -> Vec<&str> {
 
 /// The matrix of a block.
 fn read(block: &Block<'_>) -> Result<Found, FormatError> {
-    let first = fields(block.lines[0]);
+    let (top, rest) = block.text.split_once('\n').unwrap_or((block.text, ""));
+    let first = fields(top);
     let above = labels::is_names(&first).then_some(block.line);
-    let skipped = usize::from(above.is_some());
-    let below = block.lines.get(skipped).map(|line| fields(line)).unwrap_or_default();
+    let (text, skipped) = if above.is_some() { (rest, 1) } else { (block.text, 0) };
+    let below = fields(text.split('\n').next().unwrap_or(""));
     let before = below.len() > 1 && below.first().is_some_and(|field| is_name(field));
-    let body = body(&block.lines[skipped..], before);
+    let body = if before { Cow::Owned(without_names(text)) } else { Cow::Borrowed(text) };
     let table = scan(&body, block.line + skipped - 1, plain_layout(&body))?;
     // Above a column of labels a name may stand, or nothing at all.
     let corner_is_empty = first.first().is_some_and(|field| field.trim().trim_matches('"').is_empty());
@@ -160,12 +176,11 @@ fn is_name(field: &str) -> bool {
         || bare.starts_with(char::is_alphabetic) && number(bare).is_none() && !bare.eq_ignore_ascii_case("nan")
 }
 
-/// The lines below the names as one text, without the first field of each where that is a name.
-fn body(lines: &[&str], before: bool) -> String {
-    let mut text = String::with_capacity(lines.iter().map(|line| line.len() + 1).sum());
-    for line in lines {
+/// The lines without the first field of each, which is a name.
+fn without_names(lines: &str) -> String {
+    let mut text = String::with_capacity(lines.len());
+    for line in lines.split('\n') {
         let kept = match separator(line, Layout::Lines) {
-            _ if !before => line,
             Some(separator) => line.split_once(separator).map_or("", |(_, rest)| rest),
             None => line.trim_start().split_once(char::is_whitespace).map_or("", |(_, rest)| rest),
         };

@@ -18,7 +18,8 @@ pub(in crate::formats) fn read(found: Found) -> Result<Raster, FormatError> {
     let table = &found.table;
     let (width, height) = table.size()?;
     let (width, height) = check_claim(width as u64, height as u64)?;
-    let heights = table.numbers().map(|value| if value == NO_DATA { f32::NAN } else { value }).collect();
+    let mut heights = Vec::with_capacity(width as usize * height as usize);
+    heights.extend(table.numbers().map(|value| if value == NO_DATA { f32::NAN } else { value }));
     let message = "the numbers were read as heights in metres, since a map holds 0 and 1";
     let mut notices = found.notices;
     notices.push(Notice::new("heights-in-table", message));
