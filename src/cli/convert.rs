@@ -185,6 +185,10 @@ fn tell_of_losses(format: Format, map: &Imported) {
     if is_terrain && !format.is_raster() && format != Format::Scenario {
         say("note: this format holds no heights; .asc, .tif and .json do");
     }
+    let impossible = || map.grid.heights().is_some_and(|heights| heights.iter().any(|h| h.abs() > 12_000.0));
+    if format.is_raster() && impossible() {
+        say("note: heights beyond 12 km above or below the sea are read as without data from this format");
+    }
     let walls = || {
         (0..map.grid.len() as u32).any(|c| map.grid.is_blocked(c) && map.grid.heights().is_some_and(|h| !h[c as usize].is_nan()))
     };

@@ -24,6 +24,8 @@ struct Block<'a> {
     /// Its first line in the text, from 1, and how many lines it has.
     line: usize,
     lines: usize,
+    /// Whether blank lines stand between all of its rows.
+    is_spaced: bool,
     /// From its first line to the end of its last.
     text: &'a str,
 }
@@ -84,10 +86,10 @@ fn blocks(text: &str) -> Vec<Block<'_>> {
         } else if let Some(first) = columns(line) {
             (goes_on, is_open) = (first > 1, false);
         } else if let Some(block) = blocks.last_mut().filter(|_| is_open) {
-            block.lines += 1;
+            (block.lines, block.is_spaced) = (block.lines + 1, false);
             block.text = &text[start_of(text, block.text)..to];
         } else {
-            blocks.push(Block { title: name, goes_on, line: index + 1, lines: 1, text: &text[from..to] });
+            blocks.push(Block { title: name, goes_on, line: index + 1, lines: 1, is_spaced: true, text: &text[from..to] });
             (name, goes_on, is_open) = ("", false, true);
         }
         from = to + 1;
@@ -105,8 +107,9 @@ fn joined<'a>(text: &'a str, blocks: Vec<Block<'a>>) -> Vec<Block<'a>> {
     let mut joined: Vec<Block<'_>> = Vec::new();
     for block in blocks {
         let is_free = block.title.is_empty() && !block.goes_on;
-        match joined.last_mut().filter(|before| is_free && (before.lines == 1 || before.is_spaced(&block))) {
+        match joined.last_mut().filter(|before| is_free && (before.lines == 1 || before.is_spaced && block.lines == 1)) {
             Some(before) => {
+                before.is_spaced &= block.lines == 1;
                 before.lines = block.line - before.line + block.lines;
                 let (from, end) = (start_of(text, before.text), start_of(text, block.text) + block.text.len());
                 before.text = &text[from..end];
@@ -115,15 +118,6 @@ fn joined<'a>(text: &'a str, blocks: Vec<Block<'a>>) -> Vec<Block<'a>> {
         }
     }
     joined
-}
-
-impl Block<'_> {
-    /// Whether blank lines stand between all rows so far, and before a single one that follows.
-    fn is_spaced(&self, next: &Self) -> bool {
-        let mut blank = self.text.split('\n').map(|line| line.trim().is_empty());
-        let first = blank.next();
-        next.lines == 1 && blank.try_fold(first, |before, now| (before != Some(now)).then_some(Some(now))).is_some()
-    }
 }
 
 /// The name of a line `G =`.

@@ -124,7 +124,7 @@ impl Table {
 
     /// A row; empty for one that is not there.
     pub fn row(&self, row: usize) -> Row<'_> {
-        let from = row.checked_sub(1).map_or(0, |before| self.rows[before].1 as usize);
+        let from = row.checked_sub(1).and_then(|before| self.rows.get(before)).map_or(0, |before| before.1 as usize);
         let to = self.rows.get(row).map_or(from, |row| row.1 as usize);
         match &self.values {
             Values::Small(values) => Row::Small(&values[from..to]),
