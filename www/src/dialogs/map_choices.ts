@@ -40,7 +40,8 @@ export function optionsOf(file: MapFile, choices: MapChoices): ReadOptions {
   const { threshold, lightIsBlocked, metresPerCell, crop } = choices
   return {
     picture: {
-      threshold,
+      // Said to be none, which is not the same as left out.
+      threshold: threshold ?? undefined,
       light_is_blocked: lightIsBlocked,
       metres_per_cell: metresPerCell,
       ...(crop && { crop }),

@@ -23,17 +23,17 @@ export function useReading(file: MapFile, options: ReadOptions | null): Reading 
     map: null,
     error: null,
   })
-  const state = useRef({ file, wanted, busy: false, gone: false })
-  Object.assign(state.current, { file, wanted })
+  const state = useRef({ file, options, wanted, busy: false, gone: false })
+  Object.assign(state.current, { file, options, wanted })
 
   useEffect(() => {
     const now = state.current
     const read = async () => {
       if (now.busy) return
       now.busy = true
-      for (let done = ''; !now.gone && done !== now.wanted && now.wanted !== 'null'; ) {
+      for (let done = ''; !now.gone && done !== now.wanted && now.options; ) {
         const of = now.wanted
-        const result = await readMap(now.file, JSON.parse(of)).then(
+        const result = await readMap(now.file, now.options).then(
           (map) => ({ map, error: null as unknown }),
           (error: unknown) => ({ map: null, error }),
         )

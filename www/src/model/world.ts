@@ -16,7 +16,7 @@ export function withRows(world: World, rows: number, resolution: number): World 
   return { ...world, x, y }
 }
 
-function turned({ x, y, yaw }: World, east: number, north: number): [number, number] {
+function turned({ x, y, yaw = 0 }: World, east: number, north: number): [number, number] {
   const [sin, cos] = [Math.sin(yaw), Math.cos(yaw)]
   return [x + cos * east - sin * north, y + sin * east + cos * north]
 }
