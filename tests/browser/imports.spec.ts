@@ -140,7 +140,7 @@ test.describe('a robot’s map', () => {
 
     await race.menu('map-menu', 'open-export')
     await page.getByTestId('export-ros').click()
-    await expect(page.getByTestId('export-preview')).toHaveValue(/image: small\.pgm/)
+    await expect(page.getByTestId('export-preview')).toHaveValue(/image: "small\.pgm"/)
     const saved: [string, Buffer][] = []
     page.on('download', async (one) => {
       const chunks: Buffer[] = []
@@ -152,7 +152,7 @@ test.describe('a robot’s map', () => {
     await race.leaveDialog()
 
     await race.menu('map-menu', 'open-resize')
-    await page.getByTestId('size-height').fill('3')
+    await page.getByTestId('resize-height').fill('3')
     await page.getByTestId('resize').click()
     await expect.poll(() => size(race)).toEqual([6, 3])
     expect((await race.session()).scenario.spec.world).toEqual({ ...WORLD, y: 2.5 })
@@ -467,7 +467,7 @@ test.describe('in Chinese', () => {
 
   test('everything in the dialog is Chinese', async ({ page }) => {
     const race = new RacePage(page)
-    await race.openAtRest()
+    await race.open()
     await race.dropTogether([
       ['small.yaml', YAML],
       ['small.pgm', PGM],

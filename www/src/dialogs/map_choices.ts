@@ -40,8 +40,8 @@ export function optionsOf(file: MapFile, choices: MapChoices): ReadOptions {
   const { threshold, lightIsBlocked, metresPerCell, crop } = choices
   return {
     picture: {
-      // Said to be none, which is not the same as left out.
-      threshold: threshold ?? undefined,
+      // Null: none is given, and one is chosen. Left out it would be 128.
+      threshold: threshold as number,
       light_is_blocked: lightIsBlocked,
       metres_per_cell: metresPerCell,
       ...(crop && { crop }),

@@ -155,7 +155,8 @@ function CellsField({
   onChange,
   longer,
 }: FieldsProps & { longer?: boolean }) {
-  const most = longest(choices.crop ?? whole ?? { width: 0, height: 0 })
+  if (!whole) return null
+  const most = longest(choices.crop ?? whole)
   return (
     <NumberField
       label={t(longer ? 'mapFile.longerSide' : 'raster.presets')}

@@ -1,7 +1,8 @@
 /** Files and texts in: what opens them is fetched when it is first needed, as most visits only watch. */
+import { lazyParts } from './lazy_parts'
 import { notifyError } from './notices'
 
-const opener = () => import('./open_files')
+const opener = () => lazyParts.opener()
 
 export interface Opening {
   /** Opens what leaves a choice as it is usually meant, instead of asking. */

@@ -1,16 +1,16 @@
 /** Files in: recognises what came together, and puts it where it belongs. */
 import type { EngineError, Imported, ReadOptions, ScenLine } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
 import { goalAt, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
+import { loadSession, notify, scenario, setScenario, showView } from '.'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import type { Opening } from './files'
 import { toScenario } from './imported'
 import { lazyParts } from './lazy_parts'
-import { notify } from './notices'
 import {
   type FoundFile,
   type MapChoice,
@@ -21,11 +21,8 @@ import {
   scenChoice,
   type TerrainFile,
 } from './offered_files'
-import { showView } from './page_view'
-import { setScenario } from './scenarios'
-import { autoplay, loadSession } from './sessions'
+import { autoplay } from './sessions'
 import { suitSpeed } from './speed'
-import { scenario } from './store'
 import { importPart, offerTerrain } from './terrain_files'
 
 /** Of a folder no more files are looked at. */
@@ -121,12 +118,12 @@ async function listed(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry
 }
 
 function tooMany(name: string): EngineError {
-  const message = t('notices.tooManyFiles', { most: MAX_FILES })
+  const message = t('opening.tooManyFiles', { most: MAX_FILES })
   return {
     kind: 'too-many-files',
     field: name,
     message,
-    hint: t('notices.tooManyFilesHint'),
+    hint: t('opening.tooManyFilesHint'),
     args: {},
   }
 }
@@ -160,12 +157,12 @@ async function openTogether(given: NamedBytes[], opening: Together = {}): Promis
 }
 
 function nothingWithin(name: string): EngineError {
-  const message = t('notices.nothingToOpen', { name })
+  const message = t('opening.nothingToOpen', { name })
   return {
     kind: 'nothing-to-open',
     field: name,
     message,
-    hint: t('notices.nothingToOpenHint'),
+    hint: t('opening.nothingToOpenHint'),
     args: {},
   }
 }
@@ -308,7 +305,7 @@ function showMap(imported: Imported, name: string): void {
   suitSpeed(opened)
   setScenario(opened, { undoable: true })
   const { width, height } = imported.spec
-  notify('success', t('notices.imported', { name, width, height }), {
+  notify('success', t('opening.imported', { name, width, height }), {
     hint: imported.warnings.map(describeNotice).join(' '),
   })
 }
@@ -321,8 +318,8 @@ async function openScen(file: NamedBytes): Promise<void> {
   const [wanted] = lines
   if (fitting.length === 0 && wanted) {
     const { map, width, height } = wanted
-    notify('warning', t('notices.scenNeedsMap', { name, map, width, height }), {
-      hint: t('notices.scenNeedsMapHint'),
+    notify('warning', t('opening.scenNeedsMap', { name, map, width, height }), {
+      hint: t('opening.scenNeedsMapHint'),
     })
     return
   }

@@ -208,6 +208,15 @@ export const enDialogs = {
     needsHint: 'Choose it here, or drop both files together.',
     choosePicture: 'Choose {{needs}}',
   },
+  opening: {
+    imported: '{{name}} opened: {{width}} × {{height}} cells.',
+    scenNeedsMap: '{{name}} belongs to the map {{map}} ({{width}} × {{height}}).',
+    scenNeedsMapHint: 'Drop the .map and the .scen file together, or open the map first.',
+    tooManyFiles: 'More than {{most}} files: none was opened.',
+    tooManyFilesHint: 'Drop the folder that holds the map, without what lies around it.',
+    nothingToOpen: 'Nothing in {{name}} can be opened here.',
+    nothingToOpenHint: 'Import… in the map menu lists what can be.',
+  },
   mapChoice: {
     title: 'Which map?',
     hint: '{{count}} maps came together. Choose the one to open.',

@@ -9,10 +9,6 @@ export const enEngine = {
       message: 'This planner does not plan {{ground}}',
       hint: 'Choose another planner, or change how one moves in the map menu',
     },
-    'needs-file': {
-      message: 'This is half of a map: {{other}} belongs to it',
-      hint: 'Open both together',
-    },
     place: { message: '“{{value}}” is no place', hint: 'Write column and row, as in 11, 4' },
   },
   grounds: {

@@ -196,6 +196,15 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     needsHint: '请在此选择该图片，或把两个文件一起拖入。',
     choosePicture: '选择 {{needs}}',
   },
+  opening: {
+    imported: '已打开 {{name}}：{{width}} × {{height}} 格。',
+    scenNeedsMap: '{{name}} 属于地图 {{map}}（{{width}} × {{height}}）。',
+    scenNeedsMapHint: '请把 .map 与 .scen 一起拖入，或先打开地图。',
+    tooManyFiles: '文件超过 {{most}} 个：一个也没有打开。',
+    tooManyFilesHint: '请只拖入含有地图的文件夹。',
+    nothingToOpen: '{{name}} 中没有可以打开的内容。',
+    nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
+  },
   mapChoice: {
     title: '打开哪张地图？',
     hint: '共有 {{count}} 张地图，请选择要打开的一张。',
