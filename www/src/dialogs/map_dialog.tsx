@@ -136,12 +136,12 @@ function Facts({ file, map }: { file: MapFile; map: Imported | null }) {
           ? t('raster.metres', { x: fine(width * resolution), y: fine(height * resolution) })
           : undefined,
       ],
-      ['free', t('mapFile.free'), whole(all - blocked), share((all - blocked) / all)],
-      ['blocked', t('mapFile.blocked'), whole(blocked), share(blocked / all)],
+      ['free', t('mapFile.free'), counted(all - blocked, all)],
+      ['blocked', t('mapFile.blocked'), counted(blocked, all)],
     )
   }
   return (
-    <dl class="raster-facts">
+    <dl class="raster-facts map-facts">
       {rows.map(([id, label, value, note]) => (
         <div key={id}>
           <dt>{label}</dt>
@@ -236,4 +236,5 @@ function thresholdOf(map: Imported | null): number | null {
 const whole = (value: number) => numbers.value.whole.format(value)
 const fine = (value: number) => numbers.value.metres.format(value)
 const share = (value: number) => numbers.value.share.format(value)
+const counted = (some: number, all: number) => `${whole(some)} · ${share(some / all)}`
 const shownSize = ({ width, height }: Sides) => ({ width: whole(width), height: whole(height) })

@@ -18,6 +18,8 @@ export function MapPreview({ map, busy }: { map: Imported | null; busy: boolean 
   const ink = theme.value
   useEffect(() => draw(canvas.current, map, ink), [map, ink])
   const { width, height } = map?.spec ?? { width: 4, height: 3 }
+  // Small ones stay crisp squares; of large ones averaging keeps thin walls in sight.
+  const rendering = Math.max(width, height) < 256 ? 'pixelated' : 'auto'
   return (
     <div
       class="map-preview"
@@ -30,6 +32,7 @@ export function MapPreview({ map, busy }: { map: Imported | null; busy: boolean 
           ref={canvas}
           width={width}
           height={height}
+          style={{ imageRendering: rendering }}
           role="img"
           aria-label={t('mapFile.preview')}
         />
