@@ -370,6 +370,21 @@ test.describe('texts, archives, folders', () => {
     })
   })
 
+  test('a file that is none of ours does not keep the others from being opened', async ({
+    page,
+  }) => {
+    const race = new RacePage(page)
+    await race.dropTogether([
+      ['letter.txt', 'Dear reader,\nthis is no map.\n'],
+      ['small.yaml', YAML],
+      ['small.pgm', PGM],
+    ])
+    await expect(page.getByTestId('map-kind')).toContainText('ROS map')
+    await expect(page.getByTestId('toast-warning')).toContainText('letter.txt')
+    await page.keyboard.press('Escape')
+    await expect(dialog(page)).toBeHidden()
+  })
+
   test('a dropped folder is looked through', async ({ page }) => {
     const race = new RacePage(page)
     const files = [

@@ -141,7 +141,7 @@ function Facts({ file, map }: { file: MapFile; map: Imported | null }) {
     )
   }
   return (
-    <dl class="raster-facts map-facts">
+    <dl class="raster-facts map-facts" aria-live="polite">
       {rows.map(([id, label, value, note]) => (
         <div key={id}>
           <dt>{label}</dt>

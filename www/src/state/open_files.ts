@@ -150,10 +150,17 @@ async function openTogether(given: NamedBytes[], opening: Together = {}): Promis
   const looked: Looked = { found: [], refused: [], loose: opening.loose ?? false }
   for (const file of withWaiting(given)) await look(file, looked, 0)
   const { found, refused, loose } = looked
-  const belongs = loose ? found.filter(canBeOpened) : found
-  const opened = await openFound(belongs, opening)
+  const known = found.filter(canBeOpened)
+  const opened = await openFound(loose || known.length > 0 ? known : found, opening)
+  if (!loose && opened && known.length > 0) tellLeftOut(found.filter((file) => !canBeOpened(file)))
   if (refused.length > 0 && !(loose && opened)) throw refused[0]
   if (!opened) throw nothingWithin(given[0]?.name ?? '')
+}
+
+/** Of files that were named one by one, the reader hears which are none of ours. */
+function tellLeftOut(files: NamedBytes[]): void {
+  const names = files.map(({ name }) => fileName(name)).join(', ')
+  if (names !== '') notify('warning', t('opening.leftOut', { names }))
 }
 
 function nothingWithin(name: string): EngineError {
@@ -286,7 +293,6 @@ export const readMap = ({ bytes, name, image }: MapFile, choices: ReadOptions) =
 /** Opens the map of a file that left a choice; it stays offered until it could be read. */
 export async function openMap(file: MapFile, choices: ReadOptions, read?: Imported): Promise<void> {
   const imported = read ?? (await readMap(file, choices))
-  mapFile.value = null
   // Notices about start and goal are left out when a .scen is about to set them.
   const told = imported.warnings.filter(
     ({ kind }) => !(file.scens.length > 0 && kind === 'ends-chosen'),
@@ -301,6 +307,8 @@ export async function openTerrain(file: TerrainFile, part: TerrainPart): Promise
 }
 
 function showMap(imported: Imported, name: string): void {
+  mapFile.value = null
+  mapChoice.value = null
   const opened = toScenario(imported, name)
   suitSpeed(opened)
   setScenario(opened, { undoable: true })

@@ -214,6 +214,7 @@ export const enDialogs = {
     scenNeedsMapHint: 'Drop the .map and the .scen file together, or open the map first.',
     tooManyFiles: 'More than {{most}} files: none was opened.',
     tooManyFilesHint: 'Drop the folder that holds the map, without what lies around it.',
+    leftOut: 'Not opened, as it is no known file: {{names}}',
     nothingToOpen: 'Nothing in {{name}} can be opened here.',
     nothingToOpenHint: 'Import… in the map menu lists what can be.',
   },

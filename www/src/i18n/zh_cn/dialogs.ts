@@ -202,6 +202,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     scenNeedsMapHint: '请把 .map 与 .scen 一起拖入，或先打开地图。',
     tooManyFiles: '文件超过 {{most}} 个：一个也没有打开。',
     tooManyFilesHint: '请只拖入含有地图的文件夹。',
+    leftOut: '格式未知，未打开：{{names}}',
     nothingToOpen: '{{name}} 中没有可以打开的内容。',
     nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
   },
