@@ -316,12 +316,10 @@ test.describe('a comparison as a picture', () => {
     expect(await textOfPng(png)).toBe(files.json)
   })
 
-  test('a picture without one says what is missing', async ({ page }) => {
+  test('a picture without one says what is missing, and is offered as a map', async ({ page }) => {
     await new ComparisonPage(page).open()
     await drop(page, 'screenshot.png', await page.screenshot())
-    const toast = page.getByTestId('toast-error')
-    await expect(toast).toContainText('holds no session or comparison')
-    await expect(toast).toContainText('ask for the original')
+    await expect(page.getByTestId('map-notices')).toContainText('No session is in this picture')
   })
 })
 

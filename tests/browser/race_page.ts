@@ -224,15 +224,21 @@ export class RacePage {
     await this.page.getByTestId('import-file').setInputFiles(file)
   }
 
-  async drop(name: string, content: string): Promise<void> {
-    const transfer = await this.page.evaluateHandle(
-      ([fileName, text]) => {
-        const data = new DataTransfer()
-        data.items.add(new File([text ?? ''], fileName ?? ''))
-        return data
-      },
-      [name, content],
-    )
+  drop(name: string, content: string | Buffer): Promise<void> {
+    return this.dropTogether([[name, content]])
+  }
+
+  /** Drops several files at once. */
+  async dropTogether(files: [name: string, content: string | Buffer][]): Promise<void> {
+    const plain = files.map(([name, content]) => [name, Buffer.from(content).toString('base64')])
+    const transfer = await this.page.evaluateHandle((all) => {
+      const data = new DataTransfer()
+      for (const [name = '', base64 = ''] of all) {
+        const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0))
+        data.items.add(new File([bytes], name))
+      }
+      return data
+    }, plain)
     await this.page.dispatchEvent('main', 'drop', { dataTransfer: transfer })
   }
 

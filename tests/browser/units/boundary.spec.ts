@@ -1,6 +1,7 @@
 /** What a script may pass to the package: every wrong value at every parameter is refused as an EngineError, and nothing breaks. */
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { gzipSync } from 'node:zlib'
 import { expect, test } from '@playwright/test'
 import { sessionOf } from './sessions'
 
@@ -47,18 +48,22 @@ function valid(): Record<string, unknown[]> {
     ablation: ['fire', null, {}],
     check_scenario: [on, cells, heights],
     export_geotiff: [on, cells, heights],
+    export_ros: [on, cells, 'x.pgm'],
     export_map: [on, cells, heights, 'scenario'],
     fitting_slices: [on, cells, heights, 1],
     generate: ['random', 9, 9, 1, 0.2],
-    import_map: [text('0 0\n0 0\n'), 'x'],
+    import_map: [text('0 0\n0 0\n'), 'x', {}, null],
     import_scen: [text('version 1\n0 x.map 9 9 0 0 8 8 11.3\n')],
     import_terrain: [text(terrain), 'x.asc', null, null],
     join_results: [DOCUMENT, text(table), 'x.csv', null],
+    list_matrices: [text('0 0\n0 0\n')],
     paint_map: [{}, on, cells, heights, 'dark', false],
+    recognise: [text('0 0'), 'x'],
     reference: [on, cells, heights, 'length'],
-    sniff: [text('0 0'), 'x'],
+    ros_image: [text('image: x.pgm\nresolution: 1\norigin: [0, 0, 0]\n')],
     survey_results: [text(table), 'x.csv'],
     survey_terrain: [text(terrain), 'x.asc'],
+    unpack: [gzipSync('0 0'), 'x.gz'],
   }
 }
 

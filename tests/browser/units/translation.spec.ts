@@ -147,3 +147,37 @@ test.describe('on a Chinese page', () => {
     expect(await files()).toEqual(inChinese)
   })
 })
+
+/** Every file of the engine's source below a folder, without its tests. */
+function sources(folder: string): string[] {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name)
+    if (entry.isDirectory()) return entry.name === 'cli' ? [] : sources(path)
+    return entry.name.endsWith('.rs')
+      ? [readFileSync(path, 'utf8').split('#[cfg(test)]')[0] ?? '']
+      : []
+  })
+}
+
+test('every remark of the engine about a file, and every error of one, has Chinese', () => {
+  const source = sources(join(ROOT, 'src')).join('\n')
+  const told = (call: string) => [
+    ...new Set(
+      [...source.matchAll(new RegExp(`${call}\\(\\s*"([a-z0-9-]+)"`, 'g'))].map(([, kind]) => kind),
+    ),
+  ]
+  const missing = (kinds: (string | undefined)[], known: object) =>
+    kinds.filter((kind) => kind && !(kind in known))
+  const remarks = told('Notice::new')
+  expect(remarks.length).toBeGreaterThan(40)
+  expect(missing(remarks, zhCNEngine.notices), 'notices').toEqual([])
+  // What scripts and comparisons pass wrongly is told in the words of the engine.
+  const engines = [
+    'bad-argument',
+    'cell-count',
+    'question-field',
+    'unknown-parameter',
+    'unknown-preset',
+  ]
+  expect(missing(told('ErrorReport::new'), zhCNEngine.errors).sort(), 'errors').toEqual(engines)
+})

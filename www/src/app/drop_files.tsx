@@ -2,7 +2,7 @@
 import { signal } from '@preact/signals'
 import { Upload } from 'lucide'
 import { t } from '../i18n'
-import { importFiles } from '../state'
+import { importDropped } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Icon } from '../ui/icon'
 
@@ -34,7 +34,7 @@ export function listenForDrops(): void {
     if (!carriesFiles(event) || !event.dataTransfer) return
     event.preventDefault()
     closeDialog()
-    void importFiles(event.dataTransfer.files)
+    void importDropped(event.dataTransfer)
   })
 }
 

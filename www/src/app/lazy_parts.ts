@@ -2,6 +2,7 @@
 import { nameLazyParts } from '../state/lazy_parts'
 
 nameLazyParts({
+  opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
   inspector: async () => (await import('../playback')).fetchInspector(),

@@ -10,6 +10,7 @@
 import type { ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
+import { placeOf } from '../model/world'
 import {
   currentSession,
   engineVersion,
@@ -22,6 +23,7 @@ import {
   pause,
   phase,
   runToEnd,
+  scenario,
   stepIteration,
 } from '../state'
 import { latest } from '../state/live_reports'
@@ -34,6 +36,8 @@ export interface PanelResult {
   path: [number, number][] | null
   /** On a terrain the altitude of each of its cells in metres; null elsewhere. */
   altitudes: number[] | null
+  /** On a map whose place in the world is known, the middle of each of its cells as [x, y] in metres; null elsewhere. */
+  world: [number, number][] | null
   /** One row an iteration: iteration, best so far, iteration best, mean, worst, arrived. */
   history: number[][]
   verified: PanelLive['verified']
@@ -104,15 +108,18 @@ export function offerScripting(): void {
 }
 
 function results(): PanelResult[] {
+  const spec = scenario.peek()?.spec
   return panels.peek().map((panel) => {
     const live = panel.past.peek() ?? latest(panel.id)
     const { planner, params } = panel.setup
     const { summary, verified } = live
+    const path = pairs(live.bestPath)
     return {
       planner,
       params,
       summary,
-      path: pairs(live.bestPath),
+      path,
+      world: spec?.world && path ? path.flatMap((cell) => [placeOf(spec, cell) ?? cell]) : null,
       altitudes: live.bestAltitudes?.length ? [...live.bestAltitudes] : null,
       history: rows(panel),
       verified,

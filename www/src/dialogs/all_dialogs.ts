@@ -1,11 +1,14 @@
 /** Every dialog, in one part of the page that is fetched when the first of them is opened. */
 import type { JSX } from 'preact'
+import '../styles/raster.css'
 import type { DialogName } from '../state/dialogs'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'
 import { GenerateDialog } from './generate_dialog'
 import { HelpDialog } from './help_dialog'
 import { ImportDialog } from './import_dialog'
+import { MapChoiceDialog } from './map_choice_dialog'
+import { MapDialog } from './map_dialog'
 import { ResizeDialog } from './resize_dialog'
 import { ScenDialog } from './scen_dialog'
 import { ShareDialog } from './share_dialog'
@@ -21,4 +24,4 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   paper: CardDialog,
 }
 
-export { ScenDialog, TerrainDialog }
+export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

@@ -3,23 +3,23 @@ import { Copy, Download } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
+import { notifyError, scenario } from '../state'
+import { closeDialog } from '../state/dialogs'
 import {
   download,
   exportGeotiff,
   exportMap,
+  exportRos,
   exportSession,
   fileStem,
-  notifyError,
-  scenario,
-} from '../state'
-import { closeDialog } from '../state/dialogs'
+} from '../state/export_files'
 import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 import { Segmented } from '../ui/fields'
 
 /** `experiment` is a session: the file's ending has kept its former name. */
-type Format = ExportFormat | 'geotiff' | 'experiment'
+type Format = ExportFormat | 'geotiff' | 'ros' | 'experiment'
 
 const EXTENSIONS: Record<Format, string> = {
   'movingai-map': '.map',
@@ -28,11 +28,19 @@ const EXTENSIONS: Record<Format, string> = {
   'esri-ascii': '.asc',
   'height-table': '.csv',
   geotiff: '.tif',
+  ros: '.yaml',
   scenario: '.scenario.json',
   experiment: '.experiment.json',
 }
 /** For maps without heights, the likeliest first. */
-const PLANAR: Format[] = ['movingai-map', 'movingai-scen', 'matrix', 'scenario', 'experiment']
+const PLANAR: Format[] = [
+  'movingai-map',
+  'movingai-scen',
+  'matrix',
+  'ros',
+  'scenario',
+  'experiment',
+]
 /** For terrains, those that keep the heights first. */
 const OF_TERRAINS: Format[] = [
   'esri-ascii',
@@ -43,10 +51,15 @@ const OF_TERRAINS: Format[] = [
   'movingai-map',
   'movingai-scen',
   'matrix',
+  'ros',
 ]
 /** Formats without heights. */
-const FLATTENING: Format[] = ['movingai-map', 'movingai-scen', 'matrix']
-const TYPES: Partial<Record<Format, string>> = { geotiff: 'image/tiff', 'height-table': 'text/csv' }
+const FLATTENING: Format[] = ['movingai-map', 'movingai-scen', 'matrix', 'ros']
+const TYPES: Partial<Record<Format, string>> = {
+  geotiff: 'image/tiff',
+  'height-table': 'text/csv',
+  ros: 'application/yaml',
+}
 /** A preview is for recognising the format, not for reading a large map. */
 const PREVIEW_CHARACTERS = 4000
 
@@ -54,9 +67,15 @@ export function ExportDialog() {
   const onTerrain = scenario.value?.heights != null
   const formats = onTerrain ? OF_TERRAINS : PLANAR
   const [format, setFormat] = useState<Format>(formats[0] ?? 'scenario')
-  const content = useExport(format)
+  const made = useExport(format)
+  const content = made?.content ?? null
   const text = typeof content === 'string' ? content : null
   const name = fileStem() + EXTENSIONS[format]
+  const other = `${fileStem()}.pgm`
+  const save = () => {
+    download(name, content ?? '', TYPES[format])
+    if (made?.picture) download(other, made.picture, 'image/x-portable-graymap')
+  }
   return (
     <Dialog
       title={t('maps.titles.export')}
@@ -74,11 +93,11 @@ export function ExportDialog() {
           />
           <Button
             icon={Download}
-            label={t('maps.download', { name })}
+            label={t(format === 'ros' ? 'maps.downloadBoth' : 'maps.download', { name, other })}
             tone="primary"
             testId="export-download"
             disabled={!content?.length}
-            onClick={() => download(name, content ?? '', TYPES[format])}
+            onClick={save}
           />
         </>
       }
@@ -119,23 +138,32 @@ export function ExportDialog() {
   )
 }
 
+/** A file, and the picture that goes with the description of a ROS map. */
+interface Made {
+  content: string | Uint8Array
+  picture?: Uint8Array
+}
+
 /** The file in the chosen format; null while it is being made, even if one in another format is there. */
-function useExport(format: Format): string | Uint8Array | null {
-  const [made, setMade] = useState<{ format: Format; content: string | Uint8Array } | null>(null)
+function useExport(format: Format): Made | null {
+  const [made, setMade] = useState<(Made & { format: Format }) | null>(null)
   useEffect(() => {
     let current = true
     make(format).then(
-      (content) => current && setMade({ format, content }),
+      (file) => current && setMade({ format, ...file }),
       (error) => current && notifyError(error),
     )
     return () => {
       current = false
     }
   }, [format])
-  return made?.format === format ? made.content : null
+  return made?.format === format ? made : null
 }
 
-function make(format: Format): Promise<string | Uint8Array> {
-  if (format === 'experiment') return exportSession()
-  return format === 'geotiff' ? exportGeotiff() : exportMap(format)
+async function make(format: Format): Promise<Made> {
+  if (format === 'experiment') return { content: await exportSession() }
+  if (format === 'geotiff') return { content: await exportGeotiff() }
+  if (format !== 'ros') return { content: await exportMap(format) }
+  const files = await exportRos()
+  return { content: files?.yaml ?? '', picture: files?.pgm }
 }

@@ -7,9 +7,24 @@ import { Dialog } from '../ui/dialog'
 import { useFilePicker } from '../ui/file_picker'
 import { FormError } from '../ui/form_error'
 
-const FORMATS = ['map', 'scen', 'matrix', 'raster', 'json', 'link'] as const
+const FORMATS = [
+  'map',
+  'scen',
+  'matrix',
+  'drawing',
+  'picture',
+  'ros',
+  'raster',
+  'json',
+  'archive',
+  'link',
+] as const
 /** What the file picker offers first. */
-const ENDINGS = '.map,.scen,.txt,.csv,.json,.asc,.tif,.tiff,.hgt,.png'
+const ENDINGS = [
+  '.map,.scen,.txt,.csv,.json,.m,.py',
+  '.png,.jpg,.jpeg,.webp,.bmp,.pgm,.pbm,.ppm',
+  '.yaml,.yml,.asc,.tif,.tiff,.hgt,.zip,.gz',
+].join()
 
 export function ImportDialog() {
   const [text, setText] = useState('')

@@ -1,5 +1,6 @@
 import { t } from '../i18n/dialogs'
-import { chooseScen, type ScenChoice, scenChoice } from '../state'
+import { type ScenChoice, scenChoice } from '../state'
+import { chooseScen } from '../state/open_files'
 import { Dialog } from '../ui/dialog'
 
 /** The long and hard ones stand last, so the limit is high. */

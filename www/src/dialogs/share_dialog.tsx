@@ -2,16 +2,9 @@ import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
-import {
-  currentSession,
-  download,
-  exportSession,
-  fileStem,
-  latest,
-  panels,
-  plannerEntry,
-} from '../state'
+import { currentSession, latest, panels, plannerEntry } from '../state'
 import { closeDialog } from '../state/dialogs'
+import { download, exportSession, fileStem } from '../state/export_files'
 import { isSearch, plannerName } from '../words/planner_words'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 

@@ -20,7 +20,8 @@ import {
   WATCHED_SIDE,
   wholeOf,
 } from '../model/raster_part'
-import { openTerrain, type TerrainFile, terrainFile } from '../state'
+import { type TerrainFile, terrainFile } from '../state'
+import { openTerrain } from '../state/open_files'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Segmented } from '../ui/fields'

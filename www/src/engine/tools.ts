@@ -5,6 +5,7 @@ import type {
   ExportFormat,
   Generator,
   Objective,
+  ReadOptions,
   Reference,
   RunSummary,
 } from '@pkg/formicarium'
@@ -113,15 +114,25 @@ export const tools = {
   /** All planners; fetches the whole engine. */
   wholeCatalog: () => wholeBox().call('catalog'),
   version: () => toolBox().call('version'),
-  importMap: (bytes: Uint8Array, name: string) => wholeBox().call('importMap', bytes, name),
+  /** `image`: of a ROS map the picture that it names. */
+  importMap: (bytes: Uint8Array, name: string, options?: ReadOptions, image?: Uint8Array) =>
+    wholeBox().call('importMap', bytes, name, options, image),
   importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
-  sniff: (bytes: Uint8Array, name: string) => wholeBox().call('sniff', bytes, name),
+  /** Tells what a file is. */
+  recognise: (bytes: Uint8Array, name: string) => wholeBox().call('recognise', bytes, name),
+  /** Tells of the matrices that a text holds. */
+  listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
+  /** The name of the picture that belongs to the description of a ROS map. */
+  rosImage: (bytes: Uint8Array) => wholeBox().call('rosImage', bytes),
+  unpack: (bytes: Uint8Array, name: string) => wholeBox().call('unpack', bytes, name),
   /** Tells what a raster of heights holds, before it is opened. */
   surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
   importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
     wholeBox().call('importTerrain', bytes, name, part),
   exportMap: ({ spec, cells, heights }: Scenario, format: ExportFormat) =>
     wholeBox().call('exportMap', spec, cells, heights, format),
+  exportRos: ({ spec, cells }: Scenario, image: string) =>
+    wholeBox().call('exportRos', spec, cells, image),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */

@@ -18,10 +18,17 @@ const UNFETCHED = /dynamically imported module|importing a module script|unable 
 
 export function describeError(error: unknown): Described {
   if (isCoded(error)) {
-    const args = { ...error.args, ...groundOf(error), field: error.field ?? '' }
+    const args: Record<string, string> = {
+      ...error.args,
+      ...groundOf(error),
+      field: error.field ?? '',
+    }
+    const known = `found.${args.found?.toLowerCase().replace(/[^a-z0-9]+/g, '-')}`
+    if (args.found) args.found = engineText(`${known}.name`, args.found)
+    const hint = engineText(`errors.${error.kind}.hint`, error.hint, args)
     return {
       message: sentence(engineText(`errors.${error.kind}.message`, error.message, args)),
-      hint: sentence(engineText(`errors.${error.kind}.hint`, error.hint, args)),
+      hint: sentence(engineText(`${known}.hint`, hint)),
     }
   }
   const message = error instanceof Error ? error.message : String(error)

@@ -5,6 +5,7 @@ import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells 
 import type { Scenario } from './session'
 import { keepInside } from './settle_ends'
 import { hasNoData, liftEnds } from './terrain'
+import { withRows } from './world'
 
 export type Edit =
   /** A line of cells from one pointer position to the next. Start and goals are never walled in. */
@@ -150,7 +151,9 @@ function resize(scenario: Scenario, width: number, height: number): Scenario {
     heights && copied(heights, new Float32Array(width * height).fill(Number.NaN), spec, size)
   const outside = new Uint8Array(width * height).fill(ground ? 1 : 0)
   const cells = copied(scenario.cells, outside, spec, size)
-  const moved = keepInside({ ...spec, width, height }, (cell) =>
+  const { world, resolution } = spec
+  const placed = world && { world: withRows(world, height - spec.height, resolution) }
+  const moved = keepInside({ ...spec, ...placed, width, height }, (cell) =>
     ground ? Number.isFinite(ground[cell]) : true,
   )
   if (moved === null) return scenario

@@ -14,9 +14,14 @@ const LEAST_SIDE = 2
 /** Sides that differ by less are the same to the eye and to every measure. */
 const SAME = 0.005
 
-export const wholeOf = ({ width, height }: Survey): Crop => ({ x: 0, y: 0, width, height })
+interface Sides {
+  width: number
+  height: number
+}
 
-export const isWhole = (crop: Crop, { width, height }: Survey): boolean =>
+export const wholeOf = ({ width, height }: Sides): Crop => ({ x: 0, y: 0, width, height })
+
+export const isWhole = (crop: Crop, { width, height }: Sides): boolean =>
   crop.width === width && crop.height === height
 
 export function isSquare([x, y]: readonly [number, number]): boolean {
@@ -43,7 +48,7 @@ export function cellOf(crop: Crop, { cell }: Survey, [width, height]: Size): [nu
   return [(crop.width * cell[0]) / width, (crop.height * cell[1]) / height]
 }
 
-export function cropFits({ x, y, width, height }: Crop, raster: Survey): boolean {
+export function cropFits({ x, y, width, height }: Crop, raster: Sides): boolean {
   return (
     [x, y, width, height].every(Number.isInteger) &&
     x >= 0 &&

@@ -7,16 +7,20 @@ import type {
   Generated,
   Generator,
   Imported,
+  MatrixInfo,
   Notice,
   Objective,
+  ReadOptions,
+  Recognised,
   Reference,
+  RosFiles,
   RunSummary,
   ScenarioSpec,
   ScenFile,
   Size,
   SliceRules,
-  Sniffed,
   Survey,
+  Unpacked,
   Window,
 } from '@pkg/formicarium'
 import type { ParamValues, RunSetup } from './messages'
@@ -29,9 +33,12 @@ export interface TerrainPart {
 
 /** What only the whole engine's worker can do, as plain functions on its side. */
 export interface MapCalls {
-  importMap(bytes: Uint8Array, name: string): Imported
+  importMap(bytes: Uint8Array, name: string, options?: ReadOptions, image?: Uint8Array): Imported
   importScen(bytes: Uint8Array): ScenFile
-  sniff(bytes: Uint8Array, name: string): Sniffed
+  recognise(bytes: Uint8Array, name: string): Recognised
+  listMatrices(bytes: Uint8Array): MatrixInfo[]
+  rosImage(yaml: Uint8Array): string
+  unpack(bytes: Uint8Array, name: string): Unpacked[]
   surveyTerrain(bytes: Uint8Array, name: string): Survey
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
   exportMap(
@@ -40,6 +47,7 @@ export interface MapCalls {
     heights: Float32Array | null,
     format: ExportFormat,
   ): string
+  exportRos(spec: ScenarioSpec, cells: Uint8Array, image: string): RosFiles
   exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
   /** Rules of movement by slices that suit a terrain. */
   fittingSlices(

@@ -11,6 +11,7 @@ import type {
   SliceRules,
   Status,
   TerrainFields,
+  World,
 } from '@pkg/formicarium'
 import { FACTS } from '../model/facts'
 import type { ParamValues } from '../model/messages'
@@ -148,6 +149,17 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
     ...(fields.terrain != null && {
       terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain'), limits),
     }),
+    ...(fields.world != null && { world: readWorld(fieldsOf(fields.world, 'scenario.world')) }),
+  }
+}
+
+/** The place of a map in the world, in metres. */
+function readWorld({ x, y, yaw = 0, frame = '' }: Fields): World {
+  return {
+    x: real(x, 'scenario.world.x', -1e9, 1e9),
+    y: real(y, 'scenario.world.y', -1e9, 1e9),
+    yaw: real(yaw, 'scenario.world.yaw', -1e3, 1e3),
+    frame: text(frame, 'scenario.world.frame', 80),
   }
 }
 

@@ -19,6 +19,7 @@ import {
   tool,
 } from '../state'
 import { heightWords } from '../words/height_words'
+import { placeWords } from '../words/place_words'
 import { brushFor, newGesture, stroke } from './brush'
 import type { Cursor } from './panel_view'
 
@@ -173,9 +174,11 @@ function lift(cell: Cell | null, now: Scenario, delta: number): boolean {
 }
 
 function describe(cell: Cell, now: Scenario): string {
-  const words = t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
-  const height = heightWords(now, cell)
-  return height === null ? words : t('relief.withHeight', { words, height })
+  const told = t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
+  return [heightWords(now, cell), placeWords(now, cell)].reduce<string>(
+    (words, height) => (height === null ? words : t('relief.withHeight', { words, height })),
+    told,
+  )
 }
 
 function contentOf(cell: Cell, now: Scenario): string {

@@ -13,6 +13,7 @@ export {
   type Toast,
   toasts,
 } from './notices'
+export * from './offered_files'
 export { objectives, referenceOf } from './optimum'
 export { showView, view } from './page_view'
 export {
@@ -40,5 +41,4 @@ export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'
 export { startPage } from './start_page'
 export * from './store'
-export { type TerrainFile, terrainFile } from './terrain_files'
 export { fetchWholeEngine, fetchWholeEngineUnasked } from './whole_engine'

@@ -21,7 +21,15 @@ export interface ReliefPart {
   resetEye(): void
 }
 
+/** Opens files and texts (state/open_files.ts). */
+export interface OpenerPart {
+  openText(text: string, opening?: { unasked?: boolean }): Promise<void>
+  openFiles(files: File[]): Promise<void>
+  openEntries(entries: FileSystemEntry[]): Promise<void>
+}
+
 export interface LazyParts {
+  opener(): Promise<OpenerPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
@@ -32,7 +40,12 @@ export interface LazyParts {
 const missing = () => Promise.reject(new Error('the parts of the page have not been named yet'))
 
 /** Where to fetch them. */
-export const lazyParts: LazyParts = { lab: missing, relief: missing, inspector: missing }
+export const lazyParts: LazyParts = {
+  opener: missing,
+  lab: missing,
+  relief: missing,
+  inspector: missing,
+}
 
 /** Called once, before the page is drawn. */
 export function nameLazyParts(parts: LazyParts): void {

@@ -190,7 +190,7 @@ export async function generateMap(
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
   const heights = heightsOf(made.heights)
-  const { terrain: _, resolution, ...kept } = now.spec
+  const { terrain: _, world: __, resolution, ...kept } = now.spec
   const generated: Scenario = {
     spec: {
       ...kept,

@@ -1,19 +1,10 @@
 /** Rasters of heights: looked at first, then opened as a whole or in part. */
-import type { Imported, Survey } from '@pkg/formicarium'
-import { signal } from '@preact/signals'
+import type { Imported } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import type { TerrainPart } from '../model/tool_calls'
+import { type NamedBytes, type TerrainFile, terrainFile } from './offered_files'
 
-export interface TerrainFile {
-  name: string
-  bytes: Uint8Array
-  survey: Survey
-}
-
-/** A raster that waits for the reader to say which part of it to open. */
-export const terrainFile = signal<TerrainFile | null>(null)
-
-export async function offerTerrain(bytes: Uint8Array, name: string): Promise<void> {
+export async function offerTerrain({ bytes, name }: NamedBytes): Promise<void> {
   terrainFile.value = { name, bytes, survey: await tools.surveyTerrain(bytes, name) }
 }
 

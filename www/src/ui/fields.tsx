@@ -1,6 +1,6 @@
 /** Form controls with their label; the look is the page's own, the behaviour the browser's. */
 import type { ComponentChildren } from 'preact'
-import { useId } from 'preact/hooks'
+import { useId, useState } from 'preact/hooks'
 
 interface Option<T extends string> {
   value: T
@@ -92,6 +92,8 @@ interface NumberFieldProps {
 /** Reports what can be read as a number. The range is checked by the engine, which names the limits. */
 export function NumberField(props: NumberFieldProps) {
   const id = useId()
+  // What is being typed stays while the dialog is drawn anew.
+  const [typed, setTyped] = useState<string | null>(null)
   return (
     <span class="field">
       <label for={id} class={props.hideLabel ? 'visually-hidden' : 'field-label'}>
@@ -105,17 +107,20 @@ export function NumberField(props: NumberFieldProps) {
         min={props.min}
         max={props.max}
         step={props.step ?? 'any'}
-        value={props.value}
+        value={typed ?? props.value}
+        onInput={(event) => setTyped(event.currentTarget.value)}
+        onBlur={() => setTyped(null)}
         aria-invalid={props.invalid}
         aria-describedby={props.describedBy}
         data-testid={props.testId}
         onChange={(event) => {
           const field = event.currentTarget
-          const typed = field.valueAsNumber
-          const value = props.nearest ? nearestWhole(typed, props.min, props.max) : typed
+          const read = field.valueAsNumber
+          const value = props.nearest ? nearestWhole(read, props.min, props.max) : read
+          setTyped(null)
           if (Number.isNaN(value)) field.value = String(props.value)
           else {
-            if (value !== typed) field.value = String(value)
+            if (value !== read) field.value = String(value)
             props.onChange(value)
           }
         }}

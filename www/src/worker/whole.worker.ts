@@ -7,13 +7,17 @@ import { contoursOf } from './terrain_contours'
 
 const calls: ToolCalls & MapCalls = {
   ...toolCalls(engine),
-  importMap: (bytes, name) => engine.import_map(bytes, name),
+  importMap: (bytes, name, options, image) => engine.import_map(bytes, name, options, image),
   importScen: (bytes) => engine.import_scen(bytes),
-  sniff: (bytes, name) => engine.sniff(bytes, name),
+  recognise: (bytes, name) => engine.recognise(bytes, name),
+  listMatrices: (bytes) => engine.list_matrices(bytes),
+  rosImage: (yaml) => engine.ros_image(yaml),
+  unpack: (bytes, name) => engine.unpack(bytes, name),
   surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
   importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
   fittingSlices: (spec, cells, heights, verticalUnit) =>
     engine.fitting_slices(spec, cells, heights, verticalUnit),
+  exportRos: (spec, cells, image) => engine.export_ros(spec, cells, image),
   exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
   joinResults: (document, bytes, name, instance) =>

@@ -21,6 +21,7 @@ export const enRelief = {
     lostHint: 'The graphics card was needed elsewhere. The flat map goes on; press 3 to try again.',
     cell: '{{x}}, {{y}}',
     height: '{{height}} m',
+    place: 'x {{x}}, y {{y}} m',
     noData: 'no data',
     withHeight: '{{words}}, {{height}}',
   },

@@ -1,5 +1,5 @@
 /** Figures as files: SVG that stands alone, PNG drawn from it. */
-import { download } from '../../state'
+import { download } from '../../state/export_files'
 import fontUrl from '../../styles/figtree-basic.woff2?url'
 import type { Figure, Plot, Scene } from './figure'
 import { framed, type Heading } from './figure_frame'

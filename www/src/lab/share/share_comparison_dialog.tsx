@@ -3,7 +3,7 @@
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
 import { t } from '../../i18n/lab'
 import { encodeDocument, PREFIX } from '../../share/comparison_link'
-import { download } from '../../state'
+import { download } from '../../state/export_files'
 import { openComparison, progress, resultFile } from '../run/actions'
 import { fileStem } from '../store/names'
 import { shownComparison } from '../store/shown_comparison'

@@ -1,0 +1,240 @@
+/** Shows what a file that leaves a choice would come to, before anything on the page is replaced. */
+import type { Imported } from '@pkg/formicarium'
+import { useEffect, useState } from 'preact/hooks'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
+import { describeNotice } from '../i18n/errors'
+import { WATCHED_SIDE } from '../model/raster_part'
+import { type MapFile, mapFile } from '../state'
+import { bytesOf } from '../state/file_bytes'
+import { openMap, readMap } from '../state/open_files'
+import { Button } from '../ui/buttons'
+import { Dialog } from '../ui/dialog'
+import { useFilePicker } from '../ui/file_picker'
+import { FormError } from '../ui/form_error'
+import { kindName, whyWords } from './kind_words'
+import {
+  choicesFit,
+  isPicture,
+  isRobots,
+  longest,
+  type MapChoices,
+  optionsOf,
+  type Sides,
+  USUAL,
+} from './map_choices'
+import { MatrixField, PictureFields, RobotFields } from './map_fields'
+import { MapPreview } from './map_preview'
+import { useReading } from './map_reading'
+
+export function MapDialog({ file }: { file: MapFile }) {
+  return file.needs === null ? <Reading file={file} /> : <MissingPicture file={file} />
+}
+
+const close = () => {
+  mapFile.value = null
+}
+
+function Reading({ file }: { file: MapFile }) {
+  const [choices, setChoices] = useState<MapChoices>(USUAL)
+  const [whole, setWhole] = useState<Sides | null>(null)
+  const [opening, setOpening] = useState(false)
+  const [refused, setRefused] = useState<unknown>(null)
+  const change = (changed: Partial<MapChoices>) => {
+    setRefused(null)
+    setChoices((before) => ({ ...before, ...changed }))
+  }
+  const fits = choicesFit(choices, whole)
+  const fit = fits.crop && fits.cells && fits.metres
+  const options = optionsOf(file, choices)
+  const { map, settled, error } = useReading(file, fit ? options : null)
+
+  // The first reading tells how large it is; more cells than can be watched are not proposed.
+  useEffect(() => {
+    if (!map || whole) return
+    const size = sizeBefore(map)
+    setWhole(size)
+    if (isPicture(file) && longest(size) > WATCHED_SIDE) change({ cells: WATCHED_SIDE })
+  }, [map])
+
+  const open = async () => {
+    if (!fit || opening || (settled && error !== null)) return
+    setOpening(true)
+    try {
+      await openMap(file, options, settled && map ? map : await readMap(file, options))
+    } catch (thrown) {
+      setRefused(thrown)
+      setOpening(false)
+    }
+  }
+  const wrong = refused ?? error
+  return (
+    <Dialog
+      title={t('raster.title', { name: file.name })}
+      onClose={close}
+      onEnter={open}
+      testId="map-dialog"
+      wide
+      actions={
+        <>
+          <Button label={t('mapFile.cancel')} testId="map-cancel" onClick={close} />
+          <Button
+            label={map ? t('raster.open', shownSize(map.spec)) : t('maps.importText')}
+            tone="primary"
+            testId="map-open"
+            disabled={!fit || map === null || error !== null}
+            busy={opening}
+            onClick={open}
+          />
+        </>
+      }
+    >
+      <div class="raster">
+        <MapPreview map={map} busy={!settled && fit} />
+        <Facts file={file} map={map} />
+      </div>
+      {wrong !== null && <FormError error={wrong} />}
+      {file.matrices.length > 1 && (
+        <MatrixField
+          matrices={file.matrices}
+          chosen={choices.matrix}
+          onChange={(matrix) => change({ matrix })}
+        />
+      )}
+      {isPicture(file) && (
+        <PictureFields
+          choices={choices}
+          fits={fits}
+          whole={whole}
+          used={thresholdOf(map)}
+          onChange={change}
+        />
+      )}
+      {isRobots(file) && (
+        <RobotFields choices={choices} fits={fits} whole={whole} onChange={change} />
+      )}
+      {wrong === null && map && <Notices file={file} map={map} />}
+    </Dialog>
+  )
+}
+
+function Facts({ file, map }: { file: MapFile; map: Imported | null }) {
+  const why = t('mapFile.toldBy', { why: whyWords(file.why) })
+  const rows: [string, string, string, string?][] = [
+    ['kind', t('mapFile.readAs'), kindName(map?.kind ?? file.kind), why],
+  ]
+  if (map) {
+    const { width, height, resolution } = map.spec
+    const blocked = map.cells.reduce((sum, cell) => sum + cell, 0)
+    const all = map.cells.length
+    rows.push(
+      [
+        'size',
+        t('raster.size'),
+        `${whole(width)} × ${whole(height)}`,
+        isPicture(file) || isRobots(file)
+          ? t('raster.metres', { x: fine(width * resolution), y: fine(height * resolution) })
+          : undefined,
+      ],
+      ['free', t('mapFile.free'), counted(all - blocked, all)],
+      ['blocked', t('mapFile.blocked'), counted(blocked, all)],
+    )
+  }
+  return (
+    <dl class="raster-facts map-facts" aria-live="polite">
+      {rows.map(([id, label, value, note]) => (
+        <div key={id}>
+          <dt>{label}</dt>
+          <dd data-testid={`map-${id}`}>
+            {value}
+            {note && <span class="hint">{note}</span>}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  )
+}
+
+/** Everything the engine says of the file, but for what stands above. */
+function Notices({ file, map }: { file: MapFile; map: Imported }) {
+  const told = map.warnings.filter(
+    ({ kind }) =>
+      kind !== 'read-as' &&
+      kind !== 'picture-threshold-chosen' &&
+      !(kind === 'ends-chosen' && file.scens.length > 0),
+  )
+  const isBare = file.bytes[0] === 137 && file.bytes[1] === 80 && isPicture(file)
+  return (
+    <ul class="map-notices" data-testid="map-notices">
+      {told.map((notice) => (
+        <li key={notice.kind}>{describeNotice(notice)}</li>
+      ))}
+      {isBare && <li>{t('mapFile.bare')}</li>}
+    </ul>
+  )
+}
+
+/** The description of a ROS map without the picture that it names. */
+function MissingPicture({ file }: { file: MapFile }) {
+  const [error, setError] = useState<unknown>(null)
+  const needs = file.needs ?? ''
+  const { pick, element } = useFilePicker({
+    label: t('mapFile.choosePicture', { needs }),
+    accept: '.pgm,.png,.bmp,.jpg,.jpeg',
+    testId: 'map-picture',
+    onFiles: ([chosen]) => {
+      if (!chosen) return
+      setError(null)
+      bytesOf(chosen).then((bytes) => {
+        mapFile.value = { ...file, image: { name: chosen.name, bytes }, needs: null }
+      }, setError)
+    },
+  })
+  return (
+    <Dialog
+      title={t('raster.title', { name: file.name })}
+      onClose={close}
+      onEnter={pick}
+      testId="map-dialog"
+      actions={
+        <>
+          <Button label={t('mapFile.cancel')} testId="map-cancel" onClick={close} />
+          <Button
+            label={t('mapFile.choosePicture', { needs })}
+            tone="primary"
+            testId="map-choose-picture"
+            onClick={pick}
+          />
+        </>
+      }
+    >
+      {element}
+      <p data-testid="map-needs">{t('mapFile.needs', { name: file.name, needs })}</p>
+      <p class="hint">{t('mapFile.needsHint')}</p>
+      {error !== null && <FormError error={error} />}
+    </Dialog>
+  )
+}
+
+/** Columns and rows before any were put together. */
+function sizeBefore({ spec, warnings }: Imported): Sides {
+  const args = warnings.find(
+    ({ kind }) => kind === 'picture-shrunk' || kind === 'cells-shrunk',
+  )?.args
+  const { width, height } = args ?? {}
+  return width && height
+    ? { width: Number(width), height: Number(height) }
+    : { width: spec.width, height: spec.height }
+}
+
+/** The threshold that was used, as the engine tells it. */
+function thresholdOf(map: Imported | null): number | null {
+  const told = map?.warnings.find(({ kind }) => kind.startsWith('picture-threshold'))
+  return told?.args?.threshold ? Number(told.args.threshold) : null
+}
+
+const whole = (value: number) => numbers.value.whole.format(value)
+const fine = (value: number) => numbers.value.metres.format(value)
+const share = (value: number) => numbers.value.share.format(value)
+const counted = (some: number, all: number) => `${whole(some)} · ${share(some / all)}`
+const shownSize = ({ width, height }: Sides) => ({ width: whole(width), height: whole(height) })

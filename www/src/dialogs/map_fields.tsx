@@ -1,0 +1,229 @@
+/** The controls of maps that leave a choice. */
+import type { MatrixInfo } from '@pkg/formicarium'
+import { Crop as CropIcon } from 'lucide'
+import { useId } from 'preact/hooks'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
+import { type Crop, WATCHED_SIDE, wholeOf } from '../model/raster_part'
+import { Button } from '../ui/buttons'
+import { Labelled, NumberField, Segmented, Select } from '../ui/fields'
+import { type choicesFit, cropped, longest, type MapChoices, type Sides } from './map_choices'
+
+interface MatrixProps {
+  matrices: MatrixInfo[]
+  chosen: number
+  onChange: (matrix: number) => void
+}
+
+export function MatrixField({ matrices, chosen, onChange }: MatrixProps) {
+  return (
+    <Select
+      class="matrix-field"
+      label={t('mapFile.matrix', { count: matrices.length })}
+      value={String(chosen)}
+      testId="map-matrix"
+      options={matrices.map(({ number, name, width, height, line }) => ({
+        value: String(number),
+        label: [
+          `${number}`,
+          name,
+          `${width} × ${height}`,
+          t('mapFile.fromLine', { line: String(line) }),
+        ]
+          .filter((part) => part !== '')
+          .join(' · '),
+      }))}
+      onChange={(number) => onChange(Number(number))}
+    />
+  )
+}
+
+interface FieldsProps {
+  choices: MapChoices
+  fits: ReturnType<typeof choicesFit>
+  /** Its size in pixels or cells, once it is known. */
+  whole: Sides | null
+  onChange: (changed: Partial<MapChoices>) => void
+}
+
+/** `used`: the threshold of the last reading. */
+export function PictureFields(props: FieldsProps & { used: number | null }) {
+  const { choices, fits, whole, used, onChange } = props
+  const id = useId()
+  const threshold = choices.threshold ?? used ?? 128
+  return (
+    <>
+      <fieldset class="field-set">
+        <legend>{t('mapFile.walls')}</legend>
+        <div class="field-row">
+          <span class="field threshold-field">
+            <label for={id} class="field-label">
+              {t('mapFile.threshold')}
+            </label>
+            <span class="threshold">
+              <input
+                id={id}
+                class="slider"
+                type="range"
+                min={0}
+                max={255}
+                step={1}
+                value={threshold}
+                data-testid="map-threshold"
+                onInput={(event) => onChange({ threshold: event.currentTarget.valueAsNumber })}
+              />
+              <output for={id}>{threshold}</output>
+            </span>
+          </span>
+          <Button
+            label={t('mapFile.chooseThreshold')}
+            tone={choices.threshold === null ? 'primary' : 'plain'}
+            pressed={choices.threshold === null}
+            testId="map-threshold-auto"
+            onClick={() => onChange({ threshold: choices.threshold === null ? threshold : null })}
+          />
+          <Labelled label={t('mapFile.blockedSide')}>
+            <Segmented
+              label={t('mapFile.blockedSide')}
+              value={choices.lightIsBlocked ? 'light' : 'dark'}
+              options={(['dark', 'light'] as const).map((side) => ({
+                value: side,
+                label: t(`mapFile.sides.${side}`),
+                testId: `map-${side}`,
+              }))}
+              onChange={(side) => onChange({ lightIsBlocked: side === 'light' })}
+            />
+          </Labelled>
+        </div>
+      </fieldset>
+      <fieldset class="field-set">
+        <legend>{t('raster.cells')}</legend>
+        <div class="field-row">
+          <CellsField choices={choices} fits={fits} whole={whole} onChange={onChange} longer />
+          <NumberField
+            label={t('mapFile.metres')}
+            value={choices.metresPerCell}
+            min={0.001}
+            max={1e6}
+            invalid={!fits.metres}
+            testId="map-metres"
+            onChange={(metresPerCell) => onChange({ metresPerCell })}
+          />
+        </div>
+        <CellsHint choices={choices} whole={whole} fits={fits} />
+      </fieldset>
+      {whole && <CropFields choices={choices} fits={fits} whole={whole} onChange={onChange} />}
+    </>
+  )
+}
+
+export function RobotFields(props: FieldsProps) {
+  const { choices, onChange } = props
+  return (
+    <>
+      <fieldset class="field-set">
+        <legend>{t('mapFile.unknown')}</legend>
+        <div class="field-row">
+          <Segmented
+            label={t('mapFile.unknown')}
+            value={choices.unknown}
+            options={(['blocked', 'free'] as const).map((as) => ({
+              value: as,
+              label: t(`mapFile.unknownAs.${as}`),
+              testId: `map-unknown-${as}`,
+            }))}
+            onChange={(unknown) => onChange({ unknown })}
+          />
+        </div>
+        <p class="hint">{t(`mapFile.unknownNotes.${choices.unknown}`)}</p>
+      </fieldset>
+      <fieldset class="field-set">
+        <legend>{t('raster.cells')}</legend>
+        <div class="field-row">
+          <CellsField {...props} />
+        </div>
+        <CellsHint {...props} />
+      </fieldset>
+    </>
+  )
+}
+
+function CellsField({
+  choices,
+  fits,
+  whole,
+  onChange,
+  longer,
+}: FieldsProps & { longer?: boolean }) {
+  if (!whole) return null
+  const most = longest(choices.crop ?? whole)
+  return (
+    <NumberField
+      label={t(longer ? 'mapFile.longerSide' : 'raster.presets')}
+      value={choices.cells ?? most}
+      min={1}
+      max={most}
+      step={1}
+      invalid={!fits.cells}
+      testId="map-cells"
+      onChange={(cells) => onChange({ cells: cells === most ? null : cells })}
+    />
+  )
+}
+
+function CellsHint({ choices, whole, fits }: Omit<FieldsProps, 'onChange'>) {
+  const most = longest(choices.crop ?? whole ?? { width: 0, height: 0 })
+  if (!fits.cells)
+    return (
+      <p class="field-error" role="alert">
+        {t('mapFile.cellsOutside', { most: numbers.value.whole.format(most) })}
+      </p>
+    )
+  return (
+    <p class="hint">
+      {t('mapFile.worst')}
+      {(choices.cells ?? most) > WATCHED_SIDE && ` ${t('raster.large')}`}
+    </p>
+  )
+}
+
+function CropFields({ choices, fits, whole, onChange }: FieldsProps & { whole: Sides }) {
+  const crop = choices.crop ?? wholeOf(whole)
+  const set = (changed: Partial<Crop>) => onChange(cropped(choices, { ...crop, ...changed }, whole))
+  const sides = { x: whole.width, y: whole.height, width: whole.width, height: whole.height }
+  return (
+    <fieldset class="field-set">
+      <legend>{t('mapFile.part')}</legend>
+      <div class="field-row">
+        {(['x', 'y', 'width', 'height'] as const).map((key) => (
+          <NumberField
+            key={key}
+            label={t(`raster.crop.${key}`)}
+            value={crop[key]}
+            min={key === 'x' || key === 'y' ? 0 : 2}
+            max={sides[key]}
+            step={1}
+            invalid={!fits.crop}
+            testId={`map-crop-${key}`}
+            onChange={(value) => set({ [key]: value })}
+          />
+        ))}
+        <Button
+          icon={CropIcon}
+          label={t('raster.whole')}
+          testId="map-crop-whole"
+          disabled={choices.crop === null}
+          onClick={() => onChange(cropped(choices, wholeOf(whole), whole))}
+        />
+      </div>
+      {!fits.crop && (
+        <p class="field-error" role="alert">
+          {t('mapFile.cropOutside', {
+            width: numbers.value.whole.format(whole.width),
+            height: numbers.value.whole.format(whole.height),
+          })}
+        </p>
+      )}
+    </fieldset>
+  )
+}
