@@ -78,13 +78,19 @@ fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, bytes: &[u8], at
         let matches = one.letter == opening;
         let has_digit = || bytes[one.from..at].iter().any(u8::is_ascii_digit);
         let is_matrix = matches && one.is_numeric && !one.is_subscript && has_digit();
-        let found = if is_matrix { vec![one.from..at + 1] } else { one.within };
-        match open.last_mut() {
+        let around = open.last_mut();
+        let whole = one.is_numeric && matches;
+        let found = match around {
             Some(around) => {
-                around.is_numeric &= matches && one.is_numeric;
-                around.within.extend(found);
+                around.is_numeric &= whole;
+                &mut around.within
             }
-            None => numeric.extend(found),
+            None => &mut *numeric,
+        };
+        if is_matrix {
+            found.push(one.from..at + 1);
+        } else {
+            found.extend(one.within);
         }
         if matches {
             return;
