@@ -105,7 +105,9 @@ fn has_keys(text: &str) -> bool {
         })
     };
     let first = if first.trim_end() == "---" { said.next().unwrap_or("") } else { first };
-    is_key(first) || first.trim_start().starts_with(['{', '<'])
+    // Braces within braces are a matrix of Mathematica or C.
+    let is_object = text.trim_start().strip_prefix('{').is_some_and(|rest| !rest.trim_start().starts_with('{'));
+    is_key(first) || is_object || first.trim_start().starts_with('<')
 }
 
 /// Tells what a file is. Its contents decide; the name only lets a `.scen` pass that lacks its version line, and tells what a tile of the

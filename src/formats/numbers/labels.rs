@@ -7,7 +7,7 @@ use crate::error::{FormatError, Notice};
 /// Fewest numbers of a row that are taken for labels: 0 1 2 may be a free cell, a wall and a start.
 const FEWEST: usize = 4;
 
-/// Whether the fields of a line are names of columns: no number among them, or nothing before the numbers.
+/// Whether the fields of a line are names of columns: no number among them, or numbers that count behind a name or nothing.
 pub(super) fn is_names(fields: &[&str]) -> bool {
     let bare = |field: &str| field.trim().trim_matches(['"', '\'']).trim().to_owned();
     let fields: Vec<String> = fields.iter().map(|field| bare(field)).collect();
@@ -17,7 +17,7 @@ pub(super) fn is_names(fields: &[&str]) -> bool {
     if named.clone().next().is_some() && named.clone().all(|f| !is_number(f) && f.starts_with(char::is_alphabetic)) {
         return true;
     }
-    first.is_empty() && rest.len() > 1 && counts(rest.iter().filter_map(|f| f.parse().ok()), rest.len())
+    !is_number(first) && rest.len() > 1 && counts(rest.iter().filter_map(|f| f.parse().ok()), rest.len())
 }
 
 /// Whether numbers count up from 0 or 1, `count` of them.
@@ -42,8 +42,8 @@ fn row_counts(row: Row<'_>) -> bool {
 pub(super) struct Labels {
     /// The line of names above the rows, where it has been left out already.
     pub above: Option<usize>,
-    /// Whether nothing stands above the first column.
-    pub corner_is_empty: bool,
+    /// Whether what stands above the first column is no label of one, so that this has to be a column of labels.
+    pub has_corner: bool,
     /// Whether rows began with a name that has been left out already.
     pub before: bool,
 }
@@ -58,7 +58,7 @@ pub(super) fn without(table: Table, labels: &Labels) -> Result<(Table, Option<No
     let named = above || labels.above.is_some();
     // A column of labels stands beside a row of them with the same number of fields, or beside nothing where it counts far enough.
     let column = !labels.before && column_counts(&table, first, named);
-    if let Some(line) = labels.above.filter(|_| labels.corner_is_empty && !column && !labels.before) {
+    if let Some(line) = labels.above.filter(|_| labels.has_corner && !column && !labels.before) {
         return Err(hole(line, 1));
     }
     if !above && !column && labels.above.is_none() && !labels.before {

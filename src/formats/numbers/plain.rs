@@ -155,8 +155,12 @@ fn read(block: &Block<'_>) -> Result<Found, FormatError> {
     let body = if before { Cow::Owned(without_names(text)) } else { Cow::Borrowed(text) };
     let table = scan(&body, block.line + skipped - 1, plain_layout(&body))?;
     // Above a column of labels a name may stand, or nothing at all.
-    let corner_is_empty = first.first().is_some_and(|field| field.trim().trim_matches('"').is_empty());
-    let labels = Labels { above, corner_is_empty, before };
+    let is_corner = |field: &&str| {
+        let bare = field.trim().trim_matches('"');
+        bare.is_empty()
+            || number(bare).is_none() && first.get(1).is_some_and(|next| number(next.trim().trim_matches('"')).is_some())
+    };
+    let labels = Labels { above, has_corner: first.first().is_some_and(is_corner), before };
     let (table, ends, size) = head::without(table);
     let (table, label) = if size.is_some() { (table, None) } else { labels::without(table, &labels)? };
     let notices = size.into_iter().chain(label).collect();

@@ -41,6 +41,7 @@ fn every_spelling_of_one_table() {
         "int g[2][3] = {{0, 0, 1}, {0, 1, 0}};",
         "const g = [[0, 0, 1], [0, 1, 0]]; g[0][1] = 0;",
         "int[][] g = new int[][] {\n {0, 0, 1}, // top\n {0, 1, 0},\n};",
+        "{{0, 0, 1}, {0, 1, 0}}",
         "def grid():\n    return [[0, 0, 1],\n            [0, 1, 0]]\n",
         "2 3\n0 0 1\n0 1 0\n",
         "3 2\n\n0 0 1\n0 1 0\n",
@@ -74,6 +75,8 @@ fn labels_that_count_are_no_cells() {
         "0,1,2,3\n0,0,1,1\n0,1,0,0\n1,0,0,0\n",
         "1,2,3,4\n0,0,1,1\n0,1,0,0\n1,0,0,0\n",
         ",0,1,2,3\n0,0,0,1,1\n1,0,1,0,0\n2,1,0,0,0\n",
+        "x,0,1,2,3\n0,0,0,1,1\n1,0,1,0,0\n2,1,0,0,0\n",
+        "y\\x;1;2;3;4\n1;0;0;1;1\n2;0;1;0;0\n3;1;0;0;0\n",
         ",a,b,c,d\n0,0,0,1,1\n1,0,1,0,0\n2,1,0,0,0\n",
         "\t0\t1\t2\t3\n0\t0\t0\t1\t1\n1\t0\t1\t0\t0\n2\t1\t0\t0\t0\n",
     ] {
@@ -85,6 +88,7 @@ fn labels_that_count_are_no_cells() {
     // A slope is no label, nor are a free cell, a wall, the start and the goal.
     assert_eq!(numbers_of("0,1,2,3\n1,2,3,4\n2,3,4,5\n").len(), 3);
     assert_eq!(numbers_of("0,1,2,3\n3,2,1,0\n").len(), 2);
+    assert!(refusal("x,1,2,3\n0,0,1,0\n0,0,0,1\n").contains("column 1"));
     assert!(refusal("0,1,2\n0,0,1\n0,1,0\n0,0,0\n").contains("labels"));
 }
 
