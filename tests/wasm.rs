@@ -27,7 +27,7 @@ fn the_catalog_crosses_as_plain_objects() {
 fn errors_are_objects_with_kind_field_message_and_hint() {
     for bytes in [&b""[..], b"\xff\xfe\x00", b"type octile\nheight 9\nwidth 99999999\nmap\n"] {
         let (bytes, name) = (js_sys::Uint8Array::from(bytes), JsValue::from("x.map"));
-        let error = wasm::import_map(bytes.unchecked_ref(), name.unchecked_ref()).expect_err("no map");
+        let error = wasm::import_map(bytes.unchecked_ref(), name.unchecked_ref(), None, None).expect_err("no map");
         for key in ["kind", "field", "message", "hint"] {
             let value = js_sys::Reflect::get(&error, &key.into()).expect("an object");
             assert!(value.as_string().is_some_and(|s| !s.is_empty()), "{key}");

@@ -10,6 +10,13 @@ impl Comparison {
         (0..self.maps.len()).flat_map(|i| entries.iter().flat_map(move |&e| of(i, e))).collect()
     }
 
+    /// Whether a run is one of [`Comparison::tasks`].
+    pub fn has_task(&self, Task { instance, entry, seed }: Task) -> bool {
+        let seeds = self.question.seeds;
+        let is_seed = seed >= seeds.from && seed - seeds.from < seeds.count;
+        instance < self.maps.len() && is_seed && self.question.runnable().contains(&entry)
+    }
+
     /// The places of [`Comparison::tasks`] in the order in which runs are handed out where somebody watches: seed by seed, so that every entry
     /// is seen early on every map, and none is all alone at the end. Of each entry and map only the first `seeds` seeds, or all there are.
     pub fn seed_by_seed(&self, seeds: u32) -> Vec<usize> {
@@ -61,6 +68,9 @@ mod tests {
         let mut all = comparison.seed_by_seed(u32::MAX);
         all.sort_unstable();
         assert_eq!(all, (0..tasks.len()).collect::<Vec<_>>());
-        assert!(tasks.is_sorted());
+        assert!(tasks.is_sorted() && tasks.iter().all(|&task| comparison.has_task(task)));
+        for wrong in [(2, 0, 7), (0, 1, 7), (0, 3, 7), (0, 0, 6), (0, 0, 10)] {
+            assert!(!comparison.has_task(task(wrong)), "{wrong:?}");
+        }
     }
 }

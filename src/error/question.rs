@@ -63,7 +63,8 @@ impl QuestionError {
             }
             Self::Planner { entry, error } => {
                 let report = error.report();
-                ErrorReport { field: format!("entries.{entry}.{}", report.field), message, ..report }
+                let whole = ErrorReport::new(&report.kind, format!("entries.{entry}.{}", report.field), message, report.hint);
+                ErrorReport { args: report.args, ..whole }
             }
         }
     }

@@ -79,8 +79,7 @@ pub fn open(text: &str) -> Result<Opened, Error> {
     }
     let scenarios = maps.iter().map(scenario).collect::<Result<Vec<_>, _>>()?;
     let comparison = Comparison::new(question, scenarios)?.with_imported(imported)?;
-    let tasks = comparison.tasks();
-    rows.retain(|row| tasks.binary_search(&row.task).is_ok());
+    rows.retain(|row| comparison.has_task(row.task));
     rows.sort_by_key(|row| row.task);
     rows.dedup_by_key(|row| row.task);
     Ok(Opened { comparison, recorded, rows })

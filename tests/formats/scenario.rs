@@ -36,6 +36,7 @@ const TERRAIN: &str = r#"{
   "goals": [{"at":[2,1],"name":"","area":1.0,"strength":1.0,"danger":1.0}],
   "vehicle": {"speed":1.0,"seconds_per_turn":0.0},
   "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
+  "world": {"x":-10.0,"y":2.5,"yaw":0.5,"frame":"map"},
   "map": {"rows": [
     "...",
     "@.."
@@ -64,7 +65,7 @@ fn a_file_comes_out_as_it_went_in() {
 #[test]
 fn a_terrain_comes_out_as_it_went_in() {
     let surface = TERRAIN
-        .replace(&TERRAIN[TERRAIN.find("\"slices\"").unwrap()..TERRAIN.find("},\n  \"map\"").unwrap()], "\"max_slope\":30.0");
+        .replace(&TERRAIN[TERRAIN.find("\"slices\"").unwrap()..TERRAIN.find("},\n  \"world\"").unwrap()], "\"max_slope\":30.0");
     for text in [TERRAIN, &surface] {
         let scenario = read(text).unwrap();
         let heights = scenario.grid.heights().unwrap();

@@ -30,6 +30,7 @@ fn check(root: &Value, schema: &Value, doc: &Value, at: &str, found: &mut Vec<St
             "minimum" => doc.as_f64().is_none_or(|v| v >= rule.as_f64().unwrap()),
             "exclusiveMinimum" => doc.as_f64().is_none_or(|v| v > rule.as_f64().unwrap()),
             "maximum" => doc.as_f64().is_none_or(|v| v <= rule.as_f64().unwrap()),
+            "maxLength" => doc.as_str().is_none_or(|s| s.chars().count() as u64 <= rule.as_u64().unwrap()),
             "minItems" => doc.as_array().is_none_or(|a| a.len() as u64 >= rule.as_u64().unwrap()),
             "maxItems" => doc.as_array().is_none_or(|a| a.len() as u64 <= rule.as_u64().unwrap()),
             "pattern" => doc.as_str().is_none_or(|s| matches(rule.as_str().unwrap(), s)),
