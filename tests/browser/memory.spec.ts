@@ -72,7 +72,7 @@ for (const [event, key] of [
         Object.defineProperty(file, 'size', { value: 64 * 1024 * 1024 + 1 })
         Object.defineProperty(file, 'arrayBuffer', { value: bytes })
         const made = new Event(event, { bubbles: true, cancelable: true })
-        Object.defineProperty(made, key, { value: { types: ['Files'], files: [file] } })
+        Object.defineProperty(made, key, { value: { types: ['Files'], items: [], files: [file] } })
         document.body.dispatchEvent(made)
         return new Promise<number>((resolve) => setTimeout(() => resolve(read), 500))
       },
