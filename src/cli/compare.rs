@@ -9,7 +9,7 @@ mod runs;
 
 use formicarium::comparison::report::{self, Reports};
 use formicarium::comparison::{Comparison, Deviation, Intervals, Row, Samples, Seen, Verification, analysis, effects};
-use formicarium::formats::comparison_json;
+use formicarium::formats::{self, comparison_json};
 
 use super::error::CliError;
 use super::{Outcome, text};
@@ -25,6 +25,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let Asked { comparison, before, inputs } = question::load(args)?;
     if args.document {
         return Ok(Outcome::fine(comparison_json::write(&comparison, &[], false)));
+    }
+    if args.results_template {
+        return Ok(Outcome::fine(formats::results_table(&comparison.question)));
     }
     let (place, held) = (args.place(), Held::of(args));
     let check = || held.places(&place).iter().try_for_each(|place| place.check(&args.files, &inputs, args.replace));

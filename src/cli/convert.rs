@@ -27,6 +27,7 @@ Examples:
   formicarium convert arena2.map - --as matrix | head
   formicarium convert plan.png plan.map --threshold 128 --cells 120
   formicarium convert lab.yaml lab.json --unknown free
+  formicarium convert N40W106.hgt valley.json --square
   formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100")]
 pub struct Args {
     /// The file to read
@@ -45,6 +46,9 @@ pub struct Args {
     /// The same ground in this number of cells: heights are interpolated, walls taken from the nearest cell
     #[arg(long, value_name = "WxH", value_parser = input::size)]
     size: Option<(u32, u32)>,
+    /// Heights whose cells are longer than wide, as in degrees, are interpolated at square ones
+    #[arg(long, conflicts_with = "size")]
+    square: bool,
     /// Metres per cell, where the file says nothing or something else
     #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
     resolution: Option<f64>,
@@ -159,8 +163,8 @@ fn write_ros(yaml: &Path, map: &Imported) -> Result<(), CliError> {
 
 /// The map, or the piece of it that is asked for: of a picture a window of its pixels.
 fn read(args: &Args) -> Result<Imported, CliError> {
-    let options = TerrainOptions { crop: args.crop, size: args.size };
-    if options == TerrainOptions::default() {
+    let mut options = TerrainOptions { crop: args.crop, size: args.size };
+    if options == TerrainOptions::default() && !args.square {
         return args.reading.import(&args.input);
     }
     let kind = input::in_file(&args.input, MAX_BYTES, |bytes, name| Ok(formats::sniff(bytes, name)))?;
@@ -168,6 +172,10 @@ fn read(args: &Args) -> Result<Imported, CliError> {
         return args.reading.import_window(&args.input, args.crop);
     }
     if kind.is_raster() || kind == Kind::Archive {
+        if args.square {
+            let survey = input::in_file(&args.input, MAX_BYTES, formats::survey)?;
+            options.size = Some(survey.square_size(args.crop));
+        }
         return input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options));
     }
     Ok(args.reading.import(&args.input)?.piece(options)?)
@@ -185,7 +193,8 @@ fn tell_of_losses(format: Format, map: &Imported) {
     if is_terrain && !format.is_raster() && format != Format::Scenario {
         say("note: this format holds no heights; .asc, .tif and .json do");
     }
-    let impossible = || map.grid.heights().is_some_and(|heights| heights.iter().any(|h| h.abs() > 12_000.0));
+    let is_impossible = |h: &f32| f64::from(h.abs()) > formats::FARTHEST;
+    let impossible = || map.grid.heights().is_some_and(|heights| heights.iter().any(is_impossible));
     if format.is_raster() && impossible() {
         say("note: heights beyond 12 km above or below the sea are read as without data from this format");
     }

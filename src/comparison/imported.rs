@@ -5,6 +5,7 @@
 //! only where both entries have the seed.
 
 mod join;
+mod matched;
 #[cfg(test)]
 mod tests;
 
@@ -13,6 +14,7 @@ use crate::error::Notice;
 use crate::planner::Status;
 
 pub use join::{fill, join};
+pub use matched::{Matched, MatchedEntry, MatchedMap, matched};
 
 /// The runs of a file.
 #[derive(Debug, Clone, PartialEq)]

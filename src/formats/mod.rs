@@ -43,9 +43,9 @@ pub use options::ReadOptions;
 pub use path_list::{path_kind, read_path, read_places, read_world_path};
 use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};
-pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results};
+pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results, results_table};
 pub use scen::{ScenFile, ScenLine, check_scen, misfit};
-pub use terrain::{Survey, TerrainOptions, import_terrain, survey};
+pub use terrain::{FARTHEST, Survey, TerrainOptions, import_terrain, survey};
 pub use text::{MAX_BYTES, MAX_TEXT_BYTES};
 
 /// A format that can be written.
@@ -195,12 +195,13 @@ fn picture(bytes: &[u8], name: &str, options: &PictureOptions) -> Result<Importe
 /// # Errors
 /// As [`import`]; [`FormatError::Window`], or [`crate::error::ScenarioError::MapSize`].
 pub fn import_piece(bytes: &[u8], name: &str, options: TerrainOptions) -> Result<Imported, Error> {
-    if sniff(bytes, name) == Kind::Archive {
+    let kind = sniff(bytes, name);
+    if kind == Kind::Archive {
         let files = archive::unpack(bytes, name)?;
         let one = archive::only(&files)?;
         return import_piece(&one.bytes, &one.name, options);
     }
-    if sniff(bytes, name).is_raster() {
+    if kind.is_raster() {
         return import_terrain(bytes, name, options);
     }
     Ok(import(bytes, name)?.piece(options)?)

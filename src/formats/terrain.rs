@@ -40,7 +40,7 @@ pub(super) struct Raster {
 }
 
 /// No ground on Earth lies higher above the sea, or deeper below it, in metres.
-const FARTHEST: f64 = 12_000.0;
+pub const FARTHEST: f64 = 12_000.0;
 
 /// What to take of a raster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -252,7 +252,7 @@ impl Raster {
         let [x, y] = self.cell;
         // What is less than a thousandth apart would not be heard of in any length.
         if (x / y - 1.0).abs() > 1e-3 {
-            let (mean, square) = (libm::sqrt(x * y), self.square_size());
+            let (mean, square) = (libm::sqrt(x * y), square_size(self.cell, self.size()));
             let message = format!(
                 "cells are {x:.4} m wide and {y:.4} m high; they are taken for squares of {mean:.4} m. In {} × {} cells they are square",
                 square.0, square.1
@@ -262,12 +262,20 @@ impl Raster {
             self.notices.push(notice.with("columns", square.0).with("rows", square.1));
         }
     }
+}
 
-    /// The size in which the same ground has square cells, of the finer side unless that would be too many.
-    fn square_size(&self) -> (u32, u32) {
-        let extent = [self.cell[0] * f64::from(self.width), self.cell[1] * f64::from(self.height)];
-        let side = self.cell[0].min(self.cell[1]).max(extent[0].max(extent[1]) / f64::from(MAX_SIDE));
-        let cells = |metres: f64| (libm::round(metres / side) as u32).clamp(1, MAX_SIDE);
-        (cells(extent[0]), cells(extent[1]))
+impl Survey {
+    /// Columns and rows in which the ground of a window, or all of it, has square cells: of the finer side of the file's cells, unless that
+    /// would be more than a map has.
+    pub fn square_size(&self, crop: Option<Window>) -> (u32, u32) {
+        square_size(self.cell, crop.map_or((self.width, self.height), |window| (window.width, window.height)))
     }
+}
+
+/// The size in which so many cells of so many metres become square ones.
+fn square_size(cell: [f64; 2], (width, height): (u32, u32)) -> (u32, u32) {
+    let extent = [cell[0] * f64::from(width), cell[1] * f64::from(height)];
+    let side = cell[0].min(cell[1]).max(extent[0].max(extent[1]) / f64::from(MAX_SIDE));
+    let cells = |metres: f64| (libm::round(metres / side) as u32).clamp(1, MAX_SIDE);
+    (cells(extent[0]), cells(extent[1]))
 }

@@ -118,6 +118,8 @@ pub struct Recognised {
     pub kind: Kind,
     /// Whether files of this kind are rasters of heights, which are looked at and cut to size before they are opened.
     pub raster: bool,
+    /// Whether a map can be made of files of this kind.
+    pub map: bool,
     /// Whether nothing else could be meant.
     pub certain: bool,
     /// By what it was told, in English.
@@ -137,7 +139,13 @@ pub fn recognise(bytes: &Bytes, name: &Text) -> Answer<Ts<Recognised>> {
     let kind = if found.kind == Kind::Matrix { formats::sniff(&bytes, &name) } else { found.kind };
     // A text with several matrices is told apart by its numbers later.
     let kind = if kind == Kind::Unknown { found.kind } else { kind };
-    Ok(object(&Recognised { kind, raster: kind.is_raster(), certain: found.is_certain, why: found.why.into() }))
+    Ok(object(&Recognised {
+        kind,
+        raster: kind.is_raster(),
+        map: kind.holds_cells(),
+        certain: found.is_certain,
+        why: found.why.into(),
+    }))
 }
 
 /// Reads a map or scenario of any known format. `options` say what to do where a file leaves a choice; `image` is the picture of a ROS map.
@@ -194,13 +202,9 @@ pub struct RosFiles {
 /// Writes the cells and the place of a map for ROS's map_server; `image` is the name that the picture will have.
 #[wasm_bindgen]
 pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer<Ts<RosFiles>> {
-    let scenario = scenario(
-        &arguments::value(&spec, "spec")
-            .map(|spec: ScenarioSpec| ScenarioSpec { terrain: None, ..spec })
-            .map(|spec| object(&spec))?,
-        cells,
-        None,
-    )?;
+    let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
+    let grid = grid(spec.width, spec.height, cells, None)?;
+    let scenario = Scenario::new(grid, ScenarioSpec { terrain: None, ..spec }).map_err(throw)?;
     let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.grid, &scenario.spec, &image.read("image")?);
     Ok(object(&RosFiles { yaml, pgm }))
 }

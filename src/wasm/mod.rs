@@ -39,7 +39,7 @@ pub use maps::{
     recognise, ros_image, survey_terrain, unpack,
 };
 #[cfg(feature = "whole")]
-pub use results::{join_results, survey_results};
+pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};
 
 /// No signature mentions what is thrown, so its type is written out here.

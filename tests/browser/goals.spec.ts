@@ -49,6 +49,16 @@ async function load(race: RacePage, at: Cell[], planners: string[]): Promise<voi
 }
 
 test.describe('several goals', () => {
+  test('where no shortest tour can be asked for, the page says so and why', async ({ page }) => {
+    // The part of the engine that knows tours does not come.
+    await page.route(/whole\.worker/, (route) => route.abort())
+    const race = await openField(page)
+    await page.keyboard.press('a')
+    await click(race, [10, 4])
+    await expect(page.getByTestId('optimum')).toHaveText('Shortest tour: cannot be asked for')
+    await expect(page.locator('.race-strip')).toContainText('could not be fetched')
+  })
+
   test('the tool adds them, any can be dragged, undo takes them back', async ({ page }) => {
     const race = await openField(page)
     await page.keyboard.press('a')

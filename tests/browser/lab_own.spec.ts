@@ -1,6 +1,7 @@
 /** Imported results: tables and data files of IOHanalyzer beside what is run here. */
 import { expect, type Page, test } from '@playwright/test'
 import { ComparisonPage } from './comparison_page'
+import { RacePage } from './race_page'
 
 const lines = (...all: string[]) => `${all.join('\n')}\n`
 /** Thirty runs, one of them without a path. */
@@ -79,4 +80,84 @@ test('of several maps the one is asked for on which the runs are', async ({ page
   await comparison.finished()
   await page.getByTestId('results-map').selectOption({ index: 1 })
   await expect(row(page, 'Mine')).toContainText('29 of 30')
+})
+
+test('results that are dropped on the race join a form that was never on show', async ({ page }) => {
+  const race = new RacePage(page)
+  await race.open()
+  await race.drop('ioh_new.dat', IOH)
+  await new ComparisonPage(page).ready()
+  const item = page.getByTestId('own-file-item')
+  await expect(item).toContainText('ioh_new.dat')
+  await expect(item).toContainText('2 runs read, 2 with a path.')
+  await expect(page.getByTestId('draft-map')).toHaveCount(1)
+})
+
+test('it is told what was read, on which maps, and what was left out', async ({ page }) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('astar')
+  await comparison.on('rooms', 'maze')
+  const table = lines(
+    'entry,map,seed,length,mood',
+    'Mine,Rooms,1,60,good',
+    'Mine,corridor,1,12,bad',
+    'Mine,corridor,2,13,bad',
+    'Yours,Maze,1,,bad',
+  )
+  await give(page, 'mine.csv', table)
+  const refused = page.getByTestId('own-refused')
+  await expect(refused).toContainText('2 runs are on “corridor”')
+  await expect(page.getByTestId('own-file-item')).toHaveCount(0)
+  await page.getByTestId('own-leave-out').click()
+  const item = page.getByTestId('own-file-item')
+  for (const told of [
+    '4 runs read, 3 with a path',
+    '2 entries: Mine, Yours.',
+    '2 maps: Rooms',
+    'Left out: 2 runs on “corridor”',
+    'mood',
+  ])
+    await expect(item).toContainText(told)
+  await comparison.seeds(1)
+  await comparison.run()
+  await comparison.finished()
+  await page.getByTestId('results-map').selectOption({ index: 0 })
+  await expect(row(page, 'Mine')).toContainText('1 of 1')
+})
+
+test('a file of one unknown map is asked about, and can be dropped again', async ({ page }) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('astar')
+  await give(page, 'mine.csv', lines('map,length', 'corridor,41'))
+  await expect(page.getByTestId('own-map')).toContainText('corridor')
+  await page.getByTestId('own-dismiss').click()
+  await expect(page.getByTestId('own-map')).toHaveCount(0)
+  await give(page, 'mine.csv', lines('map,length', 'corridor,41'))
+  await page.getByTestId('own-join').click()
+  await expect(page.getByTestId('own-file-item')).toContainText('1 run read, 1 with a path.')
+})
+
+test('an empty table is there to be filled in, and says so when it comes back empty', async ({
+  page,
+}) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('astar')
+  await comparison.seeds(2)
+  const waiting = page.waitForEvent('download')
+  await page.getByTestId('own-template').click()
+  const saved = await waiting
+  expect(saved.suggestedFilename()).toBe('results.csv')
+  const chunks: Buffer[] = []
+  for await (const chunk of await saved.createReadStream()) chunks.push(Buffer.from(chunk))
+  const text = Buffer.concat(chunks).toString()
+  const [header, ...rows] = text.trimEnd().split('\n')
+  expect(header).toBe('entry,instance,seed,length,turns,evaluations')
+  expect(rows).toHaveLength(2)
+  await give(page, saved.suggestedFilename(), text)
+  await expect(page.getByTestId('own-file-item')).toContainText('No run of the file has a path')
+  await give(page, 'mine.csv', text.replaceAll(',,,', ',41,,'))
+  await expect(page.getByTestId('own-file-item').nth(1)).toContainText('2 with a path')
 })

@@ -103,12 +103,22 @@ test.describe('rasters of heights', () => {
     await expect(page.getByTestId('crop-width')).toHaveValue('6')
   })
 
-  test('cells that are not square can be made so, and the extent stays', async ({ page }) => {
+  test('cells that are not square are made so unless the reader says otherwise, and the extent stays', async ({
+    page,
+  }) => {
     const race = new RacePage(page)
     await race.paste(OBLONG_ASC)
     await expect(page.getByTestId('raster-cell')).toHaveText('15 × 30 m')
-    await expect(page.getByTestId('raster-result')).toContainText('15 × 30 m')
+    await expect(page.getByTestId('raster-result')).toContainText('30 × 30 m')
     await page.getByTestId('size-square').click()
+    await expect(page.getByTestId('raster-result')).toContainText('15 × 30 m')
+    await expect(page.getByTestId('raster-result')).toContainText('lengths will be off')
+    await page.getByTestId('size-square').click()
+    // A side that is typed takes the other one along.
+    await page.getByTestId('size-width').fill('6')
+    await page.getByTestId('size-width').press('Tab')
+    await expect(page.getByTestId('size-height')).toHaveValue('10')
+    await page.getByTestId('size-full').click()
     await expect(page.getByTestId('size-width')).toHaveValue('3')
     await expect(page.getByTestId('size-height')).toHaveValue('5')
     await page.getByTestId('terrain-open').click()
@@ -122,9 +132,8 @@ test.describe('rasters of heights', () => {
     const race = new RacePage(page)
     await race.importByButton('N40W106.hgt', hgt())
     await expect(page.getByTestId('raster-size')).toHaveText('1,201 × 1,201')
-    await expect(page.getByTestId('size-width')).toHaveValue('513')
+    await expect(page.getByTestId('size-height')).toHaveValue('513')
     await page.getByTestId('size-256').click()
-    await page.getByTestId('size-square').click()
     await expect(page.getByTestId('size-height')).toHaveValue('256')
     const columns = async () => Number(await page.getByTestId('size-width').inputValue())
     // At 40° north a second of arc is shorter from west to east.

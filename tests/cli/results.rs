@@ -46,6 +46,19 @@ fn results_from_elsewhere_stand_beside_ours() {
 }
 
 #[test]
+fn an_empty_table_is_there_to_be_filled_in() {
+    let folder = Folder::with_question("template");
+    let table = folder.run(&["compare", "q.toml", "--results-template", "--seeds", "2"]).ends(0).out;
+    let mut lines = table.lines();
+    assert_eq!(lines.next(), Some("entry,instance,seed,length,turns,evaluations"));
+    assert_eq!(lines.clone().count(), 2 * 2);
+    assert_eq!(lines.next(), Some("my planner,small,5,,,"));
+    folder.write("mine.csv", &table);
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--seeds", "2", "--results", "mine.csv"]);
+    assert!(code == 0 && said.contains("no run of the file has a path"), "{said}");
+}
+
+#[test]
 fn an_entry_may_take_its_runs_from_a_file_beside_the_question() {
     let folder = Folder::with_question("entry-results");
     std::fs::create_dir_all(folder.0.join("questions")).unwrap();

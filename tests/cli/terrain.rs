@@ -115,6 +115,20 @@ fn convert_carries_heights_and_takes_pieces() {
 }
 
 #[test]
+fn cells_of_degrees_become_square_ones() {
+    let folder = Folder::with_map("square-cells");
+    // At 60° a degree of longitude is half as long.
+    folder.write("north.asc", "ncols 2\nnrows 2\nxllcorner -105\nyllcorner 59.99\ncellsize 0.01\n1 2\n3 4\n");
+    folder.run(&["convert", "north.asc", "kept.json"]).ends(0).says(&["taken for squares of 787.1513 m", "In 2 × 4 cells"]);
+    let squared = folder.run(&["convert", "north.asc", "square.json", "--square"]).ends(0);
+    assert!(!squared.err.contains("taken for squares"), "{}", squared.err);
+    let square: Value = serde_json::from_str(&folder.read("square.json")).unwrap();
+    assert_eq!((&square["width"], &square["height"]), (&2.into(), &4.into()));
+    assert!((square["resolution"].as_f64().unwrap() - 556.6).abs() < 1e-6);
+    folder.run(&["convert", "north.asc", "both.json", "--square", "--size", "3x3"]).ends(2).says(&["--size"]);
+}
+
+#[test]
 fn generate_makes_terrains() {
     let folder = Folder::with_map("generate-terrain");
     for kind in ["fractal", "hills"] {

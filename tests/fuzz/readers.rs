@@ -180,7 +180,7 @@ fn round_trip(file: &File) -> Result<(), Fault> {
         Some(heights) if in_metres && (1e-9..1e9).contains(&map.spec.resolution) => {
             let blocked = (0..map.grid.len()).any(|cell| map.grid.is_blocked(cell as u32) && !heights[cell].is_nan());
             // Heights that no ground has are without data when they are read.
-            let impossible = heights.iter().any(|height| height.abs() > 12_000.0);
+            let impossible = heights.iter().any(|height| f64::from(height.abs()) > formats::FARTHEST);
             if blocked || impossible { Ok(()) } else { rasters(&map) }
         }
         Some(_) => Ok(()),

@@ -32,6 +32,7 @@ Examples:
   formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
   formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
   formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
+  formicarium compare experiments/ship.toml --results-template > mine.csv
   formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
   formicarium compare experiments/ship.toml --document > ship.json")]
 pub struct Args {
@@ -48,17 +49,20 @@ pub struct Args {
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::plan::assignment)]
     pub set: Vec<(String, Value)>,
     /// Folder for the files; made if it is missing
-    #[arg(long, value_name = "DIR", required_unless_present = "document")]
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template"])]
     out: Option<PathBuf>,
     /// Overwrite files that have the names of the results and are something else
-    #[arg(long, conflicts_with = "document")]
+    #[arg(long, conflicts_with_all = ["document", "results_template"])]
     pub replace: bool,
     /// While another process compares under the same name: fail at once instead of waiting for it
-    #[arg(long, conflicts_with = "document")]
+    #[arg(long, conflicts_with_all = ["document", "results_template"])]
     pub no_wait: bool,
     /// Run nothing: print the question with its maps and imported results (formicarium/comparison@1), as the page opens it
     #[arg(long, conflicts_with = "out")]
     pub document: bool,
+    /// Run nothing: print an empty table for results from elsewhere, with a line for each map and seed
+    #[arg(long, conflicts_with_all = ["out", "document"])]
+    pub results_template: bool,
     /// Which files: csv, markdown, tests, tests-csv, summary-csv, summary-json, summary-markdown, latex, json [default: those above]
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
           default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]

@@ -9,7 +9,7 @@ use crate::comparison::question::{Entry, Role};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
 use crate::error::QuestionError;
 
-/// Adds every entry of a file. `instance` says which map runs are on that name none, and the runs of a file that names a single one; without
+/// Adds every entry of a file that has runs. `instance` says which map runs are on that name none, and the runs of a file that names a single one; without
 /// it runs that name none are on the question's only map.
 ///
 /// # Errors
@@ -17,7 +17,7 @@ use crate::error::QuestionError;
 pub fn join(comparison: Comparison, results: &ImportedResults, instance: Option<usize>) -> Result<Comparison, QuestionError> {
     let places = Places::of(&comparison, results, instance)?;
     let (mut question, mut rows) = (comparison.question.clone(), comparison.imported.clone());
-    for entry in &results.entries {
+    for entry in results.entries.iter().filter(|entry| !entry.runs.is_empty()) {
         let index = question.entries.len();
         rows.extend(places.rows(&comparison, entry, index)?);
         question.entries.push(joined_entry(entry, &results.file, &question.entries));
@@ -132,7 +132,7 @@ fn row(run: &ImportedRun, task: Task, by_slices: bool) -> Option<Row> {
 }
 
 /// The instance that a name means: its id, its map's name or file, in small or large letters.
-fn find(comparison: &Comparison, name: &str) -> Option<usize> {
+pub(super) fn find(comparison: &Comparison, name: &str) -> Option<usize> {
     let instances = &comparison.question.instances;
     let by_id = instances.iter().position(|i| alike(&i.id, name));
     let by_file = || instances.iter().position(|i| alike(&i.map, name) || alike(stem(&i.map), name) || alike(&i.id, stem(name)));

@@ -144,3 +144,18 @@ fn improvements_become_a_trace_of_what_is_better() {
     assert_eq!((row.found.unwrap().turns, row.effort.constructed_paths), (Some(2), Some(100)));
     assert_eq!(row.value(RunMeasure::PathsToBest), Some(70.0));
 }
+
+#[test]
+fn what_belongs_where_is_told_before_it_is_joined() {
+    let file = results("entry,map,length\nA,open,7\nA,cave,8\nB,LANE,\nB,cave,9\n");
+    let told = matched(&comparison(), &file);
+    let maps: Vec<_> = told.maps.iter().map(|m| (m.name.as_str(), m.runs, m.instance.as_deref())).collect();
+    assert_eq!(maps, [("open", 1, Some("open")), ("cave", 2, None), ("LANE", 1, Some("lane"))]);
+    let entries: Vec<_> = told.entries.iter().map(|e| (e.label.as_str(), e.runs, e.with_path)).collect();
+    assert_eq!((told.runs, told.unnamed, entries), (4, 0, vec![("A", 2, 2), ("B", 2, 1)]));
+    assert_eq!(matched(&comparison(), &results("length\n7\n8\n")).unnamed, 2);
+    // An entry without runs on the other maps does not join.
+    let mut rest = results("entry,map,length\nA,open,7\nB,cave,9\n");
+    rest.leave_out(&["cave".into()]);
+    assert_eq!(join(comparison(), &rest, None).unwrap().question.entries.len(), comparison().question.entries.len() + 1);
+}

@@ -14,6 +14,7 @@ use crate::map::{MAX_SIDE, Window, check_size};
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PictureOptions {
     /// Pixels whose gray (0–255) is below it are dark. 128 unless said otherwise; none: chosen by Otsu's method.
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "number | null"))]
     pub threshold: Option<u8>,
     /// Whether light pixels are walls, instead of dark ones.
     pub light_is_blocked: bool,

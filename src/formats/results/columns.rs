@@ -45,6 +45,11 @@ const NAMES: [(Column, &[&str]); 15] = [
     (Status, &["status"]),
 ];
 
+/// The preferred name of a column.
+pub(super) fn name(column: Column) -> &'static str {
+    NAMES[column as usize].1[0]
+}
+
 /// Columns that our own tables have besides; they follow from the others.
 const OURS: [&str; 5] = ["objective", "reference", "proven", "gap", "digest"];
 

@@ -7,13 +7,16 @@ mod columns;
 mod ioh;
 mod run;
 mod table;
+mod template;
 
 use super::text::{self, quote};
 use crate::comparison::MAX_COUNT;
 use crate::comparison::imported::{ImportedResults, ImportedStep};
 use crate::comparison::names::stem;
-use crate::error::FormatError;
+use crate::error::{FormatError, Notice};
 use crate::planner::Status;
+
+pub use template::results_table;
 
 /// Most lines of a file.
 pub const MAX_ROWS: usize = 1_000_000;
@@ -48,7 +51,11 @@ pub fn import_results(bytes: &[u8], name: &str) -> Result<ImportedResults, Forma
         let expected = "a line of column names, then one line a run";
         return Err(FormatError::syntax(line, format!("the line has more than {LONGEST_LINE} bytes"), expected));
     }
-    if ioh::looks_like(text) { ioh::read(text, name) } else { table::read(text, name) }
+    let mut results = if ioh::looks_like(text) { ioh::read(text, name)? } else { table::read(text, name)? };
+    if results.entries.iter().flat_map(|entry| &entry.runs).all(|run| run.steps.is_empty()) {
+        results.notices.push(Notice::new("results-no-path", "no run of the file has a path: their lengths are left open"));
+    }
+    Ok(results)
 }
 
 /// Whether a text begins as such a file does: with a line of column names, one of them a length or a value.

@@ -9,6 +9,7 @@ import {
   sizeOf,
   suggested,
   wholeOf,
+  withSide,
 } from '../../../www/src/model/raster_part'
 import type { Scenario } from '../../../www/src/model/session'
 import {
@@ -186,11 +187,11 @@ const raster = (width: number, height: number, cell: [number, number]) =>
 test.describe('parts of a raster', () => {
   test('what fits is taken as it is, what is larger is shrunk to 513 cells a side', () => {
     const small = raster(144, 144, [71, 93])
-    expect(sizeOf(wholeOf(small), small, suggested(small))).toEqual([144, 144])
+    expect(sizeOf(wholeOf(small), small, suggested(small))).toEqual([110, 144])
     const large = raster(1201, 3601, [30, 30])
     expect(sizeOf(wholeOf(large), large, suggested(large))).toEqual([171, 513])
     expect(sizeOf(wholeOf(large), large, { most: 256, square: false })).toEqual([85, 256])
-    expect(sizeOf(wholeOf(large), large, { size: [7, 9] })).toEqual([7, 9])
+    expect(sizeOf(wholeOf(large), large, { size: [7, 9], square: false })).toEqual([7, 9])
   })
 
   test('square cells keep the extent: their sides are the longer ones of the raster', () => {
@@ -198,6 +199,14 @@ test.describe('parts of a raster', () => {
     const size = sizeOf(wholeOf(oblong), oblong, { most: null, square: true })
     expect(size).toEqual([100, 100])
     expect(cellOf(wholeOf(oblong), oblong, size)).toEqual([30, 30])
+    expect(sizeOf(wholeOf(oblong), oblong, suggested(oblong))).toEqual([100, 100])
+    const typed = (given: { width: number } | { height: number }, square: boolean) =>
+      withSide([100, 100], given, square, wholeOf(oblong), oblong)
+    expect([typed({ width: 50 }, true), typed({ height: 20 }, true)]).toEqual([
+      [50, 50],
+      [20, 20],
+    ])
+    expect(typed({ width: 50 }, false)).toEqual([50, 100])
     expect(sizeOf(wholeOf(oblong), oblong, { most: 50, square: true })).toEqual([50, 50])
   })
 

@@ -41,7 +41,7 @@ export function optionsOf(file: MapFile, choices: MapChoices): ReadOptions {
   return {
     picture: {
       // Null: none is given, and one is chosen. Left out it would be 128.
-      threshold: threshold as number,
+      threshold,
       light_is_blocked: lightIsBlocked,
       metres_per_cell: metresPerCell,
       ...(crop && { crop }),

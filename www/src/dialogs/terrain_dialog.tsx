@@ -19,6 +19,7 @@ import {
   suggested,
   WATCHED_SIDE,
   wholeOf,
+  withSide,
 } from '../model/raster_part'
 import { type TerrainFile, terrainFile } from '../state'
 import { openTerrain } from '../state/open_files'
@@ -175,8 +176,16 @@ interface SizeFieldsProps {
 
 function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps) {
   const fit = 'size' in sampling ? null : sampling
-  const square = fit?.square ?? false
+  const { square } = sampling
+  const own = (given: { width: number } | { height: number }) =>
+    onChange({ size: withSide(size, given, square, crop, survey), square })
+  const toggleSquare = () => {
+    const shape = withSide(size, { width: size[0] }, !square, crop, survey)
+    onChange({ ...(fit ? { most: fit.most } : { size: shape }), square: !square })
+  }
   const [x, y] = cellOf(crop, survey, size)
+  // A side has whole cells, so square ones may differ by half a cell in all of them.
+  const areSquare = square || isSquare([x, y])
   const preset = PRESETS.find((id) => fit && MOST[id] === fit.most)
   return (
     <fieldset class="field-set">
@@ -190,7 +199,7 @@ function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps)
           step={1}
           invalid={!sizeFits(size)}
           testId="size-width"
-          onChange={(width) => onChange({ size: [width, size[1]] })}
+          onChange={(width) => own({ width })}
         />
         <NumberField
           label={t('maps.height')}
@@ -200,7 +209,7 @@ function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps)
           step={1}
           invalid={!sizeFits(size)}
           testId="size-height"
-          onChange={(height) => onChange({ size: [size[0], height] })}
+          onChange={(height) => own({ height })}
         />
         <Segmented
           label={t('raster.presets')}
@@ -212,18 +221,18 @@ function SizeFields({ survey, crop, size, sampling, onChange }: SizeFieldsProps)
           }))}
           onChange={(id) => onChange({ most: id === 'own' ? null : MOST[id], square })}
         />
-        {!isSquare(survey.cell) && (
-          <Button
-            label={t('raster.square')}
-            tone={square ? 'primary' : 'plain'}
-            pressed={square}
-            testId="size-square"
-            onClick={() => onChange({ most: fit?.most ?? null, square: !square })}
-          />
-        )}
+        <Button
+          label={t('raster.square')}
+          tone={square ? 'primary' : 'plain'}
+          pressed={square}
+          testId="size-square"
+          onClick={toggleSquare}
+        />
       </div>
       <p class="hint" data-testid="raster-result">
-        {t(isSquare([x, y]) ? 'raster.resultSquare' : 'raster.result', { x: fine(x), y: fine(y) })}
+        {areSquare
+          ? t('raster.resultSquare', { x: fine(x), y: fine(y) })
+          : t('raster.result', { x: fine(x), y: fine(y), mean: fine(Math.sqrt(x * y)) })}
         {Math.max(...size) > WATCHED_SIDE && ` ${t('raster.large')}`}
       </p>
     </fieldset>

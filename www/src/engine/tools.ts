@@ -142,8 +142,18 @@ export const tools = {
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),
   /** The comparison with the entries of a result file; see the engine's `join_results`. */
-  joinResults: (document: string, bytes: Uint8Array, name: string, instance: string | null) =>
-    wholeBox().call('joinResults', document, bytes, name, instance),
+  joinResults: (
+    document: string,
+    bytes: Uint8Array,
+    name: string,
+    instance: string | null,
+    leaveOut: string[],
+  ) => wholeBox().call('joinResults', document, bytes, name, instance, leaveOut),
+  /** Whose runs a result file holds, and on which of the comparison's maps. */
+  matchResults: (document: string, bytes: Uint8Array, name: string) =>
+    wholeBox().call('matchResults', document, bytes, name),
+  /** An empty table of results for the comparison's maps and seeds. */
+  resultsTemplate: (document: string) => wholeBox().call('resultsTemplate', document),
   generate: (kind: Generator, width: number, height: number, seed: number, density: number) =>
     wholeBox().call('generate', kind, width, height, seed, density),
   /** The core knows no terrains. */

@@ -1,5 +1,5 @@
 /** A comparison that is being put together. */
-import type { AblationRole, Budget } from '@pkg/formicarium'
+import type { AblationRole, Budget, ResultsMatch } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 import type { Scenario } from './session'
 
@@ -41,6 +41,10 @@ export interface ImportedFile {
   bytes: Uint8Array
   /** Id of the map on which the runs are, where the file does not say. */
   instance: string | null
+  /** Names of maps in the file whose runs are left out: the comparison has no such map. */
+  leaveOut: string[]
+  /** Whose runs it holds, and on which maps; null in a draft that was kept before this was told. */
+  match: ResultsMatch | null
 }
 
 /** Everything of it, as the browser keeps it. */

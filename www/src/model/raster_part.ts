@@ -5,8 +5,8 @@ import { limits } from './facts'
 export type { Crop }
 export type Size = [width: number, height: number]
 
-/** As many cells as there are; or as many as fit, square or as they come; or as many as the reader says. */
-export type Sampling = { most: number | null; square: boolean } | { size: Size }
+/** In how many cells: as many as there are or fit, or as many as the reader says; `square`: made square, or as they come. */
+export type Sampling = { square: boolean } & ({ most: number | null } | { size: Size })
 
 /** Runs on larger maps take long. */
 export const WATCHED_SIDE = 513
@@ -28,19 +28,37 @@ export function isSquare([x, y]: readonly [number, number]): boolean {
   return Math.abs(x / y - 1) < SAME
 }
 
-/** What is suggested: the raster as it is, as long as it can be watched. */
+/** What is suggested: the raster as it is, as long as it can be watched, in cells that are square. */
 export function suggested({ width, height }: Survey): Sampling {
-  return { most: Math.max(width, height) > WATCHED_SIDE ? WATCHED_SIDE : null, square: false }
+  return { most: Math.max(width, height) > WATCHED_SIDE ? WATCHED_SIDE : null, square: true }
 }
 
-export function sizeOf(crop: Crop, { cell }: Survey, sampling: Sampling): Size {
+export function sizeOf(crop: Crop, survey: Survey, sampling: Sampling): Size {
   if ('size' in sampling) return sampling.size
   const { most, square } = sampling
-  const side = Math.max(...cell)
-  const wide = square ? (crop.width * cell[0]) / side : crop.width
-  const high = square ? (crop.height * cell[1]) / side : crop.height
+  const [wide, high] = square ? squareCells(crop, survey) : [crop.width, crop.height]
   const shrink = Math.min(1, (most ?? limits.max_side) / Math.max(wide, high))
   return [rounded(wide * shrink), rounded(high * shrink)]
+}
+
+/** How many columns and rows of square cells, of the longer side of the raster's, cover the part; not rounded. */
+function squareCells({ width, height }: Crop, { cell }: Survey): [wide: number, high: number] {
+  if (isSquare(cell)) return [width, height]
+  const side = Math.max(...cell)
+  return [(width * cell[0]) / side, (height * cell[1]) / side]
+}
+
+/** The same with one side as the reader says; with square cells the other one follows. */
+export function withSide(
+  [width, height]: Size,
+  given: { width: number } | { height: number },
+  square: boolean,
+  crop: Crop,
+  survey: Survey,
+): Size {
+  const [wide, high] = squareCells(crop, survey)
+  if ('width' in given) return [given.width, square ? rounded((given.width * high) / wide) : height]
+  return [square ? rounded((given.height * wide) / high) : width, given.height]
 }
 
 /** Metres a cell across and down when a part is opened in so many cells. */
@@ -85,5 +103,5 @@ function stretch(a: number, b: number, cells: number): [from: number, count: num
 }
 
 function rounded(side: number): number {
-  return Math.max(LEAST_SIDE, Math.round(side))
+  return Math.max(LEAST_SIDE, Math.round(side) || 0)
 }

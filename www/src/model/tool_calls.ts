@@ -13,6 +13,7 @@ import type {
   ReadOptions,
   Recognised,
   Reference,
+  ResultsMatch,
   RosFiles,
   RunSummary,
   ScenarioSpec,
@@ -57,7 +58,15 @@ export interface MapCalls {
     verticalUnit: number,
   ): SliceRules
   ablation(planner: string, preset: string | null, set: ParamValues): AblationEntry[]
-  joinResults(document: string, bytes: Uint8Array, name: string, instance: string | null): string
+  matchResults(document: string, bytes: Uint8Array, name: string): ResultsMatch
+  resultsTemplate(document: string): string
+  joinResults(
+    document: string,
+    bytes: Uint8Array,
+    name: string,
+    instance: string | null,
+    leaveOut: string[],
+  ): string
   generate(kind: Generator, width: number, height: number, seed: number, density: number): Generated
 }
 

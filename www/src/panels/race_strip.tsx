@@ -8,6 +8,7 @@ import {
   objectives,
   panels,
   plannerEntry,
+  referenceRefusal,
   references,
   scenario,
   scenarioNotices,
@@ -126,12 +127,13 @@ function Target() {
 function Best({ objective, testId }: { objective: Objective; testId: string }) {
   const reference = references.value[objective] ?? null
   const value = referenceValue(reference)
+  const open = referenceRefusal.value === null ? 'race.proving' : 'race.refused'
   const what = t(`race.best.${objectiveWord(objective)}`)
   return (
     <span class="target" data-testid={testId} data-objective={objective} data-value={value ?? ''}>
       {value !== null
         ? t('race.target', { what, value: numbers.value.length.format(value) })
-        : t(reference === null ? 'race.proving' : 'race.unknown', { what })}
+        : t(reference === null ? open : 'race.unknown', { what })}
       {reference?.kind === 'unproven' && <span class="unproven"> {t('gap.notProven')}</span>}
     </span>
   )
@@ -139,7 +141,10 @@ function Best({ objective, testId }: { objective: Objective; testId: string }) {
 
 /** The engine's notices, without the one that there is no path: the target says so already. */
 function ScenarioRemarks() {
-  const remarks = scenarioNotices.value.filter(({ kind }) => kind !== 'unreachable')
+  const refusal = referenceRefusal.value
+  const told = scenarioNotices.value.filter(({ kind }) => kind !== 'unreachable')
+  const isTold = refusal === null || told.some(({ kind }) => kind === refusal.kind)
+  const remarks = isTold ? told : [...told, refusal]
   return (
     <>
       {remarks.map((notice) => (

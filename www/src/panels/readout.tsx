@@ -1,6 +1,6 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, type TextKey, t } from '../i18n'
-import { type Panel, referenceOf, shownOf } from '../state'
+import { type Panel, referenceOf, referenceRefusal, shownOf } from '../state'
 import { panelGap } from '../words/gap_words'
 import { type ObjectiveWord, objectiveWord } from '../words/objective_words'
 import { isSearch, panelTitle } from '../words/planner_words'
@@ -114,7 +114,7 @@ function gapWords(panel: Panel, gap: number | null): string {
   if (reference?.kind === 'no-path') return t('gap.noPathExists')
   if (summary && !summary.metrics && summary.status !== 'running') return t('gap.noPathFound')
   if (!summary?.metrics || !objective) return t('gap.noPathYet')
-  if (reference === null) return t('gap.proving')
+  if (reference === null) return t(referenceRefusal.value ? 'gap.unknown' : 'gap.proving')
   if (gap === null) return t('gap.unknown')
   const what = t(`objective.${objectiveWord(objective)}`)
   return t(`gap.${comparison(gap, reference)}`, { what })

@@ -22,6 +22,8 @@ export interface FoundFile extends NamedBytes {
   kind: Kind
   /** Whether it is a raster of heights. */
   raster: boolean
+  /** Whether a map can be made of it. */
+  map: boolean
   /** Whether nothing else could be meant. */
   certain: boolean
   /** By what it was told, in English. */

@@ -34,21 +34,6 @@ const MAX_TOTAL = 8 * MAX_BYTES
 
 const sessionFormat = () => import('../share/link')
 
-/** Kinds of which a map can be made. */
-const MAPS = new Set([
-  'movingai-map',
-  'matrix',
-  'drawing',
-  'esri-ascii',
-  'height-table',
-  'geotiff',
-  'srtm',
-  'picture',
-  'ros-map',
-  'occupancy-grid',
-  'mapf',
-  'scenario',
-])
 /** Kinds that leave a choice. */
 const ASKED = new Set(['picture', 'ros-map', 'occupancy-grid'])
 
@@ -215,13 +200,14 @@ async function carriedBy(bytes: Uint8Array): Promise<string | null> {
 }
 
 const OPENED = new Set(['carrier', 'session', 'comparison', 'results', 'movingai-scen'])
-const canBeOpened = ({ kind }: { kind: string }) => OPENED.has(kind) || MAPS.has(kind)
+const canBeOpened = (file: FoundFile | Carrier) =>
+  OPENED.has(file.kind) || (file.kind !== 'carrier' && file.map)
 
 /** Whether there was anything to open. */
 async function openFound(found: Looked['found'], opening: Together): Promise<boolean> {
   const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
   const named = await picturesNamed(files)
-  const maps = files.filter((file) => MAPS.has(file.kind) && !named.has(file))
+  const maps = files.filter((file) => file.map && !named.has(file))
   for (const file of found) {
     if (file.kind === 'carrier') await openText(file.text)
     else if (file.kind === 'session') await openSessionFile(file.bytes)

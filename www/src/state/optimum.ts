@@ -6,7 +6,14 @@ import { toEngineError } from '../model/errors'
 import { question } from '../model/goals'
 import type { Scenario } from '../model/session'
 import { held } from './memory'
-import { type Panel, panels, references, scenario, scenarioNotices } from './store'
+import {
+  type Panel,
+  panels,
+  referenceRefusal,
+  references,
+  scenario,
+  scenarioNotices,
+} from './store'
 
 /** Long enough that a drag does not ask for every cell it crosses. */
 const SETTLE_MS = 150
@@ -61,6 +68,7 @@ export function watchScenario(): void {
     const asked = objectives.value
     clearTimeout(referenceTimer)
     references.value = now ? knownOf(now) : {}
+    referenceRefusal.value = null
     if (now) referenceTimer = window.setTimeout(() => void compare(now, asked), SETTLE_MS)
   })
 }
@@ -74,9 +82,13 @@ async function remarks(asked: Scenario): Promise<Notice[]> {
   try {
     return await tools.check(asked)
   } catch (thrown) {
-    const { kind, message, args } = toEngineError(thrown)
-    return [{ kind, message, args }]
+    return [noticeOf(thrown)]
   }
+}
+
+function noticeOf(thrown: unknown): Notice {
+  const { kind, message, args } = toEngineError(thrown)
+  return { kind, message, args }
 }
 
 /** One after the other, quick ones first. */
@@ -90,11 +102,12 @@ async function compare(asked: Scenario, by: Objective[]): Promise<void> {
   }
 }
 
-/** A scenario that cannot be used has no reference; the notices say why. */
+/** A scenario that cannot be used has no reference, and the page says why. */
 async function lookUp(asked: Scenario, objective: Objective): Promise<Reference | null> {
   try {
     return await tools.reference(asked, objective)
-  } catch {
+  } catch (thrown) {
+    if (scenario.peek() === asked) referenceRefusal.value = noticeOf(thrown)
     return null
   }
 }

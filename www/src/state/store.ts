@@ -67,6 +67,8 @@ export const galleryId = signal<string | null>(null)
 export const scenarioNotices = signal<Notice[]>([])
 /** The references of the current scenario, by objective; absent while they are being computed. */
 export const references = signal<Partial<Record<Objective, Reference>>>({})
+/** Why the current scenario has no reference and will get none: it cannot be used, or the engine stopped. */
+export const referenceRefusal = signal<Notice | null>(null)
 
 export const panels = signal<Panel[]>([])
 /** The panel whose parameters are on show. */

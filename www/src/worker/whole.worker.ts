@@ -20,8 +20,10 @@ const calls: ToolCalls & MapCalls = {
   exportRos: (spec, cells, image) => engine.export_ros(spec, cells, image),
   exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
-  joinResults: (document, bytes, name, instance) =>
-    engine.join_results(document, bytes, name, instance),
+  joinResults: (document, bytes, name, instance, leaveOut) =>
+    engine.join_results(document, bytes, name, instance, leaveOut),
+  matchResults: (document, bytes, name) => engine.match_results(document, bytes, name),
+  resultsTemplate: (document) => engine.results_template(document),
   exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),

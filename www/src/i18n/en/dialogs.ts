@@ -83,9 +83,10 @@ export const enDialogs = {
       'The part must lie within {{width}} × {{height}} cells and be 2 cells wide and high.',
     cells: 'Cells of the map',
     presets: 'Most cells a side',
-    full: 'As it is',
+    full: 'All',
     square: 'Square cells',
-    result: 'A cell will be {{x}} × {{y}} m; “Square cells” makes its sides equal.',
+    result:
+      'A cell will be {{x}} × {{y}} m and count as a square of {{mean}} m: lengths will be off. “Square cells” makes its sides equal.',
     resultSquare: 'A cell will be {{x}} × {{y}} m.',
     large: 'Runs on so many cells take long.',
   },

@@ -53,6 +53,7 @@ export const en = {
       'tour-weight': 'Lightest tour',
     },
     proving: '{{what}}: being proven…',
+    refused: '{{what}}: cannot be asked for',
     unknown: '{{what}}: not known at this size',
     unreachable: 'No path from start to goal exists',
     goalUnreachable: 'At least one goal cannot be reached',

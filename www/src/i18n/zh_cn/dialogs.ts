@@ -77,9 +77,10 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     cropOutside: '所选部分须在 {{width}} × {{height}} 格之内，宽高至少 2 格。',
     cells: '地图格数',
     presets: '每边最多格数',
-    full: '原样',
+    full: '全部',
     square: '正方形格',
-    result: '每格将为 {{x}} × {{y}} 米；“正方形格”使两边相等。',
+    result:
+      '每格将为 {{x}} × {{y}} 米，却按 {{mean}} 米的正方形计算：长度会有偏差。“正方形格”使两边相等。',
     resultSquare: '每格将为 {{x}} × {{y}} 米。',
     large: '格数较多，运行会很慢。',
   },

@@ -380,6 +380,7 @@ export const zhCNEngine = {
     'scen-version': '首行没有版本号：按版本 1 读取。',
     'scen-unlisted': '{{count}} 个场景的起点与终点不同而最优长度为 0：视为未知。',
     'scen-size': '第 {{line}} 行：所属地图为 {{size}} 格。',
+    'results-no-path': '文件中没有一次运行有路径：长度均为空。',
     'results-coco': 'COCO 的数据文件：与最优值之差按长度读取。',
     'figure-cells': '{{cells}} 格中有 {{walls}} 格为墙，{{unsure}} 格需要核对。',
     'figure-no-ends': '没有找到以独特颜色标出的起点与终点。',

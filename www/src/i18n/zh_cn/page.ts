@@ -52,6 +52,7 @@ export const zhCN: DictionaryShape<typeof en> = {
       'tour-weight': '最小加权巡回',
     },
     proving: '{{what}}：求证中…',
+    refused: '{{what}}：无法求得',
     unknown: '{{what}}：此规模下未知',
     unreachable: '起点与终点之间没有通路',
     goalUnreachable: '至少有一个目标无法到达',

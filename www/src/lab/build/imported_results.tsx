@@ -1,7 +1,9 @@
 /** Imports results: into the draft beside its entries, or into the open comparison. */
-import { FileChartColumn, X } from 'lucide'
+import { Download, FileChartColumn, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
+import { notifyError } from '../../state'
+import { download } from '../../state/export_files'
 import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
 import { useFilePicker } from '../../ui/file_picker'
@@ -13,8 +15,10 @@ import {
   type RefusedFile,
   refusedFile,
   removeImportedFile,
+  unknownMaps,
 } from '../store/imported_files'
-import { takeResultFiles, takeResults } from './take_results'
+import { toldOf } from './match_words'
+import { resultsTemplate, takeResultFiles, takeResults } from './take_results'
 
 interface Place {
   id: string
@@ -32,12 +36,21 @@ export function ImportedResults({ maps }: { maps: Place[] }) {
   })
   return (
     <div class="imported-results">
-      <Button
-        icon={FileChartColumn}
-        label={t('lab.imported.add')}
-        testId="own-add"
-        onClick={pick}
-      />
+      <div class="imported-buttons">
+        <Button
+          icon={FileChartColumn}
+          label={t('lab.imported.add')}
+          testId="own-add"
+          onClick={pick}
+        />
+        <Button
+          icon={Download}
+          label={t('lab.imported.template')}
+          tone="quiet"
+          testId="own-template"
+          onClick={() => void saveTemplate()}
+        />
+      </div>
       <p class="hint">{t('lab.imported.hint')}</p>
       {element}
       {refusedFile.value && (
@@ -47,16 +60,27 @@ export function ImportedResults({ maps }: { maps: Place[] }) {
   )
 }
 
+/** The browser saves it; a refusal is told. */
+async function saveTemplate(): Promise<void> {
+  try {
+    download('results.csv', await resultsTemplate(), 'text/csv')
+  } catch (error) {
+    notifyError(error)
+  }
+}
+
 /** The files that wait for the comparison to start. */
 export function ImportedFiles() {
   if (importedFiles.value.length === 0) return null
   return (
     <ul class="draft-entries" aria-label={t('lab.imported.files')}>
-      {importedFiles.value.map(({ key, name }) => (
+      {importedFiles.value.map(({ key, name, match, leaveOut }) => (
         <li key={key} class="imported-file" data-testid="own-file-item">
           <Icon icon={FileChartColumn} size={16} />
-          <strong>{name}</strong>
-          <span class="hint">{t('lab.imported.compared')}</span>
+          <span class="imported-words">
+            <strong>{name}</strong> <span class="hint">{t('lab.imported.compared')}</span>
+            {match && <span class="hint imported-match">{toldOf(match, leaveOut).join(' ')}</span>}
+          </span>
           <IconButton
             icon={X}
             label={t('lab.imported.remove', { name })}
@@ -71,21 +95,40 @@ export function ImportedFiles() {
 }
 
 function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
-  if (asksForMap(file) && maps.length > 1) return <AskForMap file={file} maps={maps} />
+  if (asksForMap(file)) return <AskForMap file={file} maps={maps} />
+  const unknown = unknownMaps(file)
+  const leaveOut = unknown.map(({ name }) => name)
   return (
     <div class="imported-refused" data-testid="own-refused">
       <strong>{file.name}</strong>
+      <Dismiss name={file.name} />
       <FormError error={file.error} />
+      {unknown.map(({ name, runs: count }) => (
+        <p key={name} class="hint">
+          {t('lab.imported.onNoMap', { count, name })}
+        </p>
+      ))}
+      {unknown.length > 0 && (
+        <Button
+          label={t('lab.imported.leaveOut')}
+          testId="own-leave-out"
+          onClick={() => void takeResults(file.name, file.bytes, { leaveOut })}
+        />
+      )}
     </div>
   )
 }
 
 function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
   const [chosen, choose] = useState(maps[0]?.id ?? '')
+  const [named] = file.match?.matched.maps ?? []
+  const question = named
+    ? t('lab.imported.whichIs', { file: file.name, name: named.name })
+    : t('lab.imported.onWhich', { name: file.name })
   return (
     <div class="imported-map" data-testid="own-map">
       <Select
-        label={t('lab.imported.onWhich', { name: file.name })}
+        label={question}
         value={chosen}
         options={maps.map((map) => ({ value: map.id, label: map.name }))}
         onChange={choose}
@@ -95,8 +138,24 @@ function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
         label={t('lab.imported.join')}
         tone="primary"
         testId="own-join"
-        onClick={() => void takeResults(file.name, file.bytes, chosen)}
+        onClick={() => void takeResults(file.name, file.bytes, { instance: chosen })}
       />
+      <Dismiss name={file.name} />
     </div>
+  )
+}
+
+function Dismiss({ name }: { name: string }) {
+  return (
+    <IconButton
+      icon={X}
+      label={t('lab.imported.dismiss', { name })}
+      tone="quiet"
+      size={16}
+      testId="own-dismiss"
+      onClick={() => {
+        refusedFile.value = null
+      }}
+    />
   )
 }

@@ -59,11 +59,18 @@ export async function joinResults(
   name: string,
   bytes: Uint8Array,
   instance: string | null,
+  leaveOut: string[],
 ): Promise<void> {
   const mine = openParts()
   if (!mine) return
   pause()
-  const document = await tools.joinResults(mine.comparison.document, bytes, name, instance)
+  const document = await tools.joinResults(
+    mine.comparison.document,
+    bytes,
+    name,
+    instance,
+    leaveOut,
+  )
   // Imported entries come last, so that every other run keeps its place.
   await openNew({ ...mine.stored, document, done: mine.analyst.all })
 }

@@ -1,4 +1,5 @@
 /** Imported results: files of runs from elsewhere, to be compared with the runs done here. */
+import type { MatchedMap, ResultsMatch } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { tools } from '../../engine/tools'
 import type { ImportedFile } from '../../model/draft'
@@ -9,6 +10,8 @@ export interface RefusedFile {
   name: string
   bytes: Uint8Array
   error: unknown
+  /** Whose runs it holds, and on which maps; null where it could not be read. */
+  match: ResultsMatch | null
 }
 
 export const importedFiles = signal<ImportedFile[]>([])
@@ -27,17 +30,32 @@ export function removeImportedFile(key: number): void {
 
 /** Files of a stored draft. */
 export function takeImportedFiles(files: Omit<ImportedFile, 'key'>[]): void {
-  importedFiles.value = files.map((file) => ({ ...file, key: nextKey++ }))
+  const told = { leaveOut: [], match: null }
+  importedFiles.value = files.map((file) => ({ ...told, ...file, key: nextKey++ }))
 }
 
-/** Whether the file was refused only because it does not name its map. */
-export const asksForMap = ({ error }: RefusedFile): boolean =>
+/** Whether nothing is wrong with the file but the names of its maps. */
+const isAboutMaps = ({ error }: RefusedFile): boolean =>
   isEngineError(error) && error.field === 'results.instance'
+
+/** Whether all its runs are on a single map of which nobody knows which it is here. */
+export function asksForMap(file: RefusedFile): boolean {
+  const { maps, unnamed } = file.match?.matched ?? { maps: [], unnamed: 0 }
+  const names = maps.length + (unnamed > 0 ? 1 : 0)
+  return isAboutMaps(file) && names === 1
+}
+
+/** The maps in the file that are none here, where others of its maps are. */
+export function unknownMaps(file: RefusedFile): MatchedMap[] {
+  const { maps, unnamed } = file.match?.matched ?? { maps: [], unnamed: 0 }
+  const unknown = maps.filter(({ instance }) => instance === null)
+  return isAboutMaps(file) && unknown.length < maps.length && unnamed === 0 ? unknown : []
+}
 
 /** The document with the entries of every file. */
 export async function withImportedFiles(document: string): Promise<string> {
   let joined = document
-  for (const { name, bytes, instance } of importedFiles.peek())
-    joined = await tools.joinResults(joined, bytes, name, instance)
+  for (const { name, bytes, instance, leaveOut } of importedFiles.peek())
+    joined = await tools.joinResults(joined, bytes, name, instance, leaveOut)
   return joined
 }
