@@ -1,4 +1,7 @@
-//! Maps drawn with letters, as textbooks and programming puzzles have them: `#` is a wall, `.` or a blank is free, `S` and `G` are the ends.
+//! Maps drawn with letters, as textbooks and programming puzzles have them: `#` is a wall, `.` or a blank is free, `S` and `G` are the ends. In programs
+//! their rows stand in quotation marks (`quoted`).
+
+mod quoted;
 
 use super::recognise::Sureness;
 use super::text::{lines, quote};
@@ -31,7 +34,10 @@ pub(super) fn sureness(text: &str) -> Sureness {
         && has("#@X█■")
         && (has(".") || rows.iter().any(|r| r.contains([' ', '_', '□'])));
     if !drawn {
-        return Sureness::No;
+        // Scenarios of our own hold their map in such rows.
+        let may_be = text.contains(['"', '\'']) && !text.contains("\"formicarium/");
+        let is_quoted = may_be && !quoted::find(text).is_empty();
+        return if is_quoted { Sureness::Certain("rows of # and . in quotation marks") } else { Sureness::No };
     }
     let even = rows.iter().all(|row| row.chars().count() == rows[0].chars().count());
     if even { Sureness::Certain("rows of # and .") } else { Sureness::Likely("rows of # and . or blanks") }
@@ -50,12 +56,11 @@ fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
 /// # Errors
 /// [`FormatError::Syntax`] with the line of a row of another length, or of a letter that means nothing here or stands for an end twice.
 pub(super) fn read(text: &str) -> Result<DrawnMap, FormatError> {
-    let rows: Vec<(usize, Vec<char>)> =
-        rows(text).map(|(line, row)| (line, row.trim_end_matches('\r').chars().collect())).collect();
+    let rows = letters(text)?;
     let is_blank = |from: usize, row: &[char]| row.iter().skip(from).step_by(2).all(|&c| c == ' ');
     let spaced = rows.iter().all(|(_, row)| row.len() > 2 && is_blank(1, row) && !row.iter().step_by(2).any(|&c| c == ' '));
-    let letters = |row: &[char]| -> Vec<char> { if spaced { row.iter().step_by(2).copied().collect() } else { row.to_vec() } };
-    let rows: Vec<(usize, Vec<char>)> = rows.iter().map(|(line, row)| (*line, letters(row))).collect();
+    let thinned = |row: &[char]| -> Vec<char> { if spaced { row.iter().step_by(2).copied().collect() } else { row.to_vec() } };
+    let rows: Vec<(usize, Vec<char>)> = rows.iter().map(|(line, row)| (*line, thinned(row))).collect();
     let width = rows.iter().map(|(_, row)| row.len()).max().unwrap_or(0);
     check_size(width as u64, rows.len() as u64)?;
     let blanks_are_free = rows.iter().any(|(_, row)| row.contains(&' '));
@@ -76,6 +81,18 @@ pub(super) fn read(text: &str) -> Result<DrawnMap, FormatError> {
     let grid = Grid::from_bytes(width as u32, rows.len() as u32, &cells)?;
     let [start, goal] = ends;
     Ok(DrawnMap { grid, start, goal, notices: notices(&rows, padded, blanks_are_free, ends) })
+}
+
+/// The letters of each row, with its line.
+fn letters(text: &str) -> Result<Vec<(usize, Vec<char>)>, FormatError> {
+    match &quoted::find(text)[..] {
+        [] => Ok(rows(text).map(|(line, row)| (line, row.trim_end_matches('\r').chars().collect())).collect()),
+        [one] => Ok(one.iter().map(|(line, row)| (*line, row.chars().collect())).collect()),
+        [one, other, ..] => {
+            let found = format!("the drawing from line {} or the one from line {}", one[0].0, other[0].0);
+            Err(FormatError::Ambiguous { found })
+        }
+    }
 }
 
 /// 1 for a wall, 0 for what is free.

@@ -19,6 +19,7 @@ mod random;
 mod readers;
 mod report;
 mod shrink;
+mod stated;
 #[path = "../common/terrains.rs"]
 mod terrains;
 mod watch;
@@ -219,6 +220,7 @@ impl Inputs {
             }
             Ok(Some(Input::Path(case))) => told(case.check(), |fault| report.add(number, "path", &fault, None, &case.words())),
             Ok(Some(Input::File(file))) => {
+                report.count_file();
                 for reader in READERS {
                     told(reader.check(&file), |fault| {
                         if report.is_new(&fault) {

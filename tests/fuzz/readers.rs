@@ -11,6 +11,7 @@ use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use crate::corpus::File;
 use crate::limits::{Limits, MOST_CELLS, MOST_CELLS_PER_BYTE};
+use crate::stated::stated;
 use crate::watch::{Fault, watch};
 
 /// Files that were read as maps: where hardly any are, hardly anything is tried.
@@ -36,6 +37,7 @@ pub const READERS: &[Reader] = &[
     raster("sniff", |file| done(formats::sniff(&file.bytes, &file.name))),
     raster("import", |file| typed(formats::import(&file.bytes, &file.name)).map(drop)),
     raster("round-trip", round_trip),
+    raster("what is said of it", stated),
     raster("import_piece", import_piece),
     raster("import_terrain", |file| typed(formats::import_terrain(&file.bytes, &file.name, piece())).map(drop)),
     raster("survey", |file| typed(formats::survey(&file.bytes, &file.name)).map(drop)),

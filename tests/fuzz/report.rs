@@ -40,12 +40,14 @@ impl Progress {
 pub struct Report {
     seed: u64,
     inputs: u64,
+    /// Those that every reader was given.
+    files: u64,
     faults: Vec<Fault>,
 }
 
 impl Report {
     pub fn new(seed: u64) -> Self {
-        Self { seed, inputs: 0, faults: Vec::new() }
+        Self { seed, inputs: 0, files: 0, faults: Vec::new() }
     }
 
     pub fn is_new(&self, fault: &Fault) -> bool {
@@ -54,6 +56,10 @@ impl Report {
 
     pub fn count(&mut self) {
         self.inputs += 1;
+    }
+
+    pub fn count_file(&mut self) {
+        self.files += 1;
     }
 
     /// Tells a fault that is not known yet: of a file its bytes and name, of the rest the words that make it again.
@@ -75,7 +81,8 @@ impl Report {
         let (inputs, faults, seconds, seed) = (self.inputs, self.faults.len(), took.as_secs_f64(), self.seed);
         let [maps, runs] = [&ACCEPTED, &RAN].map(|count| count.load(Ordering::Relaxed));
         println!(
-            "fuzz: seed {seed}, {inputs} inputs from {files} files: {maps} maps read, {runs} planners run, {faults} faults, {seconds:.1} s"
+            "fuzz: seed {seed}, {inputs} inputs, {} of them spoiled from {files} files and given to every reader: {maps} maps read, {runs} planners run, {faults} faults, {seconds:.1} s",
+            self.files
         );
         faults
     }

@@ -13,12 +13,18 @@ pub struct Options {
     /// How long; a fifth of it goes to the page's links
     #[arg(long, default_value_t = 10.0)]
     minutes: f64,
+    /// As many files for every reader, however long that takes; as many links
+    #[arg(long, conflicts_with = "minutes")]
+    files: Option<u32>,
     /// Which inputs: equal seeds, equal inputs
     #[arg(long, default_value_t = 1)]
     seed: u32,
 }
 
 pub fn fuzz(options: &Options) -> Result<()> {
+    if let Some(files) = options.files {
+        return each(options.seed, files / 3 * 4, files);
+    }
     let minutes = |share: f64| ["--minutes".into(), (options.minutes * share).to_string()];
     // Both, whatever the first has found.
     let results = [engine(options.seed, &minutes(0.8)), links(options.seed, &minutes(0.2))];
@@ -27,10 +33,14 @@ pub fn fuzz(options: &Options) -> Result<()> {
 
 /// The same inputs every time, about a minute in all.
 pub fn stage() -> Result<()> {
-    const SEED: u32 = 1;
-    let inputs = |count: u32| ["--inputs".into(), count.to_string()];
-    engine(SEED, &inputs(30_000))?;
-    links(SEED, &inputs(4_000))
+    each(1, 30_000, 4_000)
+}
+
+/// So many inputs of the engine, three of four of them files, and so many links.
+fn each(seed: u32, inputs: u32, addresses: u32) -> Result<()> {
+    let extent = |count: u32| ["--inputs".into(), count.to_string()];
+    engine(seed, &extent(inputs))?;
+    links(seed, &extent(addresses))
 }
 
 fn engine(seed: u32, extent: &[String]) -> Result<()> {
