@@ -382,6 +382,9 @@ export const zhCNEngine = {
     'scen-size': '第 {{line}} 行：所属地图为 {{size}} 格。',
     'results-coco': 'COCO 的数据文件：与最优值之差按长度读取。',
     'figure-cells': '{{cells}} 格中有 {{walls}} 格为墙，{{unsure}} 格需要核对。',
+    'figure-lattice':
+      '在图片中找到 {{columns}} × {{rows}} 格的网格：左上角为 ({{x}}, {{y}})，每格 {{width}} × {{height}} 像素。',
+    'figure-unsure-blocked': '{{unsure}} 个存疑的格视为墙。',
     'figure-no-ends': '没有找到以独特颜色标出的起点与终点。',
     'figure-ends-guessed': '哪个标记是起点、哪个是终点只是推测：都不是绿色或红色。',
     'terrain-feet': '按文件所说，高程以英尺（{{unit}} 米）计。',
