@@ -1,17 +1,20 @@
 /** The part of the map dialog in which a picture is read as the figure of a grid. */
+import type { Figure } from '@pkg/formicarium'
 import { SkipForward, Undo2, ZoomIn, ZoomOut } from 'lucide'
 import type { RefObject } from 'preact'
 import { useEffect, useRef } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
+import type { Cell } from '../model/cell'
 import { Button, IconButton } from '../ui/buttons'
 import { Labelled, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
-import { cellAt, classOf, MARKS, markOf } from './figure_draft'
+import { cellAt, classOf, type Draft, MARKS, markOf } from './figure_draft'
 import { LatticeFields } from './figure_fields'
-import { type FigureHand, TOOLS, useFigureHand } from './figure_hand'
-import { letterOf, tintOf } from './figure_paint'
+import { type FigureHand, useFigureHand } from './figure_hand'
+import { letterOf, paperOf, tintOf } from './figure_paint'
+import { TOOLS } from './figure_pointer'
 import { ZOOMS } from './figure_sight'
 import type { FigureState } from './figure_state'
 import { FigureView } from './figure_view'
@@ -29,14 +32,16 @@ export function FigureBody({ figure }: { figure: FigureState }) {
           <FigureView figure={figure} hand={hand} pane={pane} />
           <PointedCell figure={figure} hand={hand} />
         </div>
-        <Facts figure={figure} />
+        <div class="figure-told">
+          <Facts figure={figure} />
+          <Notices figure={figure} />
+        </div>
       </div>
       {figure.error !== null && <FormError error={figure.error} />}
       {figure.draft && <LatticeFields draft={figure.draft} onChange={figure.change} />}
       <p class="hint" id="figure-keys">
         {t('figure.keys')}
       </p>
-      <Notices figure={figure} />
     </div>
   )
 }
@@ -129,20 +134,26 @@ function PointedCell({
   hand: FigureHand
 }) {
   const { pointed } = hand
-  const cell = pointed && draft ? cellAt(pointed, draft.lattice) : -1
-  const sure = draft?.edits.has(cell) ? 255 : (read?.confidence[cell] ?? 0)
   return (
     <p class="hint figure-pointed" aria-live="polite" data-testid="figure-pointed">
-      {pointed && classes
-        ? t('figure.pointed', {
-            column: pointed[0],
-            row: pointed[1],
-            mark: t(`figure.marks.${markOf(classes[cell] ?? 0)}`),
-            sure: numbers.value.share.format(sure / 255),
-          })
-        : '\u00a0'}
+      {pointed && draft && classes ? pointedWords(pointed, draft, classes, read) : '\u00a0'}
     </p>
   )
+}
+
+function pointedWords(
+  [column, row]: Cell,
+  { lattice, edits }: Draft,
+  classes: Uint8Array,
+  read: Figure | null,
+): string {
+  const cell = cellAt([column, row], lattice)
+  const mark = markOf(classes[cell] ?? 0)
+  const words = { column, row, mark: t(`figure.marks.${mark}`) }
+  // Of what was set by hand, and of what is unsure, no share says more.
+  if (edits.has(cell) || mark === 'unsure') return t('figure.pointed', words)
+  const sure = numbers.value.share.format((read?.confidence[cell] ?? 0) / 255)
+  return t('figure.pointedSure', { ...words, sure })
 }
 
 /** How many cells are what; the legend at the same time. */
@@ -158,7 +169,11 @@ function Facts({ figure: { draft, classes } }: { figure: FigureState }) {
       {MARKS.map((mark, at) => (
         <div key={mark} class={mark === 'unsure' && counts[at] ? 'figure-warns' : ''}>
           <dt>
-            <span class="figure-swatch" style={{ '--tint': tintOf(mark) }} aria-hidden="true">
+            <span
+              class="figure-swatch"
+              style={{ '--tint': tintOf(mark), '--paper': paperOf(mark) }}
+              aria-hidden="true"
+            >
               {letterOf(mark)}
             </span>
             {t(`figure.marks.${mark}`)}

@@ -1,49 +1,24 @@
-/** What pointer and keys do to a figure: one tool at a time, one step back a gesture. */
-import { useRef, useState } from 'preact/hooks'
+/** The tool in hand over a figure, the cell cursor, and what keys do with both. */
+import { useState } from 'preact/hooks'
 import type { Cell } from '../model/cell'
-import {
-  cellAt,
-  cellsBetween,
-  type Draft,
-  ended,
-  type Mark,
-  markOf,
-  nextUnsure,
-  painted,
-  placeOf,
-  toggled,
-  withLattice,
-} from './figure_draft'
-import {
-  cellUnder,
-  dragged,
-  HANDLES,
-  type Handle,
-  handlePlace,
-  moved,
-  type Place,
-} from './figure_lattice'
+import { cellAt, nextUnsure, placeOf, toggled } from './figure_draft'
+import { cellUnder, type Place } from './figure_lattice'
+import { type Pencil, pencilFor } from './figure_pencil'
+import { type FigurePointer, type Tool, useFigurePointer } from './figure_pointer'
 import { ZOOMS } from './figure_sight'
 import type { FigureState } from './figure_state'
 
-export const TOOLS = ['walls', 'start', 'goal', 'lattice'] as const
-export type Tool = (typeof TOOLS)[number]
-
-export interface FigureHand {
+export interface FigureHand extends FigurePointer {
   tool: Tool
   choose: (tool: Tool) => void
   /** An index of ZOOMS. */
   zoom: number
   zoomTo: (zoom: number) => void
+  /** The cell of the keyboard. */
   cursor: Cell | null
   /** The cell that is told about: under the cursor of the keyboard, or of the pointer. */
   pointed: Cell | null
   toNextUnsure: () => void
-  /** `near`: how far from a handle it is still meant, in pixels of the picture. */
-  press: (at: Place, near: number) => void
-  move: (at: Place) => void
-  /** Not `kept`: the browser has taken the gesture for its own. */
-  release: (kept: boolean) => void
   onKey: (event: KeyboardEvent) => void
 }
 
@@ -56,157 +31,87 @@ const ARROWS: Record<string, Cell> = {
 /** Cells that Ctrl with an arrow goes, as on the page's maps. */
 const STRIDE = 10
 
-type Gesture =
-  | { does: 'drag'; handle: Handle | null; from: Place; before: Draft; id: number }
-  | { does: 'paint'; mark: 'free' | 'wall'; last: Cell; id: number }
-
-let gestures = 0
-
 export function useFigureHand(figure: FigureState): FigureHand {
-  const [chosen, setTool] = useState<Tool | null>(null)
+  const { draft, classes, found } = figure
+  const [chosen, choose] = useState<Tool | null>(null)
   const [zoom, setZoom] = useState(0)
-  const [cursor, setCursor] = useState<Cell | null>(null)
+  const [placed, setCursor] = useState<Cell | null>(null)
   const [hovered, setHovered] = useState<Cell | null>(null)
-  const gesture = useRef<Gesture | null>(null)
-  const { draft, classes } = figure
   // What is found needs corrected cells at most; by hand the lattice comes first.
-  const tool = chosen ?? (draft && !figure.found ? 'lattice' : 'walls')
-  const inside = (cell: Cell | null) => {
-    const { columns, rows } = draft?.lattice ?? { columns: 0, rows: 0 }
-    return cell && cell[0] < columns && cell[1] < rows ? cell : null
-  }
-  const markAt = (cell: Cell): Mark =>
-    markOf(draft && classes ? (classes[cellAt(cell, draft.lattice)] ?? 0) : 0)
-
-  /** Free and wall along a way; ends that are only passed over stay. */
-  const paintTo = (
-    cells: Cell[],
-    mark: 'free' | 'wall',
-    id: number | undefined,
-    pressed: boolean,
-  ) => {
-    if (!draft || !classes) return
-    const meant = cells.filter((cell) => pressed || !isEnd(markAt(cell)))
-    if (meant.some((cell) => markAt(cell) !== mark))
-      figure.change(
-        painted(
-          draft,
-          meant.map((cell) => cellAt(cell, draft.lattice)),
-          mark,
-        ),
-        id,
-      )
-  }
-  const putEnd = (cell: Cell, end: 'start' | 'goal') => {
-    if (draft && classes && markAt(cell) !== end)
-      figure.change(ended(draft, classes, cellAt(cell, draft.lattice), end))
-  }
-  const use = (cell: Cell, id?: number) => {
-    if (tool === 'start' || tool === 'goal') putEnd(cell, tool)
-    else paintTo([cell], toggled(markAt(cell)), id, true)
-  }
-  const goTo = ([x, y]: Cell) => {
-    if (!draft) return
-    const within = (at: number, count: number) => Math.min(count - 1, Math.max(0, at))
-    setCursor([within(x, draft.lattice.columns), within(y, draft.lattice.rows)])
-  }
+  const tool = chosen ?? (draft && !found ? 'lattice' : 'walls')
+  const pencil = pencilFor(figure)
+  const pointer = useFigurePointer(figure, tool, pencil)
+  const { columns, rows } = draft?.lattice ?? { columns: 0, rows: 0 }
+  const inside = (cell: Cell | null) => (cell && cell[0] < columns && cell[1] < rows ? cell : null)
+  const cursor = inside(placed)
+  const zoomTo = (to: number) => setZoom(Math.min(ZOOMS.length - 1, Math.max(0, to)))
   const toNextUnsure = () => {
     if (!draft || !classes) return
     const next = nextUnsure(classes, cursor ? cellAt(cursor, draft.lattice) : -1)
     if (next >= 0) setCursor(placeOf(next, draft.lattice))
   }
-  const zoomTo = (to: number) => setZoom(Math.min(ZOOMS.length - 1, Math.max(0, to)))
-
-  const press = (at: Place, near: number) => {
-    if (!draft) return
-    gestures++
-    if (tool === 'lattice') {
-      const handle = handleNear(draft, at, near)
-      if (handle || cellUnder(draft.lattice, at))
-        gesture.current = { does: 'drag', handle, from: at, before: draft, id: gestures }
-      return
-    }
-    const cell = cellUnder(draft.lattice, at)
-    if (!cell || !classes) return
-    setCursor(null)
-    if (tool === 'walls')
-      gesture.current = { does: 'paint', mark: toggled(markAt(cell)), last: cell, id: gestures }
-    use(cell, gestures)
-  }
-  const move = (at: Place) => {
-    if (!draft) return
-    const cell = cellUnder(draft.lattice, at)
-    setHovered(cell)
-    const now = gesture.current
-    if (now?.does === 'drag') {
-      const { handle, from, before, id } = now
-      const by = [at[0] - from[0], at[1] - from[1]] as const
-      const { lattice } = before
-      // A press alone moves nothing.
-      if (by[0] === 0 && by[1] === 0) return
-      figure.change(withLattice(handle ? dragged(lattice, handle, by) : moved(lattice, by)), id)
-    } else if (now && cell && (cell[0] !== now.last[0] || cell[1] !== now.last[1])) {
-      paintTo(cellsBetween(now.last, cell), now.mark, now.id, false)
-      gesture.current = { ...now, last: cell }
-    }
-  }
-  const release = (kept: boolean) => {
-    if (gesture.current && !kept) figure.undo(gesture.current.id)
-    gesture.current = null
-  }
-
-  const onKey = (event: KeyboardEvent) => {
-    if (event.altKey || event.metaKey || !draft) return
-    const at = inside(cursor) ?? [0, 0]
-    const arrow = ARROWS[event.key]
-    const steps = event.ctrlKey ? STRIDE : 1
-    if (arrow) goTo(inside(cursor) ? [at[0] + steps * arrow[0], at[1] + steps * arrow[1]] : at)
-    else if (event.ctrlKey) return
-    else {
-      const act = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key]
-      if (!act) return
-      if (act === 'toggle') paintTo([at], toggled(markAt(at)), undefined, true)
-      else if (act === 'start' || act === 'goal') putEnd(at, act)
-      else if (act === 'unsure') toNextUnsure()
-      else zoomTo(zoom + (act === 'larger' ? 1 : -1))
-      if (act === 'toggle' || act === 'start' || act === 'goal') setCursor(at)
-    }
-    event.preventDefault()
-    event.stopPropagation()
-  }
   return {
     tool,
-    choose: setTool,
+    choose,
     zoom,
     zoomTo,
-    cursor: inside(cursor),
-    pointed: inside(cursor) ?? inside(hovered),
+    cursor,
+    pointed: cursor ?? inside(hovered),
     toNextUnsure,
-    press,
-    move,
-    release,
-    onKey,
+    ...pointer,
+    press: (at: Place, near: number) => {
+      setCursor(null)
+      pointer.press(at, near)
+    },
+    move: (at: Place) => {
+      setHovered(draft && cellUnder(draft.lattice, at))
+      pointer.move(at)
+    },
+    onKey: (event) => {
+      if (event.altKey || event.metaKey || !draft) return
+      const to = moveOf(event, cursor, [columns, rows])
+      const at = to ?? cursor ?? [0, 0]
+      const isDone = to !== null || (!event.ctrlKey && actByKey(event, at, pencil))
+      if (isDone) setCursor(at)
+      else if (event.ctrlKey || !viewByKey(event, zoom, zoomTo, toNextUnsure)) return
+      event.preventDefault()
+      event.stopPropagation()
+    },
   }
 }
 
-const KEYS: Record<string, 'toggle' | 'start' | 'goal' | 'unsure' | 'larger' | 'smaller'> = {
-  ' ': 'toggle',
-  s: 'start',
-  g: 'goal',
-  n: 'unsure',
-  '+': 'larger',
-  '=': 'larger',
-  '-': 'smaller',
+/** Where an arrow leads; the first one to the first cell. Null for any other key. */
+function moveOf({ key, ctrlKey }: KeyboardEvent, cursor: Cell | null, sides: Cell): Cell | null {
+  const arrow = ARROWS[key]
+  if (!arrow) return null
+  const steps = ctrlKey ? STRIDE : 1
+  const along = (i: 0 | 1) => {
+    const to = cursor ? cursor[i] + steps * arrow[i] : 0
+    return Math.min(sides[i] - 1, Math.max(0, to))
+  }
+  return [along(0), along(1)]
 }
 
-const isEnd = (mark: Mark) => mark === 'start' || mark === 'goal'
+/** True when the key corrects a cell. */
+function actByKey({ key }: KeyboardEvent, at: Cell, pencil: Pencil | null): boolean {
+  const letter = key.toLowerCase()
+  if (key === ' ') pencil?.paint([at], toggled(pencil.markAt(at)))
+  else if (letter === 's') pencil?.putEnd(at, 'start')
+  else if (letter === 'g') pencil?.putEnd(at, 'goal')
+  else return false
+  return true
+}
 
-/** The nearest handle, if it is near enough. */
-function handleNear({ lattice }: Draft, [x, y]: Place, near: number): Handle | null {
-  const far = (handle: Handle) => {
-    const [atX, atY] = handlePlace(lattice, handle)
-    return Math.max(Math.abs(atX - x), Math.abs(atY - y))
-  }
-  const [nearest] = [...HANDLES].sort((a, b) => far(a) - far(b))
-  return nearest && far(nearest) <= near ? nearest : null
+/** True when the key changes what is seen. */
+function viewByKey(
+  { key }: KeyboardEvent,
+  zoom: number,
+  zoomTo: FigureHand['zoomTo'],
+  toNextUnsure: () => void,
+): boolean {
+  if (key === '+' || key === '=') zoomTo(zoom + 1)
+  else if (key === '-') zoomTo(zoom - 1)
+  else if (key.toLowerCase() === 'n') toNextUnsure()
+  else return false
+  return true
 }

@@ -19,6 +19,9 @@ export const tintOf = (mark: Mark): string => {
   return `rgb(${r} ${g} ${b} / ${Math.round(alpha / 2.55)}%)`
 }
 
+/** What lies below a tint as a rule. */
+export const paperOf = (mark: Mark) => (mark === 'wall' ? '#000' : '#fff')
+
 /** Letters that tell marks apart without their colour. */
 const LETTERS: Partial<Record<Mark, string>> = { start: 'S', goal: 'G', unsure: '?' }
 export const letterOf = (mark: Mark) => LETTERS[mark] ?? ''

@@ -29,7 +29,7 @@ export function ReadAsField({ as, found, onChange }: ReadAsProps) {
         />
       </Labelled>
       <p class="hint read-as-note" role="status" data-testid="figure-offer">
-        {found && as === 'picture' && t('figure.offer', shown(found))}
+        {found && t(as === 'picture' ? 'figure.offer' : 'figure.found', shown(found))}
       </p>
     </div>
   )

@@ -212,6 +212,7 @@ export const enDialogs = {
     readAs: 'Read the picture as',
     as: { picture: 'Pixels', figure: 'Grid figure' },
     offer: 'A grid of {{columns}} × {{rows}} cells was found: read it as a figure?',
+    found: 'A grid of {{columns}} × {{rows}} cells was found.',
     looking: 'Looking for a grid…',
     none: 'No grid was found. Drag the corners of the one that is shown onto the figure, then give its columns and rows; or read the picture by its pixels.',
     label: 'The figure with its grid and cells',
@@ -222,7 +223,8 @@ export const enDialogs = {
     smaller: 'Smaller',
     larger: 'Larger',
     next: 'Next unsure cell',
-    pointed: 'Cell {{column}}, {{row}}: {{mark}}, {{sure}} sure',
+    pointed: 'Cell {{column}}, {{row}}: {{mark}}',
+    pointedSure: 'Cell {{column}}, {{row}}: {{mark}}, {{sure}} sure',
     marks: {
       free: 'Free',
       wall: 'Wall',

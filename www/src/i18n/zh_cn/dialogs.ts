@@ -200,6 +200,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     readAs: '图片读作',
     as: { picture: '像素', figure: '网格图' },
     offer: '找到 {{columns}} × {{rows}} 格的网格：要按网格图读取吗？',
+    found: '找到 {{columns}} × {{rows}} 格的网格。',
     looking: '正在寻找网格…',
     none: '没有找到网格。请把所示网格的四角拖到图上，再填写列数与行数；也可以按像素读取图片。',
     label: '带有网格与格子的图',
@@ -210,7 +211,8 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     smaller: '缩小',
     larger: '放大',
     next: '下一个存疑的格',
-    pointed: '格 {{column}}, {{row}}：{{mark}}，把握 {{sure}}',
+    pointed: '格 {{column}}, {{row}}：{{mark}}',
+    pointedSure: '格 {{column}}, {{row}}：{{mark}}，把握 {{sure}}',
     marks: {
       free: '空闲',
       wall: '墙',
