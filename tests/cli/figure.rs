@@ -16,7 +16,10 @@ fn figures_are_converted_and_planned_on() {
     let rows: Vec<String> = ROWS.iter().map(|row| row.replace(['S', 'G'], ".")).collect();
     assert_eq!(map.lines().skip(4).collect::<Vec<_>>(), rows);
     let plan = folder.run(&["plan", "figure.ppm", "--figure", "--planner", "astar", "--format", "json"]).ends(0).json();
-    assert_eq!((&plan["path"][0], plan["path"].as_array().unwrap().last()), (&serde_json::json!([0, 0]), Some(&serde_json::json!([7, 7]))));
+    assert_eq!(
+        (&plan["path"][0], plan["path"].as_array().unwrap().last()),
+        (&serde_json::json!([0, 0]), Some(&serde_json::json!([7, 7])))
+    );
     // The window of a figure is one of its cells.
     folder.run(&["convert", "figure.ppm", "part.csv", "--figure", "--crop", "0,0,4,2"]).ends(0);
     assert_eq!(folder.read("part.csv"), "0,0,0,0\n0,0,1,0\n");

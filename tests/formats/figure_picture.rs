@@ -6,8 +6,7 @@ pub const CELL: usize = 12;
 pub const MARGIN: usize = 20;
 
 /// `.` is free, `@` a wall, `S` the start, `G` the goal, `?` half black.
-pub const ROWS: [&str; 8] =
-    ["S...@...", "..@.....", "..@@....", "@.......", "...@@@..", ".@......", ".@..@.@.", "....@..G"];
+pub const ROWS: [&str; 8] = ["S...@...", "..@.....", "..@@....", "@.......", "...@@@..", ".@......", ".@..@.@.", "....@..G"];
 
 /// The rows as a PPM: gray lines between cells, black walls, a green start, a red goal.
 pub fn ppm(rows: &[&str]) -> Vec<u8> {

@@ -57,7 +57,7 @@ pub(in crate::formats) fn import(
         None => {
             let found = find(&picture)?;
             let mut cells = found.cells;
-            cells.notices.insert(0, found_notice(&picture, &found.lattice));
+            cells.notices.insert(0, found_notice(&found.lattice));
             cells
         }
     };
@@ -67,19 +67,12 @@ pub(in crate::formats) fn import(
     Ok(imported)
 }
 
-/// Says which lattice was found, so that it can be given when it is to be corrected.
-fn found_notice(picture: &Picture, lattice: &Lattice) -> Notice {
-    let Lattice { x0, y0, dx, dy, columns, rows, .. } = lattice;
-    let (width, height) = (picture.width, picture.height);
-    let place = format!("from ({x0:.2}, {y0:.2}), cells of {dx:.3} × {dy:.3} pixels");
-    let message = format!("a lattice of {columns} × {rows} cells was found in {width} × {height} pixels: {place}");
-    Notice::new("figure-lattice", message)
-        .with("columns", columns)
-        .with("rows", rows)
-        .with("x", format!("{x0:.2}"))
-        .with("y", format!("{y0:.2}"))
-        .with("width", format!("{dx:.3}"))
-        .with("height", format!("{dy:.3}"))
+/// Says which lattice was found, as the command line takes it: so it can be corrected.
+fn found_notice(lattice: &Lattice) -> Notice {
+    let Lattice { x0, y0, dx, dy, columns, rows, shear_x, shear_y } = lattice;
+    let given = format!("{x0:.2},{y0:.2},{dx:.3},{dy:.3},{columns},{rows},{shear_x:.3},{shear_y:.3}");
+    let message = format!("a lattice of {columns} × {rows} cells was found: --lattice {given} gives the same");
+    Notice::new("figure-lattice", message).with("columns", columns).with("rows", rows).with("lattice", given)
 }
 
 /// What says how pixels become cells says nothing of a figure.

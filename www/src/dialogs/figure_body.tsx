@@ -2,7 +2,7 @@
 import type { Figure } from '@pkg/formicarium'
 import { SkipForward, Undo2, ZoomIn, ZoomOut } from 'lucide'
 import type { RefObject } from 'preact'
-import { useEffect, useRef } from 'preact/hooks'
+import { useEffect, useMemo, useRef } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
@@ -10,7 +10,7 @@ import type { Cell } from '../model/cell'
 import { Button, IconButton } from '../ui/buttons'
 import { Labelled, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
-import { cellAt, classOf, type Draft, MARKS, markOf } from './figure_draft'
+import { cellAt, classOf, countsOf, type Draft, MARKS, markOf } from './figure_draft'
 import { LatticeFields } from './figure_fields'
 import { type FigureHand, useFigureHand } from './figure_hand'
 import { letterOf, paperOf, tintOf } from './figure_paint'
@@ -159,7 +159,7 @@ function pointedWords(
 /** How many cells are what; the legend at the same time. */
 function Facts({ figure: { draft, classes } }: { figure: FigureState }) {
   const { columns, rows } = draft?.lattice ?? { columns: 0, rows: 0 }
-  const counts = MARKS.map((_, at) => classes?.reduce((sum, of) => sum + (of === at ? 1 : 0), 0))
+  const counts = useMemo(() => (classes ? countsOf(classes) : []), [classes])
   return (
     <dl class="raster-facts map-facts" aria-live="polite">
       <div>

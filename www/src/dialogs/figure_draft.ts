@@ -48,6 +48,13 @@ export function ended(
 /** What a press makes of a cell: a wall becomes free, all else a wall. */
 export const toggled = (mark: Mark) => (mark === 'wall' ? 'free' : 'wall')
 
+/** How many cells are what, in the order of `MARKS`. */
+export function countsOf(classes: Uint8Array): number[] {
+  const counts: number[] = MARKS.map(() => 0)
+  for (const of of classes) counts[of] = (counts[of] ?? 0) + 1
+  return counts
+}
+
 /** The next unsure cell in the order of reading, from the first again after the last; −1 if there is none. */
 export function nextUnsure(classes: Uint8Array, after: number): number {
   const unsure = classOf('unsure')

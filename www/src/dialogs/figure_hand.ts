@@ -64,7 +64,8 @@ export function useFigureHand(figure: FigureState): FigureHand {
       pointer.press(at, near)
     },
     move: (at: Place) => {
-      setHovered(draft && cellUnder(draft.lattice, at))
+      const cell = draft && cellUnder(draft.lattice, at)
+      setHovered((before) => (cell && before && isSame(cell, before) ? before : cell))
       pointer.move(at)
     },
     onKey: (event) => {
@@ -79,6 +80,8 @@ export function useFigureHand(figure: FigureState): FigureHand {
     },
   }
 }
+
+const isSame = (a: Cell, b: Cell) => a[0] === b[0] && a[1] === b[1]
 
 /** Where an arrow leads; the first one to the first cell. Null for any other key. */
 function moveOf({ key, ctrlKey }: KeyboardEvent, cursor: Cell | null, sides: Cell): Cell | null {

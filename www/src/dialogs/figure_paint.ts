@@ -41,11 +41,13 @@ export interface Sight {
 }
 
 export interface Drawing {
-  pixels: ImageBitmap | HTMLCanvasElement | null
+  pixels: HTMLCanvasElement | null
   picture: Shown
   lattice: Lattice | null
   /** Null while they are being read. */
   classes: Uint8Array | null
+  /** One pixel a cell: see `tintsOf`. */
+  tints: HTMLCanvasElement | null
   cursor: Cell | null
   hasHandles: boolean
 }
@@ -59,7 +61,7 @@ export function pixelsOf({ rgba, shown_width, shown_height }: Shown): HTMLCanvas
 }
 
 /** One pixel a cell. */
-export function tints(classes: Uint8Array, { columns, rows }: Lattice): HTMLCanvasElement {
+export function tintsOf(classes: Uint8Array, { columns, rows }: Lattice): HTMLCanvasElement {
   const canvas = blank(columns, rows)
   const colours = MARKS.map((mark) => TINTS[mark])
   const data = new ImageData(columns, rows)
@@ -86,7 +88,7 @@ export function paint(canvas: HTMLCanvasElement, sight: Sight, drawing: Drawing)
   const toPicture = () =>
     context.setTransform(dpr * scale, 0, 0, dpr * scale, dpr * offset[0], dpr * offset[1])
   toPicture()
-  const { pixels, picture, lattice, classes, cursor } = drawing
+  const { pixels, picture, lattice, classes, tints, cursor } = drawing
   context.imageSmoothingEnabled = scale * picture.by < 3
   if (pixels)
     context.drawImage(
@@ -100,10 +102,8 @@ export function paint(canvas: HTMLCanvasElement, sight: Sight, drawing: Drawing)
   toPicture()
   const { x0, y0, dx, dy, shear_x, shear_y } = lattice
   context.transform(dx, shear_y, shear_x, dy, x0, y0)
-  if (classes) {
-    context.imageSmoothingEnabled = false
-    context.drawImage(tints(classes, lattice), 0, 0)
-  }
+  context.imageSmoothingEnabled = false
+  if (tints) context.drawImage(tints, 0, 0)
   const onScreen = (u: number, v: number): Place => {
     const [x, y] = placeAt(lattice, u, v)
     return [x * scale + offset[0], y * scale + offset[1]]

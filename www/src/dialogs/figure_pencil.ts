@@ -7,7 +7,7 @@ export interface Pencil {
   markAt: (cell: Cell) => Mark
   /** Free or walls. Ends that are `passed` over stay. Strokes of the same gesture are undone together. */
   paint: (cells: Cell[], mark: 'free' | 'wall', gesture?: number, passed?: boolean) => void
-  putEnd: (cell: Cell, end: 'start' | 'goal') => void
+  putEnd: (cell: Cell, end: 'start' | 'goal', gesture?: number) => void
 }
 
 export function pencilFor({ draft, classes, change }: FigureState): Pencil | null {
@@ -22,8 +22,8 @@ export function pencilFor({ draft, classes, change }: FigureState): Pencil | nul
       if (meant.some((cell) => markAt(cell) !== mark))
         change(painted(draft, meant.map(indexOf), mark), gesture)
     },
-    putEnd: (cell, end) => {
-      if (markAt(cell) !== end) change(ended(draft, classes, indexOf(cell), end))
+    putEnd: (cell, end, gesture) => {
+      if (markAt(cell) !== end) change(ended(draft, classes, indexOf(cell), end), gesture)
     },
   }
 }

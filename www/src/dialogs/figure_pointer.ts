@@ -27,6 +27,7 @@ export interface FigurePointer {
 
 type Gesture =
   | { does: 'drag'; handle: Handle | null; from: Place; before: Draft; id: number }
+  | { does: 'end'; id: number }
   | { does: 'paint'; mark: 'free' | 'wall'; last: Cell; id: number }
 
 let gestures = 0
@@ -52,13 +53,20 @@ export function useFigurePointer(
         const handle = handleNear(draft, at, near)
         if (handle || cell) gesture.current = { does: 'drag', handle, from: at, before: draft, id }
       } else if (cell && tool === 'walls') paintFrom(cell, id)
-      else if (cell && tool !== 'walls') pencil?.putEnd(cell, tool)
+      else if (cell && tool !== 'walls') {
+        gesture.current = { does: 'end', id }
+        pencil?.putEnd(cell, tool, id)
+      }
     },
     move: (at) => {
       const now = gesture.current
       const cell = draft && cellUnder(draft.lattice, at)
       if (now?.does === 'drag') drag(now, at, change)
-      else if (now && cell && (cell[0] !== now.last[0] || cell[1] !== now.last[1])) {
+      else if (
+        now?.does === 'paint' &&
+        cell &&
+        (cell[0] !== now.last[0] || cell[1] !== now.last[1])
+      ) {
         pencil?.paint(cellsBetween(now.last, cell), now.mark, now.id, true)
         gesture.current = { ...now, last: cell }
       }

@@ -1,6 +1,6 @@
 /** A picture read as the figure of a grid: what was found, what was corrected, and the way back. */
 import type { Figure, Imported, Lattice, Shown } from '@pkg/formicarium'
-import { useEffect, useRef, useState } from 'preact/hooks'
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks'
 import { FigureReader } from '../engine/figures'
 import type { MapFile } from '../state'
 import { corrected, type Draft, withLattice } from './figure_draft'
@@ -70,7 +70,7 @@ export function useFigure(file: MapFile, asked: boolean, idle: boolean): FigureS
   const ask = asked && lattice ? () => (reader.current as FigureReader).read(lattice) : null
   const { answer, settled, error } = useLatest(ask ? JSON.stringify(lattice) : '', ask)
   const read = settled && ask && error === null ? answer : null
-  const classes = read && now ? corrected(read.classes, now) : null
+  const classes = useMemo(() => read && now && corrected(read.classes, now), [read, now])
   return {
     shown,
     draft: now,

@@ -5,7 +5,7 @@ import { t } from '../i18n/dialogs'
 import type { Cell } from '../model/cell'
 import type { FigureHand } from './figure_hand'
 import { type Place, placeAt } from './figure_lattice'
-import { paint, pixelsOf, type Sight } from './figure_paint'
+import { paint, pixelsOf, type Sight, tintsOf } from './figure_paint'
 import { useSight, ZOOMS } from './figure_sight'
 import type { FigureState } from './figure_state'
 
@@ -22,18 +22,20 @@ export function FigureView({ figure, hand, pane }: ViewProps) {
   const { sight, whole } = useSight(scroller, shown, hand.zoom)
   const pixels = useMemo(() => shown && pixelsOf(shown), [shown])
   const lattice = draft?.lattice ?? null
-  const hasHandles = hand.tool === 'lattice'
+  const tints = useMemo(() => classes && lattice && tintsOf(classes, lattice), [classes, lattice])
+  const { tool, cursor } = hand
+  const { width, height, scale, offset } = sight
   useEffect(() => {
     if (!canvas.current || !shown) return
-    const { cursor } = hand
-    paint(canvas.current, sight, { pixels, picture: shown, lattice, classes, cursor, hasHandles })
-  })
+    const hasHandles = tool === 'lattice'
+    const over = { lattice, classes, tints, cursor, hasHandles }
+    paint(canvas.current, sight, { pixels, picture: shown, ...over })
+  }, [shown, lattice, classes, cursor, tool, width, height, scale, ...offset])
   useEffect(() => {
     if (scroller.current && lattice && hand.cursor) reveal(scroller.current, sight, lattice, hand)
   }, [hand.cursor, hand.zoom])
   const placeOf = (event: PointerEvent): Place => {
     const box = (event.currentTarget as HTMLElement).getBoundingClientRect()
-    const { scale, offset } = sight
     return [
       (event.clientX - box.left - offset[0]) / scale,
       (event.clientY - box.top - offset[1]) / scale,

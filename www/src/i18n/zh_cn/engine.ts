@@ -383,7 +383,7 @@ export const zhCNEngine = {
     'results-coco': 'COCO 的数据文件：与最优值之差按长度读取。',
     'figure-cells': '{{cells}} 格中有 {{walls}} 格为墙，{{unsure}} 格需要核对。',
     'figure-lattice':
-      '在图片中找到 {{columns}} × {{rows}} 格的网格：左上角为 ({{x}}, {{y}})，每格 {{width}} × {{height}} 像素。',
+      '找到 {{columns}} × {{rows}} 格的网格；在命令行中写作 --lattice {{lattice}}。',
     'figure-unsure-blocked': '{{unsure}} 个存疑的格视为墙。',
     'figure-no-ends': '没有找到以独特颜色标出的起点与终点。',
     'figure-ends-guessed': '哪个标记是起点、哪个是终点只是推测：都不是绿色或红色。',
