@@ -3,7 +3,7 @@ import { expect, type Page, test } from '@playwright/test'
 import type { Cell } from '../../www/src/model/cell'
 import { expectClean } from './axe'
 import { DRAWN, figurePicture, MARGIN, SIDE } from './figure_picture'
-import { RacePage } from './race_page'
+import { Fingers, RacePage } from './race_page'
 
 /** Free and blocked, with the half printed wall as one. */
 const KNOWN = DRAWN.flatMap((row) => [...row].map((letter) => Number('#/'.includes(letter))))
@@ -188,3 +188,25 @@ for (const scheme of ['light', 'dark'] as const)
     await asFigure(page)
     await expectClean(page, 'figure')
   })
+
+test('a tap corrects a cell, and of what is enlarged a finger scrolls @phone', async ({ page }) => {
+  await new RacePage(page).drop('paper.png', await figurePicture(page))
+  await asFigure(page)
+  const walls = KNOWN.filter((cell) => cell === 1).length
+  const fingers = await Fingers.on(page)
+  await fingers.down(await pointAt(page, middleOf([2, 0])))
+  await fingers.up()
+  await expect(count(page, 'wall')).toHaveText(String(walls))
+  for (let i = 0; i < 4; i++) await page.getByTestId('figure-larger').click()
+  const box = await page.getByTestId('figure-pane').boundingBox()
+  if (!box) throw new Error('no figure is on screen')
+  const from = { x: box.x + 200, y: box.y + 250 }
+  await fingers.down(from)
+  for (let y = 20; y <= 160; y += 20) await fingers.move({ x: from.x, y: from.y - y })
+  await fingers.up()
+  const scrolled = () =>
+    page.getByTestId('figure-scroller').evaluate((scroller) => scroller.scrollTop)
+  await expect.poll(scrolled).toBeGreaterThan(50)
+  await expect(count(page, 'wall')).toHaveText(String(walls))
+  await expect(page.getByTestId('figure-undo')).toBeEnabled()
+})
