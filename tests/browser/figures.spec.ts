@@ -106,7 +106,7 @@ test('where no grid is found, one is set by hand', async ({ page }) => {
   const rows = ['S....', '.....', '..#..', '.....', '....G']
   await race.drop('bare.png', await figurePicture(page, rows, false))
   await page.getByTestId('map-as-figure').click()
-  await expect(page.getByTestId('figure-notices')).toContainText('No grid was found')
+  await expect(page.getByTestId('figure-offer')).toContainText('No grid was found')
   await expect(page.getByTestId('figure-size')).toHaveText('20 × 20')
   await expect(page.getByTestId('figure-tool-lattice')).toHaveAttribute('aria-pressed', 'true')
 

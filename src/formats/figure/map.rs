@@ -3,7 +3,7 @@
 use super::cells::blocked;
 use super::{Lattice, class, find, read};
 use crate::error::{FormatError, Notice};
-use crate::formats::picture::{self, Picture, PictureOptions};
+use crate::formats::picture::{self, PictureOptions};
 use crate::formats::{FigureOptions, Imported, Kind, complete};
 use crate::map::{Grid, Point};
 

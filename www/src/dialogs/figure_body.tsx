@@ -10,7 +10,7 @@ import type { Cell } from '../model/cell'
 import { Button, IconButton } from '../ui/buttons'
 import { Labelled, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
-import { cellAt, classOf, countsOf, type Draft, MARKS, markOf } from './figure_draft'
+import { cellAt, classOf, countsOf, type Draft, MARKS, type Mark, markOf } from './figure_draft'
 import { LatticeFields } from './figure_fields'
 import { type FigureHand, useFigureHand } from './figure_hand'
 import { letterOf, paperOf, tintOf } from './figure_paint'
@@ -37,8 +37,8 @@ export function FigureBody({ figure }: { figure: FigureState }) {
           <Notices figure={figure} />
         </div>
       </div>
-      {figure.error !== null && <FormError error={figure.error} />}
       {figure.draft && <LatticeFields draft={figure.draft} onChange={figure.change} />}
+      {figure.error !== null && <FormError error={figure.error} />}
       <p class="hint" id="figure-keys">
         {t('figure.keys')}
       </p>
@@ -186,25 +186,20 @@ function Facts({ figure: { draft, classes } }: { figure: FigureState }) {
 }
 
 /** What was assumed, but for what the counts tell better. */
-function Notices({ figure: { draft, found, read, classes } }: { figure: FigureState }) {
+function Notices({ figure: { draft, read, classes } }: { figure: FigureState }) {
   if (!draft) return null
-  const missing = (['start', 'goal'] as const).filter(
-    (end) => classes && !classes.includes(classOf(end)),
-  )
+  const lacks = (end: Mark) => classes !== null && !classes.includes(classOf(end))
   const unsure = classes?.includes(classOf('unsure'))
   const guessed = read?.warnings.filter(
     ({ kind }) => kind === 'figure-ends-guessed' && draft.edits.size === 0,
   )
   return (
     <ul class="map-notices" data-testid="figure-notices">
-      {!found && <li>{t('figure.none')}</li>}
       {guessed?.map((notice) => (
         <li key={notice.kind}>{describeNotice(notice)}</li>
       ))}
       {unsure && <li>{t('figure.unsure')}</li>}
-      {missing.map((end) => (
-        <li key={end}>{t(`figure.missing.${end}`)}</li>
-      ))}
+      {(lacks('start') || lacks('goal')) && <li>{t('figure.missing')}</li>}
     </ul>
   )
 }

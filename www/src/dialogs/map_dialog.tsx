@@ -100,7 +100,7 @@ function Reading({ file }: { file: MapFile }) {
       {isPicture(file) && (
         <ReadAsField
           as={as}
-          found={figure.found}
+          figure={figure}
           onChange={(chosen) => {
             setRefused(null)
             setAs(chosen)

@@ -1,19 +1,18 @@
 /** A picture is read by its pixels, or by the cells of the grid that it shows. */
-import type { Lattice } from '@pkg/formicarium'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { Labelled, Segmented } from '../ui/fields'
+import type { FigureState } from './figure_state'
 
 export type ReadAs = 'picture' | 'figure'
 
 interface ReadAsProps {
   as: ReadAs
-  /** A lattice that was found, if any. */
-  found: Lattice | null
+  figure: FigureState
   onChange: (as: ReadAs) => void
 }
 
-export function ReadAsField({ as, found, onChange }: ReadAsProps) {
+export function ReadAsField({ as, figure, onChange }: ReadAsProps) {
   return (
     <div class="read-as">
       <Labelled label={t('figure.readAs')}>
@@ -29,13 +28,20 @@ export function ReadAsField({ as, found, onChange }: ReadAsProps) {
         />
       </Labelled>
       <p class="hint read-as-note" role="status" data-testid="figure-offer">
-        {found && t(as === 'picture' ? 'figure.offer' : 'figure.found', shown(found))}
+        {noteOn(as, figure)}
       </p>
     </div>
   )
 }
 
-const shown = ({ columns, rows }: Lattice) => ({
-  columns: numbers.value.whole.format(columns),
-  rows: numbers.value.whole.format(rows),
-})
+/** What came of looking for a lattice. */
+function noteOn(as: ReadAs, { found, draft }: FigureState): string {
+  if (found) {
+    const { columns, rows } = found
+    const sides = { columns: whole(columns), rows: whole(rows) }
+    return t(as === 'picture' ? 'figure.offer' : 'figure.found', sides)
+  }
+  return as === 'figure' && draft ? t('figure.none') : ''
+}
+
+const whole = (count: number) => numbers.value.whole.format(count)

@@ -214,7 +214,7 @@ export const enDialogs = {
     offer: 'A grid of {{columns}} × {{rows}} cells was found: read it as a figure?',
     found: 'A grid of {{columns}} × {{rows}} cells was found.',
     looking: 'Looking for a grid…',
-    none: 'No grid was found. Drag the corners of the one that is shown onto the figure, then give its columns and rows; or read the picture by its pixels.',
+    none: 'No grid was found: drag the corners of this one onto the figure, then give its columns and rows.',
     label: 'The figure with its grid and cells',
     keys: 'With the figure focused: arrow keys go from cell to cell, Space makes one a wall or free, S and G put start and goal there, N goes to the next unsure cell, Ctrl+Z takes the last change back.',
     tool: 'Press or drag to set',
@@ -234,10 +234,7 @@ export const enDialogs = {
       unsure: 'Unsure',
     },
     unsure: 'Cells that stay unsure become walls.',
-    missing: {
-      start: 'No start was found: put it where it belongs, or one is chosen.',
-      goal: 'No goal was found: put it where it belongs, or one is chosen.',
-    },
+    missing: 'An end that is not put anywhere is chosen.',
     lattice: 'Grid, in pixels of the picture',
     latticeHint:
       'Another number of columns or rows divides the same frame anew. A grid that moves is read anew, without what was corrected.',

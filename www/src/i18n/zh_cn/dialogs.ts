@@ -202,7 +202,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     offer: '找到 {{columns}} × {{rows}} 格的网格：要按网格图读取吗？',
     found: '找到 {{columns}} × {{rows}} 格的网格。',
     looking: '正在寻找网格…',
-    none: '没有找到网格。请把所示网格的四角拖到图上，再填写列数与行数；也可以按像素读取图片。',
+    none: '没有找到网格：请把此网格的四角拖到图上，再填写列数与行数。',
     label: '带有网格与格子的图',
     keys: '焦点在图上时：方向键逐格移动，空格键在墙与空闲之间切换，S 与 G 设置起点与终点，N 跳到下一个存疑的格，Ctrl+Z 撤销上一步。',
     tool: '点按或拖动以设置',
@@ -222,10 +222,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       unsure: '存疑',
     },
     unsure: '仍然存疑的格将视为墙。',
-    missing: {
-      start: '没有找到起点：请自行设置，否则将自动选择。',
-      goal: '没有找到终点：请自行设置，否则将自动选择。',
-    },
+    missing: '未设置的起点或终点将自动选择。',
     lattice: '网格（以图片像素计）',
     latticeHint: '改变列数或行数时，同一外框重新划分。网格变动后会重新读取，手工修正不再保留。',
     fields: {
