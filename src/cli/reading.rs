@@ -38,7 +38,7 @@ pub struct ReadingArgs {
     #[arg(long, value_enum, value_name = "blocked|free", hide_possible_values = true)]
     unknown: Option<UnknownAs>,
     /// Pictures: the figure of a grid, whose cells are read, not its pixels; start and goal by its markers
-    #[arg(long, conflicts_with_all = ["threshold", "light_is_blocked", "cells", "metres_per_pixel"])]
+    #[arg(long, conflicts_with_all = ["matrix", "threshold", "light_is_blocked", "cells", "metres_per_pixel", "unknown"])]
     figure: bool,
     /// Figures: the upper left corner and the size of a cell in pixels, columns and rows, and how far a row lies to the right of the one
     /// above and a column below the one to its left, if they do [default: what is found]

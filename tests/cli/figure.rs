@@ -32,7 +32,9 @@ fn figures_are_converted_and_planned_on() {
 fn what_does_not_go_with_a_figure_is_refused_by_name() {
     let folder = with_figure("no-figure");
     let convert = |more: &[&str]| folder.run(&[&["convert", "figure.ppm", "out.map"], more].concat()).ends(2);
-    for (option, value) in [("--threshold", "128"), ("--cells", "8"), ("--metres-per-pixel", "1")] {
+    for (option, value) in
+        [("--threshold", "128"), ("--cells", "8"), ("--metres-per-pixel", "1"), ("--unknown", "free"), ("--matrix", "1")]
+    {
         convert(&["--figure", option, value]).says(&["--figure", option, "cannot be used with"]);
     }
     convert(&["--lattice", "0,0,9,9,8,8"]).says(&["--figure"]);

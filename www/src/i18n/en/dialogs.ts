@@ -234,7 +234,7 @@ export const enDialogs = {
       unsure: 'Unsure',
     },
     unsure: 'Cells that stay unsure become walls.',
-    missing: 'An end that is not put anywhere is chosen.',
+    missing: 'A start or goal that is missing is chosen for you.',
     lattice: 'Grid, in pixels of the picture',
     latticeHint:
       'Another number of columns or rows divides the same frame anew. A grid that moves is read anew, without what was corrected.',
