@@ -26,6 +26,7 @@ Examples:
   formicarium convert grid.csv grid.json --invert
   formicarium convert arena2.map - --as matrix | head
   formicarium convert plan.png plan.map --threshold 128 --cells 120
+  formicarium convert figure.png figure.json --figure
   formicarium convert lab.yaml lab.json --unknown free
   formicarium convert N40W106.hgt valley.json --square
   formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100")]
@@ -161,11 +162,14 @@ fn write_ros(yaml: &Path, map: &Imported) -> Result<(), CliError> {
     output::write(Some(yaml), files.yaml.as_bytes())
 }
 
-/// The map, or the piece of it that is asked for: of a picture a window of its pixels.
+/// The map, or the piece of it that is asked for: of a picture a window of its pixels, of a figure one of its cells.
 fn read(args: &Args) -> Result<Imported, CliError> {
     let mut options = TerrainOptions { crop: args.crop, size: args.size };
     if options == TerrainOptions::default() && !args.square {
         return args.reading.import(&args.input);
+    }
+    if args.reading.is_figure() {
+        return Ok(args.reading.import(&args.input)?.piece(options)?);
     }
     let kind = input::in_file(&args.input, MAX_BYTES, |bytes, name| Ok(formats::sniff(bytes, name)))?;
     if kind == Kind::Picture && args.size.is_none() {

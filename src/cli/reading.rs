@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use formicarium::formats::figure::Lattice;
 use formicarium::formats::picture::PictureOptions;
 use formicarium::formats::ros::{self, Unknown};
-use formicarium::formats::{self, Companion, Imported, Kind, MAX_BYTES, ReadOptions};
+use formicarium::formats::{self, Companion, FigureOptions, Imported, Kind, MAX_BYTES, ReadOptions};
 use formicarium::map::Window;
 
 use super::error::CliError;
@@ -36,6 +37,13 @@ pub struct ReadingArgs {
     /// ROS maps: cells that nobody has seen are blocked or free [default: blocked]
     #[arg(long, value_enum, value_name = "blocked|free", hide_possible_values = true)]
     unknown: Option<UnknownAs>,
+    /// Pictures: the figure of a grid, whose cells are read, not its pixels; start and goal by its markers
+    #[arg(long, conflicts_with_all = ["matrix", "threshold", "light_is_blocked", "cells", "metres_per_pixel", "unknown"])]
+    figure: bool,
+    /// Figures: the upper left corner and the size of a cell in pixels, columns and rows, and how far a row lies to the right of the one
+    /// above and a column below the one to its left, if they do [default: what is found]
+    #[arg(long, value_name = "X,Y,DX,DY,COLUMNS,ROWS[,SX,SY]", value_parser = lattice, allow_hyphen_values = true, requires = "figure")]
+    lattice: Option<Lattice>,
 }
 
 /// A threshold that was asked for.
@@ -58,7 +66,33 @@ fn threshold(text: &str) -> Result<Threshold, String> {
     }
 }
 
+fn lattice(text: &str) -> Result<Lattice, String> {
+    let wrong = || format!("`{text}` is no lattice: write X,Y,DX,DY,COLUMNS,ROWS such as 40,12,15.5,15.5,20,20");
+    let numbers: Vec<&str> = text.split(',').map(str::trim).collect();
+    let [x0, y0, dx, dy, columns, rows, ref lean @ ..] = numbers[..] else { return Err(wrong()) };
+    let [shear_x, shear_y] = match lean {
+        [] => ["0", "0"],
+        [x, y] => [*x, *y],
+        _ => return Err(wrong()),
+    };
+    let real = |number: &str| number.parse().map_err(|_| wrong());
+    let whole = |number: &str| number.parse().map_err(|_| wrong());
+    let (x0, y0, dx, dy) = (real(x0)?, real(y0)?, real(dx)?, real(dy)?);
+    let (shear_x, shear_y) = (real(shear_x)?, real(shear_y)?);
+    let lattice = Lattice { x0, y0, dx, dy, shear_x, shear_y, columns: whole(columns)?, rows: whole(rows)? };
+    lattice.check().map_err(|error| {
+        let report = error.report();
+        format!("{}; {}", report.message, report.hint)
+    })?;
+    Ok(lattice)
+}
+
 impl ReadingArgs {
+    /// Whether the cells of a figure are meant.
+    pub fn is_figure(&self) -> bool {
+        self.figure
+    }
+
     /// The same as the engine has it; of a picture only the window.
     fn options(&self, crop: Option<Window>) -> ReadOptions {
         let usual = PictureOptions::default();
@@ -75,7 +109,8 @@ impl ReadingArgs {
             metres_per_cell: self.metres_per_cell,
         };
         let unknown = if self.unknown == Some(UnknownAs::Free) { Unknown::Free } else { Unknown::Blocked };
-        ReadOptions { matrix: self.matrix, picture, unknown, cells: self.cells }
+        let figure = self.figure.then_some(FigureOptions { lattice: self.lattice });
+        ReadOptions { matrix: self.matrix, picture, unknown, cells: self.cells, figure }
     }
 
     /// Reads a map; the picture of a ROS map is looked for beside its description.

@@ -39,7 +39,7 @@ pub use archive::{NamedFile, unpack};
 pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
-pub use options::ReadOptions;
+pub use options::{FigureOptions, ReadOptions};
 pub use path_list::{path_kind, read_path, read_places, read_world_path};
 use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};
@@ -116,6 +116,7 @@ pub fn import_with(bytes: &[u8], name: &str, options: &ReadOptions, beside: Opti
 
 /// Reads a file of this kind as a map.
 fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Option<Companion<'_>>) -> Result<Imported, Error> {
+    options.check(kind)?;
     if kind.is_raster() {
         return import_terrain(bytes, name, TerrainOptions::default());
     }
@@ -134,7 +135,10 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
             let file = drawing::read(&decoded()?)?;
             complete(kind, name, file.grid, file.start, file.goal, file.notices)?
         }
-        Kind::Picture => picture(bytes, name, &options.picture)?,
+        Kind::Picture => match &options.figure {
+            Some(figure) => figure::import(bytes, name, figure, &options.picture)?,
+            None => picture(bytes, name, &options.picture)?,
+        },
         Kind::RosMap => match beside {
             Some(image) => ros::read_map(bytes, image.bytes, name, unknown, cells)?,
             None => return Err(FormatError::Needs { found: kind.name(), other: ros::image_of(bytes)? }.into()),

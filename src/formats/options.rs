@@ -2,11 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Kind;
+use super::figure::Lattice;
 use super::picture::PictureOptions;
 use super::ros::Unknown;
+use crate::error::FormatError;
 
 /// How to read a file that leaves a choice. Fields that are left out are as in [`ReadOptions::default`]; those that do not concern the file's
-/// format count for nothing.
+/// format count for nothing, but for `figure`.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -23,4 +26,29 @@ pub struct ReadOptions {
     /// Most cells a side of a ROS map: every n × n cells become one, as blocked as the worst of them.
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub cells: Option<u32>,
+    /// The picture is the figure of a grid: its cells are read, not its pixels. Any other file is refused then, and of `picture` only
+    /// `metres_per_cell` may be given.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub figure: Option<FigureOptions>,
+}
+
+/// How the figure of a grid is read.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FigureOptions {
+    /// Where its cells lie; none: it is looked for.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub lattice: Option<Lattice>,
+}
+
+impl ReadOptions {
+    /// Refuses to read as a figure what is none; in an archive it may be one.
+    pub(super) fn check(&self, kind: Kind) -> Result<(), FormatError> {
+        if self.figure.is_none() || matches!(kind, Kind::Picture | Kind::Archive) {
+            return Ok(());
+        }
+        let what = format!("the file is no picture but this: {}", kind.name());
+        Err(FormatError::field("figure", what, "a picture of a grid, or another file without `figure`"))
+    }
 }

@@ -209,7 +209,7 @@ pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer
     Ok(object(&RosFiles { yaml, pgm }))
 }
 
-fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
+pub(super) fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
     object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), warnings: notices })
 }
 

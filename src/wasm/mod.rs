@@ -7,6 +7,8 @@ mod arguments;
 #[cfg(feature = "whole")]
 mod comparison;
 #[cfg(feature = "whole")]
+mod figure;
+#[cfg(feature = "whole")]
 mod ground;
 #[cfg(feature = "whole")]
 mod maps;
@@ -31,6 +33,8 @@ use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
 pub use comparison::{Comparison, ablation, formats};
+#[cfg(feature = "whole")]
+pub use figure::{figure_map, find_figure, read_figure, show_picture};
 #[cfg(feature = "whole")]
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]

@@ -1,6 +1,8 @@
 //! The real binary: every subcommand, its output, its errors and its exit codes.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "../formats/figure_picture.rs"]
+mod figure_picture;
 #[path = "../formats/schema.rs"]
 mod schema;
 
@@ -9,6 +11,7 @@ mod again;
 mod check;
 mod compare;
 mod devices;
+mod figure;
 mod files;
 mod folder;
 mod full_disk;

@@ -2,6 +2,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod comparison;
+mod figure;
+mod figure_picture;
 mod geotiff;
 mod matrix;
 mod movingai;

@@ -81,7 +81,8 @@ fn ros_picture(file: &File) -> Result<(), Fault> {
 
 fn figure(file: &File) -> Result<(), Fault> {
     let Some(picture) = typed(formats::picture::decode(&file.bytes).map_err(Error::from))? else { return Ok(()) };
-    typed(formats::figure::find(&picture).map_err(Error::from)).map(drop)
+    let Some(found) = typed(formats::figure::find(&picture).map_err(Error::from))? else { return Ok(()) };
+    typed(formats::figure::to_map(&found.cells.classes, found.cells.columns, &file.name).map_err(Error::from)).map(drop)
 }
 
 /// What a raster honestly claims; a packed one that cannot be read to its end, and pictures and archives, what their length allows.

@@ -53,7 +53,7 @@ pub struct FigureCells {
 impl FigureCells {
     /// 1 for walls and for cells that are unsure (the safe side), 0 for all others.
     pub fn blocked(&self) -> Vec<u8> {
-        self.classes.iter().map(|&class| u8::from(matches!(class, class::WALL | class::UNSURE))).collect()
+        blocked(&self.classes)
     }
 
     /// Column and row of the first cell of a class.
@@ -61,6 +61,10 @@ impl FigureCells {
         let cell = self.classes.iter().position(|&found| found == class)? as u32;
         Some((cell % self.columns, cell / self.columns))
     }
+}
+
+pub(super) fn blocked(classes: &[u8]) -> Vec<u8> {
+    classes.iter().map(|&class| u8::from(matches!(class, class::WALL | class::UNSURE))).collect()
 }
 
 /// Reads the cells of a lattice, found or set by hand. Each is judged by the inner part of it, so that lines between cells do not matter.

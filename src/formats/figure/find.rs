@@ -40,7 +40,7 @@ pub(super) fn lattice(plane: &Plane) -> Result<Lattice, FormatError> {
 }
 
 fn none() -> FormatError {
-    let expected = "cells of one size, at least 4 × 4 of 5 pixels; open it as a picture with a threshold instead";
+    let expected = "cells of one size, at least 4 × 4 of 5 pixels; give its lattice (--lattice on the command line), or read it as a picture by its --threshold";
     FormatError::field("figure", "no lattice of cells is found in the picture", expected)
 }
 

@@ -1,7 +1,7 @@
 //! Figures of papers as maps: from a picture of a grid to its lattice and its cells.
 //!
-//! [`find`] looks for the lattice and reads its cells; [`read`] reads them anew after somebody has set the lattice right. docs/formats.md
-//! has the rules, and how well they do.
+//! [`find`] looks for the lattice and reads its cells; [`read`] reads them anew after somebody has set the lattice right; [`to_map`] makes a
+//! map of them. docs/formats.md has the rules, and how well they do.
 
 mod cells;
 mod colours;
@@ -10,11 +10,14 @@ mod find;
 mod fit;
 mod lattice;
 mod look;
+mod map;
 mod period;
 mod plane;
 
 pub use cells::{FigureCells, class, read};
 pub use lattice::Lattice;
+pub(super) use map::import;
+pub use map::to_map;
 
 use super::picture::Picture;
 use crate::error::FormatError;

@@ -105,7 +105,8 @@ fn size(pixels: (u32, u32), options: &PictureOptions) -> Result<(u32, u32), Form
     Ok(at_most(pixels, sides))
 }
 
-fn metres(field: &'static str, value: Option<f64>) -> Result<Option<f64>, FormatError> {
+/// Metres that an option gives, if it does.
+pub(in crate::formats) fn metres(field: &'static str, value: Option<f64>) -> Result<Option<f64>, FormatError> {
     match value {
         Some(value) if !(value.is_finite() && value > 0.0) => {
             Err(FormatError::field(field, format!("{value} m"), "a length above 0"))

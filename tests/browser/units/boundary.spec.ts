@@ -21,6 +21,9 @@ async function instance(build: string, turn: string): Promise<Engine> {
 
 const text = (words: string) => new TextEncoder().encode(words)
 const terrain = 'ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n2 3 4\n3 4 9\n'
+/** A picture of one pixel. */
+const pixel = text('P3\n1 1\n255\n9 9 9\n')
+const lattice = { x0: 0, y0: 0, dx: 3, dy: 3, shear_x: 0, shear_y: 0, columns: 2, rows: 2 }
 const table = 'instance,entry,seed,length\na,mine,1,5\n'
 
 /** Valid arguments of everything that takes any, as `Class.method` or `function`; what is left out takes none. */
@@ -50,6 +53,8 @@ function valid(): Record<string, unknown[]> {
     export_geotiff: [on, cells, heights],
     export_ros: [on, cells, 'x.pgm'],
     export_map: [on, cells, heights, 'scenario'],
+    figure_map: [new Uint8Array(6), 3, 'x'],
+    find_figure: [gridOf(6)],
     fitting_slices: [on, cells, heights, 1],
     generate: ['random', 9, 9, 1, 0.2],
     import_map: [text('0 0\n0 0\n'), 'x', {}, null],
@@ -60,12 +65,24 @@ function valid(): Record<string, unknown[]> {
     match_results: [DOCUMENT, text(table), 'x.csv'],
     paint_map: [{}, on, cells, heights, 'dark', false],
     recognise: [text('0 0'), 'x'],
+    read_figure: [pixel, lattice],
     reference: [on, cells, heights, 'length'],
     results_template: [DOCUMENT],
     ros_image: [text('image: x.pgm\nresolution: 1\norigin: [0, 0, 0]\n')],
+    show_picture: [pixel, 9],
     survey_terrain: [text(terrain), 'x.asc'],
     unpack: [gzipSync('0 0'), 'x.gz'],
   }
+}
+
+/** A picture of a grid of so many cells a side, every other one a wall. */
+function gridOf(side: number): Uint8Array {
+  const pixels = Array.from({ length: (10 * side) ** 2 }, (_, at) => {
+    const [x, y] = [at % (10 * side), Math.floor(at / (10 * side))]
+    if (x % 10 === 0 || y % 10 === 0) return 90
+    return (Math.floor(x / 10) + Math.floor(y / 10)) % 2 ? 0 : 255
+  })
+  return text(`P2\n${10 * side} ${10 * side}\n255\n${pixels.join(' ')}\n`)
 }
 
 let DOCUMENT = ''

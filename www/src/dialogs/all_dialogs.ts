@@ -1,6 +1,7 @@
 /** Every dialog, in one part of the page that is fetched when the first of them is opened. */
 import type { JSX } from 'preact'
 import '../styles/raster.css'
+import '../styles/figure.css'
 import type { DialogName } from '../state/dialogs'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'

@@ -12,6 +12,8 @@ import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { useFilePicker } from '../ui/file_picker'
 import { FormError } from '../ui/form_error'
+import { FigureBody } from './figure_body'
+import { type FigureState, useFigure } from './figure_state'
 import { kindName, whyWords } from './kind_words'
 import {
   choicesFit,
@@ -26,6 +28,7 @@ import {
 import { MatrixField, PictureFields, RobotFields } from './map_fields'
 import { MapPreview } from './map_preview'
 import { useReading } from './map_reading'
+import { type ReadAs, ReadAsField } from './read_as_field'
 
 export function MapDialog({ file }: { file: MapFile }) {
   return file.needs === null ? <Reading file={file} /> : <MissingPicture file={file} />
@@ -47,7 +50,10 @@ function Reading({ file }: { file: MapFile }) {
   const fits = choicesFit(choices, whole)
   const fit = fits.crop && fits.cells && fits.metres
   const options = optionsOf(file, choices)
-  const { map, settled, error } = useReading(file, fit ? options : null)
+  const { answer: map, settled, error } = useReading(file, fit ? options : null)
+  const [as, setAs] = useState<ReadAs>('picture')
+  const asFigure = as === 'figure'
+  const figure = useFigure(file, asFigure, whole !== null && isPicture(file) && isSoonLooked(whole))
 
   // The first reading tells how large it is; more cells than can be watched are not proposed.
   useEffect(() => {
@@ -58,16 +64,18 @@ function Reading({ file }: { file: MapFile }) {
   }, [map])
 
   const open = async () => {
-    if (!fit || opening || (settled && error !== null)) return
+    if (opening || !(asFigure ? figure.classes : fit && !(settled && error !== null))) return
     setOpening(true)
     try {
-      await openMap(file, options, settled && map ? map : await readMap(file, options))
+      const read = asFigure ? figure.take() : settled && map ? map : readMap(file, options)
+      await openMap(file, options, await read)
     } catch (thrown) {
       setRefused(thrown)
       setOpening(false)
     }
   }
   const wrong = refused ?? error
+  const size = asFigure ? figureSize(figure) : map?.spec
   return (
     <Dialog
       title={t('raster.title', { name: file.name })}
@@ -79,41 +87,57 @@ function Reading({ file }: { file: MapFile }) {
         <>
           <Button label={t('mapFile.cancel')} testId="map-cancel" onClick={close} />
           <Button
-            label={map ? t('raster.open', shownSize(map.spec)) : t('maps.importText')}
+            label={size ? t('raster.open', shownSize(size)) : t('maps.importText')}
             tone="primary"
             testId="map-open"
-            disabled={!fit || map === null || error !== null}
+            disabled={asFigure ? figure.classes === null : !fit || map === null || error !== null}
             busy={opening}
             onClick={open}
           />
         </>
       }
     >
-      <div class="raster">
-        <MapPreview map={map} busy={!settled && fit} />
-        <Facts file={file} map={map} />
-      </div>
-      {wrong !== null && <FormError error={wrong} />}
-      {file.matrices.length > 1 && (
-        <MatrixField
-          matrices={file.matrices}
-          chosen={choices.matrix}
-          onChange={(matrix) => change({ matrix })}
-        />
-      )}
       {isPicture(file) && (
-        <PictureFields
-          choices={choices}
-          fits={fits}
-          whole={whole}
-          used={thresholdOf(map)}
-          onChange={change}
+        <ReadAsField
+          as={as}
+          figure={figure}
+          onChange={(chosen) => {
+            setRefused(null)
+            setAs(chosen)
+          }}
         />
       )}
-      {isRobots(file) && (
-        <RobotFields choices={choices} fits={fits} whole={whole} onChange={change} />
+      {asFigure && <FigureBody figure={figure} />}
+      {asFigure && refused !== null && <FormError error={refused} />}
+      {!asFigure && (
+        <>
+          <div class="raster">
+            <MapPreview map={map} busy={!settled && fit} />
+            <Facts file={file} map={map} />
+          </div>
+          {wrong !== null && <FormError error={wrong} />}
+          {file.matrices.length > 1 && (
+            <MatrixField
+              matrices={file.matrices}
+              chosen={choices.matrix}
+              onChange={(matrix) => change({ matrix })}
+            />
+          )}
+          {isPicture(file) && (
+            <PictureFields
+              choices={choices}
+              fits={fits}
+              whole={whole}
+              used={thresholdOf(map)}
+              onChange={change}
+            />
+          )}
+          {isRobots(file) && (
+            <RobotFields choices={choices} fits={fits} whole={whole} onChange={change} />
+          )}
+          {wrong === null && map && <Notices file={file} map={map} />}
+        </>
       )}
-      {wrong === null && map && <Notices file={file} map={map} />}
     </Dialog>
   )
 }
@@ -237,4 +261,8 @@ const whole = (value: number) => numbers.value.whole.format(value)
 const fine = (value: number) => numbers.value.metres.format(value)
 const share = (value: number) => numbers.value.share.format(value)
 const counted = (some: number, all: number) => `${whole(some)} · ${share(some / all)}`
+const figureSize = ({ classes, draft }: FigureState): Sides | undefined =>
+  classes && draft ? { width: draft.lattice.columns, height: draft.lattice.rows } : undefined
+/** Whether a lattice can be looked for unasked: in no more pixels than a moment is enough for. */
+const isSoonLooked = ({ width, height }: Sides) => width * height <= 4_000_000
 const shownSize = ({ width, height }: Sides) => ({ width: whole(width), height: whole(height) })

@@ -4,9 +4,11 @@ import type {
   Catalog,
   EngineError,
   ExportFormat,
+  Figure,
   Generated,
   Generator,
   Imported,
+  Lattice,
   MatrixInfo,
   Notice,
   Objective,
@@ -18,6 +20,7 @@ import type {
   RunSummary,
   ScenarioSpec,
   ScenFile,
+  Shown,
   Size,
   SliceRules,
   Survey,
@@ -40,6 +43,11 @@ export interface MapCalls {
   listMatrices(bytes: Uint8Array): MatrixInfo[]
   rosImage(yaml: Uint8Array): string
   unpack(bytes: Uint8Array, name: string): Unpacked[]
+  /** Its pixels, at most `most` a side. */
+  showPicture(bytes: Uint8Array, most: number): Shown
+  findFigure(bytes: Uint8Array): Figure
+  readFigure(bytes: Uint8Array, lattice: Lattice): Figure
+  figureMap(classes: Uint8Array, columns: number, name: string): Imported
   surveyTerrain(bytes: Uint8Array, name: string): Survey
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
   exportMap(

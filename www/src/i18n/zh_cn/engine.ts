@@ -383,6 +383,9 @@ export const zhCNEngine = {
     'results-no-path': '文件中没有一次运行有路径：长度均为空。',
     'results-coco': 'COCO 的数据文件：与最优值之差按长度读取。',
     'figure-cells': '{{cells}} 格中有 {{walls}} 格为墙，{{unsure}} 格需要核对。',
+    'figure-lattice':
+      '找到 {{columns}} × {{rows}} 格的网格；在命令行中写作 --lattice {{lattice}}。',
+    'figure-unsure-blocked': '{{unsure}} 个存疑的格视为墙。',
     'figure-no-ends': '没有找到以独特颜色标出的起点与终点。',
     'figure-ends-guessed': '哪个标记是起点、哪个是终点只是推测：都不是绿色或红色。',
     'terrain-feet': '按文件所说，高程以英尺（{{unit}} 米）计。',
