@@ -82,7 +82,9 @@ test('of several maps the one is asked for on which the runs are', async ({ page
   await expect(row(page, 'Mine')).toContainText('29 of 30')
 })
 
-test('results that are dropped on the race join a form that was never on show', async ({ page }) => {
+test('results that are dropped on the race join a form that was never on show', async ({
+  page,
+}) => {
   const race = new RacePage(page)
   await race.open()
   await race.drop('ioh_new.dat', IOH)
