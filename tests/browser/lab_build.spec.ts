@@ -115,6 +115,36 @@ test.describe('making a comparison', () => {
     await expect(comparison.maps).toHaveCount(2)
   })
 
+  test('looks first at files that leave a choice, and leaves the race as it is', async ({
+    page,
+  }) => {
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    const before = await new RacePage(page).session()
+    const yaml =
+      'image: small.pgm\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n'
+    const gray = Buffer.from([254, 254, 205, 254, 0, 254, 254, 254, 254])
+    const file = (name: string, content: string | Buffer) => ({
+      name,
+      mimeType: 'application/octet-stream',
+      buffer: Buffer.from(content),
+    })
+    await page
+      .getByTestId('lab-map-file')
+      .setInputFiles([
+        file('small.yaml', yaml),
+        file('small.pgm', Buffer.concat([Buffer.from('P5\n3 3\n255\n'), gray])),
+        file('north.asc', 'ncols 2\nnrows 3\ndx 30\ndy 10\n1 2\n3 4\n5 6\n'),
+      ])
+    await expect(page.getByTestId('map-dialog')).toBeVisible()
+    await page.getByTestId('map-open').click()
+    await expect(page.getByTestId('terrain-dialog')).toBeVisible()
+    await page.getByTestId('terrain-open').click()
+    await expect(comparison.maps).toHaveCount(3)
+    await expect(comparison.maps.nth(1)).toContainText('3 × 3')
+    expect((await new RacePage(page).session()).scenario.spec).toEqual(before.scenario.spec)
+  })
+
   test('an ablation is one click', async ({ page }) => {
     const comparison = new ComparisonPage(page)
     await comparison.open()

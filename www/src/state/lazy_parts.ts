@@ -3,6 +3,7 @@
  * them is written here; app/lazy_parts.ts says where they are.
  */
 import type { ComponentType } from 'preact'
+import type { Scenario } from '../model/session'
 
 /** Comparisons (lab/). */
 export interface LabPart {
@@ -25,6 +26,8 @@ export interface ReliefPart {
 export interface OpenerPart {
   openText(text: string, opening?: { unasked?: boolean }): Promise<void>
   openFiles(files: File[]): Promise<void>
+  /** Opens files as maps, and hands each of them to `take` instead of the race. */
+  openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
   openEntries(entries: FileSystemEntry[]): Promise<void>
 }
 

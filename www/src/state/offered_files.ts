@@ -1,6 +1,7 @@
 /** Files that wait for the reader to say how they are meant; while there is one, its dialog is open. */
 import type { Kind, MatrixInfo, ScenLine, Survey } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
+import type { Scenario } from '../model/session'
 
 /** A file by its name and what it holds. */
 export interface NamedBytes {
@@ -13,7 +14,12 @@ export interface ScenChoice {
   lines: ScenLine[]
 }
 
+/** Where a map that was opened goes instead of the race. */
+export type Taker = (opened: Scenario) => void
+
 export interface TerrainFile extends NamedBytes {
+  /** Null: to the race. */
+  take: Taker | null
   survey: Survey
 }
 
@@ -40,6 +46,8 @@ export interface MapFile extends FoundFile {
   needs: string | null
   /** Scenarios for it. */
   scens: NamedBytes[]
+  /** Null: to the race. */
+  take: Taker | null
 }
 
 /** Several maps that came together. */

@@ -1,5 +1,6 @@
 /** Files in: recognises what came together, and puts it where it belongs. */
 import type { EngineError, Imported, ReadOptions, ScenLine } from '@pkg/formicarium'
+import { effect } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
@@ -9,6 +10,7 @@ import type { TerrainPart } from '../model/tool_calls'
 import { loadSession, notify, scenario, setScenario, showView } from '.'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import type { Opening } from './files'
+import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
 import { lazyParts } from './lazy_parts'
 import {
@@ -19,14 +21,14 @@ import {
   mapFile,
   type NamedBytes,
   scenChoice,
+  type Taker,
   type TerrainFile,
+  terrainFile,
 } from './offered_files'
 import { autoplay } from './sessions'
 import { suitSpeed } from './speed'
 import { importPart, offerTerrain } from './terrain_files'
 
-/** Of a folder no more files are looked at. */
-const MAX_FILES = 1000
 /** Archives within archives; deeper ones are no archives that anybody packs. */
 const MAX_DEPTH = 3
 /** All files of a folder together. */
@@ -54,9 +56,39 @@ export async function openText(text: string, opening: Opening = {}): Promise<voi
 }
 
 export async function openFiles(files: File[]): Promise<void> {
+  await openTogether(await contentsOf(files))
+}
+
+/** Opens files as maps alone, each of them, and hands them to `take` instead of the race. */
+export async function openMapsFor(files: File[], take: Taker): Promise<void> {
+  const looked: Looked = { found: [], refused: [], loose: false }
+  for (const file of await contentsOf(files)) await look(file, looked, 0)
+  const found = looked.found.filter((file): file is FoundFile => file.kind !== 'carrier')
+  const named = await picturesNamed(found)
+  const maps = found.filter((file) => (file.map || file.kind === 'unknown') && !named.has(file))
+  for (const file of maps) {
+    await openOne(file, found, { take })
+    await answered()
+  }
+  if (looked.refused.length > 0) throw looked.refused[0]
+  if (maps.length === 0) throw nothingWithin(files[0]?.name ?? '')
+}
+
+async function contentsOf(files: File[]): Promise<NamedBytes[]> {
   const given: NamedBytes[] = []
   for (const file of files) given.push({ name: file.name, bytes: await bytesOf(file) })
-  await openTogether(given)
+  return given
+}
+
+/** Once no file waits for the reader to say how it is meant. */
+function answered(): Promise<void> {
+  return new Promise((resolve) => {
+    const stop = effect(() => {
+      if (mapFile.value || terrainFile.value) return
+      resolve()
+      queueMicrotask(() => stop())
+    })
+  })
 }
 
 /** Dropped files and folders, with what lies in them. */
@@ -72,48 +104,9 @@ export async function openEntries(entries: FileSystemEntry[]): Promise<void> {
   await openTogether(given, { loose: true })
 }
 
-async function filesWithin(entries: FileSystemEntry[]): Promise<{ path: string; file: File }[]> {
-  const found: { path: string; file: File }[] = []
-  const waiting = [...entries]
-  for (let entry = waiting.shift(); entry; entry = waiting.shift()) {
-    if (entry.name.startsWith('.')) continue
-    if (entry.isDirectory) waiting.push(...(await listed(entry as FileSystemDirectoryEntry)))
-    else {
-      if (found.length === MAX_FILES) throw tooMany(entry.name)
-      found.push({ path: entry.fullPath, file: await fileOf(entry as FileSystemFileEntry) })
-    }
-  }
-  return found
-}
-
-const fileOf = (entry: FileSystemFileEntry) =>
-  new Promise<File>((resolve, reject) => entry.file(resolve, reject))
-
-/** A reader gives a hundred at a time. */
-async function listed(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
-  const reader = folder.createReader()
-  const all: FileSystemEntry[] = []
-  for (;;) {
-    const some = await new Promise<FileSystemEntry[]>((resolve, reject) =>
-      reader.readEntries(resolve, reject),
-    )
-    if (some.length === 0 || all.length > MAX_FILES) return all
-    all.push(...some)
-  }
-}
-
-function tooMany(name: string): EngineError {
-  const message = t('opening.tooManyFiles', { most: MAX_FILES })
-  return {
-    kind: 'too-many-files',
-    field: name,
-    message,
-    hint: t('opening.tooManyFilesHint'),
-    args: {},
-  }
-}
-
 interface Together extends Opening {
+  /** Where a map goes instead of the race. */
+  take?: Taker
   /** They lay in a folder or archive: what cannot be opened is passed over. */
   loose?: boolean
 }
@@ -217,7 +210,7 @@ async function openFound(found: Looked['found'], opening: Together): Promise<boo
     // As a rule the import says why it is no map.
     else if (!canBeOpened(file)) {
       const name = fileName(file.name)
-      showMap(await tools.importMap(file.bytes, name), name)
+      showMap(await tools.importMap(file.bytes, name), { name, take: null })
     }
   }
   const scens = files.filter(({ kind }) => kind === 'movingai-scen')
@@ -255,15 +248,23 @@ function pictureOf(map: FoundFile, image: string, files: FoundFile[]): FoundFile
   return alike.find(({ name }) => folderOf(name) === folderOf(map.name)) ?? alike[0]
 }
 
-async function openOne(file: FoundFile, together: FoundFile[], opening: Opening): Promise<void> {
+async function openOne(file: FoundFile, together: FoundFile[], opening: Together): Promise<void> {
   const asked = !opening.unasked
   const named = { ...file, name: fileName(file.name) }
-  if (file.raster && asked) return offerTerrain(named)
+  const take = opening.take ?? null
+  if (file.raster && asked) return offerTerrain(named, take)
   const needs = file.kind === 'ros-map' ? await nameOfPicture(file) : ''
   const image = needs === '' ? null : (pictureOf(file, needs, together) ?? null)
   const matrices = file.kind === 'matrix' && asked ? await matricesOf(file) : []
   const scens = together.filter(({ kind }) => kind === 'movingai-scen')
-  const map: MapFile = { ...named, matrices, image, needs: image ? null : needs || null, scens }
+  const map: MapFile = {
+    ...named,
+    matrices,
+    image,
+    needs: image ? null : needs || null,
+    scens,
+    take,
+  }
   const leavesChoice = ASKED.has(file.kind) || !file.certain || matrices.length > 1
   if (asked && leavesChoice && file.kind !== 'unknown') mapFile.value = map
   else await openMap(map, {})
@@ -283,21 +284,24 @@ export async function openMap(file: MapFile, choices: ReadOptions, read?: Import
   const told = imported.warnings.filter(
     ({ kind }) => !(file.scens.length > 0 && kind === 'ends-chosen'),
   )
-  showMap({ ...imported, warnings: told }, file.name)
-  for (const scen of file.scens) await openScen(scen)
+  showMap({ ...imported, warnings: told }, file)
+  if (file.take === null) for (const scen of file.scens) await openScen(scen)
 }
 
 /** The chosen part of a raster of heights. */
 export async function openTerrain(file: TerrainFile, part: TerrainPart): Promise<void> {
-  showMap(await importPart(file, part), file.name)
+  showMap(await importPart(file, part), file)
 }
 
-function showMap(imported: Imported, name: string): void {
+function showMap(imported: Imported, { name, take }: { name: string; take: Taker | null }): void {
   mapFile.value = null
   mapChoice.value = null
   const opened = toScenario(imported, name)
-  suitSpeed(opened)
-  setScenario(opened, { undoable: true })
+  if (take) take(opened)
+  else {
+    suitSpeed(opened)
+    setScenario(opened, { undoable: true })
+  }
   const { width, height } = imported.spec
   notify('success', t('opening.imported', { name, width, height }), {
     hint: imported.warnings.map(describeNotice).join(' '),

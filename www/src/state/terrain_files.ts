@@ -2,10 +2,10 @@
 import type { Imported } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import type { TerrainPart } from '../model/tool_calls'
-import { type NamedBytes, type TerrainFile, terrainFile } from './offered_files'
+import { type NamedBytes, type Taker, type TerrainFile, terrainFile } from './offered_files'
 
-export async function offerTerrain({ bytes, name }: NamedBytes): Promise<void> {
-  terrainFile.value = { name, bytes, survey: await tools.surveyTerrain(bytes, name) }
+export async function offerTerrain({ bytes, name }: NamedBytes, take: Taker | null): Promise<void> {
+  terrainFile.value = { name, bytes, take, survey: await tools.surveyTerrain(bytes, name) }
 }
 
 /** The file stays offered until it could be read. */

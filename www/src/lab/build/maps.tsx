@@ -1,13 +1,12 @@
 /** The maps on which every planner runs. */
 import { Map as MapIcon, Plus, Upload, X } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
-import { tools } from '../../engine/tools'
 import { gallery } from '../../gallery/gallery'
 import { t } from '../../i18n/lab'
 import type { DraftMap } from '../../model/draft'
+import { MAP_ENDINGS } from '../../model/endings'
 import { notifyError } from '../../state'
-import { bytesOf } from '../../state/file_bytes'
-import { toScenario } from '../../state/imported'
+import { lazyParts } from '../../state/lazy_parts'
 import { IconButton } from '../../ui/buttons'
 import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
@@ -21,9 +20,6 @@ const GROUPS = [
   ['terrains', 'maps.terrains'],
   ['papers', 'maps.papers'],
 ] as const
-/** What the file picker offers first. */
-const ENDINGS = '.map,.txt,.csv,.json,.asc,.tif,.tiff,.hgt'
-
 export function Maps() {
   const [error, setError] = useState<unknown>(null)
   const open = (files: File[]) => {
@@ -32,7 +28,7 @@ export function Maps() {
   }
   const { pick, element } = useFilePicker({
     label: t('lab.build.mapFile'),
-    accept: ENDINGS,
+    accept: MAP_ENDINGS,
     multiple: true,
     testId: 'lab-map-file',
     onFiles: open,
@@ -162,11 +158,8 @@ function Group({ at }: { at: 0 | 1 | 2 }) {
   )
 }
 
-/** Rasters of heights are taken whole; a part of one can be opened in the race view. */
+/** What leaves a choice is looked at first, as in the race. */
 async function openMapFiles(files: File[]): Promise<void> {
-  for (const file of files) {
-    const bytes = await bytesOf(file)
-    const opened = toScenario(await tools.importMap(bytes, file.name), file.name)
-    addMap(opened.spec.name || file.name, opened)
-  }
+  const { openMapsFor } = await lazyParts.opener()
+  await openMapsFor(files, (opened) => addMap(opened.spec.name, opened))
 }
