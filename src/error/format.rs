@@ -53,6 +53,20 @@ pub enum FormatError {
         /// What it is.
         found: &'static str,
     },
+    /// Places to be put in an order, or such an order: no map is made of them.
+    #[error("this is {found}, not a map")]
+    Order {
+        /// What it is.
+        found: &'static str,
+        /// The file's name.
+        name: String,
+    },
+    /// A known file, but none whose places are to be put in an order.
+    #[error("this is {found}, not an instance of TSPLIB")]
+    NotAnOrder {
+        /// What it is.
+        found: &'static str,
+    },
     /// A known file, but none that holds heights.
     #[error("this is {found}, not a raster of heights")]
     NotATerrain {
@@ -183,6 +197,14 @@ impl FormatError {
             .with("found", found),
             Self::NotAMap { found } => {
                 ErrorReport::new("not-a-map", "file", message, "open the map that belongs to it").with("found", found)
+            }
+            Self::Order { found, name } => {
+                let hint = format!("its places can be put in an order: formicarium order {name}");
+                ErrorReport::new("order-problem", "file", message, hint).with("found", found).with("name", name)
+            }
+            Self::NotAnOrder { found } => {
+                let hint = "name a .tsp; of a map, plan a path: formicarium plan FILE --planner astar";
+                ErrorReport::new("not-an-order", "file", message, hint).with("found", found)
             }
             Self::NotATerrain { found } => {
                 ErrorReport::new("not-a-terrain", "file", message, "open it as a map").with("found", found)
