@@ -84,6 +84,7 @@ impl OrderParams {
 pub struct OrderRun {
     colony: OrderColony,
     budget: u32,
+    places: usize,
     /// Every improvement: (iteration from 1, cost).
     improvements: Vec<(u32, f64)>,
 }
@@ -92,7 +93,7 @@ impl OrderRun {
     /// A run that has not begun; a problem has at least two places.
     pub fn new(problem: &OrderProblem, params: &OrderParams, seed: u32) -> Self {
         let colony = OrderColony::new(problem.costs.clone(), problem.shape, params.settings(), params.streams(seed));
-        Self { colony, budget: params.iterations, improvements: Vec::new() }
+        Self { colony, budget: params.iterations, places: problem.len(), improvements: Vec::new() }
     }
 
     /// One iteration; none after the last.
@@ -139,9 +140,22 @@ impl OrderRun {
         &self.improvements
     }
 
-    /// τ of the way from place i to place j.
-    pub fn trail(&self, i: usize, j: usize) -> f64 {
-        self.colony.trail(i, j)
+    /// The strongest trails: (from, to, share of the largest), of every place those five to others that are at least a twentieth of the
+    /// largest of all; of equals the first.
+    pub fn strong_trails(&self) -> Vec<(u32, u32, f64)> {
+        const MOST: usize = 5;
+        const LEAST: f64 = 0.05;
+        let n = self.places;
+        let ways = |i: usize| (0..n).filter(move |&j| j != i);
+        let largest = (0..n).flat_map(|i| ways(i).map(move |j| self.colony.trail(i, j))).fold(0.0, f64::max);
+        let of = |i: usize| {
+            let mut shares: Vec<(u32, u32, f64)> =
+                ways(i).map(|j| (i as u32, j as u32, self.colony.trail(i, j) / largest)).filter(|way| way.2 >= LEAST).collect();
+            shares.sort_by(|a, b| b.2.total_cmp(&a.2));
+            shares.truncate(MOST);
+            shares
+        };
+        (0..n).flat_map(of).collect()
     }
 
     /// Over the iterations, the best tour and every improvement: equal digests mean equal runs.

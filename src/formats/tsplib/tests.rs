@@ -59,8 +59,8 @@ fn every_metric_rounds_as_the_format_says() {
     assert_eq!(solid("EUC_3D"), [7.0, 4.0, 4.0]);
     assert_eq!(solid("MAN_3D"), [11.0, 4.0, 7.0]);
     assert_eq!(solid("MAX_3D"), [6.0, 4.0, 3.0]);
-    // A degree of longitude on the equator of 6378.388 km is 111.32 km; the format cuts off after adding 1.
-    assert_eq!(by("GEO")[0], 157.0);
+    // A degree of a globe of 6378.388 km is 111.324 km: √2 of them are 157.4; the format adds 1 and cuts off.
+    assert_eq!(by("GEO")[0], 158.0);
 }
 
 #[test]
@@ -90,9 +90,9 @@ fn what_is_not_read_is_refused_by_name() {
     assert!(typed("tsp").contains("`tsp` is not known"));
     assert!(typed("TSP and more").contains("`and more` follows"));
     for (lines, said) in [
-        ("EDGE_WEIGHT_TYPE: EUC_2D\n", "DIMENSION is missing"),
-        ("DIMENSION: 3\n", "EDGE_WEIGHT_TYPE is missing"),
-        ("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\n", "NODE_COORD_SECTION: NODE_COORD_SECTION is missing"),
+        ("EDGE_WEIGHT_TYPE: EUC_2D\n", "DIMENSION: is missing"),
+        ("DIMENSION: 3\n", "EDGE_WEIGHT_TYPE: is missing"),
+        ("DIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\n", "NODE_COORD_SECTION: is missing"),
         ("DIMENSION: 1001\nEDGE_WEIGHT_TYPE: EUC_2D\n", "1001 places are too many"),
         ("DIMENSION: 1\nEDGE_WEIGHT_TYPE: EUC_2D\n", "from 2 to 1000"),
         ("DIMENSION: -3\n", "from 2 to 1000"),
@@ -132,7 +132,7 @@ fn places_and_costs_must_be_all_there_once() {
         ("UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 2\n", "has 2 costs"),
         ("UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 2 3 4\n", "`4` is one cost too many"),
         ("UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 -2 3\n", "-2 is below 0"),
-        ("UPPER_ROW\n", "EDGE_WEIGHT_SECTION is missing"),
+        ("UPPER_ROW\n", "EDGE_WEIGHT_SECTION: is missing"),
         ("WEIGHT_LIST\nEDGE_WEIGHT_SECTION\n1 2 3\n", "`WEIGHT_LIST` is not read"),
     ] {
         let refused = refusal(&format!("{EXPLICIT}{rest}"));
@@ -156,7 +156,7 @@ fn tours_visit_every_place_once_and_begin_with_the_first() {
         ("TYPE: TOUR\nTOUR_SECTION\n1 2 3 -1 3 2 1 -1\n", "a second tour"),
         ("TYPE: TOUR\nDIMENSION: 4\nTOUR_SECTION\n1 2 3 -1\n", "DIMENSION: is 4"),
         ("TYPE: TOUR\nTOUR_SECTION\n1 2 3 -1\nEOF\n5\n", "stands behind EOF"),
-        ("TYPE: TOUR\n", "TOUR_SECTION is missing"),
+        ("TYPE: TOUR\n", "TOUR_SECTION: is missing"),
         ("TYPE: TSP\nDIMENSION: 3\n", "TYPE: is not TOUR"),
     ] {
         let refused = tour(text).unwrap_err().to_string();

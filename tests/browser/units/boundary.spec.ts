@@ -23,6 +23,9 @@ const text = (words: string) => new TextEncoder().encode(words)
 const terrain = 'ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n2 3 4\n3 4 9\n'
 const table = 'instance,entry,seed,length\na,mine,1,5\n'
 
+const TRIANGLE =
+  'TYPE: TSP\nDIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n3 0 1\nEOF\n'
+
 /** Valid arguments of everything that takes any, as `Class.method` or `function`; what is left out takes none. */
 function valid(): Record<string, unknown[]> {
   const { spec: on, cells } = sessionOf(9, 9, new Uint8Array(81)).scenario
@@ -44,6 +47,8 @@ function valid(): Record<string, unknown[]> {
     'Comparison.keep': [ROW, [0.5, 1]],
     'Comparison.run': [0, () => 1],
     'Comparison.seed_by_seed': [1],
+    'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
+    'OrderRun.advance': [1],
     'ContourLines.constructor': [3, new Float32Array([1, 2, 3, 2, 3, 4, 3, 4, 9]), 1],
     ablation: ['fire', null, {}],
     check_scenario: [on, cells, heights],
@@ -58,6 +63,7 @@ function valid(): Record<string, unknown[]> {
     join_results: [DOCUMENT, text(table), 'x.csv', null],
     list_matrices: [text('0 0\n0 0\n')],
     paint_map: [{}, on, cells, heights, 'dark', false],
+    read_order: [text(TRIANGLE), false, null],
     recognise: [text('0 0'), 'x'],
     reference: [on, cells, heights, 'length'],
     ros_image: [text('image: x.pgm\nresolution: 1\norigin: [0, 0, 0]\n')],
