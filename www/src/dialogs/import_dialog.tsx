@@ -15,6 +15,7 @@ const FORMATS = [
   'picture',
   'ros',
   'raster',
+  'order',
   'json',
   'archive',
   'link',
@@ -23,7 +24,7 @@ const FORMATS = [
 const ENDINGS = [
   '.map,.scen,.txt,.csv,.json,.m,.py',
   '.png,.jpg,.jpeg,.webp,.bmp,.pgm,.pbm,.ppm',
-  '.yaml,.yml,.asc,.tif,.tiff,.hgt,.zip,.gz',
+  '.yaml,.yml,.asc,.tif,.tiff,.hgt,.tsp,.atsp,.tour,.zip,.gz',
 ].join()
 
 export function ImportDialog() {

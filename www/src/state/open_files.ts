@@ -214,13 +214,22 @@ async function carriedBy(bytes: Uint8Array): Promise<string | null> {
   })
 }
 
-const OPENED = new Set(['carrier', 'session', 'comparison', 'results', 'movingai-scen'])
+const OPENED = new Set([
+  'carrier',
+  'session',
+  'comparison',
+  'results',
+  'movingai-scen',
+  'tsplib',
+  'tsplib-tour',
+])
 const canBeOpened = ({ kind }: { kind: string }) => OPENED.has(kind) || MAPS.has(kind)
 
 /** Whether there was anything to open. */
 async function openFound(found: Looked['found'], opening: Together): Promise<boolean> {
   const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
   const named = await picturesNamed(files)
+  const hasInstance = files.some(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => MAPS.has(file.kind) && !named.has(file))
   for (const file of found) {
     if (file.kind === 'carrier') await openText(file.text)
@@ -228,8 +237,9 @@ async function openFound(found: Looked['found'], opening: Together): Promise<boo
     else if (file.kind === 'comparison')
       await openComparisonText(new TextDecoder().decode(file.bytes))
     else if (file.kind === 'results') await importResults(file.bytes, file.name)
-    // As a rule the import says why it is no map.
-    else if (!canBeOpened(file)) {
+    else if (file.kind === 'tsplib') await openOrder(file, files)
+    // A tour alone: its import says so. As a rule the import says why it is no map.
+    else if (!canBeOpened(file) || (file.kind === 'tsplib-tour' && !hasInstance)) {
       const name = fileName(file.name)
       showMap(await tools.importMap(file.bytes, name), name)
     }
@@ -247,6 +257,16 @@ async function openFound(found: Looked['found'], opening: Together): Promise<boo
 export async function openChosen({ files, others }: MapChoice, file: FoundFile): Promise<void> {
   await openOne(file, [...files, ...others], {})
   mapChoice.value = null
+}
+
+/** An order problem, with the tour that is named as it is, or the only one. */
+async function openOrder(file: FoundFile, together: FoundFile[]): Promise<void> {
+  const { offerOrder } = await import('./order_play')
+  const tours = together.filter(({ kind }) => kind === 'tsplib-tour')
+  const alike = tours.find(({ name }) => stemOf(name) === stemOf(file.name))
+  const tour = alike ?? (tours.length === 1 ? tours[0] : null) ?? null
+  const named = ({ name, bytes }: NamedBytes) => ({ name: fileName(name), bytes })
+  await offerOrder(named(file), tour && named(tour))
 }
 
 /** Pictures that the description of a ROS map names: they are no maps of their own. */
@@ -370,6 +390,7 @@ function replay(session: Session): void {
 }
 
 const fileName = (path: string) => path.slice(Math.max(...folderEnds(path)) + 1)
+const stemOf = (path: string) => fileName(path).toLowerCase().split('.')[0]
 const folderOf = (path: string) => path.slice(0, Math.max(0, ...folderEnds(path)))
 const folderEnds = (path: string) => [path.lastIndexOf('/'), path.lastIndexOf('\\')]
 const sameName = (a: string, b: string) => fileName(a).toLowerCase() === fileName(b).toLowerCase()

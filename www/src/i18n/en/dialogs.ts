@@ -1,7 +1,10 @@
 /** The text of dialogs: fetched with them (dialogs.ts). */
 import type { Kind } from '@pkg/formicarium'
 
+import { enOrder } from './order'
+
 export const enDialogs = {
+  order: enOrder,
   movement: {
     label: 'Allowed moves',
     notes: {
@@ -125,6 +128,7 @@ export const enDialogs = {
       picture: 'Picture, by a threshold (.png, .jpg, .webp, .bmp, .pgm, .pbm, .ppm)',
       ros: 'ROS map: description and picture together (.yaml with .pgm or .png); OccupancyGrid message (.yaml)',
       raster: 'Heights: ESRI ASCII grid (.asc), GeoTIFF (.tif), SRTM (.hgt), table (.csv)',
+      order: 'Places to be put in an order: TSPLIB instance (.tsp), with or without a tour (.tour)',
       json: 'Formicarium scenario, session or comparison (.json)',
       archive: 'Any of these in an archive (.zip, .gz) or a folder',
       link: 'Share link, or a picture saved here (.png): its session or comparison is in it',
@@ -236,6 +240,7 @@ export const enDialogs = {
     'occupancy-grid': 'OccupancyGrid message',
     mapf: 'Multi-agent instance',
     tsplib: 'TSPLIB instance',
+    'tsplib-tour': 'TSPLIB tour',
     path: 'Path',
     scenario: 'Scenario',
     session: 'Session',

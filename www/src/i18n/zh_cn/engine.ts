@@ -433,6 +433,20 @@ export const zhCNEngine = {
   },
   /** What a file turned out to be, and what to do with it. */
   found: {
+    'an-instance-of-tsplib': { name: 'TSPLIB 实例', hint: '请把 .tsp 文件单独拖入' },
+    'a-tour-of-tsplib': { name: 'TSPLIB 路线', hint: '请与所属的 .tsp 实例一起打开' },
+    'a-vehicle-routing-problem-cvrp-of-tsplib': {
+      name: 'TSPLIB 的车辆路径问题（CVRP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
+    'a-sequential-ordering-problem-sop-of-tsplib': {
+      name: 'TSPLIB 的顺序排列问题（SOP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
+    'a-hamiltonian-cycle-problem-hcp-of-tsplib': {
+      name: 'TSPLIB 的哈密顿回路问题（HCP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
     'a-gif-image': { name: 'GIF 图像', hint: '请另存为 PNG，再作为图片打开' },
     'a-pdf-document': { name: 'PDF 文档', hint: '请截取其中的图，再打开截图' },
     'a-numpy-array-npy': {
@@ -472,6 +486,10 @@ export const zhCNEngine = {
     'several-matrices': {
       message: '文件中有多个矩阵',
       hint: '请用“导入…”打开该文件并选择其中一个',
+    },
+    'order-problem': {
+      message: '该文件不是地图，而是{{found}}',
+      hint: '请与所属的 .tsp 实例一起打开',
     },
     'not-a-map': { message: '该文件不是地图', hint: '请打开所属的地图' },
     syntax: { message: '第 {{line}} 行：{{what}}', hint: '应为：{{expected}}' },
