@@ -47,8 +47,10 @@ export class OrderPlay {
 
   /** A run from the beginning, at rest. */
   async restart(): Promise<void> {
-    const turn = this.pause()
-    await this.answer(turn, this.box.call('startOrder', this.instance.bytes, this.settings.peek()))
+    this.running.value = false
+    const settings = this.settings.peek()
+    const turn = ++this.turn
+    await this.answer(turn, this.box.call('startOrder', this.instance.bytes, settings))
   }
 
   async set(change: Partial<OrderSettings>): Promise<void> {
@@ -73,33 +75,30 @@ export class OrderPlay {
   /** Runs on, or pauses; after the end, from the beginning. */
   async toggle(): Promise<void> {
     if (this.running.peek()) {
-      this.pause()
+      this.running.value = false
       return
     }
     if (this.isFinished()) await this.restart()
     if (this.error.peek() !== null) return
-    const turn = this.pause()
+    const turn = ++this.turn
     this.running.value = true
     const count = Math.ceil((this.summary.peek()?.budget ?? 1) / FRAMES)
     while (turn === this.turn && this.running.peek()) {
       await this.advance(turn, count)
-      if (this.isFinished()) this.running.value = false
+      if (turn === this.turn && this.isFinished()) this.running.value = false
       await new Promise(requestAnimationFrame)
     }
   }
 
   async step(): Promise<void> {
-    await this.advance(this.pause(), 1)
+    this.running.value = false
+    await this.advance(this.turn, 1)
   }
 
   end(): void {
-    this.pause()
-    this.box.terminate()
-  }
-
-  private pause(): number {
     this.running.value = false
-    return ++this.turn
+    this.turn++
+    this.box.terminate()
   }
 
   private async readAgain(open: boolean): Promise<void> {
