@@ -1,7 +1,7 @@
 //! Costs that stand in the file, as a matrix or a triangle of one.
 
 use super::super::text::quote;
-use super::parts::{Parts, number};
+use super::parts::{Parts, missing, number};
 use crate::error::FormatError;
 use crate::exact::order::Costs;
 
@@ -56,7 +56,7 @@ impl Form {
 
 /// The costs of EDGE_WEIGHT_SECTION; what stands on the diagonal counts for nothing.
 pub(super) fn costs(parts: &Parts<'_>, n: usize, is_directed: bool) -> Result<Costs, FormatError> {
-    let name = parts.value("EDGE_WEIGHT_FORMAT").ok_or_else(|| parts.missing("EDGE_WEIGHT_FORMAT", FORMATS))?;
+    let name = parts.value("EDGE_WEIGHT_FORMAT").ok_or_else(|| missing("EDGE_WEIGHT_FORMAT", FORMATS))?;
     let form = Form::named(name)
         .ok_or_else(|| FormatError::field("EDGE_WEIGHT_FORMAT", format!("`{}` is not read", quote(name)), FORMATS))?;
     if is_directed && form != Form::Full {
@@ -76,7 +76,7 @@ pub(super) fn costs(parts: &Parts<'_>, n: usize, is_directed: bool) -> Result<Co
 
 /// Exactly so many numbers of at least 0, in lines of any length.
 fn numbers(parts: &Parts<'_>, count: usize, form: &str) -> Result<Vec<f64>, FormatError> {
-    let section = parts.section(SECTION).ok_or_else(|| parts.missing(SECTION, "the costs"))?;
+    let section = parts.section(SECTION).ok_or_else(|| missing(SECTION, "the costs"))?;
     let mut values = Vec::with_capacity(count);
     let of_this = format!("{count} numbers for {form} of this DIMENSION");
     for (line, words) in section.rows() {

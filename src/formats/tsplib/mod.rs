@@ -10,7 +10,7 @@ mod places;
 mod tour;
 
 use self::distances::Metric;
-use self::parts::Parts;
+use self::parts::{Parts, missing};
 use super::text::{self, lines, quote};
 use crate::error::FormatError;
 use crate::exact::order::{Costs, Shape};
@@ -47,8 +47,8 @@ pub fn read_instance(bytes: &[u8]) -> Result<OrderProblem, FormatError> {
     let text = text::decode(bytes)?;
     let parts = Parts::of(&text)?;
     let is_directed = problem_type(&parts)?;
-    let n = dimension(&parts)?.ok_or_else(|| parts.missing("DIMENSION", "the number of places"))?;
-    let weight_type = parts.value("EDGE_WEIGHT_TYPE").ok_or_else(|| parts.missing("EDGE_WEIGHT_TYPE", distances::NAMES))?;
+    let n = dimension(&parts)?.ok_or_else(|| missing("DIMENSION", "the number of places"))?;
+    let weight_type = parts.value("EDGE_WEIGHT_TYPE").ok_or_else(|| missing("EDGE_WEIGHT_TYPE", distances::NAMES))?;
     let metric = Metric::named(weight_type)?;
     parts.only(&["NODE_COORD_SECTION", "EDGE_WEIGHT_SECTION", "DISPLAY_DATA_SECTION"])?;
     let listed = places::coordinates(&parts, n, metric)?;
@@ -60,7 +60,7 @@ pub fn read_instance(bytes: &[u8]) -> Result<OrderProblem, FormatError> {
         }
         _ => {
             explicit::none(&parts)?;
-            let at = listed.as_ref().ok_or_else(|| parts.missing("NODE_COORD_SECTION", "a line of each place"))?;
+            let at = listed.as_ref().ok_or_else(|| missing("NODE_COORD_SECTION", "a line of each place"))?;
             Costs::new(n, |i, j| metric.distance(at[i], at[j]))
         }
     };
@@ -79,7 +79,7 @@ fn problem_type(parts: &Parts<'_>) -> Result<bool, FormatError> {
         "TOUR" => {
             Err(FormatError::field("TYPE", "is TOUR", "an instance; name a tour beside it, with --tour on the command line"))
         }
-        _ => Err(parts.missing("TYPE", "TSP or ATSP")),
+        _ => Err(missing("TYPE", "TSP or ATSP")),
     }
 }
 

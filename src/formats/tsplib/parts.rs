@@ -180,12 +180,11 @@ impl<'a> Parts<'a> {
             None => Ok(()),
         }
     }
+}
 
-    /// The error for a key or section that is missing.
-    #[expect(clippy::unused_self, reason = "reads as what it is: the parts lack something")]
-    pub fn missing(&self, what: &'static str, expected: &str) -> FormatError {
-        FormatError::field(what, "is missing", expected)
-    }
+/// The error for a key or section that is missing.
+pub(super) fn missing(what: &'static str, expected: &str) -> FormatError {
+    FormatError::field(what, "is missing", expected)
 }
 
 /// Where a piece of a text begins in it.

@@ -1,8 +1,10 @@
 //! The places of an instance: what costs are made of, and where they are drawn.
 
 use super::distances::{self, Metric};
-use super::parts::{Parts, Section, number};
+use super::parts::{Parts, Section, missing, number};
 use crate::error::FormatError;
+
+const SHOWN: &str = "DISPLAY_DATA_TYPE: TWOD_DISPLAY with it";
 
 /// Coordinates of every place in their order, from NODE_COORD_SECTION; none without it. Where there are two, the third is 0.
 pub(super) fn coordinates(parts: &Parts<'_>, n: usize, metric: Metric) -> Result<Option<Vec<[f64; 3]>>, FormatError> {
@@ -10,7 +12,7 @@ pub(super) fn coordinates(parts: &Parts<'_>, n: usize, metric: Metric) -> Result
         None => metric.axes().unwrap_or(2),
         Some("TWOD_COORDS") => 2,
         Some("THREED_COORDS") => 3,
-        Some("NO_COORDS") => return no_section(parts, "NODE_COORD_SECTION", "NO_COORDS").map(|()| None),
+        Some("NO_COORDS") => return no_section(parts, "NODE_COORD_SECTION", "another NODE_COORD_TYPE").map(|()| None),
         Some(_) => {
             return Err(FormatError::field("NODE_COORD_TYPE", "is not known", "TWOD_COORDS, THREED_COORDS or NO_COORDS"));
         }
@@ -37,12 +39,12 @@ pub(super) fn to_draw(
     let by_coordinates = listed.map(|all| all.iter().map(flat).collect());
     match parts.value("DISPLAY_DATA_TYPE") {
         Some("TWOD_DISPLAY") => {
-            let missing = || parts.missing("DISPLAY_DATA_SECTION", "a line of each place");
-            let shown = list(parts.section("DISPLAY_DATA_SECTION").ok_or_else(missing)?, n, 2)?;
+            let none = || missing("DISPLAY_DATA_SECTION", "a line of each place");
+            let shown = list(parts.section("DISPLAY_DATA_SECTION").ok_or_else(none)?, n, 2)?;
             Ok(Some(shown.iter().map(|at| [at[0], at[1]]).collect()))
         }
-        None | Some("COORD_DISPLAY") => no_section(parts, "DISPLAY_DATA_SECTION", "TWOD_DISPLAY").map(|()| by_coordinates),
-        Some("NO_DISPLAY") => no_section(parts, "DISPLAY_DATA_SECTION", "NO_DISPLAY").map(|()| None),
+        None | Some("COORD_DISPLAY") => no_section(parts, "DISPLAY_DATA_SECTION", SHOWN).map(|()| by_coordinates),
+        Some("NO_DISPLAY") => no_section(parts, "DISPLAY_DATA_SECTION", SHOWN).map(|()| None),
         Some(_) => Err(FormatError::field("DISPLAY_DATA_TYPE", "is not known", "COORD_DISPLAY, TWOD_DISPLAY or NO_DISPLAY")),
     }
 }
@@ -60,16 +62,10 @@ fn on_globe(at: &[f64; 3]) -> Result<(), FormatError> {
     Err(FormatError::field("NODE_COORD_SECTION", what, "latitude to 90 and longitude to 360, as DDD.MM"))
 }
 
-fn no_section(parts: &Parts<'_>, name: &str, kind: &str) -> Result<(), FormatError> {
-    match parts.section(name) {
-        None => Ok(()),
-        Some(section) => {
-            let what = format!("{name} and {kind} do not go together");
-            let hint = if kind == "TWOD_DISPLAY" { "DISPLAY_DATA_TYPE: TWOD_DISPLAY with it" } else { "no such section" };
-            let what = if kind == "TWOD_DISPLAY" { format!("{name} without TWOD_DISPLAY") } else { what };
-            Err(FormatError::syntax(section.line, what, hint))
-        }
-    }
+/// Refuses a section that another key rules out.
+fn no_section(parts: &Parts<'_>, name: &str, expected: &str) -> Result<(), FormatError> {
+    let refused = |section: Section<'_>| FormatError::syntax(section.line, format!("{name} is not announced"), expected);
+    parts.section(name).map_or(Ok(()), |section| Err(refused(section)))
 }
 
 /// Lines of a number from 1 and coordinates, in any order, every place once.

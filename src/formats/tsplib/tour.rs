@@ -1,7 +1,7 @@
 //! Tours of the library.
 
 use super::super::text::{self, quote};
-use super::parts::{Parts, Section};
+use super::parts::{Parts, Section, missing};
 use super::{dimension, type_word};
 use crate::error::FormatError;
 use crate::exact::order_problem::OrderProblem;
@@ -24,7 +24,7 @@ pub fn read_tour(bytes: &[u8], problem: &OrderProblem) -> Result<Vec<u32>, Forma
     if let Some(said) = dimension(&parts)?.filter(|&said| said != n) {
         return Err(FormatError::field("DIMENSION", format!("is {said}"), format!("{n}, as the problem has places")));
     }
-    let section = parts.section(SECTION).ok_or_else(|| parts.missing(SECTION, "the places in their order"))?;
+    let section = parts.section(SECTION).ok_or_else(|| missing(SECTION, "the places in their order"))?;
     let mut places = visited(section, n)?;
     let first = places.iter().position(|&place| place == 0).unwrap_or(0);
     places.rotate_left(first);
