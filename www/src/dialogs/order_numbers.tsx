@@ -23,16 +23,14 @@ export function OrderNumbers({ play }: { play: OrderPlay }) {
     rows.push(['tour', t('order.tour', { file: play.tour.name }), rounded(tour.cost)])
   const best = summary?.best
   const gap = summary?.gap ?? null
-  const percent = gap === null ? '' : (100 * gap).toFixed(2)
-  const compared = t(exact ? 'order.above' : 'order.aboveListed', { percent })
-  const known = exact !== null || listed !== null
+  rows.push(['best', t('order.best'), best ? rounded(best.cost) : '–'])
+  if (exact || listed !== null)
+    rows.push([
+      'gap',
+      t(exact ? 'order.aboveProven' : 'order.aboveListed'),
+      gap === null ? '–' : t('order.gap', { percent: (100 * gap).toFixed(2) }),
+    ])
   rows.push(
-    [
-      'best',
-      t('order.best'),
-      best ? rounded(best.cost) : '–',
-      known ? (gap === null ? '–' : compared) : t('order.noGap'),
-    ],
     ['found', t('order.found'), String(summary?.iteration_of_best ?? '–')],
     [
       'iteration',

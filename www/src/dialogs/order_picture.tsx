@@ -37,7 +37,7 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
         aria-label={t('order.picture', { count: facts.places })}
         data-testid="order-picture"
       />
-      <label class="check order-trails">
+      <label class="order-trails">
         <input
           type="checkbox"
           data-testid="order-trails"

@@ -12,7 +12,7 @@ export function OrderSettingFields({ play }: { play: OrderPlay }) {
     const range = rangeOf(spec.kind)
     return range ? [{ spec, ...range }] : []
   })
-  // Without its rule, q0 has no effect; its place stays.
+  // Without its rule, q0 has no effect.
   const hasEffect = ({ key }: ParamSpec) => key !== 'q0' || params.rule === PSEUDO_RANDOM
   return (
     <div class="field-row order-settings">
