@@ -110,7 +110,8 @@ fn instance(bytes: &[u8], name: &str) -> Result<OrderProblem, Error> {
     match found {
         Err(error) if read.is_err() => Err(error.into()),
         Ok(kind) if read.is_err() && !matches!(kind, Kind::Tsplib | Kind::TsplibTour) => {
-            Err(FormatError::NotAnOrder { found: kind.name() }.into())
+            let hint = "name an instance of TSPLIB (.tsp); of a map, plan a path: formicarium plan FILE --planner astar".into();
+            Err(FormatError::Foreign { found: kind.name(), hint }.into())
         }
         _ => Ok(read?),
     }

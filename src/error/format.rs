@@ -1,5 +1,7 @@
 //! What is wrong with a file.
 
+use std::borrow::Cow;
+
 use thiserror::Error;
 
 use super::{ErrorReport, ScenarioError};
@@ -19,7 +21,7 @@ pub enum FormatError {
         /// What it is, e.g. "a PDF document".
         found: &'static str,
         /// What to do.
-        hint: &'static str,
+        hint: Cow<'static, str>,
     },
     /// A file that is only half of what is needed.
     #[error("this is {found}, which needs `{other}`")]
@@ -50,20 +52,6 @@ pub enum FormatError {
     /// A known file, but none that holds a map.
     #[error("this is {found}, not a map")]
     NotAMap {
-        /// What it is.
-        found: &'static str,
-    },
-    /// Places to be put in an order, or such an order: no map is made of them.
-    #[error("this is {found}, not a map")]
-    Order {
-        /// What it is.
-        found: &'static str,
-        /// The file's name.
-        name: String,
-    },
-    /// A known file, but none whose places are to be put in an order.
-    #[error("this is {found}, not an instance of TSPLIB")]
-    NotAnOrder {
         /// What it is.
         found: &'static str,
     },
@@ -175,7 +163,7 @@ impl FormatError {
                 "known are MovingAI .map and .scen, a matrix of 0 and 1, a map drawn with # and ., ROS maps, pictures, rasters of heights (ESRI ASCII, CSV, GeoTIFF, SRTM), and a scenario as JSON",
             )
             .with("begins", begins),
-            Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, *hint).with("found", found),
+            Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, hint.as_ref()).with("found", found),
             Self::Needs { found, other } => {
                 let hint = "open both together; on the command line, keep them in one folder";
                 ErrorReport::new("needs-file", "file", message, hint).with("found", found).with("other", other)
@@ -197,14 +185,6 @@ impl FormatError {
             .with("found", found),
             Self::NotAMap { found } => {
                 ErrorReport::new("not-a-map", "file", message, "open the map that belongs to it").with("found", found)
-            }
-            Self::Order { found, name } => {
-                let hint = format!("its places can be put in an order: formicarium order {name}");
-                ErrorReport::new("order-problem", "file", message, hint).with("found", found).with("name", name)
-            }
-            Self::NotAnOrder { found } => {
-                let hint = "name a .tsp; of a map, plan a path: formicarium plan FILE --planner astar";
-                ErrorReport::new("not-an-order", "file", message, hint).with("found", found)
             }
             Self::NotATerrain { found } => {
                 ErrorReport::new("not-a-terrain", "file", message, "open it as a map").with("found", found)

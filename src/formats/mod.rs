@@ -142,7 +142,15 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
         Kind::OccupancyGrid => ros::read_message(&decoded()?, name, unknown, cells)?,
         Kind::Mapf => ros::read_mapf(&decoded()?, name)?,
         Kind::Scenario => scenario(&decoded()?)?,
-        Kind::Tsplib | Kind::TsplibTour => return Err(FormatError::Order { found: kind.name(), name: name.into() }.into()),
+        Kind::Tsplib => {
+            let hint = format!("put its places in an order: formicarium order {name}").into();
+            return Err(FormatError::Foreign { found: kind.name(), hint }.into());
+        }
+        Kind::TsplibTour => {
+            let hint =
+                "open it together with its instance; on the command line: formicarium order INSTANCE.tsp --tour FILE".into();
+            return Err(FormatError::Foreign { found: kind.name(), hint }.into());
+        }
         _ => return Err(FormatError::NotAMap { found: kind.name() }.into()),
     };
     Ok(imported)

@@ -31,10 +31,10 @@ fn order_refuses_by_name() {
     folder.write("five.tour", "TYPE: TOUR\nTOUR_SECTION\n1 3 2 4\n-1\nEOF\n");
     folder.write("goods.vrp", &FIVE.replace("TSP (made up)", "CVRP"));
     let run = |args: &[&str], said: &[&str]| drop(folder.run(args).ends(2).says(said));
-    run(&["plan", "five.tsp", "--planner", "astar"], &["an instance of TSPLIB, not a map", "formicarium order five.tsp"]);
+    run(&["plan", "five.tsp", "--planner", "astar"], &["an instance of TSPLIB", "formicarium order five.tsp"]);
     run(&["convert", "five.tsp", "five.map"], &["formicarium order five.tsp"]);
     run(&["order", "goods.vrp"], &["vehicle routing problem", "TYPE TSP or ATSP"]);
-    run(&["order", "small.map"], &["a map of the MovingAI benchmarks, not an instance of TSPLIB"]);
+    run(&["order", "small.map"], &["this is a map of the MovingAI benchmarks", "an instance of TSPLIB (.tsp)"]);
     run(&["order", "five.tour"], &["TYPE: is TOUR", "--tour"]);
     run(&["order", "five.tsp", "--tour", "five.tour"], &["the tour leaves out place 5"]);
     run(&["order", "five.tsp", "--ants", "0"], &["ants = 0 is outside 1 to 1024"]);

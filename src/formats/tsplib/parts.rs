@@ -127,7 +127,7 @@ impl<'a> Parts<'a> {
         self.values.push((key, value));
         let word = if key == "TYPE" { type_word(self)? } else { "" };
         if let Some(&(_, found, hint)) = FOREIGN.iter().find(|(foreign, ..)| *foreign == word) {
-            return Err(FormatError::Foreign { found, hint });
+            return Err(FormatError::Foreign { found, hint: hint.into() });
         }
         if key == "TYPE" && !["TSP", "ATSP", "TOUR"].contains(&word) {
             return Err(FormatError::field("TYPE", format!("`{}` is not known", quote(value)), "TSP or ATSP, in capitals"));

@@ -29,11 +29,11 @@ export function OrderDialog() {
       actions={<Actions play={play} />}
     >
       <div class="order">
-        <OrderPicture play={play} />
-        <div class="order-side">
-          <OrderNumbers play={play} />
+        <div class="order-view">
+          <OrderPicture play={play} />
           <OrderCurve play={play} />
         </div>
+        <OrderNumbers play={play} />
       </div>
       <OrderSettingFields play={play} />
       {error !== null && <FormError error={error} />}

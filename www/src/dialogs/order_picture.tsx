@@ -29,7 +29,7 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
     return () => removeEventListener('resize', draw)
   }, [facts, summary, trails, ink, open])
   return (
-    <div class="order-view">
+    <>
       <canvas
         ref={canvas}
         class="order-picture"
@@ -47,7 +47,7 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
         {t('order.trails')}
       </label>
       {facts.at === null && <p class="hint">{t('order.onCircle')}</p>}
-    </div>
+    </>
   )
 }
 

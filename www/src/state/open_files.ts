@@ -21,6 +21,7 @@ import {
   scenChoice,
   type TerrainFile,
 } from './offered_files'
+import { offerOrder } from './order_play'
 import { autoplay } from './sessions'
 import { suitSpeed } from './speed'
 import { importPart, offerTerrain } from './terrain_files'
@@ -261,7 +262,6 @@ export async function openChosen({ files, others }: MapChoice, file: FoundFile):
 
 /** An order problem, with the tour that is named as it is, or the only one. */
 async function openOrder(file: FoundFile, together: FoundFile[]): Promise<void> {
-  const { offerOrder } = await import('./order_play')
   const tours = together.filter(({ kind }) => kind === 'tsplib-tour')
   const alike = tours.find(({ name }) => stemOf(name) === stemOf(file.name))
   const tour = alike ?? (tours.length === 1 ? tours[0] : null) ?? null

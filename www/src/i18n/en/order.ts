@@ -8,7 +8,7 @@ export const enOrder = {
   weights: 'Costs',
   exact: 'Exact',
   proven: '{{cost}}, proven',
-  unproven: 'not known: orders are proven up to {{most}} places',
+  unproven: 'unknown: proven up to {{most}} places',
   listed: 'Listed optimum',
   tour: 'Tour in {{file}}',
   best: 'Best of the ants',

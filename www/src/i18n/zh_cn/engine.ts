@@ -487,14 +487,6 @@ export const zhCNEngine = {
       message: '文件中有多个矩阵',
       hint: '请用“导入…”打开该文件并选择其中一个',
     },
-    'order-problem': {
-      message: '该文件不是地图，而是{{found}}',
-      hint: '请与所属的 .tsp 实例一起打开',
-    },
-    'not-an-order': {
-      message: '这是{{found}}，不是 TSPLIB 实例',
-      hint: '请选择 .tsp 文件；对地图请规划路径',
-    },
     'not-a-map': { message: '该文件不是地图', hint: '请打开所属的地图' },
     syntax: { message: '第 {{line}} 行：{{what}}', hint: '应为：{{expected}}' },
     'no-path': {
