@@ -4,37 +4,48 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
-#[path = "common/tsplib.rs"]
-mod tsplib;
-
 use std::path::PathBuf;
 
 use formicarium::aco::tour::{OrderColony, TourSettings};
 use formicarium::exact::order::{Costs, Shape, held_karp};
+use formicarium::exact::order_problem::OrderProblem;
+use formicarium::formats::tsplib::{read_instance, read_tour};
 use formicarium::rng::Streams;
-use tsplib::{Problem, read_tour};
 
 /// Problems with a tour file, and the length of the best closed tour.
 const LISTED: [(&str, f64); 5] =
     [("ulysses16", 6859.0), ("att48", 10628.0), ("eil51", 426.0), ("berlin52", 7542.0), ("kroA100", 21282.0)];
 
 /// 14 cities in Burma (Zaw Win), GEO.
-const BURMA14: [[f64; 2]; 14] = [
-    [16.47, 96.10],
-    [16.47, 94.44],
-    [20.09, 92.54],
-    [22.39, 93.37],
-    [25.23, 97.24],
-    [22.00, 96.05],
-    [20.47, 97.02],
-    [17.20, 96.29],
-    [16.30, 97.38],
-    [14.05, 98.12],
-    [16.53, 97.38],
-    [21.52, 95.59],
-    [19.41, 97.13],
-    [20.09, 94.55],
-];
+const BURMA14: &str = "\
+NAME: burma14
+TYPE: TSP
+COMMENT: 14-Staedte in Burma (Zaw Win)
+DIMENSION: 14
+EDGE_WEIGHT_TYPE: GEO
+EDGE_WEIGHT_FORMAT: FUNCTION
+DISPLAY_DATA_TYPE: COORD_DISPLAY
+NODE_COORD_SECTION
+   1  16.47       96.10
+   2  16.47       94.44
+   3  20.09       92.54
+   4  22.39       93.37
+   5  25.23       97.24
+   6  22.00       96.05
+   7  20.47       97.02
+   8  17.20       96.29
+   9  16.30       97.38
+  10  14.05       98.12
+  11  16.53       97.38
+  12  21.52       95.59
+  13  19.41       97.13
+  14  20.09       94.55
+EOF
+";
+
+fn burma14() -> OrderProblem {
+    read_instance(BURMA14.as_bytes()).expect("an instance")
+}
 
 /// A file of the data folder; none without the folder.
 fn file(name: &str) -> Option<String> {
@@ -46,11 +57,12 @@ fn file(name: &str) -> Option<String> {
     Some(std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display())))
 }
 
-/// Costs and listed optimal order.
-fn listed(name: &str) -> Option<(Costs, Vec<u32>)> {
-    let problem = Problem::read(&file(&format!("{name}.tsp"))?);
-    assert!(problem.name.starts_with(name));
-    Some((problem.costs(), read_tour(&file(&format!("{name}.opt.tour"))?)))
+/// A problem and its listed optimal order.
+fn listed(name: &str) -> Option<(OrderProblem, Vec<u32>)> {
+    let problem = read_instance(file(&format!("{name}.tsp"))?.as_bytes()).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!(problem.name, name);
+    let tour = read_tour(file(&format!("{name}.opt.tour"))?.as_bytes(), &problem);
+    Some((problem, tour.unwrap_or_else(|error| panic!("{name}: {error}"))))
 }
 
 /// Best of a short run of the order colony: the settings of Ant System for tours (Dorigo and Stützle 2004, box 3.1), m = 25.
@@ -69,15 +81,23 @@ fn colony(costs: &Costs, shape: Shape, exploit: Option<f64>) -> f64 {
 #[test]
 fn listed_tours_have_the_listed_lengths() {
     for (name, optimum) in LISTED {
-        let Some((costs, order)) = listed(name) else { return };
-        assert_eq!(order.len() + 1, costs.nodes(), "{name}");
-        assert_eq!(costs.total(&order, Shape::Closed), optimum, "{name}");
+        let Some((problem, order)) = listed(name) else { return };
+        assert_eq!(order.len() + 1, problem.len(), "{name}");
+        assert_eq!(problem.cost(&order), optimum, "{name}");
+        assert_eq!(problem.listed_optimum(), Some(optimum), "{name}: {}", problem.digest().hex());
+        // Of another shape, or of other costs, nothing is listed.
+        assert_eq!(OrderProblem { shape: Shape::Open, ..problem.clone() }.listed_optimum(), None);
+        let other = Costs::new(problem.len(), |i, j| problem.costs.get(i, j) + 1.0);
+        assert_eq!(OrderProblem { costs: other, ..problem }.listed_optimum(), None);
     }
 }
 
 #[test]
 fn held_karp_proves_burma14() {
-    let costs = Problem::geo("burma14", &BURMA14).costs();
+    let problem = burma14();
+    assert_eq!(problem.listed_optimum(), Some(3323.0), "{}", problem.digest().hex());
+    assert_eq!(problem.prove().expect("13 goals").cost, 3323.0);
+    let costs = problem.costs;
     let order = held_karp(&costs, Shape::Closed).expect("13 goals");
     assert_eq!(costs.total(&order, Shape::Closed), 3323.0);
     let open = held_karp(&costs, Shape::Open).expect("13 goals");
@@ -88,7 +108,7 @@ fn held_karp_proves_burma14() {
 
 #[test]
 fn held_karp_proves_ulysses16() {
-    let Some((costs, order)) = listed("ulysses16") else { return };
+    let Some((OrderProblem { costs, .. }, order)) = listed("ulysses16") else { return };
     let closed = held_karp(&costs, Shape::Closed).expect("15 goals");
     assert_eq!(costs.total(&closed, Shape::Closed), 6859.0);
     let open = held_karp(&costs, Shape::Open).expect("15 goals");
@@ -99,7 +119,7 @@ fn held_karp_proves_ulysses16() {
 #[test]
 fn the_order_colony_comes_near_the_best_closed_tours() {
     for (name, optimum) in LISTED {
-        let Some((costs, _)) = listed(name) else { return };
+        let Some((OrderProblem { costs, .. }, _)) = listed(name) else { return };
         for (rule, exploit) in [("random proportional", None), ("pseudo-random proportional", Some(0.7))] {
             let found = colony(&costs, Shape::Closed, exploit);
             println!("{name}, closed, {rule}: {found}, {:.2} % above {optimum}", 100.0 * (found / optimum - 1.0));
@@ -111,7 +131,7 @@ fn the_order_colony_comes_near_the_best_closed_tours() {
 #[test]
 fn the_order_colony_comes_near_the_best_open_tours() {
     for (name, _) in LISTED {
-        let Some((costs, order)) = listed(name) else { return };
+        let Some((OrderProblem { costs, .. }, order)) = listed(name) else { return };
         // Beyond 16 goals nothing is proven for open tours: the best closed one without its way back is something to compare with.
         let best = held_karp(&costs, Shape::Open);
         let (what, yardstick) = match &best {

@@ -18,6 +18,7 @@
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
+//! | the same colony on problems that have no map | `order_run.rs` |
 //!
 //! | variant | initial trail | η | selection | on each move | update | daemon |
 //! |---|---|---|---|---|---|---|
@@ -47,6 +48,7 @@ mod lanes;
 pub mod legs;
 pub mod odds;
 pub mod on_demand;
+pub mod order_run;
 pub mod selection;
 pub mod shared_params;
 pub mod tour;

@@ -94,6 +94,11 @@ impl OrderColony {
         self.best.as_ref()
     }
 
+    /// Iterations done.
+    pub fn iterations(&self) -> u32 {
+        self.iterations
+    }
+
     /// Whether the budget of iterations is spent.
     pub fn is_finished(&self) -> bool {
         self.iterations >= self.settings.iterations

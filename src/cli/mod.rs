@@ -8,6 +8,7 @@ mod convert;
 mod error;
 mod generate;
 mod input;
+mod order;
 mod output;
 mod plan;
 mod reading;
@@ -41,6 +42,7 @@ Examples:
   formicarium compare experiments/ship.toml --out results
   formicarium check path.csv --map arena2.map
   formicarium bench-scen arena2.map.scen
+  formicarium order berlin52.tsp --runs 10
 
 Exit codes: 0 fine, 1 no path or a failed check, 2 unusable input.
 Coordinates are column,row from 0; 0,0 is the upper left. `-` stands for standard input or output.";
@@ -54,6 +56,7 @@ enum Command {
     Check(check::Args),
     Generate(generate::Args),
     BenchScen(bench_scen::Args),
+    Order(order::Args),
 }
 
 /// An error as JSON.
@@ -85,6 +88,7 @@ impl Command {
             Self::Check(args) => check::run(args),
             Self::Generate(args) => generate::run(args),
             Self::BenchScen(args) => bench_scen::run(args),
+            Self::Order(args) => order::run(args),
         }
     }
 
@@ -95,6 +99,7 @@ impl Command {
             Self::Catalog(args) => args.json,
             Self::Check(args) => args.wants_json(),
             Self::BenchScen(args) => args.wants_json(),
+            Self::Order(args) => args.wants_json(),
             Self::Compare(_) | Self::Convert(_) | Self::Generate(_) => false,
         }
     }

@@ -1,5 +1,7 @@
 //! What is wrong with a file.
 
+use std::borrow::Cow;
+
 use thiserror::Error;
 
 use super::{ErrorReport, ScenarioError};
@@ -19,7 +21,7 @@ pub enum FormatError {
         /// What it is, e.g. "a PDF document".
         found: &'static str,
         /// What to do.
-        hint: &'static str,
+        hint: Cow<'static, str>,
     },
     /// A file that is only half of what is needed.
     #[error("this is {found}, which needs `{other}`")]
@@ -161,7 +163,7 @@ impl FormatError {
                 "known are MovingAI .map and .scen, a matrix of 0 and 1, a map drawn with # and ., ROS maps, pictures, rasters of heights (ESRI ASCII, CSV, GeoTIFF, SRTM), and a scenario as JSON",
             )
             .with("begins", begins),
-            Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, *hint).with("found", found),
+            Self::Foreign { found, hint } => ErrorReport::new("foreign-file", "file", message, hint.as_ref()).with("found", found),
             Self::Needs { found, other } => {
                 let hint = "open both together; on the command line, keep them in one folder";
                 ErrorReport::new("needs-file", "file", message, hint).with("found", found).with("other", other)

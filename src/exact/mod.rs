@@ -6,6 +6,7 @@ mod best_first;
 mod contours;
 pub mod dijkstra;
 pub mod order;
+pub mod order_problem;
 pub mod point_robot;
 mod search;
 pub mod slices;

@@ -1,5 +1,7 @@
 //! Files that are known but not read: what to call them, and what to do with them.
 
+use std::borrow::Cow;
+
 use super::picture;
 use super::recognise::Sample;
 use crate::error::FormatError;
@@ -10,7 +12,7 @@ type Known = (&'static [u8], &'static str, &'static str);
 /// Text in UTF-16, with or without its mark.
 pub(super) const UTF_16: FormatError = FormatError::Foreign {
     found: "text in UTF-16",
-    hint: "save it as UTF-8: in Notepad or Excel, choose UTF-8 where it is saved",
+    hint: Cow::Borrowed("save it as UTF-8: in Notepad or Excel, choose UTF-8 where it is saved"),
 };
 
 const PICTURE: &str = "open it as a picture, with a threshold between free and blocked";
@@ -58,13 +60,13 @@ pub(super) fn by_first_bytes(bytes: &[u8]) -> Option<FormatError> {
         return Some(UTF_16);
     }
     if picture::looks_like(bytes) {
-        return Some(FormatError::Foreign { found: "a picture", hint: PICTURE });
+        return Some(FormatError::Foreign { found: "a picture", hint: PICTURE.into() });
     }
     if bytes.get(257..262) == Some(b"ustar") {
-        return Some(FormatError::Foreign { found: "a tar archive", hint: UNPACK });
+        return Some(FormatError::Foreign { found: "a tar archive", hint: UNPACK.into() });
     }
     let known = FOREIGN.iter().chain(&ARCHIVES).find(|(magic, ..)| bytes.starts_with(magic));
-    known.map(|&(_, found, hint)| FormatError::Foreign { found, hint })
+    known.map(|&(_, found, hint)| FormatError::Foreign { found, hint: hint.into() })
 }
 
 /// The refusal of a file that no reader takes, by how it begins.
@@ -94,5 +96,5 @@ fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
     } else {
         return None;
     };
-    Some(FormatError::Foreign { found, hint })
+    Some(FormatError::Foreign { found, hint: hint.into() })
 }

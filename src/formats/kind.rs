@@ -33,6 +33,8 @@ pub enum Kind {
     Mapf,
     /// An instance of TSPLIB.
     Tsplib,
+    /// A tour of such an instance.
+    TsplibTour,
     /// A path: a Path message of ROS, or pairs in brackets.
     Path,
     /// A scenario with its map, as JSON.
@@ -87,6 +89,7 @@ impl Kind {
             Self::OccupancyGrid => "an OccupancyGrid message",
             Self::Mapf => "an instance of multi-agent path finding",
             Self::Tsplib => "an instance of TSPLIB",
+            Self::TsplibTour => "a tour of TSPLIB",
             Self::Path => "a path",
             Self::Scenario => "a scenario",
             Self::Session => "a session",

@@ -1,7 +1,7 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_with`] one that leaves a choice or comes in two files, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`import_results`] results of runs from elsewhere, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! path, [`import_results`] results of runs from elsewhere, [`tsplib`] order problems, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
@@ -26,7 +26,7 @@ mod scen;
 mod scenario_json;
 mod terrain;
 mod text;
-mod tsplib;
+pub mod tsplib;
 
 use serde::Serialize;
 
@@ -146,6 +146,15 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
         Kind::OccupancyGrid => ros::read_message(&decoded()?, name, unknown, cells)?,
         Kind::Mapf => ros::read_mapf(&decoded()?, name)?,
         Kind::Scenario => scenario(&decoded()?)?,
+        Kind::Tsplib => {
+            let hint = format!("put its places in an order: formicarium order {name}").into();
+            return Err(FormatError::Foreign { found: kind.name(), hint }.into());
+        }
+        Kind::TsplibTour => {
+            let hint =
+                "open it together with its instance; on the command line: formicarium order INSTANCE.tsp --tour FILE".into();
+            return Err(FormatError::Foreign { found: kind.name(), hint }.into());
+        }
         _ => return Err(FormatError::NotAMap { found: kind.name() }.into()),
     };
     Ok(imported)

@@ -57,7 +57,7 @@ const PREFIX: usize = 1 << 20;
 /// A reader: its kind, and how it recognises its own.
 struct Reader(Kind, fn(&Sample<'_>) -> Sureness);
 
-const READERS: [Reader; 18] = [
+const READERS: [Reader; 19] = [
     Reader(Kind::Geotiff, |s| certain_if(terrain::geotiff::looks_like(s.head), "its first bytes")),
     Reader(Kind::Picture, |s| certain_if(picture::looks_like(s.head), "its first bytes")),
     Reader(Kind::Archive, |s| certain_if(foreign::is_archive(s.head), "its first bytes")),
@@ -72,7 +72,8 @@ const READERS: [Reader; 18] = [
     Reader(Kind::RosMap, |s| certain_if(ros::is_map_description(&s.text), "the keys image, resolution and origin")),
     Reader(Kind::OccupancyGrid, |s| certain_if(ros::is_occupancy_grid(&s.text), "the keys info and data")),
     Reader(Kind::Mapf, |s| certain_if(ros::is_mapf(&s.text), "the keys map and agents")),
-    Reader(Kind::Tsplib, |s| certain_if(tsplib::looks_like(&s.text), "the keys of its header")),
+    Reader(Kind::Tsplib, |s| tsplib_as(s, tsplib::Looks::Instance)),
+    Reader(Kind::TsplibTour, |s| tsplib_as(s, tsplib::Looks::Tour)),
     Reader(Kind::Path, |s| certain_if(path_list::looks_like(&s.text), "places in brackets, or poses")),
     Reader(Kind::Drawing, |s| drawing::sureness(&s.text)),
     Reader(Kind::Matrix, table),
@@ -171,6 +172,10 @@ fn movingai_scen(sample: &Sample<'_>) -> Sureness {
         return Sureness::Certain("its version line");
     }
     certain_if(sample.name.ends_with(".scen") && scen::has_fields(&sample.text), "its name and the fields of its first line")
+}
+
+fn tsplib_as(sample: &Sample<'_>, looks: tsplib::Looks) -> Sureness {
+    certain_if(tsplib::looks_like(&sample.text) == Some(looks), "the keys of its header")
 }
 
 fn table(sample: &Sample<'_>) -> Sureness {

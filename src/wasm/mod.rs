@@ -12,6 +12,8 @@ mod figure;
 mod ground;
 #[cfg(feature = "whole")]
 mod maps;
+#[cfg(feature = "whole")]
+mod order;
 mod paint;
 mod playback;
 #[cfg(feature = "whole")]
@@ -42,6 +44,8 @@ pub use maps::{
     export_geotiff, export_map, export_ros, fitting_slices, generate, import_map, import_scen, import_terrain, list_matrices,
     recognise, ros_image, survey_terrain, unpack,
 };
+#[cfg(feature = "whole")]
+pub use order::{OrderRun, read_order};
 #[cfg(feature = "whole")]
 pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};

@@ -18,6 +18,7 @@ mod full_disk;
 mod interrupted;
 mod journal;
 mod kept_files;
+mod order;
 mod plan;
 mod quantities;
 mod results;

@@ -10,6 +10,7 @@ fn nothing_is_taken_for_something_else() {
         ("image: a.pgm\nresolution: 0.1\norigin: [1, 2, 0]\n", Kind::RosMap),
         ("robots: [ [0, 0], [1, 1] ]\nmap:\n  dimensions: [4, 3]\n  obstacles: []\n", Kind::Mapf),
         ("NAME : five\nTYPE : TSP\nDIMENSION: 5\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n1 1 1\n", Kind::Tsplib),
+        ("NAME : five\nTYPE : TOUR\nDIMENSION: 5\nTOUR_SECTION\n1\n2\n3\n4\n5\n-1\n", Kind::TsplibTour),
         ("[(0, 0), (1, 0)]", Kind::Path),
         ("row,col\n0,0\n1,0\n", Kind::Path),
         ("header:\n  frame_id: map\nposes:\n- pose:\n    position:\n      x: 1\n      y: 2\n", Kind::Path),

@@ -70,8 +70,24 @@ fn comparison(question: &str) -> Vec<u8> {
     format!("{{\"format\": \"formicarium/comparison@1\",\n{question},\n\"maps\": [\n{map}]}}\n").into_bytes()
 }
 
+/// An instance of TSPLIB.
+pub const FIVE_PLACES: &str = "NAME: five\nTYPE: TSP (a pentagon)\nDIMENSION: 5\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n\
+1 10 0\n2 3.1 9.5\n3 -8.1 5.9\n4 -8.1 -5.9\n5 3.1 -9.5\nEOF\n";
+
 fn written() -> Vec<(&'static str, Vec<u8>)> {
     let texts = [
+        ("five.tsp", FIVE_PLACES),
+        (
+            "three.atsp",
+            "NAME: three\nTYPE: ATSP\nDIMENSION: 3\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n\
+EDGE_WEIGHT_SECTION\n9999 1 2\n3 9999 4\n5 6 9999\nEOF\n",
+        ),
+        (
+            "four.tsp",
+            "NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: LOWER_DIAG_ROW\n\
+DISPLAY_DATA_TYPE: TWOD_DISPLAY\nEDGE_WEIGHT_SECTION\n0 1 0 2 3 0 4 5 6 0\nDISPLAY_DATA_SECTION\n1 0 0\n2 1 0\n3 1 1\n4 0 1\nEOF\n",
+        ),
+        ("five.opt.tour", "NAME: five.opt.tour\nTYPE: TOUR\nDIMENSION: 5\nTOUR_SECTION\n1\n2\n3\n4\n5\n-1\nEOF\n"),
         ("a.m", "G = [0 1 0; ... first\n 1 0 2; % second\n 3 0 0;];\nx = size(G);\n"),
         ("a.py", "import numpy as np\ng = np.array([[0, 1],\n [1, 0]])\n"),
         ("a.txt", "001\n010\n"),

@@ -9,7 +9,7 @@ use formicarium::formats::{self, BinaryExport, Companion, Export, Imported, Read
 use formicarium::map::{Grid, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
-use crate::corpus::File;
+use crate::corpus::{FIVE_PLACES, File};
 use crate::limits::{Limits, MOST_CELLS, MOST_CELLS_PER_BYTE};
 use crate::stated::stated;
 use crate::watch::{Fault, watch};
@@ -56,6 +56,7 @@ pub const READERS: &[Reader] = &[
         typed(formats::import_with(&file.bytes, &file.name, &ReadOptions::default(), Some(beside))).map(drop)
     }),
     raster("figure", figure),
+    text("order problem", order_problem),
     text("path_kind", |file| done(formats::path_kind(&file.bytes))),
     text("read_scenario", |file| typed(formats::read_scenario(&utf8(file)).map_err(Error::from)).map(drop)),
     text("format_of", |file| done(formats::format_of(&utf8(file)))),
@@ -141,6 +142,17 @@ fn import_scen(file: &File) -> Result<(), Fault> {
     }
     scen.lines.iter().for_each(|line| assert!(line.fits(line.optimal)));
     Ok(())
+}
+
+/// An instance that is accepted has tours, and a tour of it costs something finite.
+fn order_problem(file: &File) -> Result<(), Fault> {
+    let five = formats::tsplib::read_instance(FIVE_PLACES.as_bytes()).expect("an instance");
+    typed(formats::tsplib::read_tour(&file.bytes, &five).map_err(Error::from))?;
+    let Some(problem) = typed(formats::tsplib::read_instance(&file.bytes).map_err(Error::from))? else { return Ok(()) };
+    let order: Vec<u32> = (0..problem.len() as u32 - 1).collect();
+    let cost = problem.cost(&order);
+    let drawn = problem.places.as_ref().is_none_or(|places| places.len() == problem.len());
+    if cost.is_finite() && cost >= 0.0 && drawn { Ok(()) } else { Err(Fault::broken("tours have a cost", cost.to_string())) }
 }
 
 fn import_results(file: &File) -> Result<(), Fault> {

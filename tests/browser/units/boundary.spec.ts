@@ -26,6 +26,9 @@ const pixel = text('P3\n1 1\n255\n9 9 9\n')
 const lattice = { x0: 0, y0: 0, dx: 3, dy: 3, shear_x: 0, shear_y: 0, columns: 2, rows: 2 }
 const table = 'instance,entry,seed,length\na,mine,1,5\n'
 
+const TRIANGLE =
+  'TYPE: TSP\nDIMENSION: 3\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 1 0\n3 0 1\nEOF\n'
+
 /** Valid arguments of everything that takes any, as `Class.method` or `function`; what is left out takes none. */
 function valid(): Record<string, unknown[]> {
   const { spec: on, cells } = sessionOf(9, 9, new Uint8Array(81)).scenario
@@ -47,6 +50,8 @@ function valid(): Record<string, unknown[]> {
     'Comparison.keep': [ROW, [0.5, 1]],
     'Comparison.run': [0, () => 1],
     'Comparison.seed_by_seed': [1],
+    'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
+    'OrderRun.advance': [1],
     'ContourLines.constructor': [3, new Float32Array([1, 2, 3, 2, 3, 4, 3, 4, 9]), 1],
     ablation: ['fire', null, {}],
     check_scenario: [on, cells, heights],
@@ -64,6 +69,7 @@ function valid(): Record<string, unknown[]> {
     list_matrices: [text('0 0\n0 0\n')],
     match_results: [DOCUMENT, text(table), 'x.csv'],
     paint_map: [{}, on, cells, heights, 'dark', false],
+    read_order: [text(TRIANGLE), false, null],
     recognise: [text('0 0'), 'x'],
     read_figure: [pixel, lattice],
     reference: [on, cells, heights, 'length'],

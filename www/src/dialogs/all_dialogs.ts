@@ -10,6 +10,7 @@ import { HelpDialog } from './help_dialog'
 import { ImportDialog } from './import_dialog'
 import { MapChoiceDialog } from './map_choice_dialog'
 import { MapDialog } from './map_dialog'
+import { OrderDialog } from './order_dialog'
 import { ResizeDialog } from './resize_dialog'
 import { ScenDialog } from './scen_dialog'
 import { ShareDialog } from './share_dialog'
@@ -23,6 +24,7 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   resize: ResizeDialog,
   help: HelpDialog,
   paper: CardDialog,
+  order: OrderDialog,
 }
 
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

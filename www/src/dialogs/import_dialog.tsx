@@ -1,5 +1,6 @@
 import { useId, useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
+import { MAP_ENDINGS } from '../model/endings'
 import { openFiles, openText } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
@@ -15,16 +16,13 @@ const FORMATS = [
   'picture',
   'ros',
   'raster',
+  'order',
   'json',
   'archive',
   'link',
 ] as const
 /** What the file picker offers first. */
-const ENDINGS = [
-  '.map,.scen,.txt,.csv,.json,.m,.py',
-  '.png,.jpg,.jpeg,.webp,.bmp,.pgm,.pbm,.ppm',
-  '.yaml,.yml,.asc,.tif,.tiff,.hgt,.zip,.gz',
-].join()
+const ENDINGS = `${MAP_ENDINGS},.scen,.tsp,.atsp,.tour`
 
 export function ImportDialog() {
   const [text, setText] = useState('')

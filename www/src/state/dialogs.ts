@@ -1,7 +1,15 @@
 /** Which dialog is open: one at a time. */
 import { signal } from '@preact/signals'
 
-export type DialogName = 'share' | 'import' | 'export' | 'generate' | 'resize' | 'help' | 'paper'
+export type DialogName =
+  | 'share'
+  | 'import'
+  | 'export'
+  | 'generate'
+  | 'resize'
+  | 'help'
+  | 'paper'
+  | 'order'
 
 export const openDialog = signal<DialogName | null>(null)
 

@@ -25,6 +25,7 @@ import {
   type TerrainFile,
   terrainFile,
 } from './offered_files'
+import { offerOrder } from './order_play'
 import { autoplay } from './sessions'
 import { suitSpeed } from './speed'
 import { importPart, offerTerrain } from './terrain_files'
@@ -136,9 +137,12 @@ async function openTogether(given: NamedBytes[], opening: Together = {}): Promis
 }
 
 /** Of files that were named one by one, the reader hears which are none of ours. */
-function tellLeftOut(files: NamedBytes[]): void {
+function tellLeftOut(
+  files: NamedBytes[],
+  why: 'opening.leftOut' | 'opening.oneOrder' = 'opening.leftOut',
+): void {
   const names = files.map(({ name }) => fileName(name)).join(', ')
-  if (names !== '') notify('warning', t('opening.leftOut', { names }))
+  if (names !== '') notify('warning', t(why, { names }))
 }
 
 function nothingWithin(name: string): EngineError {
@@ -192,7 +196,15 @@ async function carriedBy(bytes: Uint8Array): Promise<string | null> {
   })
 }
 
-const OPENED = new Set(['carrier', 'session', 'comparison', 'results', 'movingai-scen'])
+const OPENED = new Set([
+  'carrier',
+  'session',
+  'comparison',
+  'results',
+  'movingai-scen',
+  'tsplib',
+  'tsplib-tour',
+])
 const canBeOpened = (file: FoundFile | Carrier) =>
   OPENED.has(file.kind) || (file.kind !== 'carrier' && file.map)
 
@@ -200,6 +212,7 @@ const canBeOpened = (file: FoundFile | Carrier) =>
 async function openFound(found: Looked['found'], opening: Together): Promise<boolean> {
   const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
   const named = await picturesNamed(files)
+  const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
   for (const file of found) {
     if (file.kind === 'carrier') await openText(file.text)
@@ -207,12 +220,15 @@ async function openFound(found: Looked['found'], opening: Together): Promise<boo
     else if (file.kind === 'comparison')
       await openComparisonText(new TextDecoder().decode(file.bytes))
     else if (file.kind === 'results') await importResults(file.bytes, file.name)
-    // As a rule the import says why it is no map.
-    else if (!canBeOpened(file)) {
+    // A tour alone: its import says so. As a rule the import says why it is no map.
+    else if (!canBeOpened(file) || (file.kind === 'tsplib-tour' && orders.length === 0)) {
       const name = fileName(file.name)
       showMap(await tools.importMap(file.bytes, name), { name, take: null })
     }
   }
+  const [order, ...moreOrders] = orders
+  if (order) await openOrder(order, files)
+  tellLeftOut(moreOrders, 'opening.oneOrder')
   const scens = files.filter(({ kind }) => kind === 'movingai-scen')
   const [first] = maps
   if (maps.length > 1 && !opening.unasked)
@@ -226,6 +242,15 @@ async function openFound(found: Looked['found'], opening: Together): Promise<boo
 export async function openChosen({ files, others }: MapChoice, file: FoundFile): Promise<void> {
   await openOne(file, [...files, ...others], {})
   mapChoice.value = null
+}
+
+/** An order problem, with the tour that is named as it is, or the only one. */
+async function openOrder(file: FoundFile, together: FoundFile[]): Promise<void> {
+  const tours = together.filter(({ kind }) => kind === 'tsplib-tour')
+  const alike = tours.find(({ name }) => stemOf(name) === stemOf(file.name))
+  const tour = alike ?? (tours.length === 1 ? tours[0] : null) ?? null
+  const named = ({ name, bytes }: NamedBytes) => ({ name: fileName(name), bytes })
+  await offerOrder(named(file), tour && named(tour))
 }
 
 /** Pictures that the description of a ROS map names: they are no maps of their own. */
@@ -360,6 +385,7 @@ function replay(session: Session): void {
 }
 
 const fileName = (path: string) => path.slice(Math.max(...folderEnds(path)) + 1)
+const stemOf = (path: string) => fileName(path).toLowerCase().split('.')[0]
 const folderOf = (path: string) => path.slice(0, Math.max(0, ...folderEnds(path)))
 const folderEnds = (path: string) => [path.lastIndexOf('/'), path.lastIndexOf('\\')]
 const sameName = (a: string, b: string) => fileName(a).toLowerCase() === fileName(b).toLowerCase()

@@ -1,7 +1,10 @@
 /** The text of dialogs: fetched with them (dialogs.ts). */
 import type { Kind } from '@pkg/formicarium'
 
+import { enOrder } from './order'
+
 export const enDialogs = {
+  order: enOrder,
   movement: {
     label: 'Allowed moves',
     notes: {
@@ -126,6 +129,7 @@ export const enDialogs = {
       picture: 'Picture, by a threshold (.png, .jpg, .webp, .bmp, .pgm, .pbm, .ppm)',
       ros: 'ROS map: description and picture together (.yaml with .pgm or .png); OccupancyGrid message (.yaml)',
       raster: 'Heights: ESRI ASCII grid (.asc), GeoTIFF (.tif), SRTM (.hgt), table (.csv)',
+      order: 'Places to be put in an order: TSPLIB instance (.tsp), with or without a tour (.tour)',
       json: 'Formicarium scenario, session or comparison (.json)',
       archive: 'Any of these in an archive (.zip, .gz) or a folder',
       link: 'Share link, or a picture saved here (.png): its session or comparison is in it',
@@ -256,6 +260,7 @@ export const enDialogs = {
     scenNeedsMapHint: 'Drop the .map and the .scen file together, or open the map first.',
     tooManyFiles: 'More than {{most}} files: none was opened.',
     tooManyFilesHint: 'Drop the folder that holds the map, without what lies around it.',
+    oneOrder: 'One order problem is opened at a time; not opened: {{names}}',
     leftOut: 'Not opened, as it is no known file: {{names}}',
     nothingToOpen: 'Nothing in {{name}} can be opened here.',
     nothingToOpenHint: 'Import… in the map menu lists what can be.',
@@ -278,6 +283,7 @@ export const enDialogs = {
     'occupancy-grid': 'OccupancyGrid message',
     mapf: 'Multi-agent instance',
     tsplib: 'TSPLIB instance',
+    'tsplib-tour': 'TSPLIB tour',
     path: 'Path',
     scenario: 'Scenario',
     session: 'Session',

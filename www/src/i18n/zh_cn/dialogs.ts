@@ -1,8 +1,10 @@
 import type { DictionaryShape } from '../dictionary_shape'
 import type { enDialogs } from '../en/dialogs'
+import { zhCNOrder } from './order'
 
 /** Chinese of en/dialogs.ts. */
 export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
+  order: zhCNOrder,
   movement: {
     label: '允许的移动',
     notes: {
@@ -116,6 +118,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       picture: '图片，按阈值读取（.png、.jpg、.webp、.bmp、.pgm、.pbm、.ppm）',
       ros: 'ROS 地图：描述文件与图片一起（.yaml 加 .pgm 或 .png）；OccupancyGrid 消息（.yaml）',
       raster: '高程：ESRI ASCII 栅格（.asc）、GeoTIFF（.tif）、SRTM（.hgt）、表格（.csv）',
+      order: '待排序的地点：TSPLIB 实例（.tsp），可附带路线（.tour）',
       json: 'Formicarium 场景、会话或比较（.json）',
       archive: '以上任何文件的压缩包（.zip、.gz）或文件夹',
       link: '分享链接，或此处保存的图片（.png）：会话或比较就在其中',
@@ -243,6 +246,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     scenNeedsMapHint: '请把 .map 与 .scen 一起拖入，或先打开地图。',
     tooManyFiles: '文件超过 {{most}} 个：一个也没有打开。',
     tooManyFilesHint: '请只拖入含有地图的文件夹。',
+    oneOrder: '一次只打开一个次序问题；未打开：{{names}}',
     leftOut: '格式未知，未打开：{{names}}',
     nothingToOpen: '{{name}} 中没有可以打开的内容。',
     nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
@@ -265,6 +269,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     'occupancy-grid': 'OccupancyGrid 消息',
     mapf: '多智能体实例',
     tsplib: 'TSPLIB 实例',
+    'tsplib-tour': 'TSPLIB 路线',
     path: '路径',
     scenario: '场景',
     session: '会话',

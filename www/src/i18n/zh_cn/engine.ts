@@ -437,6 +437,20 @@ export const zhCNEngine = {
   },
   /** What a file turned out to be, and what to do with it. */
   found: {
+    'an-instance-of-tsplib': { name: 'TSPLIB 实例', hint: '请把 .tsp 文件单独拖入' },
+    'a-tour-of-tsplib': { name: 'TSPLIB 路线', hint: '请与所属的 .tsp 实例一起打开' },
+    'a-vehicle-routing-problem-cvrp-of-tsplib': {
+      name: 'TSPLIB 的车辆路径问题（CVRP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
+    'a-sequential-ordering-problem-sop-of-tsplib': {
+      name: 'TSPLIB 的顺序排列问题（SOP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
+    'a-hamiltonian-cycle-problem-hcp-of-tsplib': {
+      name: 'TSPLIB 的哈密顿回路问题（HCP）',
+      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+    },
     'a-gif-image': { name: 'GIF 图像', hint: '请另存为 PNG，再作为图片打开' },
     'a-pdf-document': { name: 'PDF 文档', hint: '请截取其中的图，再打开截图' },
     'a-numpy-array-npy': {

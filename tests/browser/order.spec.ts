@@ -1,0 +1,114 @@
+/** Instances of TSPLIB: their places in an order, proven and by ants, beside a map that stays. */
+import { expect, type Page, test } from '@playwright/test'
+import { expectClean } from './axe'
+import { RacePage } from './race_page'
+import { zipOf } from './zips'
+
+const PLACES = [
+  [16.47, 96.1],
+  [16.47, 94.44],
+  [20.09, 92.54],
+  [22.39, 93.37],
+  [25.23, 97.24],
+  [22.0, 96.05],
+  [20.47, 97.02],
+  [17.2, 96.29],
+  [16.3, 97.38],
+  [14.05, 98.12],
+  [16.53, 97.38],
+  [21.52, 95.59],
+  [19.41, 97.13],
+  [20.09, 94.55],
+]
+const HEAD =
+  'NAME: burma14\nTYPE: TSP\nCOMMENT: 14-Staedte in Burma (Zaw Win)\nDIMENSION: 14\nEDGE_WEIGHT_TYPE: GEO\nNODE_COORD_SECTION\n'
+const BURMA14 = `${HEAD}${PLACES.map((at, i) => [i + 1, ...at].join(' ')).join('\n')}\nEOF\n`
+const TOUR = `TYPE: TOUR\nDIMENSION: 14\nTOUR_SECTION\n${PLACES.map((_, i) => i + 1).join('\n')}\n-1\nEOF\n`
+const MATRIX =
+  'NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 2 3 4 5 6\nEOF\n'
+
+const dialog = (page: Page) => page.getByTestId('order-dialog')
+const said = (page: Page, row: string) => page.getByTestId(`order-${row}`)
+
+async function opened(race: RacePage, ...files: [string, string][]): Promise<void> {
+  await race.dropTogether(
+    files.map(([name, text]) => [name, Buffer.from(text)] as [string, Buffer]),
+  )
+  await expect(dialog(race.page)).toBeVisible()
+}
+
+async function rested(page: Page): Promise<RacePage> {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  return race
+}
+
+/** Runs to the end, and gives what is saved of it. */
+async function ran(page: Page) {
+  await page.getByTestId('order-run').click()
+  await expect(said(page, 'iteration')).toHaveText('200 of 200')
+  const saving = page.waitForEvent('download')
+  await page.getByTestId('order-json').click()
+  const stream = await (await saving).createReadStream()
+  const chunks: Buffer[] = []
+  for await (const chunk of stream) chunks.push(chunk as Buffer)
+  return JSON.parse(Buffer.concat(chunks).toString())
+}
+
+test.describe('an instance of TSPLIB', () => {
+  test('is proven, run and saved, and leaves the map alone', async ({ page }) => {
+    const race = await rested(page)
+    const before = (await race.session()).scenario
+    await opened(race, ['burma14.tsp', BURMA14], ['burma14.opt.tour', TOUR])
+    await expect(dialog(page)).toContainText('Order of 14 places')
+    await expect(said(page, 'exact')).toHaveText('3323, proven')
+    await expect(said(page, 'listed')).toContainText('3323')
+    await expect(dialog(page)).toContainText('Tour in burma14.opt.tour')
+    await expectClean(page, 'an order problem')
+
+    const first = await ran(page)
+    const [run] = first.runs
+    expect(first.exact.cost).toBe(3323)
+    expect(run.cost).toBeLessThan(1.2 * 3323)
+    expect([...run.places].sort((a: number, b: number) => a - b)).toEqual(
+      PLACES.map((_, i) => i + 1),
+    )
+    await expect(said(page, 'gap')).toHaveText(`${(100 * run.gap).toFixed(2)} %`)
+    await page.getByTestId('order-restart').click()
+    await expect(said(page, 'iteration')).toHaveText('0 of 200')
+    expect(await ran(page)).toEqual(first)
+
+    await page.keyboard.press('Escape')
+    await expect(dialog(page)).toBeHidden()
+    expect((await race.session()).scenario).toEqual(before)
+  })
+
+  test('without coordinates is drawn on a circle; steps, trails and settings', async ({ page }) => {
+    const race = await rested(page)
+    await race.dropTogether([['both.zip', zipOf([['four.tsp', MATRIX]])]])
+    await expect(dialog(page)).toContainText('drawn on a circle')
+    await page.getByTestId('order-step').click()
+    await expect(said(page, 'iteration')).toHaveText('1 of 200')
+    await page.getByTestId('order-trails').check()
+    await page.getByTestId('order-step').click()
+    await expect(said(page, 'iteration')).toHaveText('2 of 200')
+    await page.getByTestId('order-open').click()
+    // From 1 by 2 and 3 to 4: 1 + 4 + 6.
+    await expect(said(page, 'exact')).toHaveText('11, proven')
+    await page.getByTestId('order-ants').fill('0')
+    await page.getByTestId('order-ants').press('Tab')
+    await expect(dialog(page).getByRole('alert')).toContainText('1 to 1024')
+    await page.getByTestId('order-ants').fill('9')
+    await page.getByTestId('order-ants').press('Tab')
+    await expect(dialog(page).getByRole('alert')).toHaveCount(0)
+  })
+
+  test('of vehicles is refused by name', async ({ page }) => {
+    const race = await rested(page)
+    const before = (await race.session()).scenario
+    await race.drop('goods.vrp', BURMA14.replace('TYPE: TSP', 'TYPE: CVRP'))
+    await expect(page.getByText(/vehicle routing problem/i).first()).toBeVisible()
+    await expect(dialog(page)).toBeHidden()
+    expect((await race.session()).scenario).toEqual(before)
+  })
+})

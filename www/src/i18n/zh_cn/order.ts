@@ -1,0 +1,48 @@
+import type { DictionaryShape } from '../dictionary_shape'
+import type { enOrder } from '../en/order'
+
+/** Chinese of en/order.ts. */
+export const zhCNOrder: DictionaryShape<typeof enOrder> = {
+  title: '{{count}} 个地点的顺序',
+  picture: '{{count}} 个地点与目前最好的路线',
+  onCircle: '文件没有说明地点的位置：这里把它们画在一个圆上。',
+  trails: '显示信息素',
+  name: '名称',
+  weights: '费用',
+  exact: '精确解',
+  proven: '{{cost}}，已证明',
+  unproven: '未知：最多证明 {{most}} 个地点的顺序',
+  listed: '文献最优值',
+  tour: '{{file}} 中的路线',
+  best: '蚁群最好结果',
+  aboveProven: '高于已证明的最优值',
+  aboveListed: '高于文献最优值',
+  gap: '{{percent}} %',
+  found: '找到于第几次迭代',
+  iteration: '迭代',
+  of: '{{now}} / {{all}}',
+  curve: '最好路线的费用随迭代的变化；虚线为最优值',
+  shape: '路线',
+  closed: '回到地点 1',
+  open: '任意终点',
+  seed: '种子',
+  rule: '下一地点',
+  rules: {
+    'random-proportional': '随机比例',
+    'pseudo-random-proportional': '伪随机比例',
+  },
+  params: {
+    ants: '蚂蚁 m',
+    iterations: '迭代 K',
+    alpha: '信息素 α',
+    beta: '邻近 β',
+    rho: '蒸发 ρ',
+    q0: '取最佳 q0',
+  },
+  run: '运行',
+  pause: '暂停',
+  step: '单步',
+  restart: '重新开始',
+  csv: '顺序存为 CSV',
+  json: '运行存为 JSON',
+}
