@@ -1,12 +1,12 @@
 /** The controls of maps that leave a choice. */
 import type { MatrixInfo } from '@pkg/formicarium'
-import { Crop as CropIcon } from 'lucide'
 import { useId } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { type Crop, WATCHED_SIDE, wholeOf } from '../model/raster_part'
 import { Button } from '../ui/buttons'
 import { Labelled, NumberField, Segmented, Select } from '../ui/fields'
+import { CropFields } from './crop_fields'
 import { type choicesFit, cropped, longest, type MapChoices, type Sides } from './map_choices'
 
 interface MatrixProps {
@@ -112,7 +112,7 @@ export function PictureFields(props: FieldsProps & { used: number | null }) {
         </div>
         <CellsHint choices={choices} whole={whole} fits={fits} />
       </fieldset>
-      {whole && <CropFields choices={choices} fits={fits} whole={whole} onChange={onChange} />}
+      {whole && <PixelCrop choices={choices} fits={fits} whole={whole} onChange={onChange} />}
     </>
   )
 }
@@ -187,43 +187,19 @@ function CellsHint({ choices, whole, fits }: Omit<FieldsProps, 'onChange'>) {
   )
 }
 
-function CropFields({ choices, fits, whole, onChange }: FieldsProps & { whole: Sides }) {
-  const crop = choices.crop ?? wholeOf(whole)
-  const set = (changed: Partial<Crop>) => onChange(cropped(choices, { ...crop, ...changed }, whole))
-  const sides = { x: whole.width, y: whole.height, width: whole.width, height: whole.height }
+function PixelCrop({ choices, fits, whole, onChange }: FieldsProps & { whole: Sides }) {
+  const take = (crop: Crop) => onChange(cropped(choices, crop, whole))
   return (
-    <fieldset class="field-set">
-      <legend>{t('mapFile.part')}</legend>
-      <div class="field-row">
-        {(['x', 'y', 'width', 'height'] as const).map((key) => (
-          <NumberField
-            key={key}
-            label={t(`raster.crop.${key}`)}
-            value={crop[key]}
-            min={key === 'x' || key === 'y' ? 0 : 2}
-            max={sides[key]}
-            step={1}
-            invalid={!fits.crop}
-            testId={`map-crop-${key}`}
-            onChange={(value) => set({ [key]: value })}
-          />
-        ))}
-        <Button
-          icon={CropIcon}
-          label={t('raster.whole')}
-          testId="map-crop-whole"
-          disabled={choices.crop === null}
-          onClick={() => onChange(cropped(choices, wholeOf(whole), whole))}
-        />
-      </div>
-      {!fits.crop && (
-        <p class="field-error" role="alert">
-          {t('mapFile.cropOutside', {
-            width: numbers.value.whole.format(whole.width),
-            height: numbers.value.whole.format(whole.height),
-          })}
-        </p>
-      )}
-    </fieldset>
+    <CropFields
+      whole={whole}
+      crop={choices.crop ?? wholeOf(whole)}
+      fits={fits.crop}
+      all={choices.crop === null}
+      legend={t('mapFile.part')}
+      outside="mapFile.cropOutside"
+      testId="map-crop"
+      onChange={take}
+      onWhole={() => take(wholeOf(whole))}
+    />
   )
 }

@@ -1,6 +1,5 @@
 /** Asks how to open a raster of heights: which part of it, and in how many cells. */
 import type { Survey } from '@pkg/formicarium'
-import { Crop as CropIcon } from 'lucide'
 import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
@@ -27,6 +26,7 @@ import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
+import { CropFields } from './crop_fields'
 import { TerrainPreview } from './terrain_preview'
 
 const PRESETS = ['full', '513', '256'] as const
@@ -86,7 +86,18 @@ export function TerrainDialog({ file }: { file: TerrainFile }) {
           {describeNotice(warning)}
         </p>
       ))}
-      <CropFields survey={survey} crop={crop} onChange={setCrop} />
+      <CropFields
+        whole={survey}
+        crop={crop}
+        fits={cropFits(crop, survey)}
+        all={isWhole(crop, survey)}
+        legend={t('raster.part')}
+        hint={t('raster.cropHint')}
+        outside="raster.cropOutside"
+        testId="crop"
+        onChange={setCrop}
+        onWhole={() => setCrop(wholeOf(survey))}
+      />
       <SizeFields
         survey={survey}
         crop={crop}
@@ -118,51 +129,6 @@ function Facts({ survey }: { survey: Survey }) {
         </div>
       ))}
     </dl>
-  )
-}
-
-interface CropFieldsProps {
-  survey: Survey
-  crop: Crop
-  onChange: (crop: Crop) => void
-}
-
-function CropFields({ survey, crop, onChange }: CropFieldsProps) {
-  const invalid = !cropFits(crop, survey)
-  const sides = { x: survey.width, y: survey.height, width: survey.width, height: survey.height }
-  return (
-    <fieldset class="field-set">
-      <legend>{t('raster.part')}</legend>
-      <div class="field-row">
-        {(['x', 'y', 'width', 'height'] as const).map((key) => (
-          <NumberField
-            key={key}
-            label={t(`raster.crop.${key}`)}
-            value={crop[key]}
-            min={key === 'x' || key === 'y' ? 0 : 2}
-            max={sides[key]}
-            step={1}
-            invalid={invalid}
-            testId={`crop-${key}`}
-            onChange={(value) => onChange({ ...crop, [key]: value })}
-          />
-        ))}
-        <Button
-          icon={CropIcon}
-          label={t('raster.whole')}
-          testId="crop-whole"
-          disabled={isWhole(crop, survey) && !invalid}
-          onClick={() => onChange(wholeOf(survey))}
-        />
-      </div>
-      {invalid ? (
-        <p class="field-error" role="alert">
-          {t('raster.cropOutside', { width: shown(survey.width), height: shown(survey.height) })}
-        </p>
-      ) : (
-        <p class="hint">{t('raster.cropHint')}</p>
-      )}
-    </fieldset>
   )
 }
 
