@@ -13,7 +13,7 @@ pub struct Options {
     /// How long; a fifth of it goes to the page's links
     #[arg(long, default_value_t = 10.0)]
     minutes: f64,
-    /// As many files for every reader, however long that takes; as many links
+    /// As many files for every reader, however long that takes; a tenth as many links
     #[arg(long, conflicts_with = "minutes")]
     files: Option<u32>,
     /// Which inputs: equal seeds, equal inputs
@@ -23,7 +23,7 @@ pub struct Options {
 
 pub fn fuzz(options: &Options) -> Result<()> {
     if let Some(files) = options.files {
-        return each(options.seed, files / 3 * 4, files);
+        return each(options.seed, files / 3 * 4, files / 10);
     }
     let minutes = |share: f64| ["--minutes".into(), (options.minutes * share).to_string()];
     // Both, whatever the first has found.
