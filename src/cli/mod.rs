@@ -111,7 +111,8 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(said) => return say_as_clap(&said),
     };
-    match cli.command.run().and_then(|outcome| streams::print(outcome.text.as_bytes()).map(|()| outcome.fine)) {
+    match cli.command.run().and_then(|outcome| streams::print(streams::harmless(&outcome.text).as_bytes()).map(|()| outcome.fine))
+    {
         Ok(fine) => ExitCode::from(u8::from(!fine)),
         Err(error) => fail(&error, cli.command.wants_json()),
     }

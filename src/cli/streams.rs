@@ -23,5 +23,11 @@ pub fn heeded(printed: io::Result<()>) -> Result<(), CliError> {
 
 /// Says something on the error stream. Nobody can be told where that fails, and `eprintln!` would panic.
 pub fn say(line: impl Display) {
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    let _ = writeln!(io::stderr().lock(), "{}", harmless(&line.to_string()));
+}
+
+/// A text without signs that would command a terminal: names in files may hold any.
+pub fn harmless(text: &str) -> String {
+    let is_meant = |c: char| !c.is_control() || matches!(c, '\n' | '\t');
+    text.chars().map(|c| if is_meant(c) { c } else { '\u{fffd}' }).collect()
 }

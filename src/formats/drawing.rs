@@ -12,6 +12,8 @@ use crate::map::{Grid, Point, check_size};
 const WALLS: &str = "#@X█■%";
 /// Letters of free cells; the last ones mark a path.
 const FREE: &str = ". _-·□*+o";
+/// In rows of digits, what is a wall and what is free.
+const DIGITS: [char; 2] = ['1', '0'];
 /// Letters of the start, and of the goal.
 const ENDS: [&str; 2] = ["SA", "GEB"];
 
@@ -37,7 +39,13 @@ pub(super) fn sureness(text: &str) -> Sureness {
         // Scenarios of our own hold their map in such rows.
         let may_be = text.contains(['"', '\'']) && !text.contains("\"formicarium/");
         let is_quoted = may_be && !quoted::find(text).is_empty();
-        return if is_quoted { Sureness::Certain("rows of # and . in quotation marks") } else { Sureness::No };
+        // Of another program's JSON nobody knows what its rows stand for.
+        let is_json = text.trim_start().starts_with('{') && text.contains("\":");
+        return match is_quoted {
+            true if is_json => Sureness::Likely("rows of # and ., or of 0 and 1, in quotation marks"),
+            true => Sureness::Certain("rows of # and ., or of 0 and 1, in quotation marks"),
+            false => Sureness::No,
+        };
     }
     let even = rows.iter().all(|row| row.chars().count() == rows[0].chars().count());
     if even { Sureness::Certain("rows of # and .") } else { Sureness::Likely("rows of # and . or blanks") }
@@ -67,6 +75,7 @@ pub(super) fn read(text: &str) -> Result<DrawnMap, FormatError> {
     let mut ends = [None, None];
     let mut cells = Vec::with_capacity(width * rows.len());
     let mut padded = 0;
+    let has_digits = rows.iter().all(|(_, row)| row.iter().all(|letter| DIGITS.contains(letter)));
     for (y, (line, row)) in rows.iter().enumerate() {
         if row.len() < width && !blanks_are_free {
             let what = format!("row {} has {} letters where the longest has {width}", y + 1, row.len());
@@ -74,7 +83,8 @@ pub(super) fn read(text: &str) -> Result<DrawnMap, FormatError> {
         }
         padded += width - row.len();
         for (x, &letter) in row.iter().enumerate() {
-            cells.push(cell(letter, Point::new(x as u32, y as u32), *line, &mut ends)?);
+            let at = Point::new(x as u32, y as u32);
+            cells.push(if has_digits { u8::from(letter == DIGITS[0]) } else { cell(letter, at, *line, &mut ends)? });
         }
         cells.resize((y + 1) * width, 0);
     }
@@ -123,7 +133,7 @@ fn notices(rows: &[(usize, Vec<char>)], padded: usize, blanks: bool, ends: [Opti
         let found = used.iter().filter(|c| letters.contains(**c));
         found.map(|&c| if c == ' ' { "a blank".into() } else { c.to_string() }).collect::<Vec<_>>().join(" ")
     };
-    let (walls, free) = (list(WALLS), list(FREE));
+    let (walls, free) = (list(&format!("{WALLS}{}", DIGITS[0])), list(&format!("{FREE}{}", DIGITS[1])));
     let message = format!("{walls} was read as blocked, {free} as free");
     let mut notices = vec![Notice::new("drawing-letters", message).with("walls", walls).with("free", free)];
     if ends.iter().any(Option::is_some) {

@@ -39,7 +39,7 @@ fn notice(start: Point, goal: Point, has_start: bool, has_goal: bool) -> Notice 
         _ => "goal",
     };
     let ends = format!("start ({}, {}) and goal ({}, {})", start.x, start.y, goal.x, goal.y);
-    Notice::new(CHOSEN, format!("the file names no {missing}: {ends} are used"))
+    Notice::new(CHOSEN, format!("no {missing} is read from the file: {ends} are used"))
         .with("start", format!("{},{}", start.x, start.y))
         .with("goal", format!("{},{}", goal.x, goal.y))
 }

@@ -74,11 +74,22 @@ pub(super) fn named(sample: &Sample<'_>) -> Option<FormatError> {
     by_first_bytes(sample.head).or_else(|| sample.is_text.then(|| by_first_words(sample)).flatten())
 }
 
+/// Whether a text is a matrix of which only what is not 0 is listed: Matrix Market's, or Octave's.
+pub(super) fn is_sparse(text: &str) -> bool {
+    let begin = text.trim_start();
+    let line = begin.lines().next().unwrap_or("");
+    line.starts_with("%%MatrixMarket") && line.contains("coordinate")
+        || begin.starts_with('#')
+            && begin.lines().take_while(|line| line.starts_with('#')).any(|line| line.contains("type: sparse"))
+}
+
 /// The refusal of a text in a language that holds no map.
 fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
     let text = sample.text.trim_start();
     let starts = |word: &str| text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word));
-    let (found, hint) = if starts("<!doctype html") || starts("<html") {
+    let (found, hint) = if is_sparse(text) {
+        ("a sparse matrix", "write all of it: writematrix(full(G), \"map.csv\") in MATLAB, np.savetxt of .toarray() in Python")
+    } else if starts("<!doctype html") || starts("<html") {
         ("a page of the web", "download the file itself: behind a link of GitHub, choose Raw")
     } else if text.starts_with('<') && text.contains("<svg") {
         ("a drawing in SVG", "save it as PNG, and open it as a picture")
@@ -93,6 +104,8 @@ fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
             "a list of keys and values (YAML, perhaps) that describes no map known here",
             "open a ROS map.yaml, an OccupancyGrid message, or the map as a matrix",
         )
+    } else if ["zeros(", "ones("].iter().any(|made| text.contains(made)) {
+        ("a program that computes its map", "run it, and write the map out: writematrix(G, \"map.csv\"), or np.savetxt in Python")
     } else {
         return None;
     };

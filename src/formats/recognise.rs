@@ -161,7 +161,9 @@ fn holds_heights(bytes: &[u8]) -> bool {
 fn srtm(sample: &Sample<'_>) -> Sureness {
     let called = sample.name.ends_with(".hgt");
     match terrain::srtm::side_of(sample.size) {
-        Some(_) if called || !sample.is_text => Sureness::Certain("its size"),
+        Some(_) if called => Sureness::Certain("its name and its size"),
+        // As many bytes may be anything.
+        Some(_) if !sample.is_text => Sureness::Likely("its size"),
         None if called && !foreign::is_archive(sample.head) => Sureness::Likely("its name"),
         _ => Sureness::No,
     }
@@ -179,6 +181,9 @@ fn tsplib_as(sample: &Sample<'_>, looks: tsplib::Looks) -> Sureness {
 }
 
 fn table(sample: &Sample<'_>) -> Sureness {
+    if foreign::is_sparse(&sample.text) {
+        return Sureness::No;
+    }
     match numbers::looks_like(&sample.text) {
         Some(_) if sample.has_keys || results::looks_like(&sample.text) || path_list::looks_like(&sample.text) => Sureness::No,
         Some(numbers::Shape::Rows) => Sureness::Certain("rows of numbers"),

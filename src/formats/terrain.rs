@@ -253,6 +253,10 @@ impl Raster {
         // What is less than a thousandth apart would not be heard of in any length.
         if (x / y - 1.0).abs() > 1e-3 {
             let (mean, square) = (libm::sqrt(x * y), square_size(self.cell, self.size()));
+            // What is left is the rounding to whole cells.
+            if square == self.size() {
+                return;
+            }
             let message = format!(
                 "cells are {x:.4} m wide and {y:.4} m high; they are taken for squares of {mean:.4} m. In {} × {} cells they are square",
                 square.0, square.1

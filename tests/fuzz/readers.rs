@@ -190,6 +190,8 @@ fn round_trip(file: &File) -> Result<(), Fault> {
     }
     let in_metres = map.spec.terrain.is_none_or(|terrain| terrain.vertical_unit == 1.0);
     match map.grid.heights() {
+        // A single number is no matrix.
+        None if map.grid.len() == 1 => again(&map, Export::MovingaiMap).map(drop),
         None => [Export::MovingaiMap, Export::Matrix].into_iter().try_for_each(|format| again(&map, format).map(drop)),
         // Walls on known ground are lost, and sides of cells beyond a raster's limits are refused.
         Some(heights) if in_metres && (1e-9..1e9).contains(&map.spec.resolution) => {

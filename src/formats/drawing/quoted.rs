@@ -116,10 +116,13 @@ impl Scan<'_> {
     }
 }
 
-/// Whether rows are equally long and made of walls and free cells, some of each.
+/// Whether rows are equally long and made of walls and free cells, some of each; or of 0 and 1.
 fn is_drawing(rows: &Quoted) -> bool {
     let Some((_, first)) = rows.first() else { return false };
     let width = first.chars().count();
+    if rows.iter().all(|(_, row)| row.len() == width && row.bytes().all(|b| matches!(b, b'0' | b'1'))) {
+        return rows.len() >= LEAST && width >= LEAST;
+    }
     let is_known = |c: char| WALLS.contains(c) || FREE.contains(c) || ENDS.iter().any(|ends| ends.contains(c));
     let is_row = |row: &str| row.chars().count() == width && row.chars().all(is_known);
     let has = |letters: &str| rows.iter().any(|(_, row)| row.chars().any(|c| letters.contains(c)));
@@ -149,6 +152,7 @@ mod tests {
         ] {
             assert_eq!(rows(text), [["..#", "#.."]], "{text:?}");
         }
+        assert_eq!(rows("maze = [\"0010\", \"0100\"]"), [["0010", "0100"]]);
         assert_eq!(find("\n\nm = [\n'..#',\n'#..']")[0][1].0, 5);
         assert_eq!(find("\n'''\n..#\n#..'''")[0][1].0, 4);
     }

@@ -23,6 +23,8 @@ struct Open {
     is_subscript: bool,
     /// Nothing but numbers so far.
     is_numeric: bool,
+    /// Rows of numbers and rows that are none, one behind the other.
+    is_list: bool,
     /// Numeric brackets within.
     within: Vec<Range<usize>>,
 }
@@ -48,8 +50,8 @@ impl Brackets {
                 }
                 b']' | b'}' if too_deep > 0 => too_deep -= 1,
                 b'[' | b'{' => {
-                    let is_subscript = is_subscript(text, at);
-                    open.push(Open { from: at, letter, is_subscript, is_numeric: true, within: Vec::new() });
+                    let is_subscript = is_subscript(text, at) || is_quoted(bytes, at);
+                    open.push(Open { from: at, letter, is_subscript, is_numeric: true, is_list: false, within: Vec::new() });
                 }
                 b']' | b'}' => {
                     close(&mut open, &mut numeric, bytes, at);
@@ -57,7 +59,7 @@ impl Brackets {
                         break;
                     }
                 }
-                _ if is_numeric(letter) => {}
+                _ if is_numeric(letter) && !begins_digits(&bytes[at..]) => {}
                 _ => open.last_mut().into_iter().for_each(|top| top.is_numeric = false),
             }
         }
@@ -83,6 +85,7 @@ fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, bytes: &[u8], at
         let found = match around {
             Some(around) => {
                 around.is_numeric &= whole;
+                around.is_list |= !whole;
                 &mut around.within
             }
             None => &mut *numeric,
@@ -90,7 +93,9 @@ fn close(open: &mut Vec<Open>, numeric: &mut Vec<Range<usize>>, bytes: &[u8], at
         if is_matrix {
             found.push(one.from..at + 1);
         } else {
-            found.extend(one.within);
+            // A row beside rows that are none is no matrix of its own.
+            let has_rows = |span: &Range<usize>| bytes[span.start + 1..span.end].iter().any(|b| b"[{;\n".contains(b));
+            found.extend(one.within.into_iter().filter(|span| !one.is_list || has_rows(span)));
         }
         if matches {
             return;
@@ -103,6 +108,18 @@ fn is_subscript(text: &str, at: usize) -> bool {
     let before = &text[..at];
     let ends_name = before.ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | ']' | ')' | '.'));
     ends_name && !before.ends_with("return")
+}
+
+/// Whether a bracket begins a text in quotation marks, or a regular expression.
+fn is_quoted(bytes: &[u8], at: usize) -> bool {
+    at > 0 && b"\"'`/".contains(&bytes[at - 1])
+}
+
+/// Whether a row of digits begins in quotation marks: `"0010"` is a row of cells, no number.
+fn begins_digits(text: &[u8]) -> bool {
+    let Some((&mark, rest)) = text.split_first().filter(|(mark, _)| matches!(mark, b'"' | b'\'')) else { return false };
+    let digits = rest.iter().take_while(|&&b| matches!(b, b'0' | b'1')).count();
+    digits > 1 && rest.get(digits) == Some(&mark)
 }
 
 /// What numbers are made of, and what may stand between them.
@@ -193,11 +210,40 @@ fn layout(span: &str) -> Layout {
 /// The matrix of a bracket.
 fn matrix(text: &str, span: Range<usize>) -> Result<Found, FormatError> {
     let (before, after) = (&text[..span.start], &text[span.end..]);
-    let mut table = scan(&text[span.clone()], before.bytes().filter(|&b| b == b'\n').count(), layout(&text[span]))?;
+    in_two_dimensions(text, &span)?;
+    let mut table = scan(&text[span.clone()], before.bytes().filter(|&b| b == b'\n').count(), layout(&text[span.clone()]))?;
     let letters = |text: &str| text.chars().filter(|c| !c.is_whitespace()).take(TITLE_LETTERS + 1).count();
     // An assignment before and a bracket or two behind belong to the matrix; a program does not.
     table.has_rest = letters(before) + letters(after) > TITLE_LETTERS;
-    Ok(Found::new(assigned(before), table))
+    let name = assigned(before);
+    let computed = super::around::computed(text, &span, name);
+    Ok(Found { notices: computed.into_iter().collect(), ..Found::new(name, table) })
+}
+
+/// A bracket of brackets of rows is more than one matrix, and an empty one is no row.
+fn in_two_dimensions(text: &str, span: &Range<usize>) -> Result<(), FormatError> {
+    let (mut depth, mut deepest, mut second, mut last) = (0usize, 0usize, 0usize, b' ');
+    for (at, letter) in text.as_bytes()[span.clone()].iter().copied().enumerate().filter(|(_, b)| !b.is_ascii_whitespace()) {
+        let line = || text[..span.start + at].bytes().filter(|&b| b == b'\n').count() + 1;
+        match letter {
+            b'[' | b'{' => {
+                depth += 1;
+                deepest = deepest.max(depth);
+                second += usize::from(depth == 2);
+                if deepest > 2 && second > 1 {
+                    let expected = "one matrix: rows of numbers within one bracket";
+                    return Err(FormatError::syntax(line(), "the bracket has three dimensions", expected));
+                }
+            }
+            b']' | b'}' if matches!(last, b'[' | b'{') => {
+                return Err(FormatError::syntax(line(), "a row is empty", "numbers in every row"));
+            }
+            b']' | b'}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        last = letter;
+    }
+    Ok(())
 }
 
 /// `[0, 1]` in one line, `[1, 0]` in the next, and nothing else: the rows of one matrix.

@@ -75,9 +75,35 @@ fn first_mark(line: &str) -> Option<(&str, &'static str, &str)> {
     const MARKS: [&str; 7] = ["/*", "//", "\"\"\"", "'''", "...", "%", "#"];
     // Nearly all lines of a map have none.
     let from = line.bytes().position(|b| b"/\"'.%#".contains(&b))?;
-    let at = (from..line.len()).find(|&at| MARKS.iter().any(|mark| line.as_bytes()[at..].starts_with(mark.as_bytes())))?;
-    let mark = MARKS.into_iter().find(|mark| line[at..].starts_with(mark))?;
+    let begins = |at: usize| MARKS.into_iter().find(|mark| line.as_bytes()[at..].starts_with(mark.as_bytes()));
+    let (at, mark) = (from..line.len()).filter_map(|at| Some((at, begins(at)?))).find(|&(at, mark)| is_meant(line, at, mark))?;
     Some((&line[..at], mark, &line[at + mark.len()..]))
+}
+
+/// Whether a sign begins a comment, or with `...` a row goes on: not where a spreadsheet or a printer of arrays means something else.
+fn is_meant(line: &str, at: usize, mark: &str) -> bool {
+    let (before, after) = (&line[..at], &line[at + mark.len()..]);
+    match mark {
+        // Numbers that were left out: `[0, 0, ..., 1]`, or a line of its own.
+        "..." => {
+            !before.trim().is_empty()
+                && !before.trim_end().ends_with('[')
+                && !after.trim_start().starts_with([',', ';', ']', '}'])
+                && !begins_number(after)
+        }
+        // `#N/A`, `#DIV/0!`
+        "#" => !["N/A", "REF!", "DIV/0!", "NAME?", "VALUE!", "NUM!", "NULL!"].iter().any(|word| after.starts_with(word)),
+        // `50%`, `1//2`
+        "%" | "//" => {
+            !before.ends_with(|c: char| c.is_ascii_digit())
+                || !(after.is_empty() || after.starts_with([',', ';', '\t']) || begins_number(after))
+        }
+        _ => true,
+    }
+}
+
+fn begins_number(text: &str) -> bool {
+    text.trim_start().starts_with(|c: char| c.is_ascii_digit())
 }
 
 #[cfg(test)]

@@ -3,12 +3,15 @@
 //!
 //! [`find`] gives every matrix of a text. Subscripts, comments and brackets of anything but numbers are none.
 
+mod around;
 mod brackets;
 mod clean;
 mod head;
 mod labels;
+mod lists;
 mod plain;
 mod scan;
+mod spelling;
 mod table;
 
 use super::text::quote;
@@ -31,6 +34,8 @@ pub(super) struct Found {
     pub notices: Vec<Notice>,
     /// Start and goal from lines before the rows, as they stand there.
     pub ends: Option<Ends>,
+    /// Names that stood above the columns.
+    pub names: Vec<String>,
 }
 
 /// How a text holds its numbers.
@@ -45,6 +50,9 @@ pub(super) enum Shape {
 /// Whether a text looks as if it held numbers in rows and columns, from its beginning.
 pub(super) fn looks_like(text: &str) -> Option<Shape> {
     let clean = clean::without_comments(text);
+    if spelling::of_r(&clean).is_some() || plain::is_displayed(&clean) {
+        return Some(Shape::Rows);
+    }
     if brackets::begin(&clean) {
         return Some(Shape::Brackets);
     }
@@ -57,7 +65,13 @@ pub(super) fn looks_like(text: &str) -> Option<Shape> {
 /// [`FormatError`] with the line of the first thing that is no number, or that the text holds none.
 pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
     let clean = clean::without_comments(text);
-    let found = match brackets::find(&clean)? {
+    if let Some(rows) = spelling::of_r(&clean) {
+        let notice = Notice::new("matrix-labels", "line 1 and the first column were read as labels, not as cells");
+        let notice = notice.with("line", 1).with("which", "both");
+        return Ok(plain::find(&rows)?.into_iter().map(|found| found.with_notice(notice.clone())).collect());
+    }
+    let between = if plain::is_displayed(&clean) { None } else { brackets::find(&clean)? };
+    let found = match between {
         Some(found) => found,
         None => plain::find(&clean)?,
     };
@@ -84,6 +98,7 @@ pub(super) fn read(text: &str, wanted: Option<u32>) -> Result<Found, FormatError
         return Err(FormatError::field("matrix", what, format!("1 to {count}")));
     }
     let mut one = found.swap_remove(at);
+    lists::check(&one.table)?;
     if count > 1 {
         let message = format!("matrix {} of {count} was read: {}", at + 1, one.describe());
         let notice = Notice::new("matrix-chosen", message).with("number", at + 1).with("count", count);
@@ -100,7 +115,10 @@ pub(super) fn rows(text: &str) -> Result<Table, FormatError> {
     let clean = clean::without_comments(text);
     match brackets::find(&clean)?.and_then(|found| found.into_iter().next()) {
         Some(found) => Ok(found.table),
-        None => scan::scan(&clean, 0, scan::plain_layout(&clean)),
+        None => {
+            let (clean, _) = spelling::plain(&clean)?;
+            scan::scan(&clean, 0, scan::plain_layout(&clean))
+        }
     }
 }
 
@@ -126,7 +144,26 @@ fn distinct(found: Vec<Found>) -> Vec<Found> {
 
 impl Found {
     fn new(name: &str, table: Table) -> Self {
-        Self { name: quote(name), table, notices: Vec::new(), ends: None }
+        Self { name: quote(name), table, notices: Vec::new(), ends: None, names: Vec::new() }
+    }
+
+    /// Refuses heights below names that say what was measured: they are records.
+    ///
+    /// # Errors
+    /// [`FormatError::Syntax`] with the names.
+    pub fn check_heights(&self) -> Result<(), FormatError> {
+        if self.names.len() < 2 || lists::only_number(&self.names) {
+            return Ok(());
+        }
+        let names: Vec<String> = self.names.iter().take(4).map(|name| quote(name)).collect();
+        let what = format!("the columns are called {}: a table of records, not a grid of heights", names.join(", "));
+        let line = self.table.line(0).saturating_sub(1);
+        Err(FormatError::syntax(line, what, "heights alone in rows and columns, without names above, or an ESRI ASCII grid"))
+    }
+
+    fn with_notice(mut self, notice: Notice) -> Self {
+        self.notices.push(notice);
+        self
     }
 
     /// Its size, its line and its name.

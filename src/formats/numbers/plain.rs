@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use super::labels::{self, Labels};
 use super::scan::{Layout, plain_layout, scan, separator};
 use super::table::number;
-use super::{Found, head};
+use super::{Found, head, spelling};
 use crate::error::{FormatError, Notice};
 
 /// Most fields of a line that are looked at to tell names from numbers.
@@ -19,8 +19,8 @@ const MOST_LINES: usize = 1 << 20;
 struct Block<'a> {
     /// `G` of the line `G =` above it.
     title: &'a str,
-    /// Whether `Columns 4 through 6` stands above it.
-    goes_on: bool,
+    /// 4 and 6 of `Columns 4 through 6` above it.
+    columns: Option<(u32, u32)>,
     /// Its first line in the text, from 1, and how many lines it has.
     line: usize,
     lines: usize,
@@ -32,7 +32,9 @@ struct Block<'a> {
 
 /// Whether a text, perhaps only its beginning, starts with rows of numbers.
 pub(super) fn begins(text: &str) -> bool {
-    let mut lines = text.lines().filter(|line| !line.trim().is_empty() && title(line).is_none() && columns(line).is_none());
+    let mut lines = text
+        .lines()
+        .filter(|line| !line.trim().is_empty() && title(line).is_none() && columns(line).is_none() && !is_display(line));
     let Some(first) = lines.next() else { return false };
     let numbers = |line: &str| {
         let is_between = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | '"' | '\'');
@@ -57,14 +59,19 @@ pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
     if text.bytes().filter(|&b| b == b'\n').count() > MOST_LINES {
         return Err(FormatError::TooLarge { what: "the number of lines".into(), max: format!("{MOST_LINES} lines") });
     }
+    let (spelled, commas) = spelling::plain(text)?;
+    let text = spelled.as_ref();
     let mut found: Vec<Found> = Vec::new();
     for block in joined(text, blocks(text)) {
-        let one = read(&block)?;
-        match found.last_mut().filter(|_| block.goes_on) {
+        let mut one = read(&block)?;
+        one.notices.extend(commas.clone());
+        check_columns(&block, &one, found.last())?;
+        let goes_on = block.goes_on();
+        match found.last_mut().filter(|_| goes_on) {
             Some(before) => before.table = before.table.beside(&one.table)?,
             None => found.push(one),
         }
-        if let Some(last) = found.last_mut().filter(|last| block.goes_on && last.notices.is_empty()) {
+        if let Some(last) = found.last_mut().filter(|last| goes_on && last.notices.is_empty()) {
             let message = "columns that were printed in several blocks were put side by side";
             last.notices.push(Notice::new("matrix-columns-joined", message));
         }
@@ -72,25 +79,46 @@ pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
     Ok(found)
 }
 
+impl Block<'_> {
+    /// Whether its columns stand beside those of the block before.
+    fn goes_on(&self) -> bool {
+        self.columns.is_some_and(|(first, _)| first > 1)
+    }
+}
+
+/// The columns of a printed block must be as many as stand above it, and follow those of the block before.
+fn check_columns(block: &Block<'_>, one: &Found, before: Option<&Found>) -> Result<(), FormatError> {
+    let Some((first, last)) = block.columns else { return Ok(()) };
+    let width = |found: &Found| found.table.row(0).len() as u32;
+    let had = if first > 1 { before.map_or(0, width) } else { 0 };
+    if first == had + 1 && last + 1 == first + width(one) {
+        return Ok(());
+    }
+    let what = format!("columns {first} to {last} stand above {} columns, behind {had}", width(one));
+    Err(FormatError::syntax(block.line.saturating_sub(1), what, "every column once, from the first to the last"))
+}
+
 /// The lines of a text in blocks.
 fn blocks(text: &str) -> Vec<Block<'_>> {
     let mut blocks: Vec<Block<'_>> = Vec::new();
-    let (mut name, mut goes_on, mut is_open) = ("", false, false);
+    let (mut name, mut above, mut is_open) = ("", None, false);
     let mut from = 0;
     for (index, line) in text.split('\n').enumerate() {
         let to = from + line.len();
         if line.trim().is_empty() {
             is_open = false;
         } else if let Some(title) = title(line) {
-            (name, goes_on, is_open) = (title, false, false);
-        } else if let Some(first) = columns(line) {
-            (goes_on, is_open) = (first > 1, false);
+            (name, above, is_open) = (title, None, false);
+        } else if let Some(columns) = columns(line) {
+            (above, is_open) = (Some(columns), false);
+        } else if is_display(line) {
+            is_open = false;
         } else if let Some(block) = blocks.last_mut().filter(|_| is_open) {
             (block.lines, block.is_spaced) = (block.lines + 1, false);
             block.text = &text[start_of(text, block.text)..to];
         } else {
-            blocks.push(Block { title: name, goes_on, line: index + 1, lines: 1, is_spaced: true, text: &text[from..to] });
-            (name, goes_on, is_open) = ("", false, true);
+            blocks.push(Block { title: name, columns: above, line: index + 1, lines: 1, is_spaced: true, text: &text[from..to] });
+            (name, above, is_open) = ("", None, true);
         }
         from = to + 1;
     }
@@ -106,7 +134,7 @@ fn start_of(text: &str, part: &str) -> usize {
 fn joined<'a>(text: &'a str, blocks: Vec<Block<'a>>) -> Vec<Block<'a>> {
     let mut joined: Vec<Block<'_>> = Vec::new();
     for block in blocks {
-        let is_free = block.title.is_empty() && !block.goes_on;
+        let is_free = block.title.is_empty() && block.columns.is_none();
         match joined.last_mut().filter(|before| is_free && (before.lines == 1 || before.is_spaced && block.lines == 1)) {
             Some(before) => {
                 before.is_spaced &= block.lines == 1;
@@ -126,14 +154,35 @@ fn title(line: &str) -> Option<&str> {
     Some(name).filter(|name| !name.contains(['=', ',', ';']))
 }
 
-/// The first column of a line such as `Columns 4 through 6`, as MATLAB and Octave print it, or of the same in Chinese.
-fn columns(line: &str) -> Option<u32> {
+/// Whether a text is what MATLAB or Julia print of one matrix.
+pub(super) fn is_displayed(text: &str) -> bool {
+    let said = text.lines().filter(|line| !line.trim().is_empty() && title(line).is_none());
+    said.take(1).any(is_display)
+}
+
+/// What MATLAB and Julia print above a matrix: `2×3 logical array`, `2×3 Matrix{Int64}:`.
+fn is_display(line: &str) -> bool {
+    let mut words = line.split_whitespace();
+    let size = words.next().unwrap_or("");
+    let is_size = size.split(['×', 'x']).filter(|side| side.parse::<u32>().is_ok()).count() == 2;
+    is_size && words.any(|word| ["array", "matrix"].contains(&word) || word.starts_with("Matrix{"))
+}
+
+/// The first and the last column of a line such as `Columns 4 through 6`, as MATLAB and Octave print it, or of the same in Chinese.
+fn columns(line: &str) -> Option<(u32, u32)> {
     let rest = line.trim().strip_prefix("Columns").or_else(|| line.trim().strip_prefix("Column"));
     let rest = rest.or_else(|| line.trim().strip_prefix('列'))?;
     let mut words = rest.split(|c: char| c.is_whitespace() || c == ':').filter(|word| !word.is_empty());
     let first = words.next()?.parse().ok()?;
-    let is_word = |word: &str| matches!(word, "through" | "to" | "and" | "至") || word.parse::<u32>().is_ok();
-    words.all(is_word).then_some(first)
+    let mut last = first;
+    for word in words {
+        match word.parse() {
+            Ok(number) => last = number,
+            Err(_) if matches!(word, "through" | "to" | "and" | "至") => {}
+            Err(_) => return None,
+        }
+    }
+    Some((first, last))
 }
 
 /// The fields of a line, whatever stands between them.
@@ -164,7 +213,9 @@ fn read(block: &Block<'_>) -> Result<Found, FormatError> {
     let (table, ends, size) = head::without(table);
     let (table, label) = if size.is_some() { (table, None) } else { labels::without(table, &labels)? };
     let notices = size.into_iter().chain(label).collect();
-    Ok(Found { notices, ends, ..Found::new(block.title, table) })
+    let named = |field: &&str| field.trim().trim_matches(['"', '\'']).trim().to_owned();
+    let names = if above.is_some() { first.iter().map(named).filter(|name| !name.is_empty()).collect() } else { Vec::new() };
+    Ok(Found { notices, ends, names, ..Found::new(block.title, table) })
 }
 
 /// The name of a row, as R writes it: with a letter, or between quotation marks.

@@ -34,10 +34,14 @@ pub(super) fn scan(text: &str, lines_before: usize, layout: Layout) -> Result<Ta
     let mut last = lines_before;
     for (index, line) in text.lines().enumerate() {
         last = lines_before + index + 1;
-        let (line, goes_on) = match line.split_once("...") {
-            Some((line, _)) => (line, true),
-            None => (line, layout == Layout::Nested),
-        };
+        let (line, goes_on) =
+            match line.trim_end().strip_suffix("...").filter(|before| !before.trim_end_matches(['[', ' ']).is_empty()) {
+                Some(line) => (line, true),
+                None => (line, layout == Layout::Nested),
+            };
+        if line.contains("...") {
+            return Err(left_out(last));
+        }
         if layout == Layout::Lines || layout == Layout::Digits {
             fields(&mut table, line, last, layout)?;
         } else {
@@ -95,6 +99,12 @@ pub(super) fn separator(row: &str, layout: Layout) -> Option<char> {
     })
 }
 
+/// The error for numbers that whoever printed them has left out.
+fn left_out(line: usize) -> FormatError {
+    let expected = "all of them: in NumPy, np.set_printoptions(threshold=sys.maxsize) before it is printed, or np.savetxt";
+    FormatError::syntax(line, "numbers were left out where `...` stands", expected)
+}
+
 /// The error for a field in which nothing stands.
 pub(super) fn hole(line: usize, column: usize) -> FormatError {
     FormatError::syntax(line, format!("column {column} is empty"), "a number in every field: 0 for free, 1 for blocked")
@@ -105,7 +115,8 @@ pub(super) fn hole(line: usize, column: usize) -> FormatError {
 pub(super) fn plain_layout(text: &str) -> Layout {
     let mut rows = text.lines().map(str::trim).filter(|l| !l.is_empty()).peekable();
     let long = rows.peek().is_some_and(|l| l.len() > 1);
-    if long && rows.all(|l| l.bytes().all(|b| b.is_ascii_digit())) {
+    let several = rows.clone().nth(1).is_some();
+    if long && several && rows.all(|l| l.bytes().all(|b| b.is_ascii_digit())) {
         return Layout::Digits;
     }
     let is_between = |c: char| c.is_whitespace() || matches!(c, ',' | '"' | '\'');

@@ -160,3 +160,36 @@ fn millions_of_short_rows_are_refused_at_once() {
     assert!(matches!(find(&text), Err(FormatError::TooLarge { .. })));
     assert!(matches!(find(&"0 ".repeat(20 << 20)), Err(FormatError::TooLarge { .. })));
 }
+
+#[test]
+fn what_was_left_out_or_cannot_be_read_is_refused() {
+    for (text, told) in [
+        ("[[0 0 1]\n [0 1 0]\n ...\n [0 1 0]]\n", "line 3: numbers were left out"),
+        ("array([[0, 0],\n       ...,\n       [0, 1]])", "numbers were left out"),
+        ("0,1,...,0\n0,0,...,1\n1,0,...,0\n", "line 1: numbers were left out"),
+        ("0,0,1,#N/A\n0,1,0,#N/A\n", "`#N/A` is no number"),
+        ("[[[0 0 1]\n [0 1 0]]\n\n [[0 0 0]\n [1 1 0]]]\n", "three dimensions"),
+        ("[[0,0,null,1],[0,1,0,0]]", "`null` is no number"),
+        ("[[0,0,1],[],[0,1,0]]", "a row is empty"),
+        ("Columns 1 through 3\n\n 0 0 1\n 0 1 0\n\nColumns 7 through 9\n\n 0 1 1\n 1 1 0\n", "columns 7 to 9"),
+        ("Columns 4 through 6\n\n 0 0 1\n 0 1 0\n", "columns 4 to 6"),
+    ] {
+        let error = read(text, None).map(|_| ()).unwrap_err().to_string();
+        assert!(error.contains(told), "{text:?}: {error}");
+    }
+}
+
+#[test]
+fn what_stands_above_a_printed_matrix_is_no_row() {
+    for text in ["G =\n\n  2×3 logical array\n\n   0   0   1\n   0   1   0\n", "2×3 Matrix{Int64}:\n 0  0  1\n 0  1  0\n"] {
+        let found = read(text, None).unwrap();
+        assert_eq!((found.table.height(), found.table.row(0).len()), (2, 3), "{text:?}");
+    }
+}
+
+#[test]
+fn matrices_within_texts_of_a_program_are_none() {
+    for text in ["s = \"[[0,0,1],[0,1,0]]\"\n", "const r = /[[0,1],[1,0]]/\n", "disp('[0 0 1; 0 1 0]')\n"] {
+        assert_eq!(looks_like(text), None, "{text:?}");
+    }
+}

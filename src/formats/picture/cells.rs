@@ -72,7 +72,14 @@ pub fn to_cells(picture: &Picture, options: &PictureOptions) -> Result<Cells, Fo
     let size = size(pixels, options)?;
     let mut notices = picture.notices.clone();
     let mut layer = gray(picture, window, &mut notices);
-    let threshold = threshold(&Histogram::new(&layer), options, &mut notices)?;
+    let histogram = Histogram::new(&layer);
+    if let Some(unknown) = histogram.unknown_of_ros() {
+        let message = format!(
+            "its grays 0, 205 and 254 are those of a ROS map: open its .yaml with it; alone, its {unknown} pixels of gray 205, which nobody has seen, are judged by the threshold"
+        );
+        notices.push(Notice::new("picture-of-ros", message).with("unknown", unknown));
+    }
+    let threshold = threshold(&histogram, options, &mut notices)?;
     for value in &mut layer {
         *value = u8::from((*value < threshold) != options.light_is_blocked);
     }

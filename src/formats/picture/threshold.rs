@@ -54,6 +54,13 @@ impl Histogram {
         present.next().filter(|_| present.next().is_none())
     }
 
+    /// How many pixels have the grays of ROS's map_saver for free, occupied and unknown cells, where hardly any has another.
+    pub(super) fn unknown_of_ros(&self) -> Option<u64> {
+        let all: u64 = self.0.iter().sum();
+        let own = self.0[254] + self.0[0] + self.0[205];
+        (self.0[205] > 0 && self.0[254] > 0 && own >= all - all / 100).then_some(self.0[205])
+    }
+
     /// Otsu's threshold: pixels below it and the others differ most, by the variance between the two. Of several that are as good the middle
     /// one is taken.
     pub(super) fn otsu(&self) -> u8 {

@@ -15,6 +15,7 @@ pub(super) const NO_DATA: f32 = -9999.0;
 /// # Errors
 /// [`FormatError`] with the line of a ragged row.
 pub(in crate::formats) fn read(found: Found) -> Result<Raster, FormatError> {
+    found.check_heights()?;
     let table = &found.table;
     let (width, height) = table.size()?;
     let (width, height) = check_claim(width as u64, height as u64)?;

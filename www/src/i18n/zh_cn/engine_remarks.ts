@@ -23,6 +23,10 @@ export const zhCNRemarks = {
     'drawing-letters': '{{walls}} 读作障碍，{{free}} 读作空闲。',
     'drawing-ends': '{{ends}} 读作路径的端点。',
     'drawing-padded': '较短的行末补了 {{count}} 个空格，作为空闲格。',
+    'picture-of-ros':
+      '灰度 0、205、254 是 ROS 地图所用的：请与其 .yaml 一起打开；单独打开时，{{unknown}} 个灰度为 205（未知）的像素按阈值判断。',
+    'matrix-computed': '程序还对它做了运算（“{{sign}}”）：这里按原样读取。',
+    'matrix-decimal-commas': '数字中的逗号按小数点读取。',
     'picture-threshold': '比 {{threshold}} 暗的像素为墙：{{cells}} 格中有 {{blocked}} 格为障碍。',
     'picture-threshold-light':
       '灰度不低于 {{threshold}} 的像素为墙：{{cells}} 格中有 {{blocked}} 格为障碍。',
