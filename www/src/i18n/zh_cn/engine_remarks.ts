@@ -37,6 +37,9 @@ export const zhCNRemarks = {
     'ros-no-threshold': '文件没有 {{key}}：采用 map_saver 的常用值 {{value}}。',
     'ros-205':
       '{{count}} 格的灰度为 205，即 map_saver 所写的未知；按文件的 free_thresh {{free}}，它们是空闲；若为 0.196，则是未知。',
+    'ros-205-alpha':
+      '{{count}} 格的灰度为 205，即 map_saver 所写的未知；nav2 把透明度通道算作第四种颜色，因此它们成为空闲；请把图片另存为不带透明度的格式。',
+    'ros-first-message': '文件中有多条消息：读取了第一条。',
     'cells-shrunk':
       '{{width}} × {{height}} 格合为 {{columns}} × {{rows}} 格：每 {{by}} × {{by}} 格取其中最受阻的一格。',
     mapf: '多智能体路径规划实例，共 {{count}} 个智能体：只采用第一个的起点与终点；此处 y 向下。',
@@ -62,6 +65,9 @@ export const zhCNRemarks = {
       '{{count}} 格的高程不可能存在（如 {{value}}）：超出海平面上下 {{most}} 米者视为没有数据。',
     'terrain-no-data-unused':
       '文件称 {{value}} 表示没有数据，但其数字为 {{low}} 至 {{high}} 的整数：没有这样的格。',
+    'terrain-9999':
+      '{{count}} 格的高程为 −9999，许多程序以此表示没有数据；但文件没有这样说明，因此按地面读取。',
+    'terrain-south-up': '文件的行由南向北排列：已上下翻转，北方在上。',
     'map-type': '地图类型为“{{value}}”，按 octile 读取。',
     'heights-in-table': '数字读作高程（米）：地图只含 0 和 1。',
     'terrain-cell-size': '文件没有给出格子的大小：按 1 米计，可在“尺寸、移动与地形…”中更改。',
