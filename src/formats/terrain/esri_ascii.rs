@@ -58,6 +58,12 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     while let Some(&(line, word)) = words.peek().filter(|(_, word)| number(word).is_none() && !is_no_number(word)) {
         words.next();
         last = header.set(line, word, words.next())?;
+        // Cells that are not square are told otherwise; a second number would be taken for a height.
+        let beside = words.peek().filter(|&&(line, next)| key(word) == key("cellsize") && line == last && number(next).is_some());
+        if let Some((line, next)) = beside {
+            let what = format!("`{}` stands behind the number of `cellsize`", quote(next));
+            return Err(FormatError::syntax(*line, what, "one number, or `dx N` and `dy N`; heights on lines of their own"));
+        }
     }
     let (width, height) = header.size()?;
     // A claim costs nothing: no more is set aside than the text can hold.
@@ -144,6 +150,9 @@ impl Header {
     /// Metres per cell.
     fn cell(&self, rows: u32) -> Result<([f64; 2], Vec<Notice>), FormatError> {
         let size = self.get("cellsize");
+        if size.is_some() && (self.get("dx").is_some() || self.get("dy").is_some()) {
+            return Err(FormatError::field("cellsize", "stands beside dx or dy", "cellsize alone, or dx and dy"));
+        }
         let (Some(dx), Some(dy)) = (self.get("dx").or(size), self.get("dy").or(size)) else {
             return Err(FormatError::field("cellsize", "missing in the header", "a line `cellsize N`, or `dx N` and `dy N`"));
         };
