@@ -90,6 +90,10 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
 }
 
 fn no_number(line: usize, word: &str) -> FormatError {
+    if word.matches(',').count() == 1 && number(&word.replace(',', ".")).is_some() {
+        let what = format!("`{}` has a decimal comma", quote(word));
+        return FormatError::syntax(line, what, "a decimal point: replace every , by .");
+    }
     FormatError::syntax(line, format!("`{}` is no number", quote(word)), "a number")
 }
 

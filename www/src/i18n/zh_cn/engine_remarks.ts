@@ -124,9 +124,42 @@ export const zhCNRemarks = {
       name: 'TSPLIB 的哈密顿回路问题（HCP）',
       hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
     },
+    'an-instance-of-tsplib-with-keys-in-small-letters': {
+      name: '关键字为小写的 TSPLIB 实例',
+      hint: '请把关键字改为大写：DIMENSION、EDGE_WEIGHT_TYPE 等',
+    },
+    'an-ascii-grid-of-grass': {
+      name: 'GRASS 的 ASCII 栅格',
+      hint: '请用 r.out.gdal 写成 GeoTIFF，或以 format=AAIGrid 写成 ESRI ASCII',
+    },
+    'the-list-of-the-data-files-of-coco-or-iohprofiler-info-': {
+      name: 'COCO 或 IOHprofiler 的数据文件清单（.info）',
+      hint: '请打开其中所列的 .dat 文件',
+    },
+    'the-list-of-the-data-files-of-iohprofiler-json-': {
+      name: 'IOHprofiler 的数据文件清单（.json）',
+      hint: '请打开其中所列的 .dat 文件',
+    },
+    'json-of-another-program': {
+      name: '其他程序的 JSON',
+      hint: '请把地图写成矩阵 [[0, 1], …]，或 formicarium/scenario@1',
+    },
+    'an-array-of-true-and-false': {
+      name: '由真与假组成的数组',
+      hint: '请写成 0 和 1：a.astype(int)',
+    },
+    'a-picture-in-pam-p7-': { name: 'PAM 图片（P7）', hint: '请另存为 PNG 或 PGM，再作为图片打开' },
+    'a-picture-of-floats-pfm-': {
+      name: '浮点图片（PFM）',
+      hint: '请把高程写成 GeoTIFF，或另存为 PNG',
+    },
+    'a-grid-of-surfer-dsaa-': {
+      name: 'Surfer 栅格（DSAA）',
+      hint: '请写成 GeoTIFF：gdal_translate in.grd out.tif',
+    },
     'a-gif-image': { name: 'GIF 图像', hint: '请另存为 PNG，再作为图片打开' },
     'a-pdf-document': { name: 'PDF 文档', hint: '请截取其中的图，再打开截图' },
-    'a-numpy-array-npy': {
+    'a-numpy-array-npy-': {
       name: 'NumPy 数组（.npy）',
       hint: '请写成文本：np.savetxt("map.csv", a, fmt="%d", delimiter=",")',
     },
