@@ -89,8 +89,13 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     Ok(Raster { kind: Kind::EsriAscii, width, height, heights, cell, unit: 1.0, notices })
 }
 
+/// Whether a word is a number but for a comma in place of its point.
+fn has_decimal_comma(word: &str) -> bool {
+    word.matches(',').count() == 1 && number(&word.replace(',', ".")).is_some()
+}
+
 fn no_number(line: usize, word: &str) -> FormatError {
-    if word.matches(',').count() == 1 && number(&word.replace(',', ".")).is_some() {
+    if has_decimal_comma(word) {
         let what = format!("`{}` has a decimal comma", quote(word));
         return FormatError::syntax(line, what, "a decimal point: replace every , by .");
     }
@@ -112,7 +117,7 @@ impl Header {
     /// Takes a key and the word behind it, and tells the line of the latter.
     fn set(&mut self, line: usize, word: &str, value: Option<(usize, &str)>) -> Result<usize, FormatError> {
         let unknown = || FormatError::syntax(line, format!("`{}` is no key of the header", quote(word)), KEYS.join(", "));
-        let at = key(word).ok_or_else(unknown)?;
+        let at = key(word).ok_or_else(|| if has_decimal_comma(word) { no_number(line, word) } else { unknown() })?;
         let missing = || FormatError::syntax(line, format!("nothing follows `{}`", KEYS[at]), "a number");
         let (line, value) = value.ok_or_else(missing)?;
         let wordy = is_no_number(value) && KEYS[at] == "nodata_value";
