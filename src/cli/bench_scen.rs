@@ -1,10 +1,12 @@
 //! `bench-scen`: an exact planner against the listed optima of a MovingAI `.scen`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
 use formicarium::catalog;
+use formicarium::error::Notice;
 use formicarium::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
 use formicarium::map::{CornerRule, Grid, Movement, Point};
 use formicarium::params::Values;
@@ -67,8 +69,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut spec = map.spec;
     spec.movement.corner_rule = args.corner_rule;
     let mut scenario = Arc::new(Scenario::new(map.grid, spec)?);
-    let mut bench = Bench::new(args, &map_path, entry, scen.lines.len());
-    for line in sample(scen.lines, args.sample, args.seed) {
+    let lines = of_map(scen.lines, &map_path)?;
+    let mut bench = Bench::new(args, &map_path, entry, lines.len());
+    for line in sample(lines, args.sample, args.seed) {
         bench.run(entry, &mut scenario, &line)?;
     }
     let text = match args.format {
@@ -108,6 +111,27 @@ fn find_map(args: &Args, scen: &ScenFile) -> Result<PathBuf, CliError> {
         let message = format!("the map `{listed}` is not beside {}", args.scen.display());
         CliError::usage(message, "name it with --map FILE")
     })
+}
+
+/// The scenarios of a map. Those of other maps are passed over where the file mixes several; where all name one other map, they are taken.
+fn of_map(lines: Vec<ScenLine>, map: &Path) -> Result<Vec<ScenLine>, CliError> {
+    let names: BTreeSet<&str> = lines.iter().map(|line| line.map.as_str()).collect();
+    if names.len() <= 1 {
+        text::notes(&names.first().and_then(|listed| input::other_map(listed, map)).into_iter().collect::<Vec<_>>());
+        return Ok(lines);
+    }
+    let others: Vec<&str> = names.into_iter().filter(|listed| !input::is_of_map(listed, map)).collect();
+    let shown = others.iter().take(5).copied().collect::<Vec<_>>().join(", ");
+    let count = lines.iter().filter(|line| !input::is_of_map(&line.map, map)).count();
+    if count == lines.len() {
+        let message = format!("the scenarios are of several maps ({shown}), none of {}", input::file_name(map));
+        return Err(CliError::usage(message, "name one of them with --map FILE"));
+    }
+    if count > 0 {
+        let message = format!("passed over: {} of other maps ({shown})", text::count(count as u64, "scenario", "scenarios"));
+        text::notes(&[Notice::new("scen-other-maps", message)]);
+    }
+    Ok(lines.into_iter().filter(|line| input::is_of_map(&line.map, map)).collect())
 }
 
 /// `count` of the lines, drawn without replacement and put back in file order; all without a count.

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use formicarium::error::FormatError;
-use formicarium::formats::{Imported, MAX_TEXT_BYTES, path_kind, read_places, read_world_path};
+use formicarium::error::{FormatError, Notice};
+use formicarium::formats::{Imported, MAX_TEXT_BYTES, names_columns, path_kind, read_places, read_world_path};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::path::{PathKind, audit_slices, direction_between, in_sight};
@@ -67,8 +67,12 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = args.reading.import(&args.map)?;
     args.movement.apply(&mut map);
     let spec = &map.spec;
-    let read = |bytes: &[u8], _: &str| Ok((places(bytes, spec)?, path_kind(bytes)));
-    let (mut path, kind) = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
+    let read = |bytes: &[u8], _: &str| Ok((places(bytes, spec)?, path_kind(bytes), names_columns(bytes)?));
+    let (mut path, kind, named) = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
+    if args.rows_first && named {
+        let message = "the path's file says itself which number is the row; --rows-first would turn them once more";
+        return Err(CliError::usage(message, "leave out --rows-first"));
+    }
     let kind = if args.polyline { PathKind::Polyline } else { kind };
     path.iter_mut().try_for_each(|(p, _)| args.shift(p))?;
     if let (true, Some(&(first, _)), Some(&(last, _))) = (map.ends_were_chosen(), path.first(), path.last()) {
@@ -92,9 +96,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 
 /// The places of a file; of a Path message of ROS the cells in which its poses lie, one for each run of poses in the same cell.
 fn places(bytes: &[u8], spec: &ScenarioSpec) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
-    let Some(metres) = read_world_path(bytes)? else { return read_places(bytes) };
-    let mut places = Vec::with_capacity(metres.len());
-    for (index, [x, y]) in metres.into_iter().enumerate() {
+    let Some(path) = read_world_path(bytes)? else { return read_places(bytes) };
+    text::notes(&spec.world.as_ref().and_then(|world| other_frame(&path.frame, &world.frame)).into_iter().collect::<Vec<_>>());
+    let mut places = Vec::with_capacity(path.metres.len());
+    for (index, [x, y]) in path.metres.into_iter().enumerate() {
         let expected = "poses on the map; the map must say where it lies: check against the ROS map";
         let cell = spec.to_cell([x, y]);
         places.push((
@@ -104,6 +109,14 @@ fn places(bytes: &[u8], spec: &ScenarioSpec) -> Result<Vec<(Point, Option<u32>)>
     }
     places.dedup();
     Ok(places)
+}
+
+/// That a path and its map name different frames; a ROS map alone names none.
+fn other_frame(path: &str, map: &str) -> Option<Notice> {
+    (!path.is_empty() && !map.is_empty() && path != map).then(|| {
+        let message = format!("the path is in the frame {path}, the map in {map}: their metres were taken for the same");
+        Notice::new("path-frame", message).with("path", path).with("map", map)
+    })
 }
 
 impl Args {

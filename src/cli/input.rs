@@ -163,6 +163,7 @@ impl ScenarioArgs {
         self.correct_note(&mut map);
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
+            map.notices.extend(other_map(&line.map, path));
             // Ends that do not fit are errors of the scenario; another size would pass unnoticed.
             map.notices.extend(formats::misfit(&line, &map.grid).filter(|n| n.kind == "scen-size"));
             set_ends(&mut map, Some(line.start), &[line.goal]);
@@ -217,6 +218,20 @@ fn scen_line(place: &str) -> Result<ScenLine, CliError> {
     let last = scen.lines.last().map_or(0, |l| l.line);
     let found = scen.lines.into_iter().find(|l| l.line == number);
     found.ok_or_else(|| CliError::usage(format!("{file} has no scenario in line {number} (its last line is {last})"), hint))
+}
+
+/// Whether a scenario's map is the file, by their names without folders and endings.
+pub fn is_of_map(listed: &str, map: &Path) -> bool {
+    let listed = listed.rsplit(['/', '\\']).next().unwrap_or_default();
+    stem(Path::new(listed)).eq_ignore_ascii_case(&stem(map))
+}
+
+/// That a scenario names another map than the file; standard input has no name.
+pub fn other_map(listed: &str, map: &Path) -> Option<Notice> {
+    (map != Path::new("-") && !is_of_map(listed, map)).then(|| {
+        let message = format!("the scenario is of the map {listed}, the file is {}", file_name(map));
+        Notice::new("scen-map", message).with("listed", listed).with("map", file_name(map))
+    })
 }
 
 /// A file's name without its folders.

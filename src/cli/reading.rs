@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use formicarium::error::Notice;
 use formicarium::formats::figure::Lattice;
 use formicarium::formats::picture::PictureOptions;
 use formicarium::formats::ros::{self, Unknown};
@@ -122,13 +123,24 @@ impl ReadingArgs {
     pub fn import_window(&self, path: &Path, crop: Option<Window>) -> Result<Imported, CliError> {
         let options = self.options(crop);
         let image = image_beside(path)?;
-        let beside = image.as_ref().map(|(name, bytes)| Companion { name, bytes });
-        input::in_file(path, MAX_BYTES, |bytes, name| formats::import_with(bytes, name, &options, beside))
+        let beside = image.as_ref().map(|image| Companion { name: &image.name, bytes: &image.bytes });
+        let mut map = input::in_file(path, MAX_BYTES, |bytes, name| formats::import_with(bytes, name, &options, beside))?;
+        map.notices.extend(image.and_then(|image| image.moved));
+        Ok(map)
     }
 }
 
-/// The picture that the description of a ROS map names, with its name; none for any other file.
-fn image_beside(path: &Path) -> Result<Option<(String, Vec<u8>)>, CliError> {
+/// The picture that the description of a ROS map names.
+struct Image {
+    /// As the description writes it.
+    name: String,
+    bytes: Vec<u8>,
+    /// That it was taken from beside the description.
+    moved: Option<Notice>,
+}
+
+/// The picture that the description of a ROS map names; none for any other file.
+fn image_beside(path: &Path) -> Result<Option<Image>, CliError> {
     /// A description is a few lines.
     const MOST: u64 = 1 << 20;
     if path == Path::new("-") || std::fs::metadata(path).is_ok_and(|file| file.len() > MOST) {
@@ -143,7 +155,12 @@ fn image_beside(path: &Path) -> Result<Option<(String, Vec<u8>)>, CliError> {
     let beside = path.with_file_name(&image);
     let file = PathBuf::from(image.replace('\\', "/"));
     let moved = path.with_file_name(file.file_name().unwrap_or_default());
-    let found = [beside.clone(), moved].into_iter().find(|candidate| candidate.is_file()).unwrap_or(beside);
-    let bytes = input::bytes(&found, MAX_BYTES as u64)?;
-    Ok(Some((image, bytes)))
+    let found = [&beside, &moved].into_iter().find(|candidate| candidate.is_file()).unwrap_or(&beside);
+    let bytes = input::bytes(found, MAX_BYTES as u64)?;
+    let moved = (found != &beside).then(|| {
+        let file = input::file_name(found);
+        let message = format!("{image} was not found: the picture {file} beside the description was read");
+        Notice::new("ros-image-beside", message).with("image", &image).with("file", file)
+    });
+    Ok(Some(Image { name: image, bytes, moved }))
 }

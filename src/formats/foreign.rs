@@ -25,8 +25,12 @@ const BAG: &str = "write the map out of it: ros2 run nav2_map_server map_saver_c
 /// Archives that are unpacked.
 const ARCHIVES: [Known; 2] = [(b"PK\x03\x04", "a ZIP archive", UNPACK), (b"\x1f\x8b", "a gzip archive", UNPACK)];
 
-const FOREIGN: [Known; 21] = [
+const FOREIGN: [Known; 25] = [
     (b"GIF8", "a GIF image", "save it as PNG, and open it as a picture"),
+    (b"P7\n", "a picture in PAM (P7)", "save it as PNG or PGM, and open it as a picture"),
+    (b"PF\n", "a picture of floats (PFM)", "write heights as GeoTIFF, or save it as PNG"),
+    (b"Pf\n", "a picture of floats (PFM)", "write heights as GeoTIFF, or save it as PNG"),
+    (b"DSAA", "a grid of Surfer (DSAA)", "write it as GeoTIFF: gdal_translate in.grd out.tif"),
     (b"%PDF", "a PDF document", "take a screenshot of the figure, and open that"),
     (b"\x93NUMPY", "a NumPy array (.npy)", ARRAY),
     (b"\x80\x04\x95", "a pickle of Python", ARRAY),
@@ -83,12 +87,41 @@ pub(super) fn is_sparse(text: &str) -> bool {
             && begin.lines().take_while(|line| line.starts_with('#')).any(|line| line.contains("type: sparse"))
 }
 
+/// The refusal of a text that belongs to results or instances, or in which numbers are written otherwise.
+fn by_words(text: &str) -> Option<(&'static str, &'static str)> {
+    const FEW: usize = 40;
+    let begin: String = text.chars().take(4096).collect::<String>().to_lowercase();
+    let keys: Vec<&str> = begin.lines().take(FEW).map(|line| line.split([':', ' ', '\t']).next().unwrap_or("")).collect();
+    let has = |key: &str| keys.contains(&key);
+    let bare = begin.trim_start_matches(|c: char| c.is_whitespace() || "[({".contains(c));
+    let bare = ["np.array(", "array("].iter().find_map(|word| bare.strip_prefix(word)).unwrap_or(bare);
+    let bare = bare.trim_start_matches(|c: char| c.is_whitespace() || "[({".contains(c));
+    let is_truth = |word: &str| bare.strip_prefix(word).is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()));
+    if has("dimension") && (has("edge_weight_type") || has("node_coord_section")) {
+        Some(("an instance of TSPLIB with keys in small letters", "write its keys in capitals: DIMENSION, EDGE_WEIGHT_TYPE, …"))
+    } else if has("north") && has("south") && has("rows") && has("cols") {
+        Some(("an ASCII grid of GRASS", "write it as GeoTIFF: r.out.gdal, or as ESRI ASCII: r.out.gdal format=AAIGrid"))
+    } else if (begin.starts_with("suite =") || begin.starts_with("funcid =")) && begin.contains(".dat") {
+        Some(("the list of the data files of COCO or IOHprofiler (.info)", "open the .dat files that it names"))
+    } else if text.starts_with('{') && begin.contains("\"function_id\"") && begin.contains("\"scenarios\"") {
+        Some(("the list of the data files of IOHprofiler (.json)", "open the .dat files that it names"))
+    } else if text.strip_prefix('{').is_some_and(|rest| rest.trim_start().starts_with('"')) && !text.contains("\"format\"") {
+        Some(("JSON of another program", "write the map as a matrix [[0, 1], …], or as formicarium/scenario@1"))
+    } else if is_truth("true") || is_truth("false") {
+        Some(("an array of true and false", "write it as 0 and 1: a.astype(int)"))
+    } else {
+        None
+    }
+}
+
 /// The refusal of a text in a language that holds no map.
 fn by_first_words(sample: &Sample<'_>) -> Option<FormatError> {
     let text = sample.text.trim_start();
     let starts = |word: &str| text.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word));
     let (found, hint) = if is_sparse(text) {
         ("a sparse matrix", "write all of it: writematrix(full(G), \"map.csv\") in MATLAB, np.savetxt of .toarray() in Python")
+    } else if let Some(named) = by_words(text) {
+        named
     } else if starts("<!doctype html") || starts("<html") {
         ("a page of the web", "download the file itself: behind a link of GitHub, choose Raw")
     } else if text.starts_with('<') && text.contains("<svg") {

@@ -40,7 +40,7 @@ pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
 pub use options::{FigureOptions, ReadOptions};
-pub use path_list::{path_kind, read_path, read_places, read_world_path};
+pub use path_list::{names_columns, path_kind, read_path, read_places, read_world_path};
 use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};
 pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results, results_table};

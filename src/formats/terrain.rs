@@ -237,6 +237,19 @@ impl Raster {
             let notice = Notice::new("terrain-impossible", message).with("count", count);
             self.notices.push(notice.with("value", format!("{example:e}")).with("most", FARTHEST));
         }
+        self.tell_of_9999();
+    }
+
+    /// What many programs write for no data is ground where the file does not say that it is none.
+    fn tell_of_9999(&mut self) {
+        let count = self.heights.iter().filter(|&&height| height == -9999.0).count();
+        if count > 0 {
+            let hold = if count == 1 { "1 cell has".to_owned() } else { format!("{count} cells have") };
+            let message = format!(
+                "{hold} the height −9999, which many programs write for no data: the file does not say so, it was read as ground"
+            );
+            self.notices.push(Notice::new("terrain-9999", message).with("count", count));
+        }
     }
 
     /// Says which cells have no data, and that cells are not square.

@@ -29,6 +29,20 @@ fn check_audits_and_measures() {
 }
 
 #[test]
+fn names_in_the_file_are_not_turned() {
+    let folder = Folder::with_map("check-named");
+    for (name, path) in [
+        ("named.csv", "row,col\n0,0\n0,1\n"),
+        ("named.json", r#"[{"row": 0, "col": 0}, {"row": 0, "col": 1}]"#),
+        ("xy.csv", "x,y\n0,0\n1,0\n"),
+    ] {
+        folder.write(name, path);
+        folder.run(&["check", name, "--map", "small.map", "--rows-first"]).ends(2).says(&["leave out --rows-first"]);
+        folder.run(&["check", name, "--map", "small.map", "--polyline"]).says(&["2 points"]);
+    }
+}
+
+#[test]
 fn check_audits_polylines() {
     let folder = Folder::with_map("check-polyline");
     let check = ["check", "corners.csv", "--map", "small.map"];

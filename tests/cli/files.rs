@@ -72,7 +72,13 @@ fn bench_scen_finds_the_map_and_names_what_does_not_fit() {
 
     folder.write("lost.scen", &SCEN.replace("small.map", "other.map"));
     folder.run(&["bench-scen", "lost.scen"]).ends(2).says(&["`other.map` is not beside", "--map"]);
-    folder.run(&["bench-scen", "lost.scen", "--map", "small.map"]).ends(0);
+    folder.run(&["bench-scen", "lost.scen", "--map", "small.map"]).ends(0).says(&["of the map maps/other.map"]);
+
+    // The second of the two scenarios is of another map.
+    let (one, other) = SCEN.rsplit_once("small.map").unwrap();
+    folder.write("mixed.scen", &format!("{one}other.map{other}"));
+    let mixed = folder.run(&["bench-scen", "mixed.scen", "--map", "small.map"]).ends(0);
+    mixed.says(&["passed over: 1 scenario of other maps (maps/other.map)", "1 of 1"]);
 }
 
 #[test]

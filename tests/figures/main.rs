@@ -182,7 +182,7 @@ fn painted(width: u32, height: u32, colour: impl Fn(u32, u32) -> [u8; 3]) -> Pic
         let [r, g, b] = colour(at % width, at / width);
         [r, g, b, 255]
     };
-    Picture { width, height, pixels: (0..width * height).map(pixel).collect(), has_alpha: false, notices: Vec::new() }
+    Picture { width, height, pixels: (0..width * height).map(pixel).collect(), has_alpha: false, deep: None, notices: Vec::new() }
 }
 
 /// Clouds of several sizes, as a photograph has them.

@@ -163,7 +163,7 @@ impl Scene {
             [r, g, b, 255]
         };
         let pixels = (0..width * height).map(|i| pixel(i % width, i / width)).collect();
-        Picture { width: width as u32, height: height as u32, pixels, has_alpha: false, notices: Vec::new() }
+        Picture { width: width as u32, height: height as u32, pixels, has_alpha: false, deep: None, notices: Vec::new() }
     }
 
     /// The parts of the path near each cell.

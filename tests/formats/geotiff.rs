@@ -363,3 +363,31 @@ fn damaged_files_are_read_or_refused() {
         }
     }
 }
+
+#[test]
+fn rows_that_run_northwards_are_turned_over() {
+    let tie = (33922, Field::Double(vec![0.0, 0.0, 0.0, 5e5, 4e6, 0.0]));
+    let scaled = read(&placed(vec![(33550, Field::Double(vec![30.0, -30.0, 0.0])), tie]));
+    let mut matrix = vec![0.0; 16];
+    (matrix[0], matrix[5], matrix[15]) = (30.0, 30.0, 1.0);
+    let transformed = read(&placed(vec![(34264, Field::Double(matrix))]));
+    for map in [scaled, transformed] {
+        assert_eq!((heights(&map), map.spec.resolution), (vec![3.0, 4.0, 1.0, 2.0], 30.0));
+        assert!(notices(&map).contains(&"terrain-south-up"), "{:?}", notices(&map));
+    }
+}
+
+#[test]
+fn what_would_be_placed_wrongly_is_refused() {
+    let keys = |key: u16, value: u16| (34735, Field::Short(vec![1, 1, 0, 1, key, 0, 1, value]));
+    let scale = || (33550, Field::Double(vec![30.0, 30.0, 0.0]));
+    for (more, message) in [
+        (vec![(274, short(4))], "Orientation: 4"),
+        (vec![scale(), keys(1024, 3)], "GTModelType: geocentric"),
+        (vec![scale(), keys(3076, 32767)], "ProjLinearUnits: a unit of its own"),
+        (vec![scale(), keys(3076, 9036)], "ProjLinearUnits: the unit 9036"),
+    ] {
+        let said = refused(&placed(more));
+        assert!(said.contains(message), "{said}");
+    }
+}

@@ -96,3 +96,24 @@ fn corner_heights_and_stations_of_maps_are_told() {
     let robots = read("type octile\nheight 2\nwidth 3\nmap\nE.S\n.@.\n").unwrap();
     assert_eq!((rows(&robots.grid), notices(&robots)[0]), (vec!["...".to_owned(), ".@.".to_owned()], "map-stations"));
 }
+
+#[test]
+fn what_other_programs_write_is_named() {
+    for (text, found) in [
+        ("{\"tilewidth\": 32, \"layers\": []}", "JSON of another program"),
+        ("{\"grid\": [[0, 1]]}", "JSON of another program"),
+        ("{\"suite\": \"unknown\", \"function_id\": 1, \"scenarios\": []}", "data files of IOHprofiler (.json)"),
+        ("suite = 'PBO', funcId = 1, DIM = 100, algId = 'x'\n%\ndata_f1/IOHprofiler_f1_DIM100.dat, 1:100|1\n", "(.info)"),
+        ("name: a\ndimension: 3\nedge_weight_type: EUC_2D\nnode_coord_section\n1 0 0\n2 1 0\n3 0 1\nEOF\n", "small letters"),
+        ("P7\nWIDTH 1\nHEIGHT 1\nENDHDR\n", "PAM"),
+        ("Pf\n1 1\n-1.0\nabcd", "PFM"),
+        ("DSAA\n2 2\n0 1\n0 1\n0 3\n0 1\n2 3\n", "Surfer"),
+        ("north: 10\nsouth: 0\neast: 10\nwest: 0\nrows: 1\ncols: 2\n1 2\n", "GRASS"),
+        ("[[True, False], [False, True]]", "true and false"),
+    ] {
+        let report = refused(text);
+        assert!(report.kind == "foreign-file" && report.message.contains(found), "{text:?}: {report:?}");
+    }
+    let comma = refused("ncols 2\nnrows 1\ncellsize 1\n1,5 2,5\n");
+    assert!(comma.message.contains("decimal comma") && comma.field == "line 4", "{comma:?}");
+}

@@ -174,6 +174,7 @@ fn what_cannot_be_used_is_named_with_its_line_and_column() {
         ("evaluations raw_y\n1 2\nlast run\n", "line 3: `last run` is no separation line", "evaluations raw_y"),
         ("evaluations raw_y\n5 2\n4 1\n", "line 3, column `function evaluation`: `4`", "no less than"),
         ("evaluations raw_y_best\n5 2\n6 3\n", "line 3, column `raw_y_best`: `3`", "lengths are minimised"),
+        ("evaluations raw_y\n1 2\n2 3\nevaluations raw_y\n1 1\n5 4\n", "line 3, column `raw_y`: `3`", "values only grow"),
         ("evaluations raw_y\nx 2\n", "line 2: `x 2` is no separation line", ""),
         ("evaluations raw_y\n1 2x\n", "line 2, column `raw_y`: `2x`", "a number"),
     ];

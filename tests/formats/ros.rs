@@ -85,6 +85,40 @@ fn the_trap_of_205_is_told() {
 }
 
 #[test]
+fn grays_of_sixteen_bits_are_not_cut() {
+    // 1 − 52700 / 65535 = 0.19585 is below 0.196; of the 8 bits it would be 205, which is not.
+    let states = |image: &str| read(LAB, image.as_bytes(), &ReadOptions::default()).unwrap().grid.to_bytes();
+    assert_eq!(states("P2 3 1 65535 52700 52685 0"), [0, 1, 1]);
+    assert_eq!(states("P2 3 1 100 81 80 35"), [0, 1, 1]);
+    let trapped = read(&LAB.replace("0.196", "0.25"), b"P2 3 1 65535 52700 52685 0", &ReadOptions::default()).unwrap();
+    assert_eq!(trapped.notices.iter().find(|n| n.kind == "ros-205").unwrap().args["count"], "1");
+}
+
+#[test]
+fn an_opaque_alpha_is_not_told_as_a_threshold() {
+    let (mut png, gray_alpha) = (Vec::new(), [205, 255, 0, 255]);
+    let encoder = image::codecs::png::PngEncoder::new(&mut png);
+    image::ImageEncoder::write_image(encoder, &gray_alpha, 2, 1, image::ExtendedColorType::La8).unwrap();
+    let map = read(LAB, &png, &ReadOptions::default()).unwrap();
+    let kinds: Vec<_> = map.notices.iter().map(|n| n.kind.as_str()).collect();
+    assert!(kinds.contains(&"ros-205-alpha") && !kinds.contains(&"ros-205"), "{kinds:?}");
+}
+
+#[test]
+fn descriptions_in_any_yaml_are_known() {
+    let flow =
+        "{image: lab.pgm, resolution: 0.05, origin: [-10.0, -10.0, 0.0], negate: 0, occupied_thresh: 0.65, free_thresh: 0.196}\n";
+    let quoted = LAB.replace("image", "\"image\"").replace("resolution", "'resolution'").replace("origin", "\"origin\"");
+    for yaml in [flow.to_owned(), quoted, LAB.replace("image: ", "image:\t"), LAB.to_owned() + "mode: Trinary\n"] {
+        assert_eq!(sniff(yaml.as_bytes(), "map.yaml"), Kind::RosMap, "{yaml}");
+        assert_eq!(cells(&yaml, &[0, 255]), [1, 0], "{yaml}");
+    }
+    assert_eq!(cells(&(LAB.to_owned() + "mode: RAW\n"), &[0, 100]), [0, 1]);
+    let map = read(&LAB.replace("negate: 0\n", ""), &pgm(&[0, 255]), &ReadOptions::default()).unwrap();
+    assert!(map.notices.iter().any(|n| n.kind == "ros-no-threshold" && n.args["key"] == "negate"), "{:?}", map.notices);
+}
+
+#[test]
 fn fewer_cells_are_as_blocked_as_the_worst_and_stay_where_they_are() {
     let image =
         [b"P5\n5 3\n255\n".as_slice(), &[254, 254, 254, 254, 205, 254, 254, 254, 254, 254, 0, 254, 254, 254, 254]].concat();
@@ -132,6 +166,17 @@ fn messages_are_read_from_the_south() {
     let json =
         r#"{"info": {"resolution": 1, "width": 2, "height": 1, "origin": {"position": {"x": 0, "y": 0}}}, "data": [0, 100]}"#;
     assert_eq!(rows(&super::read(json).unwrap().grid), [".@"]);
+    let twice = super::read(&yaml.repeat(2)).unwrap();
+    assert!(twice.notices.iter().any(|n| n.kind == "ros-first-message") && twice.grid == map.grid, "{:?}", twice.notices);
+    assert!(!map.notices.iter().any(|n| n.kind == "ros-first-message"));
+    assert_eq!(refused(&yaml.replace("      w: 0.7071067811865476", "      w: 0.0")).field, "orientation");
+    assert_eq!(
+        refused(
+            &yaml.replace("      x: 0.0\n      y: 0.0\n      z: 0.7", "      x: 0.7071\n      y: 0.0\n      z: 0.0\n      #")
+        )
+        .field,
+        "orientation"
+    );
     assert!(refused(&yaml.replace("- 0\n---\n", "- '...'\n---\n")).hint.contains("--full-length"));
     assert_eq!(refused(&yaml.replace("width: 3", "width: 4")).field, "data");
     assert_eq!(refused(&yaml.replace("- 100", "- 101")).field, "data");

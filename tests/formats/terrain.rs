@@ -79,10 +79,12 @@ fn cells_in_degrees_are_told_and_turned_into_metres() {
 
 #[test]
 fn broken_esri_grids_are_refused_with_line_or_field() {
-    let cases: [(&str, &str, &str, &str); 15] = [
+    let cases: [(&str, &str, &str, &str); 17] = [
         ("60 ", "", "line 8", "ends after 5 heights, in row 2"),
         ("6e1", "6e1 7", "line 8", "`7` follows the last height"),
         ("2.5", "two", "line 7", "`two` is no number"),
+        ("cellsize 10", "cellsize 10 5", "line 5", "`5` stands behind the number of `cellsize`"),
+        ("cellsize 10", "cellsize 10\ndx 10\ndy 5", "cellsize", "beside dx or dy"),
         ("cellsize 10", "cellsize 0", "cellsize", "0 × 0"),
         ("cellsize 10", "cellsize -5", "cellsize", "-5 × -5"),
         ("cellsize 10\n", "", "cellsize", "missing"),
@@ -332,4 +334,12 @@ fn damaged_texts_are_read_or_refused() {
             }
         }
     }
+}
+
+#[test]
+fn what_looks_like_no_data_and_is_not_announced_is_told() {
+    let map = read(&ASC.replace("NODATA_value -9999", "NODATA_value -1")).unwrap();
+    assert_eq!(heights(&map)[2], -9999.0);
+    assert!(notices(&map).contains(&"terrain-9999"), "{:?}", notices(&map));
+    assert!(!notices(&read(ASC).unwrap()).contains(&"terrain-9999"));
 }

@@ -9,6 +9,7 @@ use std::borrow::Cow;
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::ros::WorldPath;
 use super::text::decode;
 use super::{numbers, ros};
 use crate::error::FormatError;
@@ -22,10 +23,15 @@ const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [
 
 /// Whether a text is a path by its form: pairs in round brackets, points with names, poses of ROS, or columns with such names.
 pub(super) fn looks_like(text: &str) -> bool {
-    let begin: String = text.chars().filter(|c| !c.is_whitespace()).take(200).collect();
+    let begin = beginning(text);
     let digit = |rest: &str| rest.trim_start_matches("np.int64(").starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let pairs = begin.find("[(").is_some_and(|at| digit(&begin[at + 2..]));
     pairs || has_named_points(&begin) || ros::is_path(text) || text.lines().next().is_some_and(columns::is_header)
+}
+
+/// The first letters of a text, without blanks.
+fn beginning(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace()).take(200).collect()
 }
 
 /// `[{"x": 0, …`, in JSON or as Python prints it.
@@ -62,7 +68,7 @@ pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatErro
         let expected = "a map that knows its place in the world: check it against the ROS map";
         return Err(FormatError::syntax(0, "a Path message of ROS is in metres", expected));
     }
-    if has_named_points(&text.chars().filter(|c| !c.is_whitespace()).take(200).collect::<String>()) {
+    if has_named_points(&beginning(&text)) {
         return named_points(&text);
     }
     let (head, rest) = text.split_once('\n').unwrap_or((&text, ""));
@@ -128,9 +134,25 @@ fn named_points(text: &str) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
 ///
 /// # Errors
 /// [`FormatError`] with the line or the pose at fault.
-pub fn read_world_path(bytes: &[u8]) -> Result<Option<Vec<[f64; 2]>>, FormatError> {
+pub fn read_world_path(bytes: &[u8]) -> Result<Option<WorldPath>, FormatError> {
     let text = decode(bytes)?;
     if ros::is_path(&text) { ros::read_path(&text).map(Some) } else { Ok(None) }
+}
+
+/// Whether a file itself says which number of a place is the column and which the row: by the names of its columns or points, or as a Path
+/// message of ROS.
+///
+/// # Errors
+/// [`FormatError`] for what is no text, or names that do not say which column is which.
+pub fn names_columns(bytes: &[u8]) -> Result<bool, FormatError> {
+    let text = decode(bytes)?;
+    if ros::is_path(&text) {
+        return Ok(true);
+    }
+    if text.trim_start().starts_with('{') {
+        return Ok(false);
+    }
+    Ok(has_named_points(&beginning(&text)) || columns::of(text.lines().next().unwrap_or(""))?.is_some())
 }
 
 /// What kind of path a file holds: what a result's objective says; steps for everything else.

@@ -191,7 +191,7 @@ mod tests {
 
     fn picture(width: u32, grays: &[u8]) -> Picture {
         let pixels = grays.iter().map(|&v| [v, v, v, 255]).collect();
-        Picture { width, height: grays.len() as u32 / width, pixels, has_alpha: false, notices: Vec::new() }
+        Picture { width, height: grays.len() as u32 / width, pixels, has_alpha: false, deep: None, notices: Vec::new() }
     }
 
     fn kinds(cells: &Cells) -> Vec<&str> {
@@ -220,8 +220,14 @@ mod tests {
 
     #[test]
     fn transparent_is_white() {
-        let picture =
-            Picture { width: 2, height: 1, pixels: vec![[0, 0, 0, 0], [0, 0, 0, 255]], has_alpha: true, notices: Vec::new() };
+        let picture = Picture {
+            width: 2,
+            height: 1,
+            pixels: vec![[0, 0, 0, 0], [0, 0, 0, 255]],
+            has_alpha: true,
+            deep: None,
+            notices: Vec::new(),
+        };
         let cells = to_cells(&picture, &PictureOptions::default()).unwrap();
         assert_eq!(cells.blocked, [0, 1]);
         assert_eq!(kinds(&cells)[0], "picture-transparent");

@@ -33,6 +33,8 @@ pub struct Picture {
     pub pixels: Vec<[u8; 4]>,
     /// Whether the file has a channel of alpha, even where all of it is opaque.
     pub has_alpha: bool,
+    /// The grays with 16 bits (0–65535) of a picture that has nothing but gray, and finer than or other than 0 to 255; as many as pixels.
+    pub deep: Option<Vec<u16>>,
     /// What was left out.
     pub notices: Vec<Notice>,
 }
@@ -63,7 +65,8 @@ fn format(bytes: &[u8]) -> Option<Format> {
     }
 }
 
-/// Reads a picture. Gray and palettes become red, green and blue. Of 16 bits the high byte is kept (of Netpbm the value is scaled exactly).
+/// Reads a picture. Gray and palettes become red, green and blue. Of 16 bits the high byte is kept (of Netpbm the value is scaled exactly);
+/// grays keep all of them beside it, in [`Picture::deep`].
 /// Of an animation or several pictures in a row the first is read, with the notice `picture-first-only`. How a camera was held (EXIF) is not
 /// followed: notice `picture-turned`. Colour profiles and gamma are not applied.
 ///
@@ -158,7 +161,8 @@ fn from(mut decoder: Box<dyn ImageDecoder + '_>, source: Source) -> Result<Pictu
     let notices = notices(&mut decoder, &source);
     let color = decoder.color_type();
     let raw = raw(decoder).map_err(|e| broken(source.name, e))?;
-    Ok(Picture { width, height, pixels: rgba(&raw, color), has_alpha: color.has_alpha(), notices })
+    let deep = (color == ColorType::L16).then(|| raw.as_chunks().0.iter().map(|&v| u16::from_ne_bytes(v)).collect());
+    Ok(Picture { width, height, pixels: rgba(&raw, color), has_alpha: color.has_alpha(), deep, notices })
 }
 
 fn raw(mut decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Vec<u8>> {

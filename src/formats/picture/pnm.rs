@@ -22,7 +22,24 @@ struct Header {
     channels: usize,
 }
 
-/// Reads the first picture of a file. A number v of 0 … m becomes ⌊(255 v + ⌊m/2⌋) / m⌋, as netpbm rounds.
+impl Header {
+    /// Whether grays of 0 to 255 would not be those of the file.
+    fn is_deep(&self) -> bool {
+        self.channels == 1 && self.white != 255
+    }
+
+    /// A number of the file, at most [`Header::white`], with 16 bits.
+    fn deep(&self, value: u32) -> u16 {
+        let (value, white) = (u64::from(value), u64::from(self.white));
+        ((value * 65535 + white / 2) / white) as u16
+    }
+}
+
+/// Pixels, and their grays with 16 bits where 8 do not hold them.
+type Pixels = (Vec<[u8; 4]>, Option<Vec<u16>>);
+
+/// Reads the first picture of a file. A number v of 0 … m becomes ⌊(255 v + ⌊m/2⌋) / m⌋, as netpbm rounds. Of grays with another m than 255
+/// ⌊(65535 v + ⌊m/2⌋) / m⌋ is kept as well.
 ///
 /// # Errors
 /// [`FormatError`]: the header or a number is broken, or the file ends too soon.
@@ -31,15 +48,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, FormatError> {
     let mut reader = Reader { rest: bytes.get(2..).unwrap_or_default() };
     let header = reader.header(kind)?;
     let count = header.width as usize * header.height as usize;
-    let pixels = match kind {
-        b'1' => reader.bits_in_letters(count)?,
-        b'4' => reader.bits(header.width as usize, count)?,
+    let (pixels, deep) = match kind {
+        b'1' => (reader.bits_in_letters(count)?, None),
+        b'4' => (reader.bits(header.width as usize, count)?, None),
         b'2' | b'3' => reader.letters(count, &header)?,
         _ => reader.bytes(count, &header)?,
     };
     let more = reader.rest.iter().any(|byte| !byte.is_ascii_whitespace());
     let notices = if more { vec![first_only()] } else { Vec::new() };
-    Ok(Picture { width: header.width, height: header.height, pixels, has_alpha: false, notices })
+    Ok(Picture { width: header.width, height: header.height, pixels, has_alpha: false, deep, notices })
 }
 
 /// A row of PGM bytes with its header: `gray` is `width · height` values, 0 black and 255 white.
@@ -124,29 +141,36 @@ impl Reader<'_> {
         Ok(rows.concat())
     }
 
-    fn letters(&mut self, count: usize, header: &Header) -> Result<Vec<[u8; 4]>, FormatError> {
+    fn letters(&mut self, count: usize, header: &Header) -> Result<Pixels, FormatError> {
         self.expect(count * header.channels)?;
         let mut pixels = Vec::with_capacity(count);
+        let mut deep = header.is_deep().then(|| Vec::with_capacity(count));
         for _ in 0..count {
+            let first = self.number("pixels")?;
+            let shade = scaled(first, header.white)?;
+            deep.iter_mut().for_each(|deep| deep.push(header.deep(first)));
             let mut value = || scaled(self.number("pixels")?, header.white);
             pixels.push(match header.channels {
-                1 => gray(value()?),
-                _ => [value()?, value()?, value()?, 255],
+                1 => gray(shade),
+                _ => [shade, value()?, value()?, 255],
             });
         }
-        Ok(pixels)
+        Ok((pixels, deep))
     }
 
     /// One byte a number up to 255, two beyond, the high one first.
-    fn bytes(&mut self, count: usize, header: &Header) -> Result<Vec<[u8; 4]>, FormatError> {
+    fn bytes(&mut self, count: usize, header: &Header) -> Result<Pixels, FormatError> {
         let each = if header.white > 255 { 2 } else { 1 };
         let raw = self.take(count * header.channels * each)?;
-        let value = |bytes: &[u8]| scaled(bytes.iter().fold(0, |value, &byte| value << 8 | u32::from(byte)), header.white);
+        let number = |bytes: &[u8]| bytes.iter().fold(0, |value, &byte| value << 8 | u32::from(byte));
+        let value = |bytes: &[u8]| scaled(number(bytes), header.white);
         let pixel = |pixel: &[u8]| match header.channels {
             1 => Ok(gray(value(pixel)?)),
             _ => Ok([value(&pixel[..each])?, value(&pixel[each..2 * each])?, value(&pixel[2 * each..])?, 255]),
         };
-        raw.chunks_exact(header.channels * each).map(pixel).collect()
+        let pixels = raw.chunks_exact(header.channels * each).map(pixel).collect::<Result<_, FormatError>>()?;
+        let deep = header.is_deep().then(|| raw.chunks_exact(each).map(|bytes| header.deep(number(bytes))).collect());
+        Ok((pixels, deep))
     }
 
     fn take(&mut self, count: usize) -> Result<&[u8], FormatError> {
@@ -193,6 +217,15 @@ mod tests {
         assert_eq!(grays(b"P5 2 1 1000\n\x01\xf4\x03\xe8"), [128, 255]);
         assert_eq!(read(b"P3 1 1 255 1 2 3").unwrap().pixels, [[1, 2, 3, 255]]);
         assert_eq!(read(b"P6 1 1 255\n\x01\x02\x03").unwrap().pixels, [[1, 2, 3, 255]]);
+    }
+
+    #[test]
+    fn grays_keep_sixteen_bits() {
+        assert_eq!(read(b"P2 2 1 65535 52700 52685").unwrap().deep, Some(vec![52700, 52685]));
+        assert_eq!(read(b"P5 2 1 100\n\x00\x50").unwrap().deep, Some(vec![0, 52428]));
+        for shallow in [&b"P2 1 1 255 7"[..], b"P3 1 1 9 1 2 3", b"P1 1 1 1"] {
+            assert_eq!(read(shallow).unwrap().deep, None);
+        }
     }
 
     #[test]

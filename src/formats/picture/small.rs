@@ -46,7 +46,7 @@ mod tests {
 
     fn picture(width: u32, grays: &[u8]) -> Picture {
         let pixels: Vec<[u8; 4]> = grays.iter().map(|&gray| [gray, gray, gray, 255]).collect();
-        Picture { width, height: pixels.len() as u32 / width, pixels, has_alpha: false, notices: Vec::new() }
+        Picture { width, height: pixels.len() as u32 / width, pixels, has_alpha: false, deep: None, notices: Vec::new() }
     }
 
     fn grays(small: &Small) -> Vec<u8> {
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn what_is_transparent_lies_over_white() {
-        let clear = Picture { width: 1, height: 1, pixels: vec![[9, 9, 9, 0]], has_alpha: true, notices: Vec::new() };
+        let clear = Picture { width: 1, height: 1, pixels: vec![[9, 9, 9, 0]], has_alpha: true, deep: None, notices: Vec::new() };
         assert_eq!(small(&clear, 9).rgba, [255; 4]);
     }
 }

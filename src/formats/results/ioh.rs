@@ -98,6 +98,7 @@ pub(super) fn read(text: &str, name: &str) -> Result<ImportedResults, FormatErro
     for (number, line) in lines(text).filter(|(_, line)| !line.trim().is_empty()) {
         file.take(number, line)?;
     }
+    file.refuse_growth()?;
     let label = label("", name);
     let notices = file.notices();
     let runs = file.runs.into_iter().map(|run| ImportedRun { status: ended(&run.steps), ..run }).collect();
@@ -113,6 +114,12 @@ struct File {
     rows: usize,
     /// Records with too few fields.
     incomplete: usize,
+    /// The value of the record before, in the same run.
+    before: Option<f64>,
+    /// Whether a value is below the one before it.
+    falls: bool,
+    /// Line, column and value of the first that is above the one before it.
+    grows: Option<(usize, &'static str, String)>,
 }
 
 impl File {
@@ -128,6 +135,7 @@ impl File {
                 FormatError::syntax(number, format!("`{}` is no separation line", quote(line)), expected)
             });
             self.header = Some(header?);
+            self.before = None;
             let seed = u32::try_from(self.runs.len() + 1).unwrap_or(u32::MAX);
             let status = ended(&[]);
             self.runs.push(ImportedRun { instance: None, seed, status, effort: Spent::default(), steps: Vec::new() });
@@ -151,16 +159,34 @@ impl File {
             return Err(wrong("function evaluation", evaluations, "no less than in the record before"));
         }
         run.effort.constructed_paths = Some(count);
+        let line = number;
         let number = measured(value).map_err(|expected| wrong(header.name, value, expected))?;
         let best = run.steps.last().and_then(|step| step.value);
         if header.is_best && number.zip(best).is_some_and(|(now, before)| now > before) {
             return Err(wrong(header.name, value, "no more than in the record before: lengths are minimised"));
         }
+        if let Some((now, before)) = number.zip(self.before) {
+            self.falls |= now < before;
+            if now > before && self.grows.is_none() {
+                self.grows = Some((line, header.name, value.to_owned()));
+            }
+        }
+        self.before = number.or(self.before);
         if number.is_some_and(|now| best.is_none_or(|before| now < before)) {
             let spent = Spent { constructed_paths: Some(count), ..Spent::default() };
             run.steps.push(ImportedStep { value: number, spent, ..ImportedStep::default() });
         }
         Ok(())
+    }
+
+    /// Values of every evaluation rise and fall; where in all of the file they only grow, the problem is one that is maximised.
+    fn refuse_growth(&self) -> Result<(), FormatError> {
+        match &self.grows {
+            Some((line, column, value)) if !self.falls => {
+                Err(cell(*line, column, value, "no more than in the record before: values only grow here, lengths are minimised"))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn notices(&self) -> Vec<Notice> {

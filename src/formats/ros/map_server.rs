@@ -2,6 +2,7 @@
 //! (`nav2_map_server/src/map_io.cpp`): the thresholds are exclusive, alpha counts as a fourth colour in the mode `trinary`.
 
 use super::states::{self, FREE, OCCUPIED, States, UNKNOWN};
+use super::without_tabs;
 use super::yaml::{self, Value, required};
 use crate::error::{FormatError, Notice};
 use crate::formats::picture::Picture;
@@ -10,6 +11,9 @@ use crate::scenario::World;
 
 /// The gray that map_saver writes for unknown cells.
 const SAVED_UNKNOWN: u8 = 205;
+
+/// What map_saver writes as `free_thresh`.
+const USUAL_FREE: f64 = 0.196;
 
 /// How grays become occupancy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,14 +48,13 @@ impl Description {
     /// # Errors
     /// [`FormatError`] with the line of broken YAML, or the key at fault.
     pub fn read(text: &str) -> Result<Self, FormatError> {
-        let document = yaml::read(text)?;
+        let document = yaml::read(&without_tabs(text))?;
         let image = document.get(&["image"]).and_then(Value::text).filter(|image| !image.trim().is_empty());
         let image = image.ok_or_else(|| FormatError::field("image", "missing", "the name of the picture, e.g. map.pgm"))?;
         let mut notices = Vec::new();
         let mut threshold = |key: &'static str, usual: f64| match document.get(&[key]) {
             None => {
-                let message = format!("the file has no {key}: {usual} is used, as map_saver writes it");
-                notices.push(Notice::new("ros-no-threshold", message).with("key", key).with("value", usual));
+                notices.push(unsaid(key, usual));
                 Ok(usual)
             }
             Some(_) => {
@@ -60,7 +63,7 @@ impl Description {
                 Some(value).filter(|v| (0.0..=1.0).contains(v)).ok_or_else(wrong)
             }
         };
-        let (occupied, free) = (threshold("occupied_thresh", 0.65)?, threshold("free_thresh", 0.196)?);
+        let (occupied, free) = (threshold("occupied_thresh", 0.65)?, threshold("free_thresh", USUAL_FREE)?);
         if free > occupied {
             return Err(FormatError::field(
                 "free_thresh",
@@ -68,12 +71,13 @@ impl Description {
                 "a number below it",
             ));
         }
+        let negate = negate(&document, &mut notices)?;
         Ok(Self {
             image: image.trim().into(),
             resolution: resolution(&document, &["resolution"])?,
             world: world(&document)?,
             mode: mode(&document)?,
-            negate: negate(&document)?,
+            negate,
             occupied,
             free,
             notices,
@@ -84,24 +88,35 @@ impl Description {
     pub fn states(&self, picture: &Picture) -> (States, Vec<Notice>) {
         let mut notices = picture.notices.clone();
         notices.extend(self.notices.iter().cloned());
-        let cells: Vec<u8> = picture.pixels.iter().map(|&pixel| self.state(pixel, picture.has_alpha)).collect();
+        let state = |(index, pixel): (usize, &[u8; 4])| self.state(self.shade(picture, index), pixel[3]);
+        let cells: Vec<u8> = picture.pixels.iter().enumerate().map(state).collect();
         let states = States { width: picture.width, height: picture.height, cells };
         notices.extend(self.trap(picture));
         (states, notices)
     }
 
-    fn state(&self, [r, g, b, alpha]: [u8; 4], has_alpha: bool) -> u8 {
+    /// How light a pixel is, from 0 to 1.
+    fn shade(&self, picture: &Picture, index: usize) -> f64 {
+        if let Some(deep) = &picture.deep {
+            return f64::from(deep[index]) / 65535.0;
+        }
+        self.shade_of(picture.pixels[index], picture.has_alpha)
+    }
+
+    fn shade_of(&self, [r, g, b, alpha]: [u8; 4], has_alpha: bool) -> f64 {
         let colours = f64::from(r) + f64::from(g) + f64::from(b);
         // Nav2 takes alpha for a fourth colour where the mode is trinary and the picture has it.
-        let shade = match self.mode {
+        match self.mode {
             Mode::Trinary if has_alpha => (colours + f64::from(alpha)) / 4.0 / 255.0,
             _ => colours / 3.0 / 255.0,
-        };
+        }
+    }
+
+    fn state(&self, shade: f64, alpha: u8) -> u8 {
         if self.mode == Mode::Raw {
             return states::of_percent(libm::round(shade * 255.0), self.free, self.occupied);
         }
-        let occupancy = if self.negate { shade } else { 1.0 - shade };
-        match occupancy {
+        match self.occupancy(shade) {
             _ if self.mode == Mode::Scale && alpha < 255 => UNKNOWN,
             o if o > self.occupied => OCCUPIED,
             o if o < self.free => FREE,
@@ -109,19 +124,31 @@ impl Description {
         }
     }
 
+    fn occupancy(&self, shade: f64) -> f64 {
+        if self.negate { shade } else { 1.0 - shade }
+    }
+
     /// Maps whose unknown cells would be free: map_saver writes gray 205 for them, which is 0.196 occupied, and newer descriptions say that
-    /// what is below 0.25 is free.
+    /// what is below 0.25 is free. With a channel of alpha, which counts as a fourth colour, they are lighter still.
     fn trap(&self, picture: &Picture) -> Option<Notice> {
         let saved = [SAVED_UNKNOWN, SAVED_UNKNOWN, SAVED_UNKNOWN, 255];
-        let count = picture.pixels.iter().filter(|&&pixel| pixel == saved).count();
-        let falls = self.mode != Mode::Raw && self.state(saved, picture.has_alpha) == FREE;
-        (count > 0 && falls).then(|| {
-            let free = self.free;
+        let exact = |index: usize| picture.deep.as_ref().is_none_or(|deep| deep[index] == u16::from(SAVED_UNKNOWN) * 257);
+        let count = picture.pixels.iter().enumerate().filter(|&(index, pixel)| *pixel == saved && exact(index)).count();
+        let shade = self.shade_of(saved, picture.has_alpha);
+        if count == 0 || self.mode == Mode::Raw || self.state(shade, 255) != FREE {
+            return None;
+        }
+        let free = self.free;
+        if self.occupancy(shade) < USUAL_FREE {
             let message = format!(
-                "{count} cells have gray 205, which map_saver writes for unknown: they are free by the file's free_thresh of {free}; with 0.196 they would be unknown"
+                "{count} cells have gray 205, which map_saver writes for unknown: they are free, since alpha counts as a fourth colour, as nav2 has it; save the picture without alpha"
             );
-            Notice::new("ros-205", message).with("count", count).with("free", free)
-        })
+            return Some(Notice::new("ros-205-alpha", message).with("count", count));
+        }
+        let message = format!(
+            "{count} cells have gray 205, which map_saver writes for unknown: they are free by the file's free_thresh of {free}; with 0.196 they would be unknown"
+        );
+        Some(Notice::new("ros-205", message).with("count", count).with("free", free))
     }
 }
 
@@ -143,19 +170,32 @@ fn world(document: &Value) -> Result<World, FormatError> {
     }
 }
 
+/// The mode, in any case, as nav2 takes it.
 fn mode(document: &Value) -> Result<Mode, FormatError> {
-    match document.get(&["mode"]).map(|mode| mode.text().unwrap_or("a list")) {
-        None | Some("trinary") => Ok(Mode::Trinary),
-        Some("scale") => Ok(Mode::Scale),
-        Some("raw") => Ok(Mode::Raw),
-        Some(other) => Err(FormatError::field("mode", format!("`{}`", quote(other)), "trinary, scale or raw")),
+    let Some(given) = document.get(&["mode"]) else { return Ok(Mode::Trinary) };
+    let given = given.text().unwrap_or("a list");
+    match given.to_ascii_lowercase().as_str() {
+        "trinary" => Ok(Mode::Trinary),
+        "scale" => Ok(Mode::Scale),
+        "raw" => Ok(Mode::Raw),
+        _ => Err(FormatError::field("mode", format!("`{}`", quote(given)), "trinary, scale or raw")),
     }
 }
 
-fn negate(document: &Value) -> Result<bool, FormatError> {
+fn negate(document: &Value, notices: &mut Vec<Notice>) -> Result<bool, FormatError> {
     match document.get(&["negate"]).map(|negate| negate.text().unwrap_or("a list")) {
-        None | Some("0" | "false" | "False" | "no") => Ok(false),
+        None => {
+            notices.push(unsaid("negate", 0));
+            Ok(false)
+        }
+        Some("0" | "false" | "False" | "no") => Ok(false),
         Some("1" | "true" | "True" | "yes") => Ok(true),
         Some(other) => Err(FormatError::field("negate", format!("`{}`", quote(other)), "0 or 1")),
     }
+}
+
+/// That a key is missing, and what is taken in its place.
+fn unsaid(key: &str, usual: impl std::fmt::Display) -> Notice {
+    let message = format!("the file has no {key}: {usual} is used, as map_saver writes it");
+    Notice::new("ros-no-threshold", message).with("key", key).with("value", usual)
 }

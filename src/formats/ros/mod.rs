@@ -8,6 +8,8 @@ mod states;
 mod write;
 mod yaml;
 
+use std::borrow::Cow;
+
 use super::imported_map::Imported;
 use super::kind::Kind;
 use super::picture;
@@ -27,9 +29,23 @@ fn has_keys(text: &str, wanted: &[&str]) -> bool {
     wanted.iter().all(|key| lines(text).take(4096).any(|(_, line)| is_key(line, key)))
 }
 
+/// A description with blanks for tabs behind its colons: YAML has both, the parser only blanks.
+fn without_tabs(text: &str) -> Cow<'_, str> {
+    if text.contains(":\t") { Cow::Owned(text.replace(":\t", ": ")) } else { Cow::Borrowed(text) }
+}
+
 /// Whether a text is the description of a map: `image`, `resolution` and `origin`.
 pub(super) fn is_map_description(text: &str) -> bool {
-    has_keys(text, &["image", "resolution"]) || has_keys(text, &["image", "origin"])
+    /// A description is a few lines.
+    const LONGEST: usize = 1 << 14;
+    if has_keys(text, &["image", "resolution"]) || has_keys(text, &["image", "origin"]) {
+        return true;
+    }
+    // With keys between quotation marks, or in braces.
+    let may_be = text.len() <= LONGEST && text.contains("image") && (text.contains("resolution") || text.contains("origin"));
+    let has = |document: &yaml::Value, key: &str| document.get(&[key]).is_some();
+    may_be
+        && yaml::read(&without_tabs(text)).is_ok_and(|all| has(&all, "image") && (has(&all, "resolution") || has(&all, "origin")))
 }
 
 /// Whether a text is an OccupancyGrid message.
@@ -71,16 +87,29 @@ pub(super) fn read_map(yaml: &[u8], image: &[u8], name: &str, unknown: Unknown, 
 /// # Errors
 /// [`FormatError`] with the line or the field at fault.
 pub(super) fn read_message(text: &str, name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, FormatError> {
-    let occupancy_grid::Message { states, resolution, world } = occupancy_grid::read(text)?;
-    Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices: Vec::new() }.import(name, unknown, cells)
+    let occupancy_grid::Message { states, resolution, world, notices } = occupancy_grid::read(text)?;
+    Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices }.import(name, unknown, cells)
 }
 
-/// The places of a Path message, in metres.
+/// A Path message.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorldPath {
+    /// The places of its poses, in metres.
+    pub metres: Vec<[f64; 2]>,
+    /// Of its header: in which frame they are; empty where it does not say.
+    pub frame: String,
+}
+
+/// Reads a Path message.
 ///
 /// # Errors
-/// [`FormatError`] with the line of broken YAML, or the number of the pose at fault, from 0.
-pub(super) fn read_path(text: &str) -> Result<Vec<[f64; 2]>, FormatError> {
+/// [`FormatError`] with the line of broken YAML, or the number of the pose at fault, from 0; also for several messages in one file.
+pub(super) fn read_path(text: &str) -> Result<WorldPath, FormatError> {
     let message = yaml::read(text)?;
+    if yaml::holds_more(text) {
+        let hint = "one message: ros2 topic echo --once --full-length /plan";
+        return Err(FormatError::field("poses", "the file holds more than one message", hint));
+    }
     let poses = message.get(&["poses"]).and_then(yaml::Value::list);
     let poses =
         poses.ok_or_else(|| FormatError::field("poses", "no list of poses", "what ros2 topic echo --full-length prints"))?;
@@ -92,7 +121,9 @@ pub(super) fn read_path(text: &str) -> Result<Vec<[f64; 2]>, FormatError> {
         let missing = || FormatError::field("poses", format!("pose {index} has no position"), "position: {x, y}");
         Ok([number("x").ok_or_else(missing)?, number("y").ok_or_else(missing)?])
     };
-    poses.iter().enumerate().map(read).collect()
+    let metres = poses.iter().enumerate().map(read).collect::<Result<_, FormatError>>()?;
+    let frame = message.get(&["header", "frame_id"]).and_then(yaml::Value::text).unwrap_or("").to_owned();
+    Ok(WorldPath { metres, frame })
 }
 
 /// Reads an instance of multi-agent path finding.

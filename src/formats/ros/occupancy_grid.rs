@@ -2,7 +2,7 @@
 
 use super::states::{States, of_percent};
 use super::yaml::{self, Value, required};
-use crate::error::FormatError;
+use crate::error::{FormatError, Notice};
 use crate::scenario::World;
 
 /// Occupancies above it are blocked, below the other free, as map_saver writes them.
@@ -13,6 +13,7 @@ pub(in crate::formats) struct Message {
     pub states: States,
     pub resolution: f64,
     pub world: World,
+    pub notices: Vec<Notice>,
 }
 
 /// Reads a message.
@@ -56,7 +57,25 @@ pub(in crate::formats) fn read(text: &str) -> Result<Message, FormatError> {
     }
     let from_south = data.chunks(width as usize).rev().flatten();
     let cells = from_south.map(|&value| of_percent(f64::from(value), THRESHOLDS.0, THRESHOLDS.1)).collect();
-    Ok(Message { states: States { width, height, cells }, resolution, world: world(&message)? })
+    let more = yaml::holds_more(text)
+        .then(|| Notice::new("ros-first-message", "the file holds more than one message: the first was read"));
+    let notices = more.into_iter().collect();
+    Ok(Message { states: States { width, height, cells }, resolution, world: world(&message)?, notices })
+}
+
+/// z and w of a turn about the vertical.
+fn upright([x, y, z, w]: [f64; 4]) -> Result<(f64, f64), FormatError> {
+    /// What is rounded on its way through text is nearer.
+    const SLACK: f64 = 1e-3;
+    let refused = |what: String, expected: &str| Err(FormatError::field("orientation", what, expected));
+    let length = libm::sqrt(x * x + y * y + z * z + w * w);
+    if (length - 1.0).abs() > SLACK {
+        return refused(format!("a quaternion of length {length:.4}"), "length 1; without a turn x, y, z are 0 and w is 1");
+    }
+    if x.abs() > SLACK || y.abs() > SLACK {
+        return refused(format!("the map is tilted (x {x}, y {y})"), "a turn about the vertical alone: x and y are 0");
+    }
+    Ok((z, w))
 }
 
 /// Position and heading of the origin.
@@ -65,7 +84,10 @@ fn world(message: &Value) -> Result<World, FormatError> {
     let (x, y) = (number(&["info", "origin", "position", "x"], "x")?, number(&["info", "origin", "position", "y"], "y")?);
     let turn = |axis: &'static str| number(&["info", "origin", "orientation", axis], axis);
     let (z, w) = match message.get(&["info", "origin", "orientation"]) {
-        Some(_) => (turn("z")?, turn("w")?),
+        Some(given) => {
+            let tilt = |axis: &'static str| given.get(&[axis]).map_or(Ok(0.0), |_| turn(axis));
+            upright([tilt("x")?, tilt("y")?, turn("z")?, turn("w")?])?
+        }
         None => (0.0, 1.0),
     };
     let frame = message.get(&["header", "frame_id"]).and_then(Value::text).unwrap_or("").to_owned();

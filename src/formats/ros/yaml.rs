@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use saphyr_parser::{Event, Parser, Span};
 
 use crate::error::FormatError;
-use crate::formats::text::quote;
+use crate::formats::text::{lines, quote};
 
 /// Deepest nesting that is read.
 const DEEPEST: usize = 32;
@@ -42,6 +42,14 @@ pub(super) fn read(text: &str) -> Result<Value, FormatError> {
             event => return events.value(event, line, DEEPEST),
         }
     }
+}
+
+/// Whether another document follows the first one.
+pub(super) fn holds_more(text: &str) -> bool {
+    let mut said = lines(text).map(|(_, line)| line).filter(|line| !line.trim().is_empty() && !line.starts_with(['#', '%']));
+    let is_mark = |line: &str| matches!(line.trim_end(), "---" | "...");
+    said.by_ref().find(|line| !is_mark(line));
+    said.by_ref().any(is_mark) && said.any(|line| !is_mark(line))
 }
 
 struct Events<'a> {

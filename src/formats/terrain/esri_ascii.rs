@@ -58,6 +58,12 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     while let Some(&(line, word)) = words.peek().filter(|(_, word)| number(word).is_none() && !is_no_number(word)) {
         words.next();
         last = header.set(line, word, words.next())?;
+        // Cells that are not square are told otherwise; a second number would be taken for a height.
+        let beside = words.peek().filter(|&&(line, next)| key(word) == key("cellsize") && line == last && number(next).is_some());
+        if let Some((line, next)) = beside {
+            let what = format!("`{}` stands behind the number of `cellsize`", quote(next));
+            return Err(FormatError::syntax(*line, what, "one number, or `dx N` and `dy N`; heights on lines of their own"));
+        }
     }
     let (width, height) = header.size()?;
     // A claim costs nothing: no more is set aside than the text can hold.
@@ -83,7 +89,16 @@ pub(in crate::formats) fn read(text: &str) -> Result<Raster, FormatError> {
     Ok(Raster { kind: Kind::EsriAscii, width, height, heights, cell, unit: 1.0, notices })
 }
 
+/// Whether a word is a number but for a comma in place of its point.
+fn has_decimal_comma(word: &str) -> bool {
+    word.matches(',').count() == 1 && number(&word.replace(',', ".")).is_some()
+}
+
 fn no_number(line: usize, word: &str) -> FormatError {
+    if has_decimal_comma(word) {
+        let what = format!("`{}` has a decimal comma", quote(word));
+        return FormatError::syntax(line, what, "a decimal point: replace every , by .");
+    }
     FormatError::syntax(line, format!("`{}` is no number", quote(word)), "a number")
 }
 
@@ -102,7 +117,7 @@ impl Header {
     /// Takes a key and the word behind it, and tells the line of the latter.
     fn set(&mut self, line: usize, word: &str, value: Option<(usize, &str)>) -> Result<usize, FormatError> {
         let unknown = || FormatError::syntax(line, format!("`{}` is no key of the header", quote(word)), KEYS.join(", "));
-        let at = key(word).ok_or_else(unknown)?;
+        let at = key(word).ok_or_else(|| if has_decimal_comma(word) { no_number(line, word) } else { unknown() })?;
         let missing = || FormatError::syntax(line, format!("nothing follows `{}`", KEYS[at]), "a number");
         let (line, value) = value.ok_or_else(missing)?;
         let wordy = is_no_number(value) && KEYS[at] == "nodata_value";
@@ -144,6 +159,9 @@ impl Header {
     /// Metres per cell.
     fn cell(&self, rows: u32) -> Result<([f64; 2], Vec<Notice>), FormatError> {
         let size = self.get("cellsize");
+        if size.is_some() && (self.get("dx").is_some() || self.get("dy").is_some()) {
+            return Err(FormatError::field("cellsize", "stands beside dx or dy", "cellsize alone, or dx and dy"));
+        }
         let (Some(dx), Some(dy)) = (self.get("dx").or(size), self.get("dy").or(size)) else {
             return Err(FormatError::field("cellsize", "missing in the header", "a line `cellsize N`, or `dx N` and `dy N`"));
         };

@@ -23,9 +23,10 @@ const MAX_CHUNK: usize = 128 << 20;
 /// Cells below this are degrees, if nothing says what they are and the corner can be one.
 const LARGEST_DEGREE: f64 = 0.1;
 
-/// GTModelTypeGeoKey, and what it says of coordinates in degrees.
+/// GTModelTypeGeoKey, and what it says of coordinates in degrees and of those from the middle of the Earth.
 const MODEL: u16 = 1024;
 const GEOGRAPHIC: u16 = 2;
+const GEOCENTRIC: u16 = 3;
 
 /// ProjLinearUnitsGeoKey: the unit of projected coordinates.
 const LINEAR_UNITS: u16 = 3076;
@@ -61,7 +62,8 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
     }
     let bands = bands(&mut tiff)?;
     check_chunk(&mut tiff)?;
-    let (cell, mut notices) = cells(&mut tiff, (width, height))?;
+    check_orientation(&mut tiff)?;
+    let (Cells { cell, is_south_up }, mut notices) = cells(&mut tiff, (width, height))?;
     let no_data = no_data(&mut tiff)?;
     let values = values(&mut tiff)?;
     notices.extend(values.notices());
@@ -75,7 +77,26 @@ pub(in crate::formats) fn read(bytes: &[u8]) -> Result<Raster, FormatError> {
     if !values.is_plain() {
         heights.iter_mut().for_each(|height| *height = (f64::from(*height) * values.scale + values.offset) as f32);
     }
+    if is_south_up {
+        turn_over(&mut heights, width as usize);
+        notices.push(Notice::new("terrain-south-up", "the file's rows run northwards: they were turned over, north is above"));
+    }
     Ok(Raster { kind: Kind::Geotiff, width, height, heights, cell, unit: values.unit, notices })
+}
+
+/// Rows from below to above.
+fn turn_over(heights: &mut [f32], width: usize) {
+    let rows = heights.len() / width.max(1);
+    let (above, below) = heights.split_at_mut(rows / 2 * width);
+    above.chunks_exact_mut(width).zip(below.chunks_exact_mut(width).rev()).for_each(|(a, b)| a.swap_with_slice(b));
+}
+
+/// Pixels that lie otherwise than row by row from the upper left would be placed wrongly.
+fn check_orientation(tiff: &mut Tiff) -> Result<(), FormatError> {
+    match tiff.find_tag_unsigned::<u16>(Tag::Orientation).map_err(broken)? {
+        None | Some(1) => Ok(()),
+        Some(other) => Err(FormatError::field("Orientation", other.to_string(), "1: rows from above, columns from the left")),
+    }
 }
 
 /// The decoder sets memory aside for a whole strip or tile, whatever the file holds of it.
@@ -154,34 +175,49 @@ fn geo_key(keys: &[u16], key: u16) -> Option<u16> {
     keys.chunks_exact(4).skip(1).find(|entry| entry[0] == key && entry[1] == 0).map(|entry| entry[3])
 }
 
-/// Metres per cell, and what was assumed.
-fn cells(tiff: &mut Tiff, size: (u32, u32)) -> Result<([f64; 2], Vec<Notice>), FormatError> {
-    let Some(Placed { cell, middle: [x, y] }) = placed(tiff, size)? else {
+/// Metres per cell, and whether rows run northwards.
+struct Cells {
+    cell: [f64; 2],
+    is_south_up: bool,
+}
+
+/// The cells, and what was assumed.
+fn cells(tiff: &mut Tiff, size: (u32, u32)) -> Result<(Cells, Vec<Notice>), FormatError> {
+    let Some(Placed { cell, middle: [x, y], is_south_up }) = placed(tiff, size)? else {
         let message = "the file does not say how large its cells are: 1 m is assumed; set the resolution";
-        return Ok(([1.0; 2], vec![Notice::new("terrain-cell-size", message)]));
+        let cells = Cells { cell: [1.0; 2], is_south_up: false };
+        return Ok((cells, vec![Notice::new("terrain-cell-size", message)]));
     };
     let cell = ground::check_cell("ModelPixelScale", cell)?;
     let keys = tiff.find_tag_unsigned_vec::<u16>(Tag::GeoKeyDirectoryTag).map_err(broken)?.unwrap_or_default();
     let in_degrees = match geo_key(&keys, MODEL) {
+        Some(GEOCENTRIC) => {
+            return Err(FormatError::field("GTModelType", "geocentric coordinates", "projected or geographic ones: gdalwarp"));
+        }
         Some(model) => model == GEOGRAPHIC,
         None => cell[0] < LARGEST_DEGREE && cell[1] < LARGEST_DEGREE && x.abs() <= 180.0 && y.abs() <= 90.0,
     };
     if in_degrees {
         let (cell, notice) = ground::cell(cell, y)?;
-        return Ok((cell, vec![notice]));
+        return Ok((Cells { cell, is_south_up }, vec![notice]));
     }
     let metres = match geo_key(&keys, LINEAR_UNITS) {
+        None | Some(0 | 9001) => 1.0,
         Some(9002) => geotiff_tags::FOOT,
         Some(9003) => geotiff_tags::SURVEY_FOOT,
-        _ => 1.0,
+        Some(other) => {
+            let what = if other == 32767 { "a unit of its own".to_owned() } else { format!("the unit {other}") };
+            return Err(FormatError::field("ProjLinearUnits", what, "metres (9001) or feet (9002, 9003)"));
+        }
     };
-    Ok((cell.map(|c| c * metres), Vec::new()))
+    Ok((Cells { cell: cell.map(|c| c * metres), is_south_up }, Vec::new()))
 }
 
 /// Size of the cells and place of the raster's middle, in units of the coordinates.
 struct Placed {
     cell: [f64; 2],
     middle: [f64; 2],
+    is_south_up: bool,
 }
 
 /// None where the file does not say.
@@ -191,15 +227,15 @@ fn placed(tiff: &mut Tiff, (width, height): (u32, u32)) -> Result<Option<Placed>
         let &[x, y, ..] = scale.as_slice() else {
             return Err(FormatError::field("ModelPixelScale", format!("{} numbers", scale.len()), "3 numbers"));
         };
-        // As GDAL has it, whatever the sign: rows run southwards.
-        let (x, y) = (x.abs(), y.abs());
+        // A negative height of the cells: rows run northwards.
+        let x = x.abs();
         let tie = numbers(tiff, Tag::ModelTiepointTag)?.unwrap_or_default();
         let middle = match tie.as_slice() {
             &[i, j, _, at_x, at_y, ..] => [at_x + (column - i) * x, at_y - (row - j) * y],
             // Not on Earth, so that nothing is taken for degrees.
             _ => [f64::INFINITY; 2],
         };
-        return Ok(Some(Placed { cell: [x, y], middle }));
+        return Ok(Some(Placed { cell: [x, y.abs()], middle, is_south_up: y < 0.0 }));
     }
     let Some(m) = numbers(tiff, Tag::ModelTransformationTag)? else { return Ok(None) };
     if m.len() != 16 {
@@ -208,7 +244,8 @@ fn placed(tiff: &mut Tiff, (width, height): (u32, u32)) -> Result<Option<Placed>
     // Columns of the matrix: what a step along a row and along a column is, however the raster is turned.
     let length = |a: f64, b: f64| libm::sqrt(a * a + b * b);
     let middle = [m[0] * column + m[1] * row + m[3], m[4] * column + m[5] * row + m[7]];
-    Ok(Some(Placed { cell: [length(m[0], m[4]), length(m[1], m[5])], middle }))
+    let cell = [length(m[0], m[4]), length(m[1], m[5])];
+    Ok(Some(Placed { cell, middle, is_south_up: m[0] > 0.0 && m[5] > 0.0 }))
 }
 
 /// What heights are made of, from GDAL's metadata and the keys of the vertical coordinates.

@@ -41,6 +41,9 @@ export const zhCNRemarks = {
     'ros-no-threshold': '文件没有 {{key}}：采用 map_saver 的常用值 {{value}}。',
     'ros-205':
       '{{count}} 格的灰度为 205，即 map_saver 所写的未知；按文件的 free_thresh {{free}}，它们是空闲；若为 0.196，则是未知。',
+    'ros-205-alpha':
+      '{{count}} 格的灰度为 205，即 map_saver 所写的未知；nav2 把透明度通道算作第四种颜色，因此它们成为空闲；请把图片另存为不带透明度的格式。',
+    'ros-first-message': '文件中有多条消息：读取了第一条。',
     'cells-shrunk':
       '{{width}} × {{height}} 格合为 {{columns}} × {{rows}} 格：每 {{by}} × {{by}} 格取其中最受阻的一格。',
     mapf: '多智能体路径规划实例，共 {{count}} 个智能体：只采用第一个的起点与终点；此处 y 向下。',
@@ -66,6 +69,9 @@ export const zhCNRemarks = {
       '{{count}} 格的高程不可能存在（如 {{value}}）：超出海平面上下 {{most}} 米者视为没有数据。',
     'terrain-no-data-unused':
       '文件称 {{value}} 表示没有数据，但其数字为 {{low}} 至 {{high}} 的整数：没有这样的格。',
+    'terrain-9999':
+      '{{count}} 格的高程为 −9999，许多程序以此表示没有数据；但文件没有这样说明，因此按地面读取。',
+    'terrain-south-up': '文件的行由南向北排列：已上下翻转，北方在上。',
     'map-type': '地图类型为“{{value}}”，按 octile 读取。',
     'heights-in-table': '数字读作高程（米）：地图只含 0 和 1。',
     'terrain-cell-size': '文件没有给出格子的大小：按 1 米计，可在“尺寸、移动与地形…”中更改。',
@@ -122,9 +128,42 @@ export const zhCNRemarks = {
       name: 'TSPLIB 的哈密顿回路问题（HCP）',
       hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
     },
+    'an-instance-of-tsplib-with-keys-in-small-letters': {
+      name: '关键字为小写的 TSPLIB 实例',
+      hint: '请把关键字改为大写：DIMENSION、EDGE_WEIGHT_TYPE 等',
+    },
+    'an-ascii-grid-of-grass': {
+      name: 'GRASS 的 ASCII 栅格',
+      hint: '请用 r.out.gdal 写成 GeoTIFF，或以 format=AAIGrid 写成 ESRI ASCII',
+    },
+    'the-list-of-the-data-files-of-coco-or-iohprofiler-info-': {
+      name: 'COCO 或 IOHprofiler 的数据文件清单（.info）',
+      hint: '请打开其中所列的 .dat 文件',
+    },
+    'the-list-of-the-data-files-of-iohprofiler-json-': {
+      name: 'IOHprofiler 的数据文件清单（.json）',
+      hint: '请打开其中所列的 .dat 文件',
+    },
+    'json-of-another-program': {
+      name: '其他程序的 JSON',
+      hint: '请把地图写成矩阵 [[0, 1], …]，或 formicarium/scenario@1',
+    },
+    'an-array-of-true-and-false': {
+      name: '由真与假组成的数组',
+      hint: '请写成 0 和 1：a.astype(int)',
+    },
+    'a-picture-in-pam-p7-': { name: 'PAM 图片（P7）', hint: '请另存为 PNG 或 PGM，再作为图片打开' },
+    'a-picture-of-floats-pfm-': {
+      name: '浮点图片（PFM）',
+      hint: '请把高程写成 GeoTIFF，或另存为 PNG',
+    },
+    'a-grid-of-surfer-dsaa-': {
+      name: 'Surfer 栅格（DSAA）',
+      hint: '请写成 GeoTIFF：gdal_translate in.grd out.tif',
+    },
     'a-gif-image': { name: 'GIF 图像', hint: '请另存为 PNG，再作为图片打开' },
     'a-pdf-document': { name: 'PDF 文档', hint: '请截取其中的图，再打开截图' },
-    'a-numpy-array-npy': {
+    'a-numpy-array-npy-': {
       name: 'NumPy 数组（.npy）',
       hint: '请写成文本：np.savetxt("map.csv", a, fmt="%d", delimiter=",")',
     },
