@@ -26,10 +26,9 @@ export const importDropped = (transfer: DataTransfer) => {
   return shown(opener().then(({ openEntries }) => openEntries(entries)))
 }
 
-async function shown(opening: Promise<void>): Promise<boolean> {
+async function shown(opening: Promise<boolean>): Promise<boolean> {
   try {
-    await opening
-    return true
+    return await opening
   } catch (error) {
     notifyError(error)
     return false
