@@ -78,7 +78,8 @@ export const isAsking = () =>
   openDialog.peek() === 'order'
 
 export function tellNotOpened(names: string[]): void {
-  if (names.length > 0) tellInDialog(t('opening.answerFirst', { names: listed(names) }))
+  if (names.length > 0)
+    tellInDialog(t('opening.answerFirst', { count: names.length, names: listed(names) }))
 }
 
 function listed(names: string[]): string {

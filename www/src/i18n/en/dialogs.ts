@@ -269,8 +269,9 @@ export const enDialogs = {
     nothingToOpen: 'Nothing in {{name}} can be opened here.',
     nothingToOpenHint: 'Import… in the map menu lists what can be.',
     reading: 'Reading {{names}}…',
-    answerFirst: 'First answer the open dialog: {{names}} was not opened',
-    archiveWithin: '{{inner}} is an archive within the archive {{archive}}.',
+    answerFirst_one: 'First answer the open dialog: {{names}} was not opened',
+    answerFirst_other: 'First answer the open dialog: {{names}} were not opened',
+    archiveWithin: 'The archive {{archive}} holds another one, {{inner}}.',
     archiveWithinHint: 'Unpack the inner one first.',
   },
   mapChoice: {

@@ -255,8 +255,8 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     nothingToOpen: '{{name}} 中没有可以打开的内容。',
     nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
     reading: '正在读取 {{names}}…',
-    answerFirst: '请先回答已打开的对话框：{{names}} 没有打开',
-    archiveWithin: '{{inner}} 是压缩包 {{archive}} 中的压缩包。',
+    answerFirst_other: '请先回答已打开的对话框：{{names}} 没有打开',
+    archiveWithin: '压缩包 {{archive}} 中还有压缩包 {{inner}}。',
     archiveWithinHint: '请先解压里面的那个。',
   },
   mapChoice: {
