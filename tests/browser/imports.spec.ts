@@ -323,6 +323,15 @@ test.describe('a picture', () => {
     await page.getByTestId('map-cells').fill('15')
     await page.getByTestId('map-cells').press('Tab')
     await expect(page.getByTestId('map-size')).toContainText('15 × 10')
+    // What is typed counts before it is committed.
+    await page.getByTestId('map-cells').fill('30')
+    await expect(page.getByTestId('map-size')).toContainText('30 × 20')
+    await expect(page.getByTestId('map-open')).toContainText('30 × 20')
+    await page.getByTestId('map-metres').fill('0')
+    await expect(page.getByTestId('map-metres-wrong')).toContainText('more than 0')
+    await expect(page.getByTestId('map-open')).toBeDisabled()
+    await page.getByTestId('map-metres').fill('2')
+    await expect(page.getByTestId('map-metres-wrong')).toHaveCount(0)
     await page.getByTestId('map-threshold').fill('0')
     await expect(page.getByTestId('map-blocked')).toHaveText(/^0/)
     await page.getByTestId('map-light').click()
@@ -385,7 +394,7 @@ test.describe('texts, archives, folders', () => {
     })
     await race.drop('heights.zip', zipOf([['small.asc', ASC]]))
     await expect(page.getByTestId('terrain-dialog')).toBeVisible()
-    await page.keyboard.press('Escape')
+    await page.getByTestId('terrain-cancel').click()
     await race.drop(
       'nothing.zip',
       zipOf([

@@ -57,7 +57,7 @@ export async function inTurn(
   const turn = new Turn(names)
   current = turn
   const onKey = (event: KeyboardEvent) => {
-    if (event.key === 'Escape' && !document.querySelector('dialog[open], [role="menu"]')) turn.end()
+    if (event.key === 'Escape' && !document.querySelector('dialog[open], :popover-open')) turn.end()
   }
   addEventListener('keydown', onKey)
   try {
