@@ -93,18 +93,20 @@ function Reading({ file }: { file: MapFile }) {
         <>
           {asFigure && <WhyNotYet figure={figure} />}
           <Button label={t('mapFile.cancel')} testId="map-cancel" onClick={close} />
-          <Button
-            label={size ? t('raster.open', shownSize(size)) : t('maps.importText')}
-            tone="primary"
-            testId="map-open"
-            disabled={
-              asFigure
-                ? !figure.isPlaced || figure.classes === null
-                : !fit || map === null || error !== null
-            }
-            busy={opening}
-            onClick={open}
-          />
+          <span class="map-open">
+            <Button
+              label={size ? t('raster.open', shownSize(size)) : t('maps.importText')}
+              tone="primary"
+              testId="map-open"
+              disabled={
+                asFigure
+                  ? !figure.isPlaced || figure.classes === null
+                  : !fit || map === null || error !== null
+              }
+              busy={opening}
+              onClick={open}
+            />
+          </span>
         </>
       }
     >

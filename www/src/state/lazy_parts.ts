@@ -28,7 +28,7 @@ export interface OpenerPart {
   openFiles(files: File[]): Promise<boolean>
   /** Opens files as maps, and hands each of them to `take` instead of the race. */
   openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
-  openEntries(entries: FileSystemEntry[]): Promise<boolean>
+  openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
 export interface LazyParts {

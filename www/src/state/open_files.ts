@@ -8,6 +8,7 @@ import { goalAt, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
 import { loadSession, notify, scenario, setScenario, showView } from '.'
+import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
 import type { Opening } from './files'
@@ -113,8 +114,14 @@ function answered(): Promise<void> {
   })
 }
 
-/** Dropped files and folders, with what lies in them. */
-export async function openEntries(entries: FileSystemEntry[]): Promise<boolean> {
+/** What was dropped, folders too. A dialog that asks about no file gives way. */
+export function openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean> {
+  if (!isAsking()) closeDialog()
+  return entries.some((entry) => entry.isDirectory) ? openEntries(entries) : openFiles(files)
+}
+
+/** Files and folders, with what lies in them. */
+async function openEntries(entries: FileSystemEntry[]): Promise<boolean> {
   const names = entries.map(({ name }) => name)
   if (isAsking()) {
     tellNotOpened(names)
