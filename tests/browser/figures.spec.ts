@@ -151,6 +151,35 @@ test('where no grid is found, one is set by hand', async ({ page }) => {
   ])
 })
 
+test('no figure is opened before its grid is placed, and another grid is told', async ({
+  page,
+}) => {
+  const race = new RacePage(page)
+  const open = page.getByTestId('map-open')
+  await race.drop(
+    'blank.pgm',
+    Buffer.concat([Buffer.from('P5\n60 40\n255\n'), Buffer.alloc(2400, 255)]),
+  )
+  await page.getByTestId('map-as-figure').click()
+  await expect(page.getByTestId('figure-why')).toContainText('no grid was found')
+  await expect(open).toBeDisabled()
+  await page.getByTestId('figure-columns').fill('6')
+  await page.getByTestId('figure-columns').press('Tab')
+  await expect(open).toBeEnabled()
+  await expect(page.getByTestId('figure-why').locator('span')).toBeHidden()
+  await page.getByTestId('map-cancel').click()
+
+  await race.drop('paper.png', await figurePicture(page))
+  await asFigure(page)
+  const said = page.getByTestId('figure-offer')
+  await expect(said).toHaveText('A grid of 12 × 12 cells was found.')
+  await page.getByTestId('figure-columns').fill('11')
+  await page.getByTestId('figure-columns').press('Tab')
+  await expect(said).toHaveText('The grid was changed: 11 × 12 cells.')
+  await page.getByTestId('figure-undo').click()
+  await expect(said).toHaveText('A grid of 12 × 12 cells was found.')
+})
+
 test('what cannot be read is refused by name, and a large figure is enlarged and scrolled', async ({
   page,
 }) => {

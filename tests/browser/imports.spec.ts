@@ -85,6 +85,26 @@ async function floorPlan(page: Page): Promise<Buffer> {
   return Buffer.from(base64, 'base64')
 }
 
+/** From now on what is called slow.txt is not read before it is released. */
+async function stallReads(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const read = File.prototype.arrayBuffer
+    File.prototype.arrayBuffer = async function () {
+      if (this.name === 'slow.txt')
+        await new Promise((resolve) => addEventListener('release', resolve, { once: true }))
+      return read.call(this)
+    }
+  })
+}
+
+/** Lets go of it, and of whatever comes of it. */
+async function release(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    dispatchEvent(new Event('release'))
+    await new Promise((resolve) => setTimeout(resolve, 300))
+  })
+}
+
 test.describe('a robot’s map', () => {
   test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
@@ -185,6 +205,27 @@ test.describe('a robot’s map', () => {
     await expect(dialog(page)).toBeHidden()
   })
 
+  test('a picture of another name is taken with a warning; all else waits', async ({ page }) => {
+    const race = new RacePage(page)
+    await race.drop('small.yaml', YAML)
+    await expect(page.getByTestId('map-needs')).toBeVisible()
+    await race.drop('small.txt', '0 0 1\n0 0 0\n1 0 0\n')
+    await expect(page.getByTestId('dialog-notice')).toHaveText(
+      'First answer the open dialog: small.txt was not opened',
+    )
+    await expect(page.getByTestId('map-needs')).toBeVisible()
+    await race.drop('other.pgm', PGM)
+    const warning = page.getByTestId('map-other-picture')
+    await expect(warning).toHaveText('This is other.pgm; the description names small.pgm')
+    await expect(page.getByTestId('map-kind')).toContainText('ROS map')
+    await race.paste('0 0 1\n0 0 0\n1 0 0\n')
+    await expect(page.getByTestId('dialog-notice')).toContainText('Pasted map was not opened')
+    await expect(dialog(page)).toBeVisible()
+    await expectClean(page, 'a picture of another name')
+    await open(page)
+    expect(await size(race)).toEqual([6, 4])
+  })
+
   test('the real map of a depot opens as it is, and says what its grays mean', async ({ page }) => {
     test.slow()
     const race = new RacePage(page)
@@ -282,6 +323,15 @@ test.describe('a picture', () => {
     await page.getByTestId('map-cells').fill('15')
     await page.getByTestId('map-cells').press('Tab')
     await expect(page.getByTestId('map-size')).toContainText('15 × 10')
+    // What is typed counts before it is committed.
+    await page.getByTestId('map-cells').fill('30')
+    await expect(page.getByTestId('map-size')).toContainText('30 × 20')
+    await expect(page.getByTestId('map-open')).toContainText('30 × 20')
+    await page.getByTestId('map-metres').fill('0')
+    await expect(page.getByTestId('map-metres-wrong')).toContainText('more than 0')
+    await expect(page.getByTestId('map-open')).toBeDisabled()
+    await page.getByTestId('map-metres').fill('2')
+    await expect(page.getByTestId('map-metres-wrong')).toHaveCount(0)
     await page.getByTestId('map-threshold').fill('0')
     await expect(page.getByTestId('map-blocked')).toHaveText(/^0/)
     await page.getByTestId('map-light').click()
@@ -344,7 +394,7 @@ test.describe('texts, archives, folders', () => {
     })
     await race.drop('heights.zip', zipOf([['small.asc', ASC]]))
     await expect(page.getByTestId('terrain-dialog')).toBeVisible()
-    await page.keyboard.press('Escape')
+    await page.getByTestId('terrain-cancel').click()
     await race.drop(
       'nothing.zip',
       zipOf([
@@ -353,6 +403,49 @@ test.describe('texts, archives, folders', () => {
       ]),
     )
     await expect(page.getByTestId('toast-error')).toContainText('nothing.zip')
+  })
+
+  test('an archive within an archive is refused by its name', async ({ page }) => {
+    const race = new RacePage(page)
+    const inner = zipOf([['small.txt', '0 0 1\n0 0 0\n1 0 0\n']])
+    await race.drop('outer.zip', zipOf([['inner.zip', inner]]))
+    const refusal = page.getByTestId('toast-error')
+    await expect(refusal).toContainText('The archive outer.zip holds another one, inner.zip')
+    await expect(refusal).toContainText('Unpack the inner one first')
+    await undone(race, async () => {
+      const small = '0 0 1 0\n0 0 0 0\n1 0 0 0\n'
+      await race.drop(
+        'both.zip',
+        zipOf([
+          ['small.txt', small],
+          ['inner.zip', inner],
+        ]),
+      )
+      await expect.poll(() => size(race)).toEqual([4, 3])
+      await expect(page.getByTestId('toast-warning')).toContainText('inner.zip')
+    })
+  })
+
+  test('a slow read says so, and ends without a word once a newer one begins', async ({ page }) => {
+    const race = new RacePage(page)
+    const before = await size(race)
+    await stallReads(page)
+    const reading = page.getByTestId('toast-info').filter({ hasText: 'Reading slow.txt…' })
+    await race.drop('slow.txt', '0 0 1 0 0\n0 0 0 0 0\n')
+    await expect(reading).toBeVisible()
+    await page.keyboard.press('Escape')
+    await expect(reading).toHaveCount(0)
+    await release(page)
+    expect(await size(race)).toEqual(before)
+
+    await race.drop('slow.txt', '0 0 1 0 0\n0 0 0 0 0\n')
+    await expect(reading).toBeVisible()
+    await race.drop('quick.txt', '0 0 1\n0 0 0\n1 0 0\n')
+    await expect.poll(() => size(race)).toEqual([3, 3])
+    await expect(reading).toHaveCount(0)
+    await release(page)
+    await expect(page.getByTestId('toast-success')).toHaveCount(1)
+    expect(await size(race)).toEqual([3, 3])
   })
 
   test('of several maps one is chosen', async ({ page }) => {

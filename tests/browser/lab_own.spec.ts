@@ -60,6 +60,9 @@ test('what cannot be read is refused by line and column, and nothing is lost', a
   await expect(page.getByTestId('own-file-item')).toHaveCount(0)
   await expect(comparison.start).toBeEnabled()
   await give(page, 'mine.csv', MINE)
+  await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
+  await expect(page.getByTestId('own-refused')).toContainText('bad.csv')
+  await page.getByTestId('own-dismiss').click()
   await expect(page.getByTestId('own-refused')).toHaveCount(0)
   await page.getByTestId('own-file-item').getByRole('button').click()
   await expect(page.getByTestId('own-file-item')).toHaveCount(0)
@@ -139,6 +142,41 @@ test('a file of one unknown map is asked about, and can be dropped again', async
   await give(page, 'mine.csv', lines('map,length', 'corridor,41'))
   await page.getByTestId('own-join').click()
   await expect(page.getByTestId('own-file-item')).toContainText('1 run read, 1 with a path.')
+})
+
+test('every file keeps its question until it is answered, and the line names the map', async ({
+  page,
+}) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('astar')
+  await comparison.on('rooms', 'maze')
+  await give(page, 'first.csv', lines('entry,map,length', 'Mine,corridor,41'))
+  await give(page, 'second.csv', lines('entry,map,length', 'Yours,hall,42'))
+  const questions = page.getByTestId('own-map')
+  await expect(questions).toHaveCount(2)
+  await expect(page.getByTestId('not-joined')).toContainText('2 files of results')
+  await expect(comparison.start).toBeEnabled()
+  await questions.first().getByTestId('own-map-choice').selectOption({ label: 'Rooms' })
+  await questions.first().getByTestId('own-join').click()
+  await expect(page.getByTestId('own-file-item')).toContainText('corridor → Rooms')
+  await expect(questions).toHaveCount(1)
+  await expect(questions).toContainText('hall')
+  await expect(page.getByTestId('not-joined')).toContainText('1 file of results')
+  await questions.getByTestId('own-dismiss').click()
+  await expect(page.getByTestId('not-joined')).toHaveCount(0)
+})
+
+test('results that come while runs go on pause them, and say so', async ({ page }) => {
+  const comparison = new ComparisonPage(page)
+  await comparison.open()
+  await comparison.compare('ant-system')
+  await comparison.seeds(2000)
+  await comparison.run()
+  await expect(page.getByTestId('lab')).toHaveAttribute('data-phase', 'running')
+  await new RacePage(page).drop('mine.csv', MINE)
+  await expect(page.getByTestId('toast-info')).toContainText('paused to join mine.csv')
+  await expect(page.getByTestId('toast-success')).toContainText('mine.csv joined')
 })
 
 test('an empty table is there to be filled in, and says so when it comes back empty', async ({

@@ -103,6 +103,36 @@ test.describe('an instance of TSPLIB', () => {
     await expect(dialog(page).getByRole('alert')).toHaveCount(0)
   })
 
+  test('shows its places at once, and a tour that joins it; one that does not fit is named', async ({
+    page,
+  }) => {
+    const race = await rested(page)
+    await opened(race, ['burma14.tsp', BURMA14])
+    const drawn = () =>
+      page.getByTestId('order-picture').evaluate((canvas: HTMLCanvasElement) => {
+        const context = canvas.getContext('2d')
+        const pixels = context?.getImageData(0, 0, canvas.width, canvas.height).data ?? []
+        return pixels.filter((value, at) => at % 4 === 3 && value > 0).length
+      })
+    await expect.poll(drawn).toBeGreaterThan(100)
+    const places = await drawn()
+    await page.getByTestId('order-shown').selectOption('exact')
+    await expect.poll(drawn).toBeGreaterThan(2 * places)
+
+    await page.getByTestId('order-shown').selectOption('ants')
+    await race.drop('short.tour', TOUR.replace('\n7\n', '\n'))
+    await expect(page.getByTestId('toast-error')).toContainText('short.tour')
+    await expect(dialog(page)).toBeVisible()
+    await race.drop('good.tour', TOUR)
+    await expect(dialog(page)).toContainText('Tour in good.tour')
+    await expect(page.getByTestId('order-shown')).toHaveValue('tour')
+    await expect.poll(drawn).toBeGreaterThan(2 * places)
+    await race.drop('small.txt', '0 0 1\n0 0 0\n1 0 0\n')
+    await expect(page.getByTestId('dialog-notice')).toContainText('small.txt was not opened')
+    await expectClean(page, 'an order problem with a notice')
+    await expect(dialog(page)).toBeVisible()
+  })
+
   test('of vehicles is refused by name', async ({ page }) => {
     const race = await rested(page)
     const before = (await race.session()).scenario

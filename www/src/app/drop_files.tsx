@@ -3,7 +3,6 @@ import { signal } from '@preact/signals'
 import { Upload } from 'lucide'
 import { t } from '../i18n'
 import { importDropped } from '../state'
-import { closeDialog } from '../state/dialogs'
 import { Icon } from '../ui/icon'
 
 const over = signal(false)
@@ -33,7 +32,6 @@ export function listenForDrops(): void {
     over.value = false
     if (!carriesFiles(event) || !event.dataTransfer) return
     event.preventDefault()
-    closeDialog()
     void importDropped(event.dataTransfer)
   })
 }

@@ -46,6 +46,16 @@ export function FigureBody({ figure }: { figure: FigureState }) {
   )
 }
 
+/** Why the figure cannot be opened yet; its room stays, so that nothing moves once it can. */
+export function WhyNotYet({ figure: { draft, found, isPlaced } }: { figure: FigureState }) {
+  if (found || !draft) return null
+  return (
+    <p class="hint figure-why" role="status" data-testid="figure-why">
+      <span class={isPlaced ? 'figure-why-gone' : ''}>{t('figure.placeFirst')}</span>
+    </p>
+  )
+}
+
 /** Anywhere in the dialog but where numbers are typed, which have an undo of their own. */
 function useUndoKey(root: RefObject<HTMLDivElement | null>, { undo }: FigureState): void {
   const act = useRef(undo)

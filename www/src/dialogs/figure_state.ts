@@ -17,6 +17,8 @@ export interface FigureState {
   /** What the cells of the draft's lattice are, with what was corrected; null until they are read. */
   classes: Uint8Array | null
   read: Figure | null
+  /** Whether the lattice was found, or something was set by hand. */
+  isPlaced: boolean
   error: unknown
   /** Changes the draft; changes of the same gesture (a drag) are undone together. */
   change: (draft: Draft, gesture?: number) => void
@@ -77,6 +79,7 @@ export function useFigure(file: MapFile, asked: boolean, idle: boolean): FigureS
     found,
     classes,
     read,
+    isPlaced: found !== null || before.length > 0,
     error: broken ?? error,
     change: (draft, gesture) =>
       setDrafts((old) => {

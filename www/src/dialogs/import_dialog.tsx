@@ -2,7 +2,7 @@ import { useId, useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
 import { MAP_ENDINGS } from '../model/endings'
 import { openFiles, openText } from '../state'
-import { closeDialog } from '../state/dialogs'
+import { closeDialog, openDialog } from '../state/dialogs'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { useFilePicker } from '../ui/file_picker'
@@ -28,7 +28,9 @@ export function ImportDialog() {
   const [text, setText] = useState('')
   const textId = useId()
   const [error, setError] = useState<unknown>(null)
-  const settle = (opening: Promise<void>) => opening.then(closeDialog, setError)
+  // What was opened may have a dialog of its own.
+  const close = () => openDialog.peek() === 'import' && closeDialog()
+  const settle = (opening: Promise<boolean>) => opening.then(close, setError)
   const { pick, element } = useFilePicker({
     label: t('maps.chooseFiles'),
     accept: ENDINGS,

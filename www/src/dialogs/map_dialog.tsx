@@ -7,12 +7,13 @@ import { describeNotice } from '../i18n/errors'
 import { WATCHED_SIDE } from '../model/raster_part'
 import { type MapFile, mapFile } from '../state'
 import { bytesOf } from '../state/file_bytes'
+import { sameName } from '../state/file_paths'
 import { openMap, readMap } from '../state/open_files'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { useFilePicker } from '../ui/file_picker'
 import { FormError } from '../ui/form_error'
-import { FigureBody } from './figure_body'
+import { FigureBody, WhyNotYet } from './figure_body'
 import { type FigureState, useFigure } from './figure_state'
 import { kindName, whyWords } from './kind_words'
 import {
@@ -64,7 +65,11 @@ function Reading({ file }: { file: MapFile }) {
   }, [map])
 
   const open = async () => {
-    if (opening || !(asFigure ? figure.classes : fit && !(settled && error !== null))) return
+    if (
+      opening ||
+      !(asFigure ? figure.classes && figure.isPlaced : fit && !(settled && error !== null))
+    )
+      return
     setOpening(true)
     try {
       const read = asFigure ? figure.take() : settled && map ? map : readMap(file, options)
@@ -75,7 +80,8 @@ function Reading({ file }: { file: MapFile }) {
     }
   }
   const wrong = refused ?? error
-  const size = asFigure ? figureSize(figure) : map?.spec
+  // Of a map that is still being read the former size would be another one's.
+  const size = asFigure ? figureSize(figure) : settled ? map?.spec : undefined
   return (
     <Dialog
       title={t('raster.title', { name: file.name })}
@@ -85,15 +91,22 @@ function Reading({ file }: { file: MapFile }) {
       wide
       actions={
         <>
+          {asFigure && <WhyNotYet figure={figure} />}
           <Button label={t('mapFile.cancel')} testId="map-cancel" onClick={close} />
-          <Button
-            label={size ? t('raster.open', shownSize(size)) : t('maps.importText')}
-            tone="primary"
-            testId="map-open"
-            disabled={asFigure ? figure.classes === null : !fit || map === null || error !== null}
-            busy={opening}
-            onClick={open}
-          />
+          <span class="map-open">
+            <Button
+              label={size ? t('raster.open', shownSize(size)) : t('maps.importText')}
+              tone="primary"
+              testId="map-open"
+              disabled={
+                asFigure
+                  ? !figure.isPlaced || figure.classes === null
+                  : !fit || map === null || error !== null
+              }
+              busy={opening}
+              onClick={open}
+            />
+          </span>
         </>
       }
     >
@@ -111,6 +124,7 @@ function Reading({ file }: { file: MapFile }) {
       {asFigure && refused !== null && <FormError error={refused} />}
       {!asFigure && (
         <>
+          <OtherPicture file={file} />
           <div class="raster">
             <MapPreview map={map} busy={!settled && fit} />
             <Facts file={file} map={map} />
@@ -176,6 +190,16 @@ function Facts({ file, map }: { file: MapFile; map: Imported | null }) {
         </div>
       ))}
     </dl>
+  )
+}
+
+/** A ROS map with a picture that its description calls otherwise. */
+function OtherPicture({ file: { image, names } }: { file: MapFile }) {
+  if (!image || sameName(image.name, names)) return null
+  return (
+    <p class="remark" role="status" data-testid="map-other-picture">
+      {t('mapFile.otherPicture', { image: image.name, names })}
+    </p>
   )
 }
 

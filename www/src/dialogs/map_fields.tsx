@@ -8,6 +8,7 @@ import { Button } from '../ui/buttons'
 import { Labelled, NumberField, Segmented, Select } from '../ui/fields'
 import { CropFields } from './crop_fields'
 import { type choicesFit, cropped, longest, type MapChoices, type Sides } from './map_choices'
+import { useRested } from './rested'
 
 interface MatrixProps {
   matrices: MatrixInfo[]
@@ -51,6 +52,7 @@ export function PictureFields(props: FieldsProps & { used: number | null }) {
   const { choices, fits, whole, used, onChange } = props
   const id = useId()
   const threshold = choices.threshold ?? used ?? 128
+  const setMetres = (metresPerCell: number) => onChange({ metresPerCell })
   return (
     <>
       <fieldset class="field-set">
@@ -107,10 +109,16 @@ export function PictureFields(props: FieldsProps & { used: number | null }) {
             max={1e6}
             invalid={!fits.metres}
             testId="map-metres"
-            onChange={(metresPerCell) => onChange({ metresPerCell })}
+            onChange={setMetres}
+            onType={useRested(setMetres)}
           />
         </div>
         <CellsHint choices={choices} whole={whole} fits={fits} />
+        {!fits.metres && (
+          <p class="field-error" role="alert" data-testid="map-metres-wrong">
+            {t('mapFile.metresOutside')}
+          </p>
+        )}
       </fieldset>
       {whole && <PixelCrop choices={choices} fits={fits} whole={whole} onChange={onChange} />}
     </>
@@ -155,8 +163,10 @@ function CellsField({
   onChange,
   longer,
 }: FieldsProps & { longer?: boolean }) {
+  const most = longest(choices.crop ?? whole ?? { width: 0, height: 0 })
+  const set = (cells: number) => onChange({ cells: cells === most ? null : cells })
+  const onType = useRested(set)
   if (!whole) return null
-  const most = longest(choices.crop ?? whole)
   return (
     <NumberField
       label={t(longer ? 'mapFile.longerSide' : 'raster.presets')}
@@ -166,7 +176,8 @@ function CellsField({
       step={1}
       invalid={!fits.cells}
       testId="map-cells"
-      onChange={(cells) => onChange({ cells: cells === most ? null : cells })}
+      onChange={set}
+      onType={onType}
     />
   )
 }

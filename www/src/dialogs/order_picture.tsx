@@ -3,7 +3,8 @@ import type { OrderFacts } from '@pkg/formicarium'
 import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
 import { theme } from '../state'
-import type { OrderPlay } from '../state/order_play'
+import type { OrderPlay, ShownTour } from '../state/order_play'
+import { Select } from '../ui/fields'
 
 type Spot = readonly [number, number]
 
@@ -13,21 +14,26 @@ const MARGIN = 0.05
 export function OrderPicture({ play }: { play: OrderPlay }) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const facts = play.facts.value
-  const [summary, trails, ink] = [play.summary.value, play.trails.value, theme.value]
+  const [trails, ink] = [play.trails.value, theme.value]
   const { open } = play.settings.value
+  const order = orderOn(play)
   useEffect(() => {
+    const canvasNow = canvas.current
+    if (!canvasNow) return
     const draw = () => {
-      const surface = canvas.current && surfaceOf(canvas.current)
+      const surface = surfaceOf(canvasNow)
       if (!surface) return
       const spots = spotsOf(facts)
       if (trails) surface.trails(spots, trails)
-      if (summary?.best) surface.tour(spots, summary.best.order, open)
+      if (order) surface.tour(spots, order, open)
       surface.places(spots)
     }
     draw()
-    addEventListener('resize', draw)
-    return () => removeEventListener('resize', draw)
-  }, [facts, summary, trails, ink, open])
+    // It has no size before its dialog is open.
+    const sizes = new ResizeObserver(draw)
+    sizes.observe(canvasNow)
+    return () => sizes.disconnect()
+  }, [facts, order, trails, ink, open])
   return (
     <>
       <canvas
@@ -37,6 +43,7 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
         aria-label={t('order.picture', { count: facts.places })}
         data-testid="order-picture"
       />
+      <TourChoice play={play} />
       <label class="order-trails">
         <input
           type="checkbox"
@@ -48,6 +55,42 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
       </label>
       {facts.at === null && <p class="hint">{t('order.onCircle')}</p>}
     </>
+  )
+}
+
+/** The tours that can be drawn. */
+function toursOf(play: OrderPlay): ShownTour[] {
+  const { tour, exact } = play.facts.value
+  return ['ants', ...(tour ? ['tour' as const] : []), ...(exact ? ['exact' as const] : [])]
+}
+
+/** The order that is drawn; null while the ants have none. */
+function orderOn(play: OrderPlay): number[] | null {
+  const { tour, exact } = play.facts.value
+  const best = play.summary.value?.best ?? null
+  const chosen = { ants: best, tour, exact }[play.shown.value] ?? best
+  return chosen?.order ?? null
+}
+
+function TourChoice({ play }: { play: OrderPlay }) {
+  const tours = toursOf(play)
+  if (tours.length === 1) return null
+  const labels: Record<ShownTour, string> = {
+    ants: t('order.best'),
+    tour: t('order.tour', { file: play.tour?.name ?? '' }),
+    exact: t('order.shownExact'),
+  }
+  return (
+    <Select
+      class="order-shown"
+      label={t('order.shownTour')}
+      value={tours.includes(play.shown.value) ? play.shown.value : 'ants'}
+      options={tours.map((value) => ({ value, label: labels[value] }))}
+      testId="order-shown"
+      onChange={(value) => {
+        play.shown.value = value
+      }}
+    />
   )
 }
 

@@ -1,4 +1,5 @@
 /** A picture is read by its pixels, or by the cells of the grid that it shows. */
+import type { Lattice } from '@pkg/formicarium'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { Labelled, Segmented } from '../ui/fields'
@@ -37,11 +38,14 @@ export function ReadAsField({ as, figure, onChange }: ReadAsProps) {
 /** What came of looking for a lattice. */
 function noteOn(as: ReadAs, { found, draft }: FigureState): string {
   if (found) {
-    const { columns, rows } = found
-    const sides = { columns: whole(columns), rows: whole(rows) }
-    return t(as === 'picture' ? 'figure.offer' : 'figure.found', sides)
+    if (as === 'picture') return t('figure.offer', sidesOf(found))
+    const now = draft?.lattice ?? found
+    return t(isSame(now, found) ? 'figure.found' : 'figure.changed', sidesOf(now))
   }
   return as === 'figure' && draft ? t('figure.none') : ''
 }
 
+const sidesOf = ({ columns, rows }: Lattice) => ({ columns: whole(columns), rows: whole(rows) })
+const isSame = (a: Lattice, b: Lattice) =>
+  (Object.keys(a) as (keyof Lattice)[]).every((key) => a[key] === b[key])
 const whole = (count: number) => numbers.value.whole.format(count)

@@ -67,14 +67,17 @@ export function TerrainDialog({ file }: { file: TerrainFile }) {
       testId="terrain-dialog"
       wide
       actions={
-        <Button
-          label={t('raster.open', { width: shown(size[0]), height: shown(size[1]) })}
-          tone="primary"
-          testId="terrain-open"
-          disabled={!fits}
-          busy={busy}
-          onClick={open}
-        />
+        <>
+          <Button label={t('mapFile.cancel')} testId="terrain-cancel" onClick={close} />
+          <Button
+            label={t('raster.open', { width: shown(size[0]), height: shown(size[1]) })}
+            tone="primary"
+            testId="terrain-open"
+            disabled={!fits}
+            busy={busy}
+            onClick={open}
+          />
+        </>
       }
     >
       <div class="raster">

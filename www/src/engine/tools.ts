@@ -124,7 +124,6 @@ export const tools = {
   listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
   /** The name of the picture that belongs to the description of a ROS map. */
   rosImage: (bytes: Uint8Array) => wholeBox().call('rosImage', bytes),
-  unpack: (bytes: Uint8Array, name: string) => wholeBox().call('unpack', bytes, name),
   /** Tells what a raster of heights holds, before it is opened. */
   surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
   importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>

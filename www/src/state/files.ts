@@ -22,14 +22,12 @@ export const importFiles = (files: Iterable<File>) => shown(openFiles(files))
 export const importDropped = (transfer: DataTransfer) => {
   const files = [...transfer.files]
   const entries = [...transfer.items].flatMap((item) => item.webkitGetAsEntry?.() ?? [])
-  if (!entries.some((entry) => entry.isDirectory)) return importFiles(files)
-  return shown(opener().then(({ openEntries }) => openEntries(entries)))
+  return shown(opener().then(({ openDropped }) => openDropped(files, entries)))
 }
 
-async function shown(opening: Promise<void>): Promise<boolean> {
+async function shown(opening: Promise<boolean>): Promise<boolean> {
   try {
-    await opening
-    return true
+    return await opening
   } catch (error) {
     notifyError(error)
     return false

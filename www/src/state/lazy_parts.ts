@@ -22,13 +22,13 @@ export interface ReliefPart {
   resetEye(): void
 }
 
-/** Opens files and texts (state/open_files.ts). */
+/** Opens files and texts (state/open_files.ts); false where not all was opened, and the reader knows. */
 export interface OpenerPart {
-  openText(text: string, opening?: { unasked?: boolean }): Promise<void>
-  openFiles(files: File[]): Promise<void>
+  openText(text: string, opening?: { unasked?: boolean }): Promise<boolean>
+  openFiles(files: File[]): Promise<boolean>
   /** Opens files as maps, and hands each of them to `take` instead of the race. */
   openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
-  openEntries(entries: FileSystemEntry[]): Promise<void>
+  openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
 export interface LazyParts {

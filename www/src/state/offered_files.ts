@@ -42,7 +42,9 @@ export interface MapFile extends FoundFile {
   matrices: MatrixInfo[]
   /** Of a ROS map the picture that it names. */
   image: NamedBytes | null
-  /** The name of that picture, as long as it is missing. */
+  /** The name of that picture in the description; empty for any other map. */
+  names: string
+  /** The same, as long as the picture is missing. */
   needs: string | null
   /** Scenarios for it. */
   scens: NamedBytes[]

@@ -3,16 +3,19 @@ import type { EngineError, Imported, ReadOptions, ScenLine } from '@pkg/formicar
 import { effect } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
-import { describeNotice } from '../i18n/errors'
+import { describeError, describeNotice } from '../i18n/errors'
 import { goalAt, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
 import { loadSession, notify, scenario, setScenario, showView } from '.'
+import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
+import { fileName, stemOf } from './file_paths'
 import type { Opening } from './files'
 import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
 import { lazyParts } from './lazy_parts'
+import { canBeOpened, type Looked, lookAt } from './looked_files'
 import {
   type FoundFile,
   type MapChoice,
@@ -25,13 +28,13 @@ import {
   type TerrainFile,
   terrainFile,
 } from './offered_files'
-import { offerOrder } from './order_play'
+import { inTurn, isAsking, type Turn, tellNotOpened } from './openings'
+import { offerOrder, takeTour } from './order_play'
+import { nameOfPicture, pictureOf, picturesNamed, takePicture } from './ros_pictures'
 import { autoplay } from './sessions'
 import { suitSpeed } from './speed'
 import { importPart, offerTerrain } from './terrain_files'
 
-/** Archives within archives; deeper ones are no archives that anybody packs. */
-const MAX_DEPTH = 3
 /** All files of a folder together. */
 const MAX_TOTAL = 8 * MAX_BYTES
 
@@ -40,39 +43,58 @@ const sessionFormat = () => import('../share/link')
 /** Kinds that leave a choice. */
 const ASKED = new Set(['picture', 'ros-map', 'occupancy-grid'])
 
-/** Pasted or typed text: a share link, or the contents of any file we read. */
-export async function openText(text: string, opening: Opening = {}): Promise<void> {
-  refuseLarge(text.length, t('maps.pastedName'))
+/** Pasted or typed text: a share link, or the contents of any file we read. False if it was not opened, and the reader knows. */
+export async function openText(text: string, opening: Opening = {}): Promise<boolean> {
+  const name = t('maps.pastedName')
+  refuseLarge(text.length, name)
+  if (!opening.unasked && isAsking()) return joinAsked([{ name, bytes: encoded(text) }])
+  return inTurn([name], (turn) => openTextIn(turn, text, opening))
+}
+
+async function openTextIn(turn: Turn, text: string, opening: Opening): Promise<void> {
   // A file may contain a link, so only text that is no JSON is searched for one.
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    await openComparisonText(await decodeFragment(fragment))
-  } else if (fragment) replay(await (await sessionFormat()).decodeFragment(fragment))
-  else
-    await openTogether(
-      [{ name: t('maps.pastedName'), bytes: new TextEncoder().encode(text) }],
-      opening,
-    )
+    await openComparisonText(turn, await decodeFragment(fragment))
+  } else if (fragment) replay(turn, await (await sessionFormat()).decodeFragment(fragment))
+  else await openTogether(turn, [{ name: t('maps.pastedName'), bytes: encoded(text) }], opening)
 }
 
-export async function openFiles(files: File[]): Promise<void> {
-  await openTogether(await contentsOf(files))
+const encoded = (text: string) => new TextEncoder().encode(text)
+
+/** False if not all of them were opened, and the reader knows. */
+export async function openFiles(files: File[]): Promise<boolean> {
+  if (isAsking()) return joinAsked(await contentsOf(files))
+  const names = files.map(({ name }) => name)
+  return inTurn(names, async (turn) => openTogether(turn, await contentsOf(files)))
+}
+
+/** While a dialog asks about a file, only what belongs to that file is taken in. */
+async function joinAsked(given: NamedBytes[]): Promise<boolean> {
+  const taken = (await takePicture(given)) ?? (await takeTour(given))
+  const others = given.filter((file) => file !== taken)
+  tellNotOpened(others.map(({ name }) => fileName(name)))
+  return others.length === 0
 }
 
 /** Opens files as maps alone, each of them, and hands them to `take` instead of the race. */
 export async function openMapsFor(files: File[], take: Taker): Promise<void> {
-  const looked: Looked = { found: [], refused: [], loose: false }
-  for (const file of await contentsOf(files)) await look(file, looked, 0)
-  const found = looked.found.filter((file): file is FoundFile => file.kind !== 'carrier')
-  const named = await picturesNamed(found)
-  const maps = found.filter((file) => (file.map || file.kind === 'unknown') && !named.has(file))
-  for (const file of maps) {
-    await openOne(file, found, { take })
-    await answered()
-  }
-  if (looked.refused.length > 0) throw looked.refused[0]
-  if (maps.length === 0) throw nothingWithin(files[0]?.name ?? '')
+  const names = files.map(({ name }) => name)
+  await inTurn(names, async (turn) => {
+    const { found, refused, nested } = await lookAt(await contentsOf(files))
+    const all = found.filter((file): file is FoundFile => file.kind !== 'carrier')
+    const named = await picturesNamed(all)
+    const maps = all.filter((file) => (file.map || file.kind === 'unknown') && !named.has(file))
+    for (const file of maps) {
+      await openOne(turn, file, all, { take })
+      turn.rest()
+      await answered()
+    }
+    const [first] = [...refused, ...nested]
+    if (first !== undefined) throw first
+    if (maps.length === 0) throw nothingWithin(names[0] ?? '')
+  })
 }
 
 async function contentsOf(files: File[]): Promise<NamedBytes[]> {
@@ -92,17 +114,29 @@ function answered(): Promise<void> {
   })
 }
 
-/** Dropped files and folders, with what lies in them. */
-export async function openEntries(entries: FileSystemEntry[]): Promise<void> {
-  const files = await filesWithin(entries)
-  const given: NamedBytes[] = []
-  let total = 0
-  for (const { path, file } of files) {
-    total += file.size
-    if (total > MAX_TOTAL) break
-    if (file.size <= MAX_BYTES) given.push({ name: path, bytes: await bytesOf(file) })
+/** What was dropped, folders too. A dialog that asks about no file gives way. */
+export function openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean> {
+  if (!isAsking()) closeDialog()
+  return entries.some((entry) => entry.isDirectory) ? openEntries(entries) : openFiles(files)
+}
+
+/** Files and folders, with what lies in them. */
+async function openEntries(entries: FileSystemEntry[]): Promise<boolean> {
+  const names = entries.map(({ name }) => name)
+  if (isAsking()) {
+    tellNotOpened(names)
+    return false
   }
-  await openTogether(given, { loose: true })
+  return inTurn(names, async (turn) => {
+    const given: NamedBytes[] = []
+    let total = 0
+    for (const { path, file } of await filesWithin(entries)) {
+      total += file.size
+      if (total > MAX_TOTAL) break
+      if (file.size <= MAX_BYTES) given.push({ name: path, bytes: await bytesOf(file) })
+    }
+    await openTogether(turn, given, { loose: true })
+  })
 }
 
 interface Together extends Opening {
@@ -112,26 +146,20 @@ interface Together extends Opening {
   loose?: boolean
 }
 
-/** A picture of ours, by the session or comparison in it. */
-interface Carrier extends NamedBytes {
-  kind: 'carrier'
-  text: string
-}
-
-interface Looked {
-  found: (FoundFile | Carrier)[]
-  refused: unknown[]
-  loose: boolean
-}
-
 /** Opens files that came together. Refusals are thrown, and leave the page as it was. */
-async function openTogether(given: NamedBytes[], opening: Together = {}): Promise<void> {
-  const looked: Looked = { found: [], refused: [], loose: opening.loose ?? false }
-  for (const file of withWaiting(given)) await look(file, looked, 0)
-  const { found, refused, loose } = looked
+async function openTogether(
+  turn: Turn,
+  given: NamedBytes[],
+  opening: Together = {},
+): Promise<void> {
+  const { found, refused, nested, loose } = await lookAt(given, opening.loose)
+  turn.check()
   const known = found.filter(canBeOpened)
-  const opened = await openFound(loose || known.length > 0 ? known : found, opening)
+  // Of an archive that holds nothing but another one, that is what is wrong.
+  if (known.length === 0 && nested.length > 0) throw nested[0]
+  const opened = await openFound(turn, loose || known.length > 0 ? known : found, opening)
   if (!loose && opened && known.length > 0) tellLeftOut(found.filter((file) => !canBeOpened(file)))
+  for (const { message, hint } of nested.map(describeError)) notify('warning', message, { hint })
   if (refused.length > 0 && !(loose && opened)) throw refused[0]
   if (!opened) throw nothingWithin(given[0]?.name ?? '')
 }
@@ -156,128 +184,66 @@ function nothingWithin(name: string): EngineError {
   }
 }
 
-/** A ROS map that waits for its picture goes on with what came now, if that is it. */
-function withWaiting(given: NamedBytes[]): NamedBytes[] {
-  const waiting = mapFile.peek()
-  const needs = waiting?.needs
-  if (!waiting || !needs || !given.some(({ name }) => sameName(name, needs))) return given
-  mapFile.value = null
-  return [waiting, ...given]
-}
-
-async function look(file: NamedBytes, looked: Looked, depth: number): Promise<void> {
-  try {
-    const { name, bytes } = file
-    const text = await carriedBy(bytes)
-    if (text !== null) looked.found.push({ name, bytes, kind: 'carrier', text })
-    else {
-      const recognised = await tools.recognise(bytes, name)
-      if (recognised.kind !== 'archive' || depth === MAX_DEPTH)
-        looked.found.push({ ...recognised, name, bytes })
-      else {
-        const within = await tools.unpack(bytes, name)
-        // A single file in an archive is meant, whatever it is.
-        if (within.length > 1) looked.loose = true
-        for (const one of within) await look(one, looked, depth + 1)
-      }
-    }
-  } catch (error) {
-    looked.refused.push(error)
-  }
-}
-
-/** The session or comparison in a PNG of ours; null for any other file. */
-async function carriedBy(bytes: Uint8Array): Promise<string | null> {
-  if (bytes[0] !== 137 || bytes[1] !== 80) return null
-  const { textOfPng } = await import('../share/png')
-  return textOfPng(bytes).catch((error: { kind?: string }) => {
-    if (error.kind === 'picture-bare') return null
-    throw error
-  })
-}
-
-const OPENED = new Set([
-  'carrier',
-  'session',
-  'comparison',
-  'results',
-  'movingai-scen',
-  'tsplib',
-  'tsplib-tour',
-])
-const canBeOpened = (file: FoundFile | Carrier) =>
-  OPENED.has(file.kind) || (file.kind !== 'carrier' && file.map)
-
 /** Whether there was anything to open. */
-async function openFound(found: Looked['found'], opening: Together): Promise<boolean> {
+async function openFound(turn: Turn, found: Looked['found'], opening: Together): Promise<boolean> {
   const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
   const named = await picturesNamed(files)
   const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
   for (const file of found) {
-    if (file.kind === 'carrier') await openText(file.text)
-    else if (file.kind === 'session') await openSessionFile(file.bytes)
+    if (file.kind === 'carrier') await openTextIn(turn, file.text, {})
+    else if (file.kind === 'session') await openSessionFile(turn, file.bytes)
     else if (file.kind === 'comparison')
-      await openComparisonText(new TextDecoder().decode(file.bytes))
-    else if (file.kind === 'results') await importResults(file.bytes, file.name)
+      await openComparisonText(turn, new TextDecoder().decode(file.bytes))
+    else if (file.kind === 'results') await importResults(turn, file.bytes, file.name)
     // A tour alone: its import says so. As a rule the import says why it is no map.
     else if (!canBeOpened(file) || (file.kind === 'tsplib-tour' && orders.length === 0)) {
       const name = fileName(file.name)
-      showMap(await tools.importMap(file.bytes, name), { name, take: null })
+      const imported = await tools.importMap(file.bytes, name)
+      turn.check()
+      showMap(imported, { name, take: null })
     }
   }
   const [order, ...moreOrders] = orders
-  if (order) await openOrder(order, files)
+  if (order) await openOrder(turn, order, files)
   tellLeftOut(moreOrders, 'opening.oneOrder')
   const scens = files.filter(({ kind }) => kind === 'movingai-scen')
+  turn.check()
   const [first] = maps
   if (maps.length > 1 && !opening.unasked)
     mapChoice.value = { files: maps, others: files.filter((file) => !maps.includes(file)) }
-  else if (first) await openOne(first, files, opening)
-  else for (const scen of scens) await openScen(scen)
+  else if (first) await openOne(turn, first, files, opening)
+  else for (const scen of scens) await openScen(scen, turn)
   return found.length > 0
 }
 
 /** One map of several that came together. */
 export async function openChosen({ files, others }: MapChoice, file: FoundFile): Promise<void> {
-  await openOne(file, [...files, ...others], {})
-  mapChoice.value = null
+  await inTurn([fileName(file.name)], async (turn) => {
+    await openOne(turn, file, [...files, ...others], {})
+    mapChoice.value = null
+  })
 }
 
 /** An order problem, with the tour that is named as it is, or the only one. */
-async function openOrder(file: FoundFile, together: FoundFile[]): Promise<void> {
+async function openOrder(turn: Turn, file: FoundFile, together: FoundFile[]): Promise<void> {
   const tours = together.filter(({ kind }) => kind === 'tsplib-tour')
   const alike = tours.find(({ name }) => stemOf(name) === stemOf(file.name))
   const tour = alike ?? (tours.length === 1 ? tours[0] : null) ?? null
   const named = ({ name, bytes }: NamedBytes) => ({ name: fileName(name), bytes })
-  await offerOrder(named(file), tour && named(tour))
+  await offerOrder(named(file), tour && named(tour), () => turn.check())
 }
 
-/** Pictures that the description of a ROS map names: they are no maps of their own. */
-async function picturesNamed(files: FoundFile[]): Promise<Set<FoundFile>> {
-  const named = new Set<FoundFile>()
-  for (const file of files) {
-    if (file.kind !== 'ros-map') continue
-    const image = pictureOf(file, await nameOfPicture(file), files)
-    if (image) named.add(image)
-  }
-  return named
-}
-
-/** Empty where the description is broken: its import says how. */
-const nameOfPicture = (file: NamedBytes) => tools.rosImage(file.bytes).catch(() => '')
-
-/** Of several of the same name, the one in the folder of the description. */
-function pictureOf(map: FoundFile, image: string, files: FoundFile[]): FoundFile | undefined {
-  const alike = files.filter(({ name, kind }) => kind === 'picture' && sameName(name, image))
-  return alike.find(({ name }) => folderOf(name) === folderOf(map.name)) ?? alike[0]
-}
-
-async function openOne(file: FoundFile, together: FoundFile[], opening: Together): Promise<void> {
+async function openOne(
+  turn: Turn,
+  file: FoundFile,
+  together: FoundFile[],
+  opening: Together,
+): Promise<void> {
   const asked = !opening.unasked
   const named = { ...file, name: fileName(file.name) }
   const take = opening.take ?? null
-  if (file.raster && asked) return offerTerrain(named, take)
+  if (file.raster && asked) return offerTerrain(named, take, () => turn.check())
   const needs = file.kind === 'ros-map' ? await nameOfPicture(file) : ''
   const image = needs === '' ? null : (pictureOf(file, needs, together) ?? null)
   const matrices = file.kind === 'matrix' && asked ? await matricesOf(file) : []
@@ -286,13 +252,19 @@ async function openOne(file: FoundFile, together: FoundFile[], opening: Together
     ...named,
     matrices,
     image,
+    names: needs,
     needs: image ? null : needs || null,
     scens,
     take,
   }
   const leavesChoice = ASKED.has(file.kind) || !file.certain || matrices.length > 1
+  turn.check()
   if (asked && leavesChoice && file.kind !== 'unknown') mapFile.value = map
-  else await openMap(map, {})
+  else {
+    const read = await readMap(map, {})
+    turn.check()
+    await openMap(map, {}, read)
+  }
 }
 
 /** None where they cannot be told: the import says why. */
@@ -333,9 +305,10 @@ function showMap(imported: Imported, { name, take }: { name: string; take: Taker
   })
 }
 
-async function openScen(file: NamedBytes): Promise<void> {
+async function openScen(file: NamedBytes, turn?: Turn): Promise<void> {
   const name = fileName(file.name)
   const { lines, warnings } = await tools.importScen(file.bytes)
+  turn?.check()
   const now = scenario.peek()?.spec
   const fitting = lines.filter((line) => line.width === now?.width && line.height === now.height)
   const [wanted] = lines
@@ -359,33 +332,30 @@ export function chooseScen(line: ScenLine): void {
   setScenario(liftEnds(chosen) ?? chosen, { undoable: true })
 }
 
-async function openSessionFile(bytes: Uint8Array): Promise<void> {
+async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
   const { sessionFromFile } = await sessionFormat()
-  replay(await sessionFromFile(new TextDecoder().decode(bytes)))
+  replay(turn, await sessionFromFile(new TextDecoder().decode(bytes)))
 }
 
 /** Opens a comparison in the laboratory. */
-async function openComparisonText(text: string): Promise<void> {
+async function openComparisonText(turn: Turn, text: string): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
+  turn.check()
   showView('lab')
   await openComparisonDocument(text)
 }
 
 /** Imports a file of results into the laboratory. */
-async function importResults(bytes: Uint8Array, name: string): Promise<void> {
+async function importResults(turn: Turn, bytes: Uint8Array, name: string): Promise<void> {
   const { takeImportedResults } = await lazyParts.lab()
+  turn.check()
   showView('lab')
   await takeImportedResults(fileName(name), bytes)
 }
 
-function replay(session: Session): void {
+function replay(turn: Turn, session: Session): void {
+  turn.check()
   showView('race')
   loadSession(session)
   autoplay()
 }
-
-const fileName = (path: string) => path.slice(Math.max(...folderEnds(path)) + 1)
-const stemOf = (path: string) => fileName(path).toLowerCase().split('.')[0]
-const folderOf = (path: string) => path.slice(0, Math.max(0, ...folderEnds(path)))
-const folderEnds = (path: string) => [path.lastIndexOf('/'), path.lastIndexOf('\\')]
-const sameName = (a: string, b: string) => fileName(a).toLowerCase() === fileName(b).toLowerCase()

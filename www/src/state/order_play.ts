@@ -1,10 +1,14 @@
 /** An order problem on show: its facts, and the run of the order colony that can be watched. */
-import type { OrderFacts, OrderSummary } from '@pkg/formicarium'
+import type { EngineError, OrderFacts, OrderSummary } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { newOrderBox, type OrderBox } from '../engine/order_box'
+import { tools } from '../engine/tools'
+import { t } from '../i18n/dialogs'
+import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import type { OrderSettings } from '../model/order_calls'
-import { show } from './dialogs'
+import { openDialog, show } from './dialogs'
+import { fileName } from './file_paths'
 import type { NamedBytes } from './offered_files'
 
 /** A whole run takes this many frames or fewer. */
@@ -12,12 +16,17 @@ const FRAMES = 400
 /** Of a frame so much is the worker's. */
 const SLICE = 25
 
+/** The best of the ants, the one of a file, or the proven one. */
+export type ShownTour = 'ants' | 'tour' | 'exact'
+
 export class OrderPlay {
   readonly facts = signal<OrderFacts>(null as never)
   readonly summary = signal<OrderSummary | null>(null)
   /** From, to, share of the largest; null while they are not shown. */
   readonly trails = signal<Float64Array | null>(null)
   readonly running = signal(false)
+  /** Which tour is drawn. */
+  readonly shown = signal<ShownTour>('ants')
   readonly error = signal<unknown>(null)
   readonly settings = signal<OrderSettings>({ open: false, seed: 1, params: {} })
   /** Answers to what was asked in an earlier turn are dropped. */
@@ -25,7 +34,7 @@ export class OrderPlay {
 
   private constructor(
     readonly instance: NamedBytes,
-    readonly tour: NamedBytes | null,
+    public tour: NamedBytes | null,
     private readonly box: OrderBox,
   ) {}
 
@@ -34,7 +43,7 @@ export class OrderPlay {
     const box = newOrderBox()
     const play = new OrderPlay(instance, tour, box)
     try {
-      play.facts.value = await box.call('readOrder', instance.bytes, false, tour?.bytes ?? null)
+      play.facts.value = await play.read(false, tour)
     } catch (error) {
       box.terminate()
       throw error
@@ -101,9 +110,28 @@ export class OrderPlay {
     this.box.terminate()
   }
 
+  /** Another tour beside the run, which stays; one that does not fit is thrown, and changes nothing. */
+  async takeTour(tour: NamedBytes): Promise<void> {
+    const facts = await this.read(this.settings.peek().open, tour)
+    this.tour = tour
+    this.facts.value = facts
+    this.shown.value = 'tour'
+  }
+
   private async readAgain(open: boolean): Promise<void> {
+    this.facts.value = await this.read(open, this.tour)
+  }
+
+  /** Where the instance alone can be read, the tour is at fault, and its file is named. */
+  private async read(open: boolean, tour: NamedBytes | null): Promise<OrderFacts> {
     const { bytes } = this.instance
-    this.facts.value = await this.box.call('readOrder', bytes, open, this.tour?.bytes ?? null)
+    try {
+      return await this.box.call('readOrder', bytes, open, tour?.bytes ?? null)
+    } catch (error) {
+      if (tour === null) throw error
+      await this.box.call('readOrder', bytes, open, null)
+      throw tourUnfit(tour.name, error)
+    }
   }
 
   private advance(turn: number, count: number): Promise<void> {
@@ -130,10 +158,42 @@ export class OrderPlay {
 /** The problem whose dialog is open. */
 export const orderPlay = signal<OrderPlay | null>(null)
 
-/** Opens the dialog of an instance, and of a tour of it. The map stays. */
-export async function offerOrder(instance: NamedBytes, tour: NamedBytes | null): Promise<void> {
+function tourUnfit(file: string, error: unknown): EngineError {
+  const { message, hint } = describeError(error)
+  const told = t('order.tourUnfit', { file, message })
+  return { kind: 'tour-unfit', field: file, message: told, hint, args: {} }
+}
+
+/**
+ * Opens the dialog of an instance, and of a tour of it. The map stays. `check` throws where it is no longer wanted once it has been
+ * read.
+ */
+export async function offerOrder(
+  instance: NamedBytes,
+  tour: NamedBytes | null,
+  check: () => void,
+): Promise<void> {
   const play = await OrderPlay.of(instance, tour)
+  try {
+    check()
+  } catch (over) {
+    play.end()
+    throw over
+  }
   orderPlay.peek()?.end()
   orderPlay.value = play
   show('order')
+}
+
+/** Shows the tour that came beside the problem on show. Null: no problem is on show, or no single tour came. */
+export async function takeTour(given: NamedBytes[]): Promise<NamedBytes | null> {
+  const play = orderPlay.peek()
+  if (!play || openDialog.peek() !== 'order') return null
+  const tours: NamedBytes[] = []
+  for (const file of given)
+    if ((await tools.recognise(file.bytes, file.name)).kind === 'tsplib-tour') tours.push(file)
+  const [tour, second] = tours
+  if (!tour || second) return null
+  await play.takeTour({ name: fileName(tour.name), bytes: tour.bytes })
+  return tour
 }

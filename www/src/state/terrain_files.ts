@@ -4,8 +4,15 @@ import { tools } from '../engine/tools'
 import type { TerrainPart } from '../model/tool_calls'
 import { type NamedBytes, type Taker, type TerrainFile, terrainFile } from './offered_files'
 
-export async function offerTerrain({ bytes, name }: NamedBytes, take: Taker | null): Promise<void> {
-  terrainFile.value = { name, bytes, take, survey: await tools.surveyTerrain(bytes, name) }
+/** `check` throws where it is no longer wanted once it has been looked at. */
+export async function offerTerrain(
+  { bytes, name }: NamedBytes,
+  take: Taker | null,
+  check: () => void,
+): Promise<void> {
+  const survey = await tools.surveyTerrain(bytes, name)
+  check()
+  terrainFile.value = { name, bytes, take, survey }
 }
 
 /** The file stays offered until it could be read. */

@@ -1,8 +1,10 @@
-import { X } from 'lucide'
+import { TriangleAlert, X } from 'lucide'
 import type { ComponentChildren } from 'preact'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import { t } from '../i18n'
+import { dialogNotice, dismissInDialog } from '../state/dialog_notice'
 import { IconButton } from './buttons'
+import { Icon } from './icon'
 
 interface DialogProps {
   title: string
@@ -47,6 +49,29 @@ export function Dialog({ title, onClose, children, actions, wide, testId, onEnte
         <div class="dialog-content">{children}</div>
         {actions && <footer class="dialog-actions">{actions}</footer>}
       </div>
+      <Notice />
     </dialog>
+  )
+}
+
+/** Where the page has its messages, which lie beneath the dialog. */
+function Notice() {
+  useEffect(() => dismissInDialog, [])
+  const message = dialogNotice.value
+  return (
+    <div class="toasts" aria-live="polite">
+      {message && (
+        <div class="toast warning" data-testid="dialog-notice">
+          <Icon icon={TriangleAlert} />
+          <p class="toast-text">{message}</p>
+          <IconButton
+            icon={X}
+            label={t('notices.dismiss')}
+            tone="quiet"
+            onClick={dismissInDialog}
+          />
+        </div>
+      )}
+    </div>
   )
 }

@@ -81,6 +81,8 @@ interface NumberFieldProps {
   max: number
   step?: number | 'any'
   onChange: (value: number) => void
+  /** What is being typed; NaN where that is no number yet. */
+  onType?: (value: number) => void
   testId?: string
   hideLabel?: boolean
   invalid?: boolean
@@ -108,7 +110,10 @@ export function NumberField(props: NumberFieldProps) {
         max={props.max}
         step={props.step ?? 'any'}
         value={typed ?? props.value}
-        onInput={(event) => setTyped(event.currentTarget.value)}
+        onInput={(event) => {
+          setTyped(event.currentTarget.value)
+          props.onType?.(event.currentTarget.valueAsNumber)
+        }}
         onBlur={() => setTyped(null)}
         aria-invalid={props.invalid}
         aria-describedby={props.describedBy}

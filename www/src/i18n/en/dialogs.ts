@@ -211,6 +211,8 @@ export const enDialogs = {
     needs:
       '{{name}} describes a ROS map. The map itself is the picture {{needs}}, which is missing.',
     needsHint: 'Choose it here, or drop both files together.',
+    otherPicture: 'This is {{image}}; the description names {{names}}',
+    metresOutside: 'A cell measures more than 0 and up to 1,000,000 m.',
     choosePicture: 'Choose {{needs}}',
   },
   figure: {
@@ -241,6 +243,8 @@ export const enDialogs = {
     unsure: 'Cells that stay unsure become walls.',
     missing: 'A start or goal that is missing is chosen for you.',
     lattice: 'Grid, in pixels of the picture',
+    placeFirst: 'To open: drag the grid onto the figure, or set a cell, as no grid was found.',
+    changed: 'The grid was changed: {{columns}} × {{rows}} cells.',
     latticeHint:
       'Another number of columns or rows divides the same frame anew. A grid that moves is read anew, without what was corrected.',
     fields: {
@@ -264,6 +268,11 @@ export const enDialogs = {
     leftOut: 'Not opened, as it is no known file: {{names}}',
     nothingToOpen: 'Nothing in {{name}} can be opened here.',
     nothingToOpenHint: 'Import… in the map menu lists what can be.',
+    reading: 'Reading {{names}}…',
+    answerFirst_one: 'First answer the open dialog: {{names}} was not opened',
+    answerFirst_other: 'First answer the open dialog: {{names}} were not opened',
+    archiveWithin: 'The archive {{archive}} holds another one, {{inner}}.',
+    archiveWithinHint: 'Unpack the inner one first.',
   },
   mapChoice: {
     title: 'Which map?',

@@ -136,6 +136,9 @@ export const enLab = {
     onNoMap_other: '{{count}} runs are on “{{name}}”, which is no map of this comparison.',
     leaveOut: 'Join the others',
     dismiss: 'Do without {{name}}',
+    paused: 'The runs were paused to join {{name}}.',
+    notJoined_one: '{{count}} file of results is not joined yet.',
+    notJoined_other: '{{count}} files of results are not joined yet.',
   },
   kept: {
     title: 'Earlier comparisons',

@@ -1,7 +1,7 @@
 /** The text of the dialog that puts places in an order. */
 export const enOrder = {
   title: 'Order of {{count}} places',
-  picture: '{{count}} places and the best tour so far',
+  picture: '{{count}} places and the tour on show',
   onCircle: 'The file says nothing of where the places are: they are drawn on a circle.',
   trails: 'Show trails',
   name: 'Name',
@@ -11,6 +11,9 @@ export const enOrder = {
   unproven: 'unknown: proven up to {{most}} places',
   listed: 'Listed optimum',
   tour: 'Tour in {{file}}',
+  tourUnfit: 'The tour in {{file}} does not fit: {{message}}',
+  shownTour: 'Tour on show',
+  shownExact: 'Exact',
   best: 'Best of the ants',
   aboveProven: 'Above the proven optimum',
   aboveListed: 'Above the listed optimum',

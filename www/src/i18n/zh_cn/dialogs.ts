@@ -199,6 +199,8 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     needs: '{{name}} 是 ROS 地图的描述文件。地图本身是图片 {{needs}}，尚缺。',
     needsHint: '请在此选择该图片，或把两个文件一起拖入。',
     choosePicture: '选择 {{needs}}',
+    otherPicture: '这是 {{image}}；描述文件指定的是 {{names}}',
+    metresOutside: '每格须大于 0 米，不超过 1,000,000 米。',
   },
   figure: {
     readAs: '图片读作',
@@ -228,6 +230,8 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     unsure: '仍然存疑的格将视为墙。',
     missing: '未设置的起点或终点将自动选择。',
     lattice: '网格（以图片像素计）',
+    placeFirst: '没有找到网格：请先把网格拖到图上或设置一个格子，然后才能打开。',
+    changed: '网格已改为 {{columns}} × {{rows}} 格。',
     latticeHint: '改变列数或行数时，同一外框重新划分。网格变动后会重新读取，手工修正不再保留。',
     fields: {
       columns: '列数',
@@ -250,6 +254,10 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     leftOut: '格式未知，未打开：{{names}}',
     nothingToOpen: '{{name}} 中没有可以打开的内容。',
     nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
+    reading: '正在读取 {{names}}…',
+    answerFirst_other: '请先回答已打开的对话框：{{names}} 没有打开',
+    archiveWithin: '压缩包 {{archive}} 中还有压缩包 {{inner}}。',
+    archiveWithinHint: '请先解压里面的那个。',
   },
   mapChoice: {
     title: '打开哪张地图？',

@@ -121,6 +121,8 @@ export const zhCNLab: DictionaryShape<typeof enLab> = {
     onNoMap_other: '{{count}} 次运行在“{{name}}”上，而比较中没有这张地图。',
     leaveOut: '只加入其余的',
     dismiss: '不用 {{name}}',
+    paused: '为加入 {{name}}，运行已暂停。',
+    notJoined_other: '有 {{count}} 个结果文件尚未加入。',
   },
   kept: {
     title: '先前的比较',

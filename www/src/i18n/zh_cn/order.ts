@@ -4,7 +4,7 @@ import type { enOrder } from '../en/order'
 /** Chinese of en/order.ts. */
 export const zhCNOrder: DictionaryShape<typeof enOrder> = {
   title: '{{count}} 个地点的顺序',
-  picture: '{{count}} 个地点与目前最好的路线',
+  picture: '{{count}} 个地点与显示的路线',
   onCircle: '文件没有说明地点的位置：这里把它们画在一个圆上。',
   trails: '显示信息素',
   name: '名称',
@@ -14,6 +14,9 @@ export const zhCNOrder: DictionaryShape<typeof enOrder> = {
   unproven: '未知：最多证明 {{most}} 个地点的顺序',
   listed: '文献最优值',
   tour: '{{file}} 中的路线',
+  tourUnfit: '{{file}} 中的路线不适用：{{message}}',
+  shownTour: '显示的路线',
+  shownExact: '精确解',
   best: '蚁群最好结果',
   aboveProven: '高于已证明的最优值',
   aboveListed: '高于文献最优值',

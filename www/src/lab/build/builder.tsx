@@ -7,7 +7,7 @@ import { catalog, scenario, wholeEngine } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
 import { startComparison } from '../run/actions'
-import { withImportedFiles } from '../store/imported_files'
+import { refusedFiles, withImportedFiles } from '../store/imported_files'
 import { BudgetFields } from './budget'
 import { compose } from './compose_document'
 import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
@@ -86,6 +86,11 @@ function StartBar() {
       <p class="hint" data-testid="run-count">
         {count > 0 ? sum() : ''}
       </p>
+      {refusedFiles.value.length > 0 && (
+        <p class="hint" role="status" data-testid="not-joined">
+          {t('lab.imported.notJoined', { count: refusedFiles.value.length })}
+        </p>
+      )}
       {refusal.value !== null && !isShownElsewhere(refusal.value) && (
         <FormError error={refusal.value} />
       )}

@@ -13,17 +13,13 @@ import {
   asksForMap,
   importedFiles,
   type RefusedFile,
-  refusedFile,
+  refusedFiles,
   removeImportedFile,
+  removeRefusedFile,
   unknownMaps,
 } from '../store/imported_files'
 import { toldOf } from './match_words'
-import { resultsTemplate, takeResultFiles, takeResults } from './take_results'
-
-interface Place {
-  id: string
-  name: string
-}
+import { type Place, resultsTemplate, takeResultFiles, takeResults } from './take_results'
 
 /** `maps`: the choices for a file that does not name its map. */
 export function ImportedResults({ maps }: { maps: Place[] }) {
@@ -53,9 +49,9 @@ export function ImportedResults({ maps }: { maps: Place[] }) {
       </div>
       <p class="hint">{t('lab.imported.hint')}</p>
       {element}
-      {refusedFile.value && (
-        <Refused key={refusedFile.value.name} file={refusedFile.value} maps={maps} />
-      )}
+      {refusedFiles.value.map((file) => (
+        <Refused key={file.key} file={file} maps={maps} />
+      ))}
     </div>
   )
 }
@@ -101,7 +97,7 @@ function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
   return (
     <div class="imported-refused" data-testid="own-refused">
       <strong>{file.name}</strong>
-      <Dismiss name={file.name} />
+      <Dismiss file={file} />
       <FormError error={file.error} />
       {unknown.map(({ name, runs: count }) => (
         <p key={name} class="hint">
@@ -112,7 +108,7 @@ function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
         <Button
           label={t('lab.imported.leaveOut')}
           testId="own-leave-out"
-          onClick={() => void takeResults(file.name, file.bytes, { leaveOut })}
+          onClick={() => void takeResults(file.name, file.bytes, { leaveOut }, file.key)}
         />
       )}
     </div>
@@ -121,6 +117,7 @@ function Refused({ file, maps }: { file: RefusedFile; maps: Place[] }) {
 
 function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
   const [chosen, choose] = useState(maps[0]?.id ?? '')
+  const instance = maps.find(({ id }) => id === chosen)
   const [named] = file.match?.matched.maps ?? []
   const question = named
     ? t('lab.imported.whichIs', { file: file.name, name: named.name })
@@ -138,14 +135,14 @@ function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
         label={t('lab.imported.join')}
         tone="primary"
         testId="own-join"
-        onClick={() => void takeResults(file.name, file.bytes, { instance: chosen })}
+        onClick={() => void takeResults(file.name, file.bytes, { instance }, file.key)}
       />
-      <Dismiss name={file.name} />
+      <Dismiss file={file} />
     </div>
   )
 }
 
-function Dismiss({ name }: { name: string }) {
+function Dismiss({ file: { key, name } }: { file: RefusedFile }) {
   return (
     <IconButton
       icon={X}
@@ -153,9 +150,7 @@ function Dismiss({ name }: { name: string }) {
       tone="quiet"
       size={16}
       testId="own-dismiss"
-      onClick={() => {
-        refusedFile.value = null
-      }}
+      onClick={() => removeRefusedFile(key)}
     />
   )
 }

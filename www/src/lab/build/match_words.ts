@@ -31,6 +31,16 @@ export function toldOf({ matched, warnings }: ResultsMatch, leaveOut: string[]):
   ]
 }
 
+/** The match with the map that the reader chose for runs whose map is unknown. */
+export function onMap({ matched, warnings }: ResultsMatch, instance: string): ResultsMatch {
+  const { maps, runs } = matched
+  const chosen =
+    maps.length === 0
+      ? [{ name: instance, runs, instance }]
+      : maps.map((map) => (map.instance === null ? { ...map, instance } : map))
+  return { matched: { ...matched, maps: chosen }, warnings }
+}
+
 /** A name of the file, and what it is here where that is called otherwise. */
 const pair = (name: string, instance: string | null) =>
   instance === null || instance === name ? name : `${name} → ${instance}`

@@ -5,23 +5,37 @@ import { t } from '../../i18n/lab'
 import { notify, notifyError } from '../../state'
 import { bytesOf } from '../../state/file_bytes'
 import { joinResults, openComparison, phase } from '../run/actions'
-import { addImportedFile, refusedFile } from '../store/imported_files'
+import { addImportedFile, addRefusedFile, removeRefusedFile } from '../store/imported_files'
 import { compose } from './compose_document'
-import { toldOf } from './match_words'
+import { onMap, toldOf } from './match_words'
 import { restoreDraft } from './stored_draft'
+
+/** A map of the comparison. */
+export interface Place {
+  id: string
+  name: string
+}
 
 /** What the reader says of a file that does not say it. */
 export interface Told {
-  /** Id of the map on which the runs are. */
-  instance?: string
+  /** The map on which the runs are. */
+  instance?: Place
   /** Names of maps in the file whose runs are left out. */
   leaveOut?: string[]
 }
 
-/** Joins a file to the open comparison or, where none is open, to the draft. */
-export async function takeResults(name: string, bytes: Uint8Array, told: Told = {}): Promise<void> {
-  const { instance = null, leaveOut = [] } = told
-  refusedFile.value = null
+/**
+ * Joins a file to the open comparison or, where none is open, to the draft. `key`: of the refused file that the reader has answered;
+ * it stays until it is joined.
+ */
+export async function takeResults(
+  name: string,
+  bytes: Uint8Array,
+  told: Told = {},
+  key?: number,
+): Promise<void> {
+  const { leaveOut = [] } = told
+  const instance = told.instance?.id ?? null
   let match: ResultsMatch | null = null
   try {
     // The form may never have been on show.
@@ -29,17 +43,20 @@ export async function takeResults(name: string, bytes: Uint8Array, told: Told = 
     const document = await documentNow()
     const found = await tools.matchResults(document, bytes, name)
     match = found
+    const matched = told.instance ? onMap(found, told.instance.name) : found
     if (phase.peek() === 'idle') {
       // A file that does not fit is refused now, rather than when the runs start.
       await tools.joinResults(document, bytes, name, instance, leaveOut)
-      addImportedFile({ name, bytes, instance, leaveOut, match: found })
+      addImportedFile({ name, bytes, instance, leaveOut, match: matched })
     } else {
+      if (phase.peek() === 'running') notify('info', t('lab.imported.paused', { name }))
       await joinResults(name, bytes, instance, leaveOut)
-      const hint = toldOf(found, leaveOut).join(' ')
+      const hint = toldOf(matched, leaveOut).join(' ')
       notify('success', t('lab.imported.joined', { name }), { hint })
     }
+    if (key !== undefined) removeRefusedFile(key)
   } catch (error) {
-    refusedFile.value = { name, bytes, error, match }
+    addRefusedFile({ name, bytes, error, match }, key)
   }
 }
 

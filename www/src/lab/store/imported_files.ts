@@ -7,6 +7,7 @@ import { isEngineError } from '../../model/errors'
 
 /** A file whose results could not be joined. */
 export interface RefusedFile {
+  key: number
   name: string
   bytes: Uint8Array
   error: unknown
@@ -15,8 +16,8 @@ export interface RefusedFile {
 }
 
 export const importedFiles = signal<ImportedFile[]>([])
-/** The file that was refused last, until the reader deals with it. */
-export const refusedFile = signal<RefusedFile | null>(null)
+/** Files that are not joined, each until the reader deals with it. */
+export const refusedFiles = signal<RefusedFile[]>([])
 
 let nextKey = 1
 
@@ -26,6 +27,20 @@ export function addImportedFile(file: Omit<ImportedFile, 'key'>): void {
 
 export function removeImportedFile(key: number): void {
   importedFiles.value = importedFiles.peek().filter((file) => file.key !== key)
+}
+
+/** In place of the one with the same key, or last. */
+export function addRefusedFile(file: Omit<RefusedFile, 'key'>, key = nextKey++): void {
+  const before = refusedFiles.peek()
+  const isThere = before.some((other) => other.key === key)
+  const refused = { ...file, key }
+  refusedFiles.value = isThere
+    ? before.map((other) => (other.key === key ? refused : other))
+    : [...before, refused]
+}
+
+export function removeRefusedFile(key: number): void {
+  refusedFiles.value = refusedFiles.peek().filter((file) => file.key !== key)
 }
 
 /** Files of a stored draft. */
