@@ -366,15 +366,15 @@ fn damaged_files_are_read_or_refused() {
 
 #[test]
 fn rows_that_run_northwards_are_turned_over() {
-    let tie = (33922, Field::Double(vec![0.0, 0.0, 0.0, 5e5, 4e6, 0.0]));
-    let scaled = read(&placed(vec![(33550, Field::Double(vec![30.0, -30.0, 0.0])), tie]));
     let mut matrix = vec![0.0; 16];
     (matrix[0], matrix[5], matrix[15]) = (30.0, 30.0, 1.0);
     let transformed = read(&placed(vec![(34264, Field::Double(matrix))]));
-    for map in [scaled, transformed] {
-        assert_eq!((heights(&map), map.spec.resolution), (vec![3.0, 4.0, 1.0, 2.0], 30.0));
-        assert!(notices(&map).contains(&"terrain-south-up"), "{:?}", notices(&map));
-    }
+    assert_eq!((heights(&transformed), transformed.spec.resolution), (vec![3.0, 4.0, 1.0, 2.0], 30.0));
+    assert!(notices(&transformed).contains(&"terrain-south-up"), "{:?}", notices(&transformed));
+    // A negative ScaleY is none of this: GDAL takes its amount.
+    let tie = (33922, Field::Double(vec![0.0, 0.0, 0.0, 5e5, 4e6, 0.0]));
+    let scaled = read(&placed(vec![(33550, Field::Double(vec![30.0, -30.0, 0.0])), tie]));
+    assert_eq!(heights(&scaled), [1.0, 2.0, 3.0, 4.0]);
 }
 
 #[test]

@@ -227,15 +227,15 @@ fn placed(tiff: &mut Tiff, (width, height): (u32, u32)) -> Result<Option<Placed>
         let &[x, y, ..] = scale.as_slice() else {
             return Err(FormatError::field("ModelPixelScale", format!("{} numbers", scale.len()), "3 numbers"));
         };
-        // A negative height of the cells: rows run northwards.
-        let x = x.abs();
+        // GDAL takes a negative size for its amount as well: rows run southwards all the same.
+        let (x, y) = (x.abs(), y.abs());
         let tie = numbers(tiff, Tag::ModelTiepointTag)?.unwrap_or_default();
         let middle = match tie.as_slice() {
             &[i, j, _, at_x, at_y, ..] => [at_x + (column - i) * x, at_y - (row - j) * y],
             // Not on Earth, so that nothing is taken for degrees.
             _ => [f64::INFINITY; 2],
         };
-        return Ok(Some(Placed { cell: [x, y.abs()], middle, is_south_up: y < 0.0 }));
+        return Ok(Some(Placed { cell: [x, y], middle, is_south_up: false }));
     }
     let Some(m) = numbers(tiff, Tag::ModelTransformationTag)? else { return Ok(None) };
     if m.len() != 16 {
