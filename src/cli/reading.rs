@@ -143,7 +143,8 @@ struct Image {
 fn image_beside(path: &Path) -> Result<Option<Image>, CliError> {
     /// A description is a few lines.
     const MOST: u64 = 1 << 20;
-    if path == Path::new("-") || std::fs::metadata(path).is_ok_and(|file| file.len() > MOST) {
+    // What is no file on a disk can be read only once.
+    if path == Path::new("-") || std::fs::metadata(path).is_ok_and(|file| !file.is_file() || file.len() > MOST) {
         return Ok(None);
     }
     let image = input::in_file(path, MAX_BYTES, |bytes, name| match formats::recognise(bytes, name) {
@@ -156,6 +157,10 @@ fn image_beside(path: &Path) -> Result<Option<Image>, CliError> {
     let file = PathBuf::from(image.replace('\\', "/"));
     let moved = path.with_file_name(file.file_name().unwrap_or_default());
     let found = [&beside, &moved].into_iter().find(|candidate| candidate.is_file()).unwrap_or(&beside);
+    if found.exists() && !found.is_file() {
+        let message = format!("`{}`, which the description names as its picture, is no file", found.display());
+        return Err(CliError::usage(message, "name a .pgm or .png beside the description"));
+    }
     let bytes = input::bytes(found, MAX_BYTES as u64)?;
     let moved = (found != &beside).then(|| {
         let file = input::file_name(found);

@@ -89,3 +89,22 @@ fn files_without_an_end_are_refused_by_name() {
         assert!(ran.status.code() == Some(2) && said.contains("is more than the 64 MiB"), "{command}: {said}");
     }
 }
+
+#[test]
+fn pictures_of_ros_maps_are_files() {
+    let folder = Folder::with_map("ros-fifo");
+    let yaml = |image: &str| {
+        format!("image: {image}\nresolution: 0.1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n")
+    };
+    folder.write("fifo.yaml", &yaml("pipe"));
+    folder.write("zero.yaml", &yaml("/dev/zero"));
+    sh(&folder, "mkfifo pipe");
+    for name in ["fifo.yaml", "zero.yaml"] {
+        let ran = sh(&folder, &format!("$F plan {name} --planner astar"));
+        let said = String::from_utf8_lossy(&ran.stderr);
+        assert!(ran.status.code() == Some(2) && said.contains("is no file"), "{name}: {said}");
+    }
+    // A map that comes through a pipe is read once.
+    let ran = sh(&folder, "mkfifo maps; (cat small.map > maps &); $F plan maps --planner astar");
+    assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+}

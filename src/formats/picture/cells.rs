@@ -75,7 +75,7 @@ pub fn to_cells(picture: &Picture, options: &PictureOptions) -> Result<Cells, Fo
     let histogram = Histogram::new(&layer);
     if let Some(unknown) = histogram.unknown_of_ros() {
         let message = format!(
-            "its grays 0, 205 and 254 are those of a ROS map: open its .yaml with it; alone, its {unknown} pixels of gray 205, which nobody has seen, are judged by the threshold"
+            "its grays 0, 205 and 254 are those of a ROS map: open its .yaml with it; alone, what nobody has seen (gray 205, pixels: {unknown}) is judged by the threshold"
         );
         notices.push(Notice::new("picture-of-ros", message).with("unknown", unknown));
     }
