@@ -89,9 +89,9 @@ impl Block<'_> {
 /// The columns of a printed block must be as many as stand above it, and follow those of the block before.
 fn check_columns(block: &Block<'_>, one: &Found, before: Option<&Found>) -> Result<(), FormatError> {
     let Some((first, last)) = block.columns else { return Ok(()) };
-    let width = |found: &Found| found.table.row(0).len() as u32;
+    let width = |found: &Found| found.table.row(0).len() as u64;
     let had = if first > 1 { before.map_or(0, width) } else { 0 };
-    if first == had + 1 && last + 1 == first + width(one) {
+    if u64::from(first) == had + 1 && u64::from(last) == had + width(one) {
         return Ok(());
     }
     let what = format!("columns {first} to {last} stand above {} columns, behind {had}", width(one));

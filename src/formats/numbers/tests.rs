@@ -173,6 +173,7 @@ fn what_was_left_out_or_cannot_be_read_is_refused() {
         ("[[0,0,1],[],[0,1,0]]", "a row is empty"),
         ("Columns 1 through 3\n\n 0 0 1\n 0 1 0\n\nColumns 7 through 9\n\n 0 1 1\n 1 1 0\n", "columns 7 to 9"),
         ("Columns 4 through 6\n\n 0 0 1\n 0 1 0\n", "columns 4 to 6"),
+        ("Columns 1 through 4294967295\n\n 0 0 1\n 0 1 0\n", "columns 1 to 4294967295"),
     ] {
         let error = read(text, None).map(|_| ()).unwrap_err().to_string();
         assert!(error.contains(told), "{text:?}: {error}");
