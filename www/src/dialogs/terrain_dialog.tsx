@@ -93,7 +93,7 @@ export function TerrainDialog({ file }: { file: TerrainFile }) {
         whole={survey}
         crop={crop}
         fits={cropFits(crop, survey)}
-        all={isWhole(crop, survey)}
+        all={isWhole(crop, survey) && cropFits(crop, survey)}
         legend={t('raster.part')}
         hint={t('raster.cropHint')}
         outside="raster.cropOutside"
