@@ -4,7 +4,7 @@
 mod quoted;
 
 use super::recognise::Sureness;
-use super::text::{lines, quote};
+use super::text::{is_ours, lines, quote};
 use crate::error::{FormatError, Notice};
 use crate::map::{Grid, Point, check_size};
 
@@ -37,7 +37,7 @@ pub(super) fn sureness(text: &str) -> Sureness {
         && (has(".") || rows.iter().any(|r| r.contains([' ', '_', '□'])));
     if !drawn {
         // Scenarios of our own hold their map in such rows.
-        let may_be = text.contains(['"', '\'']) && !text.contains("\"formicarium/");
+        let may_be = text.contains(['"', '\'']) && !is_ours(text);
         let is_quoted = may_be && !quoted::find(text).is_empty();
         // Of another program's JSON nobody knows what its rows stand for.
         let is_json = text.trim_start().starts_with('{') && text.contains("\":");

@@ -50,6 +50,11 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.split(end).map(|line| line.strip_suffix('\r').unwrap_or(line)).enumerate().map(|(i, line)| (i + 1, line))
 }
 
+/// Whether a text is JSON of this program: whatever stands in its names, it is nothing else.
+pub(super) fn is_ours(text: &str) -> bool {
+    text.trim_start().starts_with('{') && text.contains("\"formicarium/")
+}
+
 /// A short quotation for an error message.
 pub(super) fn quote(text: &str) -> String {
     const LONGEST: usize = 30;

@@ -117,3 +117,15 @@ fn what_other_programs_write_is_named() {
     let comma = refused("ncols 2\nnrows 1\ncellsize 1\n1,5 2,5\n");
     assert!(comma.message.contains("decimal comma") && comma.field == "line 4", "{comma:?}");
 }
+
+#[test]
+fn a_scenario_is_one_whatever_its_name_is() {
+    let grid = formicarium::map::Grid::open(3, 2).unwrap();
+    let ends = [(0, 0), (2, 1)].map(|(x, y)| formicarium::map::Point::new(x, y));
+    let mut spec = formicarium::scenario::ScenarioSpec::new(&grid, ends[0], ends[1]);
+    for name in ["[(1, 2)]", "x,y", "[\"..#\", \"#..\"]", "[[0,1],[1,0]]", "TOUR_SECTION"] {
+        spec.name = name.into();
+        let text = formicarium::formats::export(&grid, &spec, formicarium::formats::Export::Scenario);
+        assert_eq!(import(text.as_bytes(), "").map(|map| map.spec.name), Ok(name.into()), "{name}");
+    }
+}

@@ -32,13 +32,18 @@ impl Layout {
 pub(super) fn scan(text: &str, lines_before: usize, layout: Layout) -> Result<Table, FormatError> {
     let mut table = Table::default();
     let mut last = lines_before;
+    // Only between brackets of MATLAB a row goes on behind `...`; elsewhere numbers were left out there.
+    let goes_on_by_dots = matches!(layout, Layout::Semicolons | Layout::Nested);
     for (index, line) in text.lines().enumerate() {
         last = lines_before + index + 1;
-        let (line, goes_on) =
-            match line.trim_end().strip_suffix("...").filter(|before| !before.trim_end_matches(['[', ' ']).is_empty()) {
-                Some(line) => (line, true),
-                None => (line, layout == Layout::Nested),
-            };
+        let (line, goes_on) = match line
+            .trim_end()
+            .strip_suffix("...")
+            .filter(|before| goes_on_by_dots && !before.trim_end_matches(['[', ' ']).is_empty())
+        {
+            Some(line) => (line, true),
+            None => (line, layout == Layout::Nested),
+        };
         if line.contains("...") {
             return Err(left_out(last));
         }

@@ -167,6 +167,7 @@ fn what_was_left_out_or_cannot_be_read_is_refused() {
         ("[[0 0 1]\n [0 1 0]\n ...\n [0 1 0]]\n", "line 3: numbers were left out"),
         ("array([[0, 0],\n       ...,\n       [0, 1]])", "numbers were left out"),
         ("0,1,...,0\n0,0,...,1\n1,0,...,0\n", "line 1: numbers were left out"),
+        ("0,0,...\n0,1,...\n", "line 1: numbers were left out"),
         ("0,0,1,#N/A\n0,1,0,#N/A\n", "`#N/A` is no number"),
         ("[[[0 0 1]\n [0 1 0]]\n\n [[0 0 0]\n [1 1 0]]]\n", "three dimensions"),
         ("[[0,0,null,1],[0,1,0,0]]", "`null` is no number"),

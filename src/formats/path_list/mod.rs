@@ -10,7 +10,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::ros::WorldPath;
-use super::text::decode;
+use super::text::{decode, is_ours};
 use super::{numbers, ros};
 use crate::error::FormatError;
 use crate::map::Point;
@@ -23,6 +23,9 @@ const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [
 
 /// Whether a text is a path by its form: pairs in round brackets, points with names, poses of ROS, or columns with such names.
 pub(super) fn looks_like(text: &str) -> bool {
+    if is_ours(text) {
+        return false;
+    }
     let begin = beginning(text);
     let digit = |rest: &str| rest.trim_start_matches("np.int64(").starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let pairs = begin.find("[(").is_some_and(|at| digit(&begin[at + 2..]));
