@@ -19,7 +19,10 @@ test.describe('panels', () => {
       await race.menu('add-panel', count % 2 ? 'add-ant-system' : 'add-astar')
       await expect(page.getByTestId(`panel-${count}`)).toBeVisible()
     }
-    await expect(page.getByTestId('add-panel')).toBeHidden()
+    await page.getByTestId('add-panel').click()
+    await expect(page.getByText('At most 6 planners')).toBeVisible()
+    await expect(page.getByTestId('add-astar')).toHaveAttribute('aria-disabled', 'true')
+    await page.keyboard.press('Escape')
     await race.ready()
     await expect.poll(() => page.workers().length).toBe(workers + 4)
     await page.getByTestId('play').click()

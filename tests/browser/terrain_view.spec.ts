@@ -95,7 +95,9 @@ test('a 513 × 513 terrain: milliseconds a frame, to read', async ({ page }) => 
     }
   }
   await page.mouse.move(x, y)
+  await page.keyboard.down('Control')
   await report('zooming', () => page.mouse.wheel(0, -30))
+  await page.keyboard.up('Control')
   await page.mouse.down({ button: 'middle' })
   await report('panning', (i) => page.mouse.move(x - 4 * i, y - 2 * i))
   await page.mouse.up({ button: 'middle' })

@@ -2,19 +2,17 @@ import { LoaderCircle, TriangleAlert } from 'lucide'
 import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
-import { Dock } from '../panels/dock'
 import { PanelGrid } from '../panels/panel_grid'
-import { RaceStrip } from '../panels/race_strip'
-import { catalog, showView, startError, startPage, view } from '../state'
-import { ScrubberPlace } from '../toolbar/scrubber_place'
+import { catalog, focused, showView, startError, startPage, view } from '../state'
+import { PlayBar } from '../toolbar/play_bar'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { Toasts } from '../ui/toasts'
+import { ColumnPlace } from './column_place'
 import { DropVeil } from './drop_files'
 import { Header } from './header'
-import { Welcome } from './welcome'
 
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
@@ -27,7 +25,7 @@ function leaveLab(error: unknown): never {
 
 export function App() {
   return (
-    <div class="app">
+    <div class="app" data-view={view.value} data-focus={focused.value !== null}>
       <Header />
       <Body />
       <Dialogs />
@@ -53,13 +51,11 @@ function Race({ hidden }: { hidden: boolean }) {
   return (
     <main class="page" hidden={hidden}>
       <Toolbar />
-      <div class="content">
-        <Welcome />
-        <RaceStrip />
-        <ScrubberPlace />
+      <div class="workbench">
         <PanelGrid />
-        <Dock />
+        <ColumnPlace />
       </div>
+      <PlayBar />
       <p id="stage-help" class="visually-hidden">
         {t('stage.help')}
       </p>

@@ -1,5 +1,6 @@
 import { ChartColumn, CircleQuestionMark, Eye, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
 import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
+import { RaceStrip } from '../panels/race_strip'
 import {
   notifyError,
   scenario,
@@ -28,7 +29,7 @@ export function Header() {
       </h1>
       {started && <ViewSwitch />}
       {ready && <MapMenu />}
-      <span class="spacer" />
+      {ready ? <RaceStrip /> : <span class="spacer" />}
       {ready && (
         <Button
           label={t('header.share')}

@@ -2,13 +2,13 @@ import '../styles/index.css'
 import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
-import { announceResults } from '../panels/announce_result'
-import { startPage } from '../state'
+import { notifyError, startPage } from '../state'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
 import { listenForPaste } from './paste'
 import { offerScripting } from './scripting'
 import { listenForKeys } from './shortcuts'
+import { whenAntsWalk } from './when_ants_walk'
 
 async function main(): Promise<void> {
   await startLanguage()
@@ -18,7 +18,9 @@ async function main(): Promise<void> {
   listenForPaste()
   listenForDrops()
   offerScripting()
-  announceResults()
+  whenAntsWalk(() =>
+    import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
+  )
   await startPage()
 }
 

@@ -1,6 +1,7 @@
 /** The page's keys. A focused map or form control keeps the keys it uses itself. */
 
 import {
+  leaveFocus,
   notifyError,
   redo,
   reset,
@@ -8,6 +9,8 @@ import {
   stepIteration,
   stepMove,
   toggle,
+  toggleColumn,
+  toggleFocus,
   tool,
   undo,
   view,
@@ -46,7 +49,11 @@ const KEYS: Record<string, () => void> = {
   'Ctrl+z': undo,
   'Ctrl+Shift+z': redo,
   'Ctrl+y': redo,
-  Escape: choose('wall'),
+  f: toggleFocus,
+  c: toggleColumn,
+  Escape: () => {
+    if (!leaveFocus()) tool.value = 'wall'
+  },
 }
 
 export function listenForKeys(): void {

@@ -3,7 +3,8 @@ import { signal } from '@preact/signals'
 import { t } from '../i18n'
 import { onTerrain } from '../state/relief'
 import { lazily } from '../ui/lazily'
-import { Convergence, ConvergenceToggles } from './convergence'
+import { Section } from '../ui/section'
+import { Convergence } from './convergence'
 
 const CHARTS = ['convergence', 'profile'] as const
 type Chart = (typeof CHARTS)[number]
@@ -16,13 +17,14 @@ const titleOf = (chart: Chart) => t(chart === 'profile' ? 'profile.title' : 'cha
 export function Charts() {
   const chart = onTerrain.value ? chosen.value : 'convergence'
   return (
-    <section class="dock-card convergence" aria-label={titleOf(chart)}>
-      <header class="dock-head">
-        {onTerrain.value ? <Tabs /> : <h2>{t('chart.title')}</h2>}
-        {chart === 'convergence' && <ConvergenceToggles />}
-      </header>
+    <Section
+      id="convergence"
+      title={titleOf(chart)}
+      class="convergence"
+      face={onTerrain.value && <Tabs />}
+    >
       {chart === 'profile' ? <Profile /> : <Convergence />}
-    </section>
+    </Section>
   )
 }
 

@@ -33,7 +33,7 @@ export function Convergence() {
   )
 }
 
-export function ConvergenceToggles() {
+function Toggles() {
   return (
     <>
       <Toggle label={t('chart.iterationBest')} kind="iteration-best" of={showIterationBest} />
@@ -44,17 +44,19 @@ export function ConvergenceToggles() {
 
 function Toggle(props: { label: string; kind: string; of: typeof showMean }) {
   return (
-    <label class="toggle">
-      <input
-        type="checkbox"
-        checked={props.of.value}
-        onChange={(event) => {
-          props.of.value = event.currentTarget.checked
-        }}
-      />
-      <span class={`line-sample ${props.kind}`} aria-hidden="true" />
-      {props.label}
-    </label>
+    <li>
+      <label class="toggle">
+        <input
+          type="checkbox"
+          checked={props.of.value}
+          onChange={(event) => {
+            props.of.value = event.currentTarget.checked
+          }}
+        />
+        <span class={`line-sample ${props.kind}`} aria-hidden="true" />
+        {props.label}
+      </label>
+    </li>
   )
 }
 
@@ -70,6 +72,7 @@ function Legend() {
           })}
         </li>
       ))}
+      <Toggles />
     </ul>
   )
 }

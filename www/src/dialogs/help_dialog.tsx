@@ -15,6 +15,8 @@ type KeyName =
   | 'tools'
   | 'fit'
   | 'relief'
+  | 'focus'
+  | 'column'
 type StageKeyName =
   | 'cursor'
   | 'apply'
@@ -39,6 +41,8 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
   ['fit', ['0']],
   ['relief', ['3']],
+  ['focus', ['F']],
+  ['column', ['C']],
 ]
 
 const MAP_KEYS: [StageKeyName, string[]][] = [

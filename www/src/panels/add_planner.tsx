@@ -20,7 +20,7 @@ import { FAMILIES, plannerName, plannerSummary, whyNot } from '../words/planner_
 const MOST_BUTTONS = 8
 
 export function AddPlannerMenu() {
-  if (panels.value.length >= MAX_PANELS) return null
+  const full = panels.value.length >= MAX_PANELS
   return (
     <Menu
       label={t('panels.add')}
@@ -34,29 +34,30 @@ export function AddPlannerMenu() {
         </span>
       }
     >
+      {full && <MenuHeading text={t('panels.full', { count: MAX_PANELS })} />}
       {FAMILIES.map((family) => (
-        <FamilyItems key={family} family={family} />
+        <FamilyItems key={family} family={family} full={full} />
       ))}
       <RestItem />
     </Menu>
   )
 }
 
-function FamilyItems({ family }: { family: (typeof FAMILIES)[number] }) {
+function FamilyItems({ family, full }: { family: (typeof FAMILIES)[number]; full: boolean }) {
   const entries = catalog.value?.planners.filter((entry) => entry.family === family) ?? []
   if (entries.length === 0) return null
   return (
     <>
       <MenuHeading text={t(`family.${family}`)} />
       {entries.map((entry) => (
-        <PlannerItem key={entry.id} entry={entry} />
+        <PlannerItem key={entry.id} entry={entry} full={full} />
       ))}
     </>
   )
 }
 
 /** The summary of a planner can be read even where it cannot be used. */
-function PlannerItem({ entry }: { entry: CatalogEntry }) {
+function PlannerItem({ entry, full }: { entry: CatalogEntry; full: boolean }) {
   const card = cardOf(entry.id)
   const name = plannerName(entry)
   return (
@@ -64,7 +65,7 @@ function PlannerItem({ entry }: { entry: CatalogEntry }) {
       <MenuItem
         label={name}
         note={plannerSummary(entry)}
-        unavailable={whyNot(entry)}
+        unavailable={whyNot(entry) ?? (full ? plannerSummary(entry) : null)}
         testId={`add-${entry.id}`}
         onClick={() => addPanel(entry.id)}
       />

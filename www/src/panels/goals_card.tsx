@@ -30,12 +30,12 @@ export default function GoalsCard() {
   }
   return (
     <section
-      class="dock-card goals"
+      class="column-card goals"
       id={GOALS_ID}
       aria-label={t('goals.title')}
       data-testid="goals"
     >
-      <header class="dock-head">
+      <header class="column-head">
         <h2>{t('goals.count', { count: goals.length })}</h2>
         <AddGoal full={goals.length >= limits.max_goals} />
         {goals.length === 1 && (

@@ -1,12 +1,15 @@
 import type { EngineError } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
-import { LoaderCircle, SlidersHorizontal, X } from 'lucide'
+import { Expand, Fullscreen, LoaderCircle, Shrink, SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { Stage } from '../stage/stage'
 import {
   catalog,
-  layer,
+  columnOpen,
+  focused,
+  focusOn,
+  leaveFocus,
   type Panel,
   panelById,
   plannerEntry,
@@ -16,13 +19,14 @@ import {
   selectedPanel,
   setPlanner,
   slotColour,
+  toggleFullScreen,
   wholeEngine,
 } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
 import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from '../words/planner_words'
-import { cardId, showParameters } from './parameters'
+import { cardId, showParameters } from './places'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 
@@ -34,15 +38,16 @@ interface PanelCardProps {
 
 export function PanelCard({ panel, place }: PanelCardProps) {
   const { id, setup, slot } = panel
-  const title = panelTitle(id)
+  const alone = focused.value
   return (
     <article
       class="panel"
       id={cardId(id)}
       style={{ '--panel-colour': slotColour(slot) }}
-      aria-label={t('panels.label', { place, planner: title })}
+      aria-label={t('panels.label', { place, planner: panelTitle(id) })}
       data-testid={`panel-${place}`}
       data-selected={selectedPanel.value === id}
+      hidden={alone !== null && alone !== id}
     >
       <header class="panel-head">
         <span class="panel-dot" aria-hidden="true" />
@@ -57,29 +62,69 @@ export function PanelCard({ panel, place }: PanelCardProps) {
         />
         <span class="namesake">{namesakeMark(id)}</span>
         <StatusChip panel={panel} place={place} />
-        <span class="spacer" />
-        <LayerCaption planner={setup.planner} />
-        <IconButton
-          icon={SlidersHorizontal}
-          label={t('panels.parametersOf', { planner: title })}
-          tone="quiet"
-          size={16}
-          pressed={selectedPanel.value === id}
-          testId={`parameters-${place}`}
-          onClick={() => showParameters(id)}
-        />
-        <IconButton
-          icon={X}
-          label={t('panels.remove', { planner: title })}
-          tone="quiet"
-          size={16}
-          testId={`remove-${place}`}
-          onClick={() => removePanel(id)}
-        />
+        <Readout panel={panel} place={place} />
+        <PanelButtons panel={panel} place={place} />
       </header>
-      <Readout panel={panel} place={place} />
       <PanelStage panel={panel} />
     </article>
+  )
+}
+
+function PanelButtons({ panel: { id }, place }: PanelCardProps) {
+  const title = panelTitle(id)
+  if (focused.value === id) return <FocusButtons />
+  return (
+    <span class="panel-buttons">
+      <IconButton
+        icon={SlidersHorizontal}
+        label={t('panels.parametersOf', { planner: title })}
+        tone="quiet"
+        size={16}
+        pressed={selectedPanel.value === id && columnOpen.value}
+        testId={`parameters-${place}`}
+        onClick={() => showParameters(id)}
+      />
+      <IconButton
+        icon={Expand}
+        label={t('focus.on', { planner: title })}
+        keys="F"
+        tone="quiet"
+        size={16}
+        testId={`focus-${place}`}
+        onClick={() => focusOn(id)}
+      />
+      <IconButton
+        icon={X}
+        label={t('panels.remove', { planner: title })}
+        tone="quiet"
+        size={16}
+        testId={`remove-${place}`}
+        onClick={() => removePanel(id)}
+      />
+    </span>
+  )
+}
+
+/** With the page to itself a panel can take the whole screen, or give the page back. */
+function FocusButtons() {
+  return (
+    <span class="panel-buttons">
+      <IconButton
+        icon={Fullscreen}
+        label={t('focus.fullScreen')}
+        tone="quiet"
+        testId="full-screen"
+        onClick={toggleFullScreen}
+      />
+      <IconButton
+        icon={Shrink}
+        label={t('focus.leave')}
+        keys="Esc"
+        tone="quiet"
+        testId="leave-focus"
+        onClick={leaveFocus}
+      />
+    </span>
   )
 }
 
@@ -112,21 +157,10 @@ function PanelStage({ panel }: { panel: Panel }) {
   )
 }
 
-/** What the colours of the map mean: a planner without the chosen layer shows its first one. */
-function LayerCaption({ planner }: { planner: string }) {
-  const offered = plannerEntry(planner)?.layers ?? []
-  const shown = layer.value === 'none' || offered.includes(layer.value) ? layer.value : offered[0]
-  if (!shown || shown === 'none') return null
-  return (
-    <span class="layer-caption" title={t(`view.layerNotes.${shown}`)}>
-      {t('view.shown', { layer: t(`view.layers.${shown}`) })}
-    </span>
-  )
-}
-
-/** The parameters of the selected panel are on show, and a refused one says there what is wrong. */
+/** Whether the parameters of the panel are on show: there a refused one says what is wrong. */
 function isShownAtItsField(panel: Panel, { field }: EngineError): boolean {
   const params = plannerEntry(panel.setup.planner)?.params ?? []
+  if (!columnOpen.value) return false
   return selectedPanel.value === panel.id && params.some(({ key }) => key === field)
 }
 

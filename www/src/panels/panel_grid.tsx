@@ -1,30 +1,68 @@
+import { useSignal } from '@preact/signals'
 import { Bug } from 'lucide'
+import type { RefObject } from 'preact'
+import { useLayoutEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
-import { comparing, panels } from '../state'
+import { type PanelLayout, panelLayout } from '../model/panel_layout'
+import type { Size } from '../model/viewpoint'
+import { comparing, focused, panels, scenario } from '../state'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { AddPlannerButtons } from './add_planner'
 import { PanelCard } from './panel_card'
 
 const Difference = lazily(async () => (await import('../playback')).fetchDifference())
-/** With more panels the layout is the one for this many. */
-const MOST_COLUMNS = 6
 
 export function PanelGrid() {
+  const place = useRef<HTMLElement>(null)
+  const room = useRoom(place)
   const all = panels.value
+  const alone = focused.value
+  const count = alone === null ? all.length + Number(comparing.value) : 1
+  const { columns, rowHeight } = layoutOf(count, room, place.current)
   if (all.length === 0) return <NoPanels />
   return (
     <section
+      ref={place}
       class="panel-grid"
-      data-count={Math.min(MOST_COLUMNS, all.length + Number(comparing.value))}
+      style={{ '--columns': columns, '--row': rowHeight === null ? '1fr' : `${rowHeight}px` }}
+      data-scrolls={rowHeight !== null}
       aria-label={t('panels.region')}
     >
       {all.map((panel, index) => (
         <PanelCard key={panel.id} panel={panel} place={index + 1} />
       ))}
-      {comparing.value && <Difference />}
+      {comparing.value && alone === null && <Difference />}
     </section>
   )
+}
+
+/** The size of the room for panels; it is known before the first frame is drawn. */
+function useRoom(place: RefObject<HTMLElement | null>): Size {
+  const room = useSignal<Size>({ width: 1200, height: 700 })
+  const some = panels.value.length > 0
+  useLayoutEffect(() => {
+    const element = place.current
+    if (!element) return
+    const read = () => {
+      room.value = { width: element.clientWidth, height: element.clientHeight }
+    }
+    const observer = new ResizeObserver(read)
+    observer.observe(element)
+    read()
+    return () => observer.disconnect()
+  }, [some])
+  return room.value
+}
+
+/** The lengths of heads and gaps are the styles'. */
+function layoutOf(count: number, room: Size, element: HTMLElement | null): PanelLayout {
+  const map = scenario.value?.spec ?? { width: 3, height: 2 }
+  const styles = element && getComputedStyle(element)
+  const length = (name: string, otherwise: number) =>
+    Number.parseFloat(styles?.getPropertyValue(name) ?? '') || otherwise
+  const frame = { head: length('--panel-head', 40), border: 2, gap: length('--gap', 6) }
+  return panelLayout(count, room, map, frame)
 }
 
 function NoPanels() {

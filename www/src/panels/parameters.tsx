@@ -1,10 +1,10 @@
-import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
-import { useComputed } from '@preact/signals'
-import { ArrowUp, BookOpen } from 'lucide'
+import type { CatalogEntry, EngineError, ParamSpec } from '@pkg/formicarium'
+import { type Signal, useComputed, useSignal, useSignalEffect } from '@preact/signals'
+import { BookOpen, ChevronDown, ChevronRight, RotateCcw } from 'lucide'
 import { t, translated } from '../i18n'
 import type { ParamValues } from '../model/messages'
-import type { PanelSetup } from '../model/session'
 import {
+  baseSet,
   type Panel,
   panelById,
   panels,
@@ -14,57 +14,41 @@ import {
   setParam,
   setPreset,
   slotColour,
+  soughtPart,
 } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button } from '../ui/buttons'
 import { Select } from '../ui/fields'
+import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
+import { fold, Section } from '../ui/section'
 import { cardOf, showCard } from '../words/paper_cards'
 import { panelTitle, plannerSummary, presetName } from '../words/planner_words'
-import { ParameterControl } from './parameter_control'
+import { inGroups, matches, paramsInForce } from './parameter_groups'
+import type { ParameterRowProps } from './parameter_row'
+import { ParameterRows } from './parameter_rows'
 
 const SECTION_ID = 'parameters'
 
 const Legs = lazily(() => import('./legs').then((legs) => legs.default))
 
-/** Selects a panel and brings its parameters into sight. */
-export function showParameters(panelId: number): void {
-  selectedPanel.value = panelId
-  bringIntoSight(SECTION_ID)
-}
-
-export const cardId = (panelId: number) => `panel-${panelId}`
-
 export function Parameters() {
   const selected = panelById(selectedPanel.value ?? -1)
+  useSignalEffect(() => {
+    if (soughtPart.value !== 'parameters') return
+    soughtPart.value = null
+    fold(SECTION_ID, false)
+    bringIntoSight(SECTION_ID)
+  })
   return (
-    <section class="dock-card parameters" id={SECTION_ID} aria-label={t('parameters.title')}>
-      <header class="dock-head">
-        <h2>{t('parameters.title')}</h2>
-        <PanelTabs />
-        {selected && <BackToMap panelId={selected.id} />}
-      </header>
+    <Section id={SECTION_ID} title={t('parameters.title')} class="parameters">
+      <PanelTabs />
       {selected ? (
         <Controls key={selected.id} panel={selected} />
       ) : (
         <p class="hint">{t('parameters.none')}</p>
       )}
-    </section>
-  )
-}
-
-/** On a phone the parameters stand a long way below the map they change; elsewhere it is hidden. */
-function BackToMap({ panelId }: { panelId: number }) {
-  return (
-    <span class="back-to-map">
-      <Button
-        icon={ArrowUp}
-        label={t('parameters.toMap')}
-        tone="quiet"
-        testId="back-to-map"
-        onClick={() => bringIntoSight(cardId(panelId))}
-      />
-    </span>
+    </Section>
   )
 }
 
@@ -83,14 +67,14 @@ function PanelTabs() {
           }}
         >
           <span class="panel-dot" aria-hidden="true" />
-          {panelTitle(id)}
+          <span class="name">{panelTitle(id)}</span>
         </button>
       ))}
     </fieldset>
   )
 }
 
-/** One control for each row of the catalog: nothing about a planner is written here. */
+/** One row for each row of the catalog: nothing about a planner is written here. */
 function Controls({ panel }: { panel: Panel }) {
   const { id, setup } = panel
   // The numbers of the run change many times a second; the controls only care for a refusal.
@@ -100,45 +84,134 @@ function Controls({ panel }: { panel: Panel }) {
   ).value
   const entry = plannerEntry(setup.planner)
   if (!entry) return null
-  const shown = paramsInForce(entry, setup)
   return (
     <div class="parameter-list">
       <p class="hint">{plannerSummary(entry)}</p>
       <About entry={entry} preset={setup.preset} />
       {touring && <Legs panel={panel} />}
-      {entry.presets.length > 0 && (
-        <Select
-          label={t('parameters.preset')}
-          class="preset-field"
-          value={setup.preset ?? (Object.keys(setup.params).length > 0 ? 'own' : '')}
-          testId="preset"
-          options={presetOptions(entry.presets, setup.params)}
-          onChange={(name) => {
-            if (name !== 'own') setPreset(panel.id, name || null)
-          }}
-        />
-      )}
+      {entry.params.length > 0 && <SetField panel={panel} entry={entry} />}
       <PresetMeaning presets={entry.presets} name={setup.preset} />
       <TwinHint panel={panel} />
-      {shown.map((spec) => (
-        <ParameterControl
-          key={`${setup.planner}.${spec.key}`}
-          spec={spec}
-          value={paramValue(setup, spec)}
-          error={refusal?.field === spec.key ? refusal : null}
-          onChange={(value) => setParam(panel.id, spec.key, value)}
-        />
-      ))}
+      <AllRows key={setup.planner} panel={panel} entry={entry} refusal={refusal} />
     </div>
   )
 }
 
-/** Parameters that have an effect beside the others' values. */
-export function paramsInForce({ params }: CatalogEntry, setup: PanelSetup): ParamSpec[] {
-  return params.filter(({ applies_when }) => {
-    const governing = params.find(({ key }) => key === applies_when?.key)
-    return !applies_when || !governing || applies_when.values.includes(paramValue(setup, governing))
-  })
+/** Which set the values come from, and the way back to it. */
+function SetField({ panel, entry }: { panel: Panel; entry: CatalogEntry }) {
+  const { id, setup } = panel
+  const own = setup.preset === null && Object.keys(setup.params).length > 0
+  return (
+    <div class="set-field">
+      {entry.presets.length > 0 && (
+        <Select
+          label={t('parameters.preset')}
+          class="preset-field"
+          value={setup.preset ?? (own ? 'own' : '')}
+          testId="preset"
+          options={presetOptions(entry.presets, setup.params)}
+          onChange={(name) => {
+            if (name !== 'own') setPreset(id, name || null)
+          }}
+        />
+      )}
+      <Button
+        icon={RotateCcw}
+        label={t('parameters.reset')}
+        tone="quiet"
+        testId="reset-parameters"
+        disabled={!own}
+        onClick={() => setPreset(id, baseSet(panel))}
+      />
+    </div>
+  )
+}
+
+interface AllRowsProps {
+  panel: Panel
+  entry: CatalogEntry
+  refusal: EngineError | null
+}
+
+/** More rows than this can be searched. */
+const MANY = 8
+
+function AllRows({ panel, entry, refusal }: AllRowsProps) {
+  const sought = useSignal('')
+  const unfolded = useSignal(false)
+  const rows = paramsInForce(entry, panel.setup).map((spec) => rowOf(panel, entry, spec, refusal))
+  const { first, rest } = inGroups(rows.map(({ spec }) => spec))
+  const among = (specs: ParamSpec[]) =>
+    specs.flatMap((spec) => rows.filter((row) => row.spec === spec))
+  if (sought.value.trim() !== '') {
+    const found = rows.filter(({ spec }) => matches(spec, sought.value))
+    return (
+      <>
+        <SearchField sought={sought} />
+        <ParameterRows rows={found} />
+        {found.length === 0 && <p class="hint">{t('parameters.notFound')}</p>}
+      </>
+    )
+  }
+  const changed = among(rest).filter(({ value, base }) => value !== base).length
+  const open = unfolded.value || rest.some(({ key }) => key === refusal?.field)
+  return (
+    <>
+      {rows.length > MANY && <SearchField sought={sought} />}
+      <ParameterRows rows={among(first)} />
+      {rest.length > 0 && (
+        <button
+          type="button"
+          class="fold more-parameters"
+          aria-expanded={open}
+          data-testid="more-parameters"
+          onClick={() => {
+            unfolded.value = !open
+          }}
+        >
+          <Icon icon={open ? ChevronDown : ChevronRight} size={14} />
+          {t('parameters.more', { count: rest.length })}
+          {changed > 0 && <span class="hint">{t('parameters.changed', { count: changed })}</span>}
+        </button>
+      )}
+      {open && <ParameterRows rows={among(rest)} />}
+    </>
+  )
+}
+
+function SearchField({ sought }: { sought: Signal<string> }) {
+  return (
+    <input
+      class="input parameter-search"
+      type="search"
+      value={sought.value}
+      placeholder={t('parameters.search')}
+      aria-label={t('parameters.search')}
+      data-testid="search-parameters"
+      onInput={(event) => {
+        sought.value = event.currentTarget.value
+      }}
+      onKeyDown={(event) => {
+        if (event.key === 'Escape') sought.value = ''
+      }}
+    />
+  )
+}
+
+function rowOf(
+  panel: Panel,
+  entry: CatalogEntry,
+  spec: ParamSpec,
+  refusal: EngineError | null,
+): ParameterRowProps {
+  const set = entry.presets.find(({ name }) => name === baseSet(panel))
+  return {
+    spec,
+    value: paramValue(panel.setup, spec),
+    base: set?.values[spec.key] ?? spec.default,
+    error: refusal?.field === spec.key ? refusal : null,
+    onChange: (value) => setParam(panel.id, spec.key, value),
+  }
 }
 
 /** What its paper claims and what came out, if there is a card about it. */

@@ -1,53 +1,22 @@
 import type { Objective, ScenarioSpec, SliceRules } from '@pkg/formicarium'
-import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
+import { TriangleAlert } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
-import { layerChoices } from '../model/session'
-import {
-  layer,
-  objectives,
-  panels,
-  plannerEntry,
-  referenceRefusal,
-  references,
-  scenario,
-  scenarioNotices,
-  showAnts,
-  showPath,
-  wholeEngine,
-} from '../state'
+import { objectives, referenceRefusal, references, scenario, scenarioNotices } from '../state'
 import { show } from '../state/dialogs'
-import { fitWholeMap, onTerrain, zoomView } from '../state/relief'
-import { IconButton } from '../ui/buttons'
-import { Select } from '../ui/fields'
-import { lazily } from '../ui/lazily'
+import { Icon } from '../ui/icon'
 import { referenceValue } from '../words/gap_words'
 import { objectiveWord } from '../words/objective_words'
-import { AddPlannerMenu } from './add_planner'
 import { showGoals } from './goals_shown'
 
-const ReliefControls = lazily(
-  async () => (await import('../relief/relief_controls')).ReliefControls,
-)
-
-const CompareButton = lazily(async () => (await import('../playback')).fetchCompareButton())
-
-/** What is being raced for, in one line, and how to look at it. The target comes last, so that nothing moves when it becomes known. */
+/** What is being raced for, in one line. The target comes last, so that nothing moves when it becomes known. */
 export function RaceStrip() {
   return (
     <section class="race-strip" aria-label={t('race.region')}>
-      <p class="race-words">
-        {panels.value.length > 0 && (
-          <span class="race-what">{t('race.what', { count: panels.value.length })}</span>
-        )}
-        <GoalCount />
-        <TerrainModel />
-        <Target />
-      </p>
+      <GoalCount />
+      <TerrainModel />
+      <Target />
       <ScenarioRemarks />
-      <span class="spacer" />
-      {panels.value.length > 0 && <ViewControls />}
-      <AddPlannerMenu />
     </section>
   )
 }
@@ -148,68 +117,18 @@ function ScenarioRemarks() {
   return (
     <>
       {remarks.map((notice) => (
-        <span key={notice.kind} class="remark" role="status">
-          {describeNotice(notice)}
-        </span>
+        <Remark key={notice.kind} words={describeNotice(notice)} />
       ))}
     </>
   )
 }
 
-const LAYERS = layerChoices()
-
-function ViewControls() {
-  const offered = new Set(
-    panels.value.flatMap(({ setup }) => plannerEntry(setup.planner)?.layers ?? []),
-  )
+/** Shortened where there is no room for it; whole under the pointer, and when it has the focus. */
+function Remark({ words }: { words: string }) {
   return (
-    <div class="view-controls" role="toolbar" aria-label={t('view.group')}>
-      <Select
-        label={t('view.layer')}
-        value={layer.value}
-        testId="layer"
-        note={layer.value === 'none' ? undefined : t(`view.layerNotes.${layer.value}`)}
-        options={LAYERS.filter((id) => id === layer.value || id === 'none' || offered.has(id)).map(
-          (id) => ({
-            value: id,
-            label: t(`view.layers.${id}`),
-            note: id === 'none' ? undefined : t(`view.layerNotes.${id}`),
-          }),
-        )}
-        onChange={(id) => {
-          layer.value = id
-        }}
-      />
-      <IconButton
-        icon={Bug}
-        label={t('view.ants')}
-        pressed={showAnts.value}
-        testId="show-ants"
-        onClick={() => {
-          showAnts.value = !showAnts.value
-        }}
-      />
-      <IconButton
-        icon={Route}
-        label={t('view.path')}
-        pressed={showPath.value}
-        testId="show-path"
-        onClick={() => {
-          showPath.value = !showPath.value
-        }}
-      />
-      {panels.value.length > 1 && wholeEngine.value === 'here' && <CompareButton />}
-      {onTerrain.value && <ReliefControls />}
-      <span class="divider" />
-      <IconButton icon={ZoomOut} label={t('view.out')} onClick={() => zoomView(1 / 1.4)} />
-      <IconButton
-        icon={Maximize}
-        label={t('view.fit')}
-        keys="0"
-        testId="fit"
-        onClick={fitWholeMap}
-      />
-      <IconButton icon={ZoomIn} label={t('view.in')} onClick={() => zoomView(1.4)} />
-    </div>
+    <button type="button" class="remark" data-tip={words}>
+      <Icon icon={TriangleAlert} size={14} />
+      <span role="status">{words}</span>
+    </button>
   )
 }

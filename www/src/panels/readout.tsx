@@ -13,11 +13,12 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
   const reference = referenceOf(panel)
   const best = gap === 0 && reference?.kind === 'proven'
   const tone = gap === null ? 'none' : best ? 'best' : 'above'
+  const words = gapWords(panel, gap)
   return (
     <div class="readout">
-      <div class={`gap ${tone}`} data-testid={`gap-${place}`} data-gap={gap ?? ''}>
+      <div class={`gap ${tone}`} data-testid={`gap-${place}`} data-gap={gap ?? ''} title={words}>
         {gap !== null && <strong class="gap-value">{numbers.value.percent.format(gap)}</strong>}
-        <span class="gap-words">{gapWords(panel, gap)}</span>
+        <span class="gap-words">{words}</span>
       </div>
       <dl class="readout-facts">
         <Fact label={t('metrics.length')} testId={`readout-length-${place}`}>
@@ -78,7 +79,7 @@ function ProgressFacts({ panel, place }: { panel: Panel; place: number }) {
 
 function Fact(props: { label: string; testId: string; children: string; leading?: boolean }) {
   return (
-    <div class={props.leading ? 'fact leading' : 'fact'}>
+    <div class={props.leading ? 'fact leading' : 'fact'} title={props.label}>
       <dt>{props.label}</dt>
       <dd data-testid={props.testId}>{props.children}</dd>
     </div>

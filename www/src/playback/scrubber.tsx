@@ -1,6 +1,6 @@
 /** One slider for all panels: back through their iterations, and on again. */
 import { useSignal, useSignalEffect } from '@preact/signals'
-import { ChevronLeft, ChevronRight, LoaderCircle } from 'lucide'
+import { ChevronLast, ChevronLeft, ChevronRight, LoaderCircle } from 'lucide'
 import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/playback'
@@ -69,13 +69,24 @@ function words(): string {
 }
 
 function Where() {
-  if (lookedAt.value === null) return <span class="where">{words()}</span>
+  if (lookedAt.value === null) {
+    return (
+      <span class="where">
+        <span class="now">{words()}</span>
+      </span>
+    )
+  }
   return (
     <span class="where">
       <span class="chip looking" role="status" data-testid="looking-back">
         {words()}
       </span>
-      <Button label={t('playback.backToNow')} testId="back-to-now" onClick={leavePast} />
+      <Button
+        icon={ChevronLast}
+        label={t('playback.backToNow')}
+        testId="back-to-now"
+        onClick={leavePast}
+      />
       <span class="recomputing" data-busy={recomputing.value}>
         <span class="spinner">
           <Icon icon={LoaderCircle} size={16} />

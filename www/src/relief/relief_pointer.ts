@@ -1,16 +1,16 @@
 /**
  * Mouse, pen and touch over a terrain in three dimensions: dragging turns it, with the right or middle button, Shift or the view's tool
- * shifts it, wheel and pinching zoom. Start and goals can be taken up with any tool; a click with their tools puts them down.
+ * shifts it, Ctrl and the wheel or pinching zoom. Start and goals can be taken up with any tool; a click with their tools puts them down.
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import { t } from '../i18n'
 import type { Cell } from '../model/cell'
 import { type Brush, brushFor, newGesture, stroke } from '../stage/brush'
-import { listenToPointers, type PointerHandlers } from '../stage/listen'
+import { listenToPointers, type PointerHandlers, wheelZooms } from '../stage/listen'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { activeGoal, applyEdit, notify, refuseMoreGoals, scenario, tool } from '../state'
 import { showRelief } from '../state/relief'
-import { orbit, resetEye, shiftEye, zoomEye } from './eye'
+import { eye, orbit, resetEye, shiftEye, zoomEye } from './eye'
 import { endsOf, markSize } from './marks_overlay'
 import type { ReliefView } from './relief_view'
 
@@ -174,6 +174,7 @@ export class ReliefPointer {
   }
 
   private wheel(event: WheelEvent): void {
+    if (!wheelZooms(event, eye.peek().zoom)) return
     event.preventDefault()
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 * event.deltaY : event.deltaY
     zoomEye(ZOOM_PER_PIXEL ** -pixels)

@@ -22,3 +22,8 @@ export function listenToPointers(
     element.addEventListener(kind, handle as EventListener, options)
   }
 }
+
+/** A wheel over the whole map scrolls the page, as it does beside the map; browsers report a pinched touchpad as Ctrl and wheel. */
+export function wheelZooms({ ctrlKey, metaKey }: WheelEvent, zoom: number): boolean {
+  return ctrlKey || metaKey || zoom > 1
+}

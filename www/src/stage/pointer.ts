@@ -1,6 +1,6 @@
 /**
  * Mouse, pen and touch on one stage. One pointer draws or drags; the middle button, the pan tool or two fingers move the map;
- * the wheel and pinching zoom. Moves are gathered and applied once a frame, joined by lines so that fast drags leave no holes.
+ * Ctrl and the wheel, or pinching, zoom, and the wheel alone once the map is magnified: else it scrolls. Moves are gathered and applied once a frame, joined by lines so that fast drags leave no holes.
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import type { Cell } from '../model/cell'
@@ -8,7 +8,7 @@ import { isInside, sameCell } from '../model/edit'
 import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
 import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
 import { type Brush, brushFor, newGesture, stroke } from './brush'
-import { listenToPointers, type PointerHandlers } from './listen'
+import { listenToPointers, type PointerHandlers, wheelZooms } from './listen'
 import { type MarkerUnder, markerUnder } from './marker_under'
 import { PanZoomGesture } from './pan_zoom_gesture'
 import { type CanvasSize, type Cursor, place } from './panel_view'
@@ -148,7 +148,7 @@ export class PointerInput {
 
   private wheel(event: WheelEvent): void {
     const map = scenario.peek()?.spec
-    if (map === undefined) return
+    if (map === undefined || !wheelZooms(event, viewpoint.peek().zoom)) return
     event.preventDefault()
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 * event.deltaY : event.deltaY
     const factor = ZOOM_PER_PIXEL ** -pixels

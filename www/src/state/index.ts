@@ -1,6 +1,8 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
+export * from './column'
 export * from './files'
+export * from './focus'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
 export { changeLevel, type Rules, setRules } from './movement_rules'
@@ -8,6 +10,8 @@ export {
   announce,
   announcement,
   dismiss,
+  goOn,
+  hold,
   notify,
   notifyError,
   type Toast,
@@ -18,6 +22,7 @@ export { objectives, referenceOf } from './optimum'
 export { showView, view } from './page_view'
 export {
   addPanel,
+  baseSet,
   paramValue,
   removePanel,
   setParam,
@@ -36,6 +41,7 @@ export {
   toggle,
 } from './runs'
 export * from './scenarios'
+export { compact } from './screen'
 export { currentSession, loadSession, openFragment, startOver } from './sessions'
 export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'

@@ -1,4 +1,4 @@
-/** Messages to the reader: toasts that stay until read, and words for the screen reader alone. */
+/** Messages to the reader: toasts that stay long enough to be read, and words for the screen reader alone. */
 
 import type { EngineError } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
@@ -19,7 +19,15 @@ export const toasts = signal<Toast[]>([])
 export const announcement = signal('')
 
 const MAX_TOASTS = 3
-const LIFETIME_MS: Record<Tone, number> = { info: 6000, success: 5000, warning: 12000, error: 0 }
+/** Counted anew when pointer and focus have left it. */
+const LIFETIME_MS: Record<Tone, number> = {
+  info: 6000,
+  success: 5000,
+  warning: 12000,
+  error: 20000,
+}
+/** Of the toasts that go by themselves. */
+const endings = new Map<number, { lifetime: number; timer: number }>()
 let nextId = 1
 
 export function announce(text: string): void {
@@ -42,12 +50,26 @@ export function notify(
     action: options.action ?? null,
   }
   toasts.value = [...toasts.value, toast].slice(-MAX_TOASTS)
-  const lifetime = options.stays ? 0 : LIFETIME_MS[tone]
-  if (lifetime > 0) setTimeout(() => dismiss(toast.id), lifetime)
+  if (!options.stays) endings.set(toast.id, { lifetime: LIFETIME_MS[tone], timer: 0 })
+  goOn(toast.id)
   return toast.id
 }
 
+/** A toast under the pointer, or with the focus, stays. */
+export function hold(id: number): void {
+  clearTimeout(endings.get(id)?.timer)
+}
+
+export function goOn(id: number): void {
+  const ending = endings.get(id)
+  if (!ending) return
+  clearTimeout(ending.timer)
+  ending.timer = window.setTimeout(() => dismiss(id), ending.lifetime)
+}
+
 export function dismiss(id: number): void {
+  hold(id)
+  endings.delete(id)
   toasts.value = toasts.value.filter((toast) => toast.id !== id)
 }
 

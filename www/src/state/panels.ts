@@ -17,6 +17,13 @@ import {
 
 let nextId = 1
 
+/** By panel the set from which its own values were changed: where a reset leads. */
+const startedFrom = new Map<number, string>()
+
+/** The preset that the panel's values came from; null for the catalog's defaults. */
+export const baseSet = ({ id, setup }: Panel): string | null =>
+  setup.preset ?? startedFrom.get(id) ?? null
+
 export function makePanel(setup: PanelSetup, slot: number): Panel {
   return { id: nextId++, slot, setup, live: signal(blankLive()), past: signal(null) }
 }
@@ -64,11 +71,14 @@ export function removePanel(id: number): void {
 }
 
 export function setPlanner(id: number, planner: string): void {
+  startedFrom.delete(id)
   changeSetup(id, () => bareSetup(planner))
 }
 
 /** A value that equals the default is left out, so that links stay short and sets compare equal. */
 export function setParam(id: number, key: string, value: ParamValues[string]): void {
+  const base = panelById(id)?.setup.preset
+  if (base) startedFrom.set(id, base)
   changeSetup(id, (setup) => {
     const params = { ...setup.params }
     const spec = plannerEntry(setup.planner)?.params.find((param) => param.key === key)
@@ -80,6 +90,7 @@ export function setParam(id: number, key: string, value: ParamValues[string]): v
 
 /** A named set of a paper; null brings the defaults back. */
 export function setPreset(id: number, name: string | null): void {
+  startedFrom.delete(id)
   changeSetup(id, ({ planner }) => presetSetup(planner, name))
 }
 

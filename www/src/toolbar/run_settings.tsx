@@ -8,24 +8,25 @@ import { NumberField, Select } from '../ui/fields'
 
 const SYNCS: Sync[] = ['moves', 'iterations', 'paths', 'time']
 
-export function RunSettings() {
+/** How the panels keep step. */
+export function SyncField() {
   return (
-    <fieldset class="toolbar-group run-settings" aria-label={t('run.group')}>
-      <Select
-        label={t('run.sync')}
-        value={sync.value}
-        testId="sync"
-        options={SYNCS.map((value) => ({ value, label: t(`run.syncs.${value}`) }))}
-        onChange={(value) => {
-          sync.value = value
-        }}
-      />
-      <SeedField />
-    </fieldset>
+    <Select
+      label={t('run.sync')}
+      class="sync-field"
+      value={sync.value}
+      testId="sync"
+      note={t('run.sync')}
+      options={SYNCS.map((value) => ({ value, label: t(`run.syncs.${value}`) }))}
+      onChange={(value) => {
+        sync.value = value
+      }}
+    />
   )
 }
 
-function SeedField() {
+/** One seed for every panel. */
+export function SeedField() {
   const draw = () => tools.proposeSeed().then(setSeed, notifyError)
   return (
     <span class="seed-field">

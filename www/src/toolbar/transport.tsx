@@ -3,7 +3,6 @@ import { t } from '../i18n'
 import { panels, phase, reset, runToEnd, stepIteration, stepMove, toggle } from '../state'
 import { IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
-import { SpeedField } from './speed_field'
 
 export function Transport() {
   const idle = panels.value.length === 0
@@ -43,7 +42,6 @@ export function Transport() {
         disabled={idle || finished}
         onClick={runToEnd}
       />
-      <SpeedField />
     </div>
   )
 }

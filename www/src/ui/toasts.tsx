@@ -1,6 +1,6 @@
 import { CircleCheck, CircleX, Info, TriangleAlert, X } from 'lucide'
 import { t } from '../i18n'
-import { announcement, dismiss, type Toast, toasts } from '../state'
+import { announcement, dismiss, goOn, hold, type Toast, toasts } from '../state'
 import { Button, IconButton } from './buttons'
 import { Icon } from './icon'
 
@@ -24,7 +24,14 @@ export function Toasts() {
 function ToastCard({ toast }: { toast: Toast }) {
   const { id, tone, message, hint, action } = toast
   return (
-    <div class={`toast ${tone}`} data-testid={`toast-${tone}`}>
+    <div
+      class={`toast ${tone}`}
+      data-testid={`toast-${tone}`}
+      onPointerEnter={() => hold(id)}
+      onPointerLeave={() => goOn(id)}
+      onFocusIn={() => hold(id)}
+      onFocusOut={() => goOn(id)}
+    >
       <Icon icon={ICONS[tone]} />
       <div class="toast-text">
         <p>{message}</p>

@@ -40,7 +40,6 @@ export const zhCN: DictionaryShape<typeof en> = {
   },
   race: {
     region: '比赛',
-    what_other: '{{count}} 个规划器，同一地图，同一种子',
     target: '{{what}}：{{value}}',
     best: {
       length: '最短路径',
@@ -124,13 +123,23 @@ export const zhCN: DictionaryShape<typeof en> = {
     in: '放大',
     out: '缩小',
     fit: '适应窗口',
-    shown: '颜色：{{layer}}',
   },
   family: {
     'ant-colony': '蚁群算法',
     swarm: '群智能算法',
     search: '无证明的搜索',
     exact: '精确规划器',
+  },
+  column: {
+    region: '图表与参数',
+    toggle: '图表与参数',
+    close: '关闭图表与参数',
+    edge: '侧栏宽度',
+  },
+  focus: {
+    on: '只显示{{planner}}',
+    leave: '显示全部规划器',
+    fullScreen: '全屏',
   },
   panels: {
     region: '规划器',
@@ -139,6 +148,7 @@ export const zhCN: DictionaryShape<typeof en> = {
     parametersOf: '{{planner}} 的参数',
     remove: '移除 {{planner}}',
     add: '添加规划器',
+    full: '最多同时比赛 {{count}} 个规划器。请先移除一个。',
     useInstead: '改用{{planner}}',
     otherGround: {
       plane: '不能在平面上规划',
@@ -288,10 +298,18 @@ export const zhCN: DictionaryShape<typeof en> = {
     preset: '参数组',
     defaults: '默认值',
     own: '自定义',
-    back: '恢复为 {{value}}',
+    back: '将{{name}}恢复为 {{value}}',
+    backTip: '恢复为 {{value}}',
+    reset: '重置',
+    search: '查找参数',
+    notFound: '该规划器没有符号、名称或含义与之相符的参数。',
+    more_other: '其余 {{count}} 个',
+    changed_other: '已改 {{count}} 个',
+    range: '范围',
+    base: '预设值',
+    source: '出处',
     slider: '{{name}}，滑块',
     twin: '参数与种子和 {{planner}} 相同：两者走法将完全一样。请改变其中一个。',
-    toMap: '回到地图',
     option: '。{{name}}：{{meaning}}',
   },
   goals: {

@@ -4,8 +4,9 @@ import { Copy, Scissors, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import type { DraftEntry } from '../../model/draft'
-import { ParameterControl } from '../../panels/parameter_control'
-import { paramsInForce, presetOptions } from '../../panels/parameters'
+import { paramsInForce } from '../../panels/parameter_groups'
+import { ParameterRows } from '../../panels/parameter_rows'
+import { presetOptions } from '../../panels/parameters'
 import { notifyError, paramValue, plannerEntry } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
@@ -127,19 +128,20 @@ function Values({ entry, known, name, refused }: ValuesProps) {
               }}
             />
           )}
-          {paramsInForce(known, setup).map((spec) => (
-            <ParameterControl
-              key={`${planner}.${spec.key}`}
-              spec={spec}
-              value={paramValue(setup, spec)}
-              error={refused?.field === spec.key ? refused : null}
-              onChange={(value) => {
+          <ParameterRows
+            rows={paramsInForce(known, setup).map((spec) => ({
+              spec,
+              value: paramValue(setup, spec),
+              base:
+                known.presets.find(({ name }) => name === preset)?.values[spec.key] ?? spec.default,
+              error: refused?.field === spec.key ? refused : null,
+              onChange: (value) => {
                 const { [spec.key]: _, ...others } = params
                 const changed = value === spec.default ? others : { ...others, [spec.key]: value }
                 changeEntry(entry.key, { params: changed, preset: null })
-              }}
-            />
-          ))}
+              },
+            }))}
+          />
         </div>
       )}
     </details>

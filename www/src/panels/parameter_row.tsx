@@ -1,50 +1,69 @@
 /** The control of one parameter: its kind and range come from the catalog. */
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
+import { RotateCcw } from 'lucide'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import { engineText, t, translated } from '../i18n'
+import { engineText, t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
-import { optionName, paramMeaning } from '../words/planner_words'
+import { Icon } from '../ui/icon'
+import { optionName, paramMeaning, paramName } from '../words/planner_words'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]
 type Ranged = Extract<ParamKind, { min: number }>
 
-interface ParameterControlProps {
+export interface ParameterRowProps {
   spec: ParamSpec
   value: Value
+  /** What a reset brings back: the value of the set that was chosen. */
+  base: Value
   error: EngineError | null
   onChange: (value: Value) => void
 }
 
-export function ParameterControl({ spec, value, error, onChange }: ParameterControlProps) {
+/** One line: symbol, name, slider, value, and the way back once it was changed. */
+export function ParameterRow({ spec, value, base, error, onChange }: ParameterRowProps) {
   const id = useId()
-  const changed = value !== spec.default
+  const changed = value !== base
   return (
-    <div class="parameter" data-changed={changed}>
+    <div class="parameter" data-changed={changed} data-key={spec.key} data-kind={spec.kind.type}>
       <label class="parameter-name" for={id}>
         {spec.symbol && <i class="symbol">{spec.symbol}</i>}
-        <span>{spec.key.replaceAll('_', ' ')}</span>
-        {spec.unit && spec.unit !== spec.key && <span class="unit">{unitWords(spec.unit)}</span>}
+        <span class="name">{paramName(spec)}</span>
       </label>
       <Control spec={spec} value={value} error={error} onChange={onChange} id={id} />
-      <p class="parameter-meaning" id={`${id}-meaning`}>
-        {paramMeaning(spec)}
-        {chosenMeaning(spec, value)}
-        {spec.source && <span class="source"> · {translated(spec.source)}</span>}
+      <span class="way-back">
         {changed && (
-          <button type="button" class="link" onClick={() => onChange(spec.default)}>
-            {t('parameters.back', { value: String(spec.default) })}
+          <button
+            type="button"
+            class="icon-button quiet"
+            aria-label={t('parameters.back', { name: paramName(spec), value: valueWords(base) })}
+            data-tip={t('parameters.backTip', { value: valueWords(base) })}
+            data-testid={`back-${spec.key}`}
+            onClick={() => onChange(base)}
+          >
+            <Icon icon={RotateCcw} size={13} />
           </button>
         )}
-      </p>
+      </span>
+      <span class="visually-hidden" id={`${id}-meaning`}>
+        {meaningOf(spec, value)}
+      </span>
       {error && <ErrorText error={error} id={`${id}-error`} />}
     </div>
   )
 }
 
-const unitWords = (unit: string) => engineText(`units.${unit}`, unit)
+/** What a parameter does, and what its chosen option does. */
+export function meaningOf(spec: ParamSpec, value: Value): string {
+  return `${paramMeaning(spec)}${chosenMeaning(spec, value)}`
+}
+
+/** Options have names, numbers are as they are. */
+export function valueWords(value: Value): string {
+  return typeof value === 'string' ? optionName(value) : String(value)
+}
 
 /** What the option on show does; the others say so when they are chosen. */
 function chosenMeaning({ key, kind }: ParamSpec, value: Value): string {
@@ -60,7 +79,9 @@ type Option = Extract<ParamKind, { type: 'choice' }>['options'][number]
 const optionMeaning = (key: string, { id, meaning }: Option) =>
   plannerEntry(id) ? undefined : engineText(`meanings.${key}.${id}`, meaning)
 
-function Control({ spec, value, error, onChange, id }: ParameterControlProps & { id: string }) {
+type ControlProps = Omit<ParameterRowProps, 'base'> & { id: string }
+
+function Control({ spec, value, error, onChange, id }: ControlProps) {
   const describedBy = error ? `${id}-meaning ${id}-error` : `${id}-meaning`
   const common = { id, 'aria-describedby': describedBy, 'data-testid': `param-${spec.key}` }
   const { kind } = spec
@@ -95,7 +116,7 @@ function Control({ spec, value, error, onChange, id }: ParameterControlProps & {
   }
   return (
     <span class="number-pair">
-      <Slider kind={kind} value={Number(value)} label={spec.key} onChange={onChange} />
+      <Slider kind={kind} value={Number(value)} label={paramName(spec)} onChange={onChange} />
       <NumberInput
         {...common}
         value={Number(value)}

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals'
 import { BrickWall, Share2, SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n'
-import { showParameters } from '../panels/parameters'
+import { showParameters } from '../panels/places'
 import { recall, remember, selectedPanel, tool } from '../state'
 import { show } from '../state/dialogs'
 import { Button, IconButton } from '../ui/buttons'
