@@ -154,6 +154,8 @@ test('the wheel scrolls over a whole map, and zooms with Ctrl or over a magnifie
   await page.mouse.move(box.x + 50, box.y + 50)
   await page.mouse.wheel(0, 60)
   await expect.poll(scrolled).toBeGreaterThan(40)
+  // Taking a picture brings the map whole into sight.
+  await race.shot(1)
   const before = await scrolled()
   await page.keyboard.down('Control')
   await race.seesMotion(1, () => page.mouse.wheel(0, -200))

@@ -8,8 +8,9 @@ const phase = (page: Page, is: 'running' | 'paused') =>
 /** A colony that has not ended by the time a test has, however fast the machine is. */
 async function manyIterations(race: RacePage): Promise<void> {
   await race.page.getByTestId('parameters-1').click()
-  await race.page.getByTestId('param-iterations').fill('100000')
-  await race.page.getByTestId('param-iterations').press('Enter')
+  const field = await race.param('iterations')
+  await field.fill('100000')
+  await field.press('Enter')
   await race.ready()
 }
 

@@ -39,6 +39,8 @@ export class RacePage {
   async openAtRest(address = './'): Promise<void> {
     await this.open(address)
     await this.page.getByTestId('reset').click()
+    // No hint of a button stays over the maps.
+    await this.page.mouse.move(0, 0)
     await expect(this.page.getByTestId('play')).toHaveAccessibleName(/play/i)
     await expect(this.page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
     // A run that has not been loaded yet has no moves either.
@@ -131,6 +133,15 @@ export class RacePage {
 
   async walls(): Promise<number> {
     return (await this.session()).scenario.cells.reduce((sum, cell) => sum + cell, 0)
+  }
+
+  /** The field of a parameter of the selected panel; those that planners share are folded away. */
+  async param(key: string): Promise<Locator> {
+    const field = this.page.getByTestId(`param-${key}`)
+    const more = this.page.getByTestId('more-parameters')
+    await expect(more).toBeVisible()
+    if (!(await field.isVisible())) await more.click()
+    return field
   }
 
   stage(place = 1): Locator {

@@ -7,11 +7,11 @@ import { numbers, t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { limits } from '../model/facts'
 import { goalName, goalWeight } from '../model/goals'
-import { activeGoal, applyEdit, goalsShown, scenario, tool } from '../state'
+import { activeGoal, applyEdit, goalsShown, scenario, soughtPart, tool } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button, IconButton } from '../ui/buttons'
 import { placeError, quantityError, readPlace } from './goal_input'
-import { GOALS_ID, goalsSought } from './goals_shown'
+import { GOALS_ID } from './goals_shown'
 
 const QUANTITIES = ['area', 'strength', 'danger'] as const
 const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const
@@ -21,8 +21,8 @@ export default function GoalsCard() {
   // One message at a time: for the field that was refused last.
   const refusal = useSignal<{ index: number; error: EngineError } | null>(null)
   useSignalEffect(() => {
-    if (!goalsSought.value) return
-    goalsSought.value = false
+    if (soughtPart.value !== 'goals') return
+    soughtPart.value = null
     bringIntoSight(GOALS_ID)
   })
   const refuse = (index: number) => (error: EngineError | null) => {

@@ -1,11 +1,7 @@
-/** Whether the table of goals is on show, and whether it is to come into sight. */
-import { signal } from '@preact/signals'
-import { goalsShown, scenario } from '../state'
+/** Whether the table of goals is on show. */
+import { goalsShown, scenario, seek } from '../state'
 
 export const GOALS_ID = 'goals'
-
-/** Set until the table has come into sight: it may have to be fetched first. */
-export const goalsSought = signal(false)
 
 export function goalsOnShow(): boolean {
   return goalsShown.value || (scenario.value?.spec.goals.length ?? 1) > 1
@@ -13,5 +9,5 @@ export function goalsOnShow(): boolean {
 
 export function showGoals(): void {
   goalsShown.value = true
-  goalsSought.value = true
+  seek('goals')
 }

@@ -2,7 +2,7 @@
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { RotateCcw } from 'lucide'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import { engineText, t } from '../i18n'
+import { engineText, t, translated } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
@@ -29,7 +29,7 @@ export function ParameterRow({ spec, value, base, error, onChange }: ParameterRo
   return (
     <div class="parameter" data-changed={changed} data-key={spec.key} data-kind={spec.kind.type}>
       <label class="parameter-name" for={id}>
-        {spec.symbol && <i class="symbol">{spec.symbol}</i>}
+        {spec.symbol && <Formula text={spec.symbol} />}
         <span class="name">{paramName(spec)}</span>
       </label>
       <Control spec={spec} value={value} error={error} onChange={onChange} id={id} />
@@ -49,9 +49,21 @@ export function ParameterRow({ spec, value, base, error, onChange }: ParameterRo
       </span>
       <span class="visually-hidden" id={`${id}-meaning`}>
         {meaningOf(spec, value)}
+        {spec.source && <span class="source"> · {translated(spec.source)}</span>}
       </span>
       {error && <ErrorText error={error} id={`${id}-error`} />}
     </div>
+  )
+}
+
+/** A symbol as papers set it: what stands behind an underscore is an index. */
+export function Formula({ text }: { text: string }) {
+  const [, ...parts] = text.split(/_(\w+)/)
+  return (
+    <i class="symbol">
+      {text.split('_')[0]}
+      {parts.map((part, index) => (index % 2 === 0 ? <sub key={index}>{part}</sub> : part))}
+    </i>
   )
 }
 

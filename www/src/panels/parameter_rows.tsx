@@ -3,8 +3,15 @@ import type { ParamSpec } from '@pkg/formicarium'
 import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { t, translated } from '../i18n'
+import { paramName } from '../words/planner_words'
 import { unitWords } from './parameter_groups'
-import { meaningOf, ParameterRow, type ParameterRowProps, valueWords } from './parameter_row'
+import {
+  Formula,
+  meaningOf,
+  ParameterRow,
+  type ParameterRowProps,
+  valueWords,
+} from './parameter_row'
 
 /** A pointer on its way elsewhere does not call up notes. */
 const PAUSE_MS = 300
@@ -63,6 +70,9 @@ function Note({ spec, value, base, row }: ParameterRowProps & { row: HTMLElement
   }, [row, spec])
   return (
     <div ref={note} class="parameter-note" popover="manual" aria-hidden="true">
+      <p class="note-name">
+        {spec.symbol && <Formula text={spec.symbol} />} {paramName(spec)}
+      </p>
       <p>{meaningOf(spec, value)}</p>
       <dl>
         <Fact name={t('parameters.range')} value={rangeOf(spec)} />

@@ -79,7 +79,10 @@ function Where() {
   return (
     <span class="where">
       <span class="chip looking" role="status" data-testid="looking-back">
-        {words()}
+        <span class="in-words">{words()}</span>
+        <span class="in-short" aria-hidden="true">
+          {`${lookedAt.value} / ${lastIteration.value}`}
+        </span>
       </span>
       <Button
         icon={ChevronLast}

@@ -16,7 +16,7 @@ export const columnOpen = computed(() => (compact.value ? sheetShown.value : col
 export const columnWidth = signal(Number(recall(WIDTH_KEY)) || null)
 
 /** A part of the column that somebody wants to see: set until it has come into sight, for it may have to be fetched first. */
-export const soughtPart = signal<'parameters' | null>(null)
+export const soughtPart = signal<'parameters' | 'goals' | null>(null)
 
 export function openColumn(open: boolean): void {
   if (compact.peek()) sheetShown.value = open
@@ -24,6 +24,12 @@ export function openColumn(open: boolean): void {
     columnShown.value = open
     remember(OPEN_KEY, open ? 'open' : 'closed')
   }
+}
+
+/** Opens the column, and brings a part of it into sight. */
+export function seek(part: 'parameters' | 'goals'): void {
+  openColumn(true)
+  soughtPart.value = part
 }
 
 export function toggleColumn(): void {

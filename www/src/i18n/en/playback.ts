@@ -7,7 +7,7 @@ export const enPlayback = {
   at: 'Iteration {{iteration}} of {{last}}, looking back',
   ofIteration: 'at iteration {{iteration}}',
   now: 'Now: iteration {{iteration}}',
-  nothing: 'Iterations to look back at appear here as the planners run.',
+  nothing: 'Nothing to look back at yet',
   running: 'Iteration {{iteration}}; pause to look back',
   recomputing: 'Computing again…',
   backToNow: 'Back to now',

@@ -9,7 +9,7 @@ export const zhCNPlayback: DictionaryShape<typeof enPlayback> = {
   at: '第 {{iteration}} 次迭代，共 {{last}} 次，回看中',
   ofIteration: '第 {{iteration}} 次迭代时',
   now: '现在：第 {{iteration}} 次迭代',
-  nothing: '规划器运行后，可在此回看各次迭代。',
+  nothing: '尚无可回看的迭代',
   running: '第 {{iteration}} 次迭代；暂停后可回看',
   recomputing: '重新计算中…',
   backToNow: '回到现在',
