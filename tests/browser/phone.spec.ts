@@ -1,4 +1,4 @@
-import { expect, test } from '@playwright/test'
+import { expect, type Page, test } from '@playwright/test'
 import { RacePage } from './race_page'
 
 test('a phone shows and runs everything without sideways scrolling @phone', async ({ page }) => {
@@ -14,9 +14,51 @@ test('a phone shows and runs everything without sideways scrolling @phone', asyn
 })
 
 test('targets are large enough for fingers @phone', async ({ page }) => {
-  await new RacePage(page).open()
-  for (const testId of ['play', 'step-move', 'reset', 'share', 'map-menu', 'undo', 'tool-wall']) {
-    const box = await page.getByTestId(testId).boundingBox()
-    expect(Math.min(box?.width ?? 0, box?.height ?? 0), testId).toBeGreaterThanOrEqual(32)
-  }
+  const race = new RacePage(page)
+  await race.openAtRest()
+  expect(await smallTargets(page), 'at rest').toEqual([])
+  await page.getByTestId('column').tap()
+  await expect(page.getByTestId('close-column')).toBeVisible()
+  expect(await smallTargets(page), 'with the sheet').toEqual([])
+  await page.getByTestId('close-column').tap()
+  await page.getByTestId('help').tap()
+  await expect(page.getByTestId('help-dialog')).toBeVisible()
+  expect(await smallTargets(page), 'in a dialog').toEqual([])
 })
+
+test('the sheet opens over the maps, and goes', async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await expect(page.getByTestId('seed')).toBeHidden()
+  await page.getByTestId('parameters-2').click()
+  await expect(page.getByRole('button', { name: 'A*', exact: true })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  )
+  await page.getByTestId('seed').fill('7')
+  await page.getByTestId('seed').press('Enter')
+  expect((await race.session()).seed).toBe(7)
+  await page.getByTestId('close-column').click()
+  await expect(page.getByTestId('seed')).toBeHidden()
+})
+
+/** Controls that a finger could miss: less than 40 CSS pixels wide or high. What is hidden for all but screen readers does not count. */
+function smallTargets(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const controls = document.querySelectorAll<HTMLElement>(
+      'button, select, input, [role="menuitem"]',
+    )
+    const seen = [...controls].filter((control) =>
+      control.checkVisibility({ visibilityProperty: true }),
+    )
+    return seen.flatMap((control) => {
+      // A label beside a checkbox is pressed as well as the box.
+      const pressed = control.closest('label') ?? control
+      const { width, height } = pressed.getBoundingClientRect()
+      if (width <= 1 || (width >= 40 && height >= 40)) return []
+      const name = control.dataset.testid ?? control.className
+      return [`${name}: ${Math.round(width)} × ${Math.round(height)}`]
+    })
+  })
+}
