@@ -22,7 +22,16 @@ async function wholeCatalog(): Promise<Catalog> {
 
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
-  const { planners: named, params, units, options, presets, components, meanings } = zhCNEngine
+  const {
+    planners: named,
+    params,
+    paramNames,
+    units,
+    options,
+    presets,
+    components,
+    meanings,
+  } = zhCNEngine
   const missing: string[] = []
   const look = (where: object, what: string, keys: string[]) => {
     for (const key of keys) if (!(key in where)) missing.push(`${what}.${key}`)
@@ -41,6 +50,7 @@ test('everything in the catalog has a Chinese name', async () => {
     )
     for (const { key, kind, unit } of planner.params) {
       look(params, 'params', [key])
+      look(paramNames, 'paramNames', [key])
       if (unit) look(units, 'units', [unit])
       if (kind.type !== 'choice') continue
       const ids = kind.options.map(({ id }) => id)
@@ -51,6 +61,18 @@ test('everything in the catalog has a Chinese name', async () => {
     }
   }
   expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn/engine.ts').toEqual([])
+})
+
+test('no two parameters of a planner share a Chinese name, and none is left over', async () => {
+  const { planners } = await wholeCatalog()
+  const names: Record<string, string> = zhCNEngine.paramNames
+  for (const { id, params } of planners) {
+    const shown = params.map(({ key }) => names[key])
+    expect([...new Set(shown)], id).toEqual(shown)
+  }
+  const keys = new Set(planners.flatMap(({ params }) => params.map(({ key }) => key)))
+  expect(Object.keys(names).filter((key) => !keys.has(key))).toEqual([])
+  for (const name of Object.values(names)) expect(name).toMatch(/^\p{Script=Han}+$/u)
 })
 
 /** Texts that are not among the known ones, each once. */

@@ -21,7 +21,7 @@ export function describeError(error: unknown): Described {
     const args: Record<string, string> = {
       ...error.args,
       ...groundOf(error),
-      field: error.field ?? '',
+      field: engineText(`paramNames.${error.field}`, error.field ?? ''),
     }
     const known = `found.${args.found?.toLowerCase().replace(/[^a-z0-9]+/g, '-')}`
     if (args.found) args.found = engineText(`${known}.name`, args.found)

@@ -5,7 +5,7 @@ import { engineText, t, translated } from '../i18n'
 import { describeError } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
-import { optionName, paramMeaning } from '../words/planner_words'
+import { optionName, paramMeaning, paramName } from '../words/planner_words'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]
@@ -25,7 +25,7 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
     <div class="parameter" data-changed={changed}>
       <label class="parameter-name" for={id}>
         {spec.symbol && <i class="symbol">{spec.symbol}</i>}
-        <span>{spec.key.replaceAll('_', ' ')}</span>
+        <span>{paramName(spec)}</span>
         {spec.unit && spec.unit !== spec.key && <span class="unit">{unitWords(spec.unit)}</span>}
       </label>
       <Control spec={spec} value={value} error={error} onChange={onChange} id={id} />
@@ -95,7 +95,7 @@ function Control({ spec, value, error, onChange, id }: ParameterControlProps & {
   }
   return (
     <span class="number-pair">
-      <Slider kind={kind} value={Number(value)} label={spec.key} onChange={onChange} />
+      <Slider kind={kind} value={Number(value)} label={paramName(spec)} onChange={onChange} />
       <NumberInput
         {...common}
         value={Number(value)}

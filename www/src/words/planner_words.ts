@@ -31,6 +31,10 @@ export const plannerName = ({ id, name }: CatalogEntry) => engineText(`planners.
 export const plannerSummary = ({ id, summary }: CatalogEntry) =>
   engineText(`planners.${id}.summary`, summary)
 
+/** What a parameter is called; its symbol stands for itself. */
+export const paramName = ({ key }: Pick<ParamSpec, 'key'>) =>
+  engineText(`paramNames.${key}`, key.replaceAll('_', ' '))
+
 export const paramMeaning = ({ key, meaning }: ParamSpec) =>
   capital(engineText(`params.${key}`, meaning))
 

@@ -1,5 +1,6 @@
 import { zhCNComponents } from './components'
 import { zhCNRemarks } from './engine_remarks'
+import { zhCNParamNames } from './param_names'
 
 /** Chinese for what the engine says: planners, parameters, options, errors and remarks by key. What is missing stays English. */
 export const zhCNEngine = {
@@ -134,6 +135,7 @@ export const zhCNEngine = {
     'fwa-aco': '先烟花后蚁群',
     'pso-aco': '先粒子群后蚁群',
   },
+  paramNames: zhCNParamNames,
   params: {
     objective: '有多个目标时使什么最小',
     initial: '第一次迭代之前的信息素',
