@@ -344,7 +344,6 @@ export const en = {
     about: 'About {{name}}',
     aboutThis: 'About this algorithm',
     listing: 'Commands',
-    inEnglish: 'The cards are written in English.',
   },
   ...enMaps,
   ...enRelief,

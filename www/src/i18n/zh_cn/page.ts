@@ -335,7 +335,6 @@ export const zhCN: DictionaryShape<typeof en> = {
     about: '关于{{name}}',
     aboutThis: '关于此算法',
     listing: '命令',
-    inEnglish: '论文卡片以英文写成。',
   },
   ...zhCNMaps,
   ...zhCNRelief,
