@@ -3,10 +3,12 @@ import { join } from 'node:path'
 import type { Catalog, Question } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
 import { zhCNEngine } from '../../../www/src/i18n/zh_cn/engine'
+import { inChinese } from '../../../www/src/i18n/zh_cn/phrases'
 import { zhCNQuestions } from '../../../www/src/i18n/zh_cn/questions'
 import { zhCNSources } from '../../../www/src/i18n/zh_cn/sources'
 import { ComparisonPage } from '../comparison_page'
 import { RacePage } from '../race_page'
+import { refusals } from './engine_literals'
 
 const ROOT = join(__dirname, '../../..')
 const PKG = join(ROOT, 'pkg')
@@ -202,4 +204,32 @@ test('every remark of the engine about a file, and every error of one, has Chine
     'unknown-preset',
   ]
   expect(missing(told('ErrorReport::new'), zhCNEngine.errors).sort(), 'errors').toEqual(engines)
+})
+
+test('what is wrong with a file, and what should stand there, has Chinese', () => {
+  const texts = sources(join(ROOT, 'src/formats')).flatMap(refusals)
+  expect(texts.length).toBeGreaterThan(250)
+  // Lists of keys and bare values are the same in every language.
+  const sentences = texts.filter((text) => /[a-z]{2,} [a-z]{2,}/.test(text))
+  expect(sentences.length).toBeGreaterThan(150)
+  const fillings = ['7', 'scale', 'start', 'the goal']
+  const untold = sentences.filter((text) =>
+    fillings.every((filling) => {
+      const english = text.replaceAll('{}', filling)
+      return inChinese(english) === english
+    }),
+  )
+  expect(untold, 'add these to zh_cn/file_faults.ts or file_rules.ts').toEqual([])
+})
+
+test('phrases keep what differs from case to case, the fullest first', () => {
+  expect(inChinese('row 3 has 5 numbers where the first row has 4')).toBe(
+    '第 3 行有 5 个数，而第一行有 4 个',
+  )
+  expect(inChinese('5 is none of the 2 matrices of the file')).toBe(
+    '文件中有 2 个矩阵，没有第 5 个',
+  )
+  expect(inChinese('a whole number from 0 to 9')).toBe('0 至 9 的整数')
+  expect(inChinese('1 to 9')).toBe('1 至 9')
+  expect(inChinese('nobody has said this before')).toBe('nobody has said this before')
 })

@@ -1,6 +1,6 @@
 /** Errors and remarks of the engine in the reader's language: by kind when there is a translation, else as the engine said it. */
 import type { Notice } from '@pkg/formicarium'
-import { engineText, t } from '.'
+import { engineText, phrase, t } from '.'
 
 interface Described {
   message: string
@@ -13,6 +13,9 @@ interface Coded extends Described {
   args?: Record<string, string>
 }
 
+/** What an error tells in words of its own. */
+const IN_WORDS = ['what', 'expected', 'max', 'found']
+
 /** What browsers say, each in its own words, when a part of the page could not be fetched. */
 const UNFETCHED = /dynamically imported module|importing a module script|unable to preload/i
 
@@ -23,6 +26,7 @@ export function describeError(error: unknown): Described {
       ...groundOf(error),
       field: engineText(`paramNames.${error.field}`, error.field ?? ''),
     }
+    for (const key of IN_WORDS) if (args[key]) args[key] = phrase(args[key])
     const known = `found.${args.found?.toLowerCase().replace(/[^a-z0-9]+/g, '-')}`
     if (args.found) args.found = engineText(`${known}.name`, args.found)
     const hint = engineText(`errors.${error.kind}.hint`, error.hint, args)

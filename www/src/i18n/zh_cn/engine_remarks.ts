@@ -283,7 +283,7 @@ export const zhCNRemarks = {
       message: '地图没有空闲格',
       hint: '至少清除一格；若 1 表示空闲，请先反转地图',
     },
-    'too-large': { message: '文件超出可读取的大小 {{max}}', hint: '请先裁剪或缩小地图' },
+    'too-large': { message: '{{what}}超出可读取的上限（{{max}}）', hint: '请先裁剪或缩小地图' },
     version: {
       message: '格式版本为“{{value}}”，此版本读取“{{expected}}”',
       hint: '请刷新页面后重试',
