@@ -13,6 +13,8 @@ interface Coded extends Described {
   args?: Record<string, string>
 }
 
+const CHINESE = /\p{Script=Han}/u
+
 /** What an error tells in words of its own. */
 const IN_WORDS = ['what', 'expected', 'max', 'found']
 
@@ -41,6 +43,12 @@ export function describeError(error: unknown): Described {
   return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
 }
 
+/** What is wrong and what to do, in one line. Chinese has no space between sentences. */
+export function errorText(error: unknown): string {
+  const { message, hint } = describeError(error)
+  return message.endsWith('。') ? message + hint : `${message} ${hint}`
+}
+
 /** The engine names a ground by its id. */
 function groundOf({ args }: Coded): { ground?: string } {
   return args?.ground ? { ground: engineText(`grounds.${args.ground}`, args.ground) } : {}
@@ -58,5 +66,6 @@ function isCoded(error: unknown): error is Coded {
 function sentence(text: string): string {
   if (text === '') return text
   const capital = text.charAt(0).toUpperCase() + text.slice(1)
-  return /[.!?。！？]$/.test(capital) ? capital : `${capital}.`
+  if (/[.!?。！？]$/.test(capital)) return capital
+  return capital + (CHINESE.test(capital) ? '。' : '.')
 }

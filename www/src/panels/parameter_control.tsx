@@ -2,10 +2,10 @@
 import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import { engineText, t, translated } from '../i18n'
-import { describeError } from '../i18n/errors'
+import { errorText } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
-import { optionName, paramMeaning, paramName } from '../words/planner_words'
+import { optionName, paramMeaning, paramName, valueName } from '../words/planner_words'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]
@@ -35,7 +35,7 @@ export function ParameterControl({ spec, value, error, onChange }: ParameterCont
         {spec.source && <span class="source"> · {translated(spec.source)}</span>}
         {changed && (
           <button type="button" class="link" onClick={() => onChange(spec.default)}>
-            {t('parameters.back', { value: String(spec.default) })}
+            {t('parameters.back', { value: valueName(spec.default) })}
           </button>
         )}
       </p>
@@ -171,12 +171,12 @@ function Slider({ kind, value, label, onChange }: SliderProps) {
 }
 
 function ErrorText({ error, id }: { error: EngineError; id: string }) {
-  const { message, hint } = describeError(error)
+  const words = errorText(error)
   const text = useRef<HTMLParagraphElement>(null)
-  useEffect(() => text.current?.scrollIntoView({ block: 'nearest' }), [message])
+  useEffect(() => text.current?.scrollIntoView({ block: 'nearest' }), [words])
   return (
     <p ref={text} class="field-error" id={id} role="alert">
-      {message} {hint}
+      {words}
     </p>
   )
 }

@@ -162,7 +162,7 @@ export const zhCNFileRules: Phrases = {
   'one number, or `dx N` and `dy N`; heights on lines of their own':
     '一个数，或 dx N 与 dy N；高程另起一行',
   'ncols · nrows = {} numbers': 'ncols · nrows = {} 个数',
-  'a decimal point: replace every , by .': '小数点：请把每个 , 换成 .',
+  'a decimal point: replace every , by .': '小数点：请把每个“,”换成“.”',
   'cellsize alone, or dx and dy': '只用 cellsize，或用 dx 与 dy',
   'a line `cellsize N`, or `dx N` and `dy N`': '有一行 cellsize N，或 dx N 与 dy N',
   'no more cells than the file can hold': '格数不超过文件所能容纳的',
