@@ -9,5 +9,8 @@ export const listed = (parts: string[]) => parts.join(isChinese() ? '、' : ', '
 /** a; b; c: of parts that may hold lists themselves. */
 export const inTurn = (parts: string[]) => parts.join(isChinese() ? '；' : '; ')
 
+/** One. Another. The last ends as it ends. */
+export const inSentences = (parts: string[]) => parts.join(isChinese() ? '。' : '. ')
+
 /** what: value */
 export const saying = (what: string, value: string) => `${what}${isChinese() ? '：' : ': '}${value}`
