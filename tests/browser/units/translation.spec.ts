@@ -138,6 +138,35 @@ test.describe('on a Chinese page', () => {
     await expect(source).toContainText('Dorigo and Stützle 2004, box 3.1')
   })
 
+  test('parameters, their options and what is wrong with them are told in Chinese', async ({
+    page,
+  }) => {
+    await new RacePage(page).open()
+    const control = (key: string) =>
+      page.locator('.parameter', { has: page.getByTestId(`param-${key}`) })
+    await expect(control('alpha').locator('label')).toHaveText('α信息素因子')
+    await page.getByTestId('param-alpha').fill('999')
+    await page.getByTestId('param-alpha').blur()
+    const error = control('alpha').locator('.field-error')
+    await expect(error).toHaveText(
+      /^信息素因子 = 999 超出范围 0 至 \d+。请选择 0 与 \d+ 之间的值。$/,
+    )
+    await page.getByTestId('param-heuristic').selectOption('goal')
+    const back = control('heuristic').getByRole('button')
+    await expect(back).toHaveText('恢复为“绕行量”')
+  })
+
+  test('what is wrong with a file is told in Chinese', async ({ page }) => {
+    const race = new RacePage(page)
+    await race.open()
+    await race.menu('map-menu', 'open-import')
+    await page.getByTestId('import-area').fill('type octile\nheight 2\nwidth 2\nmap\n..\n')
+    await page.getByTestId('import-text').click()
+    await expect(page.getByRole('alert').first()).toContainText(
+      '地图应有 2 行，到第 1 行就结束了。应为：每行一排格子。',
+    )
+  })
+
   test('a paper’s question is told in Chinese, and its files are the same as ever', async ({
     page,
   }) => {

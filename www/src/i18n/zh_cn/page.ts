@@ -291,7 +291,7 @@ export const zhCN: DictionaryShape<typeof en> = {
     presetIs: '{{source}}：{{meaning}}',
     on: '开',
     off: '关',
-    back: '恢复为 {{value}}',
+    back: '恢复为“{{value}}”',
     slider: '{{name}}，滑块',
     twin: '参数与种子都和“{{planner}}”相同：两者的走法会完全一样。请改动其中一个。',
     toMap: '回到地图',
