@@ -223,6 +223,8 @@ test.describe('figures of results', () => {
     await page.getByTestId('language').click()
     await page.getByTestId('language-zh-CN').click()
     await expect(results.picture('values')).toContainText('路径长度（格）')
+    // Where lines may break anywhere, spaces beside numbers stay.
+    await expect(results.picture('values')).toContainText('距箱体 1.5 倍四分位距')
     const wide = await results.picture('values').getAttribute('width')
     await page.setViewportSize({ width: 800, height: 900 })
     await expect(results.picture('values')).not.toHaveAttribute('width', wide ?? '')

@@ -181,6 +181,29 @@ test.describe('paper cards', () => {
     })
   }
 
+  test.describe('on a Chinese page', () => {
+    test.use({ locale: 'zh-CN' })
+
+    test('a card is told in Chinese, and in English to who changes the language', async ({
+      page,
+    }) => {
+      await new RacePage(page).open()
+      await openAddMenu(page)
+      await page.getByTestId('about-acost').click()
+      const dialog = page.getByTestId('card-dialog')
+      await expect(dialog.getByRole('heading').first()).toHaveText('ACOST：阈值自适应的蚁群')
+      await expect(dialog.locator('.card')).toHaveAttribute('lang', 'zh-CN')
+      await expect(dialog.locator('tbody').first()).toContainText('随机比例规则')
+      await page.keyboard.press('Escape')
+      await page.getByTestId('language').click()
+      await page.getByTestId('language-en').click()
+      await openAddMenu(page)
+      await page.getByTestId('about-acost').click()
+      await expect(dialog.locator('.card')).toHaveAttribute('lang', 'en')
+      await expect(dialog.getByRole('heading').first()).toHaveText(/^ACOST: ant colony/)
+    })
+  })
+
   test('a panel leads to the card of its planner, or of its preset', async ({ page }) => {
     const race = new RacePage(page)
     await race.openAtRest()

@@ -3,10 +3,12 @@ import { join } from 'node:path'
 import type { Catalog, Question } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
 import { zhCNEngine } from '../../../www/src/i18n/zh_cn/engine'
+import { inChinese } from '../../../www/src/i18n/zh_cn/phrases'
 import { zhCNQuestions } from '../../../www/src/i18n/zh_cn/questions'
 import { zhCNSources } from '../../../www/src/i18n/zh_cn/sources'
 import { ComparisonPage } from '../comparison_page'
 import { RacePage } from '../race_page'
+import { refusals } from './engine_literals'
 
 const ROOT = join(__dirname, '../../..')
 const PKG = join(ROOT, 'pkg')
@@ -22,7 +24,16 @@ async function wholeCatalog(): Promise<Catalog> {
 
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
-  const { planners: named, params, units, options, presets, components, meanings } = zhCNEngine
+  const {
+    planners: named,
+    params,
+    paramNames,
+    units,
+    options,
+    presets,
+    components,
+    meanings,
+  } = zhCNEngine
   const missing: string[] = []
   const look = (where: object, what: string, keys: string[]) => {
     for (const key of keys) if (!(key in where)) missing.push(`${what}.${key}`)
@@ -41,6 +52,7 @@ test('everything in the catalog has a Chinese name', async () => {
     )
     for (const { key, kind, unit } of planner.params) {
       look(params, 'params', [key])
+      look(paramNames, 'paramNames', [key])
       if (unit) look(units, 'units', [unit])
       if (kind.type !== 'choice') continue
       const ids = kind.options.map(({ id }) => id)
@@ -51,6 +63,18 @@ test('everything in the catalog has a Chinese name', async () => {
     }
   }
   expect([...new Set(missing)], 'add these to www/src/i18n/zh_cn/engine.ts').toEqual([])
+})
+
+test('no two parameters of a planner share a Chinese name, and none is left over', async () => {
+  const { planners } = await wholeCatalog()
+  const names: Record<string, string> = zhCNEngine.paramNames
+  for (const { id, params } of planners) {
+    const shown = params.map(({ key }) => names[key])
+    expect([...new Set(shown)], id).toEqual(shown)
+  }
+  const keys = new Set(planners.flatMap(({ params }) => params.map(({ key }) => key)))
+  expect(Object.keys(names).filter((key) => !keys.has(key))).toEqual([])
+  for (const name of Object.values(names)) expect(name).toMatch(/^\p{Script=Han}+$/u)
 })
 
 /** Texts that are not among the known ones, each once. */
@@ -112,6 +136,35 @@ test.describe('on a Chinese page', () => {
     await page.getByTestId('language').click()
     await page.getByTestId('language-en').click()
     await expect(source).toContainText('Dorigo and Stützle 2004, box 3.1')
+  })
+
+  test('parameters, their options and what is wrong with them are told in Chinese', async ({
+    page,
+  }) => {
+    await new RacePage(page).open()
+    const control = (key: string) =>
+      page.locator('.parameter', { has: page.getByTestId(`param-${key}`) })
+    await expect(control('alpha').locator('label')).toHaveText('α信息素因子')
+    await page.getByTestId('param-alpha').fill('999')
+    await page.getByTestId('param-alpha').blur()
+    const error = control('alpha').locator('.field-error')
+    await expect(error).toHaveText(
+      /^信息素因子 = 999 超出范围 0 至 \d+。请选择 0 与 \d+ 之间的值。$/,
+    )
+    await page.getByTestId('param-heuristic').selectOption('goal')
+    const back = control('heuristic').getByRole('button')
+    await expect(back).toHaveText('恢复为“绕行量”')
+  })
+
+  test('what is wrong with a file is told in Chinese', async ({ page }) => {
+    const race = new RacePage(page)
+    await race.open()
+    await race.menu('map-menu', 'open-import')
+    await page.getByTestId('import-area').fill('type octile\nheight 2\nwidth 2\nmap\n..\n')
+    await page.getByTestId('import-text').click()
+    await expect(page.getByRole('alert').first()).toContainText(
+      '地图应有 2 行，到第 1 行就结束了。应为：每行一排格子。',
+    )
   })
 
   test('a paper’s question is told in Chinese, and its files are the same as ever', async ({
@@ -180,4 +233,32 @@ test('every remark of the engine about a file, and every error of one, has Chine
     'unknown-preset',
   ]
   expect(missing(told('ErrorReport::new'), zhCNEngine.errors).sort(), 'errors').toEqual(engines)
+})
+
+test('what is wrong with a file, and what should stand there, has Chinese', () => {
+  const texts = sources(join(ROOT, 'src/formats')).flatMap(refusals)
+  expect(texts.length).toBeGreaterThan(250)
+  // Lists of keys and bare values are the same in every language.
+  const sentences = texts.filter((text) => /[a-z]{2,} [a-z]{2,}/.test(text))
+  expect(sentences.length).toBeGreaterThan(150)
+  const fillings = ['7', 'scale', 'start', 'the goal']
+  const untold = sentences.filter((text) =>
+    fillings.every((filling) => {
+      const english = text.replaceAll('{}', filling)
+      return inChinese(english) === english
+    }),
+  )
+  expect(untold, 'add these to zh_cn/file_faults.ts or file_rules.ts').toEqual([])
+})
+
+test('phrases keep what differs from case to case, the fullest first', () => {
+  expect(inChinese('row 3 has 5 numbers where the first row has 4')).toBe(
+    '第 3 行有 5 个数，而第一行有 4 个',
+  )
+  expect(inChinese('5 is none of the 2 matrices of the file')).toBe(
+    '文件中有 2 个矩阵，没有第 5 个',
+  )
+  expect(inChinese('a whole number from 0 to 9')).toBe('0 至 9 的整数')
+  expect(inChinese('1 to 9')).toBe('1 至 9')
+  expect(inChinese('nobody has said this before')).toBe('nobody has said this before')
 })

@@ -10,6 +10,9 @@ import { t } from '../i18n'
 /** From here on a table cell is a sentence, which wants some width even on a phone. */
 const WORDY = 36
 
+/** How wide a text is in letters: a Chinese character is as wide as two. */
+const lettersOf = (text: string) => text.replace(/[\u3000-\u9fff\uff00-\uffef]/g, '  ').length
+
 export interface Card {
   title: string
   body: Token[]
@@ -109,7 +112,7 @@ function Table({ table }: { table: Tokens.Table }) {
           {table.rows.map((row, y) => (
             <tr key={y}>
               {row.map((cell, x) => (
-                <td key={x} class={cell.text.length > WORDY ? 'wordy' : undefined}>
+                <td key={x} class={lettersOf(cell.text) > WORDY ? 'wordy' : undefined}>
                   {inlines(cell.tokens)}
                 </td>
               ))}

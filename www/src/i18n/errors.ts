@@ -1,6 +1,6 @@
 /** Errors and remarks of the engine in the reader's language: by kind when there is a translation, else as the engine said it. */
 import type { Notice } from '@pkg/formicarium'
-import { engineText, t } from '.'
+import { engineText, phrase, t } from '.'
 
 interface Described {
   message: string
@@ -13,6 +13,11 @@ interface Coded extends Described {
   args?: Record<string, string>
 }
 
+const CHINESE = /\p{Script=Han}/u
+
+/** What an error tells in words of its own. */
+const IN_WORDS = ['what', 'expected', 'max', 'found']
+
 /** What browsers say, each in its own words, when a part of the page could not be fetched. */
 const UNFETCHED = /dynamically imported module|importing a module script|unable to preload/i
 
@@ -21,8 +26,9 @@ export function describeError(error: unknown): Described {
     const args: Record<string, string> = {
       ...error.args,
       ...groundOf(error),
-      field: error.field ?? '',
+      field: engineText(`paramNames.${error.field}`, error.field ?? ''),
     }
+    for (const key of IN_WORDS) if (args[key]) args[key] = phrase(args[key])
     const known = `found.${args.found?.toLowerCase().replace(/[^a-z0-9]+/g, '-')}`
     if (args.found) args.found = engineText(`${known}.name`, args.found)
     const hint = engineText(`errors.${error.kind}.hint`, error.hint, args)
@@ -35,6 +41,12 @@ export function describeError(error: unknown): Described {
   if (UNFETCHED.test(message))
     return { message: t('errors.unfetched'), hint: t('errors.unfetchedHint') }
   return { message: t('errors.unexpected', { message }), hint: t('errors.unexpectedHint') }
+}
+
+/** What is wrong and what to do, in one line. Chinese has no space between sentences. */
+export function errorText(error: unknown): string {
+  const { message, hint } = describeError(error)
+  return message.endsWith('。') ? message + hint : `${message} ${hint}`
 }
 
 /** The engine names a ground by its id. */
@@ -54,5 +66,6 @@ function isCoded(error: unknown): error is Coded {
 function sentence(text: string): string {
   if (text === '') return text
   const capital = text.charAt(0).toUpperCase() + text.slice(1)
-  return /[.!?。！？]$/.test(capital) ? capital : `${capital}.`
+  if (/[.!?。！？]$/.test(capital)) return capital
+  return capital + (CHINESE.test(capital) ? '。' : '.')
 }

@@ -52,15 +52,21 @@ async function addChinese(): Promise<void> {
   }
 }
 
+let inChinese = (english: string) => english
+
 /** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
 async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
-    const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }, { zhCNSources }] = await Promise.all([
-      import('./zh_cn/page'),
-      import('./zh_cn/dialogs'),
-      import('./zh_cn/engine'),
-      import('./zh_cn/sources'),
-    ])
+    const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }, { zhCNSources }, phrases] = await Promise.all(
+      [
+        import('./zh_cn/page'),
+        import('./zh_cn/dialogs'),
+        import('./zh_cn/engine'),
+        import('./zh_cn/sources'),
+        import('./zh_cn/phrases'),
+      ],
+    )
+    inChinese = phrases.inChinese
     i18next.addResourceBundle(choice, 'translation', zhCN)
     i18next.addResourceBundle(choice, 'translation', { ...zhCNDialogs, texts: zhCNSources }, true)
     // The engine speaks English; what a dictionary has for its names and errors replaces that.
@@ -97,6 +103,10 @@ export function translated(english: string): string {
     i18next.getResourceBundle(language.value, 'translation').texts ?? {}
   return Object.hasOwn(texts, english) ? (texts[english] ?? english) : english
 }
+
+/** What a reader of files says in words of its own, where they are known. */
+export const phrase = (english: string) =>
+  language.value === 'zh-CN' ? inChinese(english) : english
 
 export const numbers = computed(() => ({
   whole: new Intl.NumberFormat(language.value, { maximumFractionDigits: 0 }),

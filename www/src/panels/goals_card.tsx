@@ -4,7 +4,7 @@ import { useSignal, useSignalEffect } from '@preact/signals'
 import { MapPinPlus, X } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { numbers, t } from '../i18n'
-import { describeError } from '../i18n/errors'
+import { errorText } from '../i18n/errors'
 import { limits } from '../model/facts'
 import { goalName, goalWeight } from '../model/goals'
 import { activeGoal, applyEdit, goalsShown, scenario, soughtPart, tool } from '../state'
@@ -225,10 +225,9 @@ function Cell({ label, value, testId, numeric, accept, class: extra = '' }: Cell
 }
 
 function Refusal({ error }: { error: EngineError }) {
-  const { message, hint } = describeError(error)
   return (
     <p class="field-error" id="goal-error" role="alert">
-      {message} {hint}
+      {errorText(error)}
     </p>
   )
 }

@@ -3,11 +3,11 @@ import type { EngineError, ParamKind, ParamSpec } from '@pkg/formicarium'
 import { RotateCcw } from 'lucide'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import { engineText, t, translated } from '../i18n'
-import { describeError } from '../i18n/errors'
+import { errorText } from '../i18n/errors'
 import type { ParamValues } from '../model/messages'
 import { plannerEntry } from '../state'
 import { Icon } from '../ui/icon'
-import { optionName, paramMeaning, paramName } from '../words/planner_words'
+import { optionName, paramMeaning, paramName, valueName } from '../words/planner_words'
 import { fromSlider, SLIDER_STEPS, toSlider } from './slider_scale'
 
 type Value = ParamValues[string]
@@ -38,8 +38,8 @@ export function ParameterRow({ spec, value, base, error, onChange }: ParameterRo
           <button
             type="button"
             class="icon-button quiet"
-            aria-label={t('parameters.back', { name: paramName(spec), value: valueWords(base) })}
-            data-tip={t('parameters.backTip', { value: valueWords(base) })}
+            aria-label={t('parameters.back', { name: paramName(spec), value: valueName(base) })}
+            data-tip={t('parameters.backTip', { value: valueName(base) })}
             data-testid={`back-${spec.key}`}
             onClick={() => onChange(base)}
           >
@@ -70,11 +70,6 @@ export function Formula({ text }: { text: string }) {
 /** What a parameter does, and what its chosen option does. */
 export function meaningOf(spec: ParamSpec, value: Value): string {
   return `${paramMeaning(spec)}${chosenMeaning(spec, value)}`
-}
-
-/** Options have names, numbers are as they are. */
-export function valueWords(value: Value): string {
-  return typeof value === 'string' ? optionName(value) : String(value)
 }
 
 /** What the option on show does; the others say so when they are chosen. */
@@ -204,12 +199,12 @@ function Slider({ kind, value, label, onChange }: SliderProps) {
 }
 
 function ErrorText({ error, id }: { error: EngineError; id: string }) {
-  const { message, hint } = describeError(error)
+  const words = errorText(error)
   const text = useRef<HTMLParagraphElement>(null)
-  useEffect(() => text.current?.scrollIntoView({ block: 'nearest' }), [message])
+  useEffect(() => text.current?.scrollIntoView({ block: 'nearest' }), [words])
   return (
     <p ref={text} class="field-error" id={id} role="alert">
-      {message} {hint}
+      {words}
     </p>
   )
 }

@@ -3,14 +3,13 @@ import type { ParamSpec } from '@pkg/formicarium'
 import { useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { t, translated } from '../i18n'
-import { paramName } from '../words/planner_words'
+import { paramName, valueName } from '../words/planner_words'
 import { unitWords } from './parameter_groups'
 import {
   Formula,
   meaningOf,
   ParameterRow,
   type ParameterRowProps,
-  valueWords,
 } from './parameter_row'
 
 /** A pointer on its way elsewhere does not call up notes. */
@@ -76,7 +75,7 @@ function Note({ spec, value, base, row }: ParameterRowProps & { row: HTMLElement
       <p>{meaningOf(spec, value)}</p>
       <dl>
         <Fact name={t('parameters.range')} value={rangeOf(spec)} />
-        <Fact name={t('parameters.base')} value={valueWords(base)} />
+        <Fact name={t('parameters.base')} value={valueName(base)} />
         <Fact name={t('parameters.source')} value={translated(spec.source)} />
       </dl>
     </div>

@@ -251,7 +251,10 @@ function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string |
   const preset = props.presets.find(({ name }) => name === props.name)
   return preset ? (
     <p class="hint">
-      {translated(preset.source)}: {translated(preset.meaning)}
+      {t('parameters.presetIs', {
+        source: translated(preset.source),
+        meaning: translated(preset.meaning),
+      })}
     </p>
   ) : null
 }

@@ -5,6 +5,7 @@ import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
 import { scenario, tool } from '../state'
 import { inRelief, relief } from '../state/relief'
+import { mapName } from '../words/map_names'
 import { CellReadout } from './cell_readout'
 import { watchSize } from './element_size'
 import { Inspector, inspector, isInspected } from './inspected'
@@ -25,7 +26,7 @@ function FlatStage({ panelId }: { panelId: number }) {
   const cursor = useSignal<Cursor | null>(null)
   const label = useComputed(() => {
     const spec = scenario.value?.spec
-    return spec ? t('stage.label', { name: spec.name, width: spec.width, height: spec.height }) : ''
+    return spec ? t('stage.label', { name: mapName(), width: spec.width, height: spec.height }) : ''
   })
 
   useEffect(() => {

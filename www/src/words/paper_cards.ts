@@ -1,13 +1,8 @@
-/** The cards that tell what a paper claims, what we do where it is silent, and what came out. The same files as in docs/papers. */
+/** The cards that tell what a paper claims, what we do where it is silent, and what came out: which is about what, and which is open. */
 
 import cards from 'virtual:paper-cards'
 import { signal } from '@preact/signals'
 import { show } from '../state/dialogs'
-
-const texts = import.meta.glob<string>(
-  ['../../../docs/papers/*.md', '../../../docs/methodology.md'],
-  { query: '?raw', import: 'default' },
-)
 
 /** Not about one paper: how claims are measured and judged. */
 export const METHODOLOGY = 'methodology'
@@ -23,11 +18,4 @@ export function cardOf(planner: string, preset: string | null = null): string | 
 export function showCard(card: string): void {
   openCard.value = card
   show('paper')
-}
-
-export async function cardText(card: string): Promise<string> {
-  const file = card === METHODOLOGY ? card : `papers/${card}`
-  const fetched = texts[`../../../docs/${file}.md`]
-  if (!fetched) throw new Error(`there is no card ${card}`)
-  return fetched()
 }

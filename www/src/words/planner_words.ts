@@ -1,6 +1,7 @@
 /** The catalog's own words, in the reader's language where it has them. */
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { engineText, t } from '../i18n'
+import type { ParamValues } from '../model/messages'
 import type { PanelSetup } from '../model/session'
 import { groundOf } from '../model/terrain'
 import { panelById, panels, plannerEntry, scenario } from '../state'
@@ -31,8 +32,8 @@ export const plannerName = ({ id, name }: CatalogEntry) => engineText(`planners.
 export const plannerSummary = ({ id, summary }: CatalogEntry) =>
   engineText(`planners.${id}.summary`, summary)
 
-/** What a parameter is called; in English its key, as words. */
-export const paramName = ({ key }: ParamSpec) =>
+/** What a parameter is called; its symbol stands for itself. */
+export const paramName = ({ key }: Pick<ParamSpec, 'key'>) =>
   engineText(`paramNames.${key}`, key.replaceAll('_', ' '))
 
 export const paramMeaning = ({ key, meaning }: ParamSpec) =>
@@ -41,6 +42,12 @@ export const paramMeaning = ({ key, meaning }: ParamSpec) =>
 /** Options that name a planner are called as it is. */
 export const optionName = (id: string) =>
   engineText(`options.${id}`, plannerEntry(id)?.name ?? id.replaceAll('-', ' '))
+
+/** A parameter's value in words: an option by its name, a flag as on or off. */
+export const valueName = (value: ParamValues[string]) => {
+  if (typeof value === 'boolean') return t(value ? 'parameters.on' : 'parameters.off')
+  return typeof value === 'string' ? optionName(value) : String(value)
+}
 
 export const presetName = ({ name }: CatalogEntry['presets'][number]) =>
   engineText(`presets.${name}`, name)

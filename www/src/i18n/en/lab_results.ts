@@ -59,6 +59,7 @@ export const enLabResults = {
     hits: '{{count}} of {{runs}}; {{effort}} expected',
     hitsShort: '{{part}} of {{whole}} runs',
     tableOf: '{{what}}: table',
+    sentence: '{{words}}.',
     columns: {
       entry: 'Entry',
       least: 'Least',

@@ -1,20 +1,21 @@
 import { zhCNComponents } from './components'
 import { zhCNRemarks } from './engine_remarks'
+import { zhCNParamNames } from './param_names'
 
 /** Chinese for what the engine says: planners, parameters, options, errors and remarks by key. What is missing stays English. */
 export const zhCNEngine = {
   planners: {
     'ant-system': {
-      name: '蚂蚁系统 (AS)',
+      name: '蚂蚁系统（AS）',
       summary: '最早的蚁群算法：每只到达的蚂蚁都留下信息素，路径越短留得越多，信息素会挥发。',
     },
     acost: {
-      name: '自适应阈值蚁群 (ACOST)',
+      name: '自适应阈值蚁群（ACOST）',
       summary: '早期禁止概率超过阈值的步，使蚂蚁分散；阈值随迭代升至 1。',
     },
     acomsp: {
-      name: '最大转移概率蚁群 (ACOMSP)',
-      summary: '每只蚂蚁都走概率最大的一步，并奖励本代最短路径；常常全部走进同一条死路。',
+      name: '最大转移概率蚁群（ACOMSP）',
+      summary: '每只蚂蚁都走概率最大的一步，并奖励本代最短路径；常常全部走进同一条死胡同。',
     },
     ship: {
       name: '机舱救援蚁群',
@@ -32,34 +33,34 @@ export const zhCNEngine = {
         '两队蚂蚁从起点和终点相向而行，相遇即连成路径；势场给出初始信息素并影响启发信息，最好的蚂蚁留下的信息素逐渐增多。',
     },
     'elitist-ant-system': {
-      name: '精英蚂蚁系统 (EAS)',
+      name: '精英蚂蚁系统（EAS）',
       summary: '在蚂蚁系统上，每次迭代都给至今最优路径额外的信息素，如同精英蚂蚁又走了一遍。',
     },
     'rank-based-ant-system': {
-      name: '基于排序的蚂蚁系统 (ASrank)',
+      name: '基于排序的蚂蚁系统（ASrank）',
       summary: '每次迭代只有最好的几只蚂蚁留下信息素，名次越前留得越多，至今最优路径留得最多。',
     },
     'max-min-ant-system': {
-      name: '最大最小蚂蚁系统 (MMAS)',
+      name: '最大最小蚂蚁系统（MMAS）',
       summary:
         '每次迭代只有最优路径留下信息素，信息素保持在上下限之间，因此任何路都不会被完全放弃。',
     },
     'ant-colony-system': {
-      name: '蚁群系统 (ACS)',
+      name: '蚁群系统（ACS）',
       summary: '蚂蚁多半选最好的一步，边走边减弱走过的信息素，只有至今最优路径得到加强。',
     },
     'best-worst-ant-system': {
-      name: '最优最差蚂蚁系统 (BWAS)',
+      name: '最优最差蚂蚁系统（BWAS）',
       summary:
         '至今最优路径增加信息素，本次迭代的最差路径减少信息素；信息素随机变异，越到后期变异越大。',
     },
     fire: {
       name: '多火源蚁群',
       summary:
-        '蚂蚁先按距离与紧急程度选定各目标的次序，再逐段寻找路径，多半走最好的一步（Zhang 等 2020）。',
+        '蚂蚁先按距离与紧急程度选定各目标的次序，再逐段寻找路径，多半走最好的一步（张森等 2020）。',
     },
     fwa: {
-      name: '烟花算法 (FWA)',
+      name: '烟花算法（FWA）',
       summary: '每个烟花给各格一个优先值，由此解码出路径；好的烟花在近处爆出许多火花，差的在远处。',
     },
     ifwa: {
@@ -71,7 +72,7 @@ export const zhCNEngine = {
       summary: '先由改进烟花算法搜索，其最优路径先得到信息素，再由蚁群继续。',
     },
     pso: {
-      name: '粒子群 (PSO)',
+      name: '粒子群（PSO）',
       summary:
         '粒子飞向自身与全群的最好位置；位置在分层移动时是每一列的行与高度层，否则是各格的优先值。',
     },
@@ -134,6 +135,7 @@ export const zhCNEngine = {
     'fwa-aco': '先烟花后蚁群',
     'pso-aco': '先粒子群后蚁群',
   },
+  paramNames: zhCNParamNames,
   params: {
     objective: '有多个目标时使什么最小',
     initial: '第一次迭代之前的信息素',
@@ -319,7 +321,7 @@ export const zhCNEngine = {
       none: '保留每一点：路径仍是逐格的',
     },
     initial: {
-      field: 'τ0·F′_tot，至少为 τ0 的 1 %：式 14',
+      field: 'τ0·F′_tot，至少为 τ0 的 1%：式 14',
       uniform: '处处为 τ0',
     },
     rule: {

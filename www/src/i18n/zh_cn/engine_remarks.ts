@@ -115,18 +115,18 @@ export const zhCNRemarks = {
   /** What a file turned out to be, and what to do with it. */
   found: {
     'an-instance-of-tsplib': { name: 'TSPLIB 实例', hint: '请把 .tsp 文件单独拖入' },
-    'a-tour-of-tsplib': { name: 'TSPLIB 路线', hint: '请与所属的 .tsp 实例一起打开' },
+    'a-tour-of-tsplib': { name: 'TSPLIB 巡回', hint: '请与所属的 .tsp 实例一起打开' },
     'a-vehicle-routing-problem-cvrp-of-tsplib': {
       name: 'TSPLIB 的车辆路径问题（CVRP）',
-      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+      hint: '只能读取单一巡回的问题：TYPE 为 TSP 或 ATSP',
     },
     'a-sequential-ordering-problem-sop-of-tsplib': {
       name: 'TSPLIB 的顺序排列问题（SOP）',
-      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+      hint: '只能读取单一巡回的问题：TYPE 为 TSP 或 ATSP',
     },
     'a-hamiltonian-cycle-problem-hcp-of-tsplib': {
       name: 'TSPLIB 的哈密顿回路问题（HCP）',
-      hint: '只能读取单一路线的问题：TYPE 为 TSP 或 ATSP',
+      hint: '只能读取单一巡回的问题：TYPE 为 TSP 或 ATSP',
     },
     'an-instance-of-tsplib-with-keys-in-small-letters': {
       name: '关键字为小写的 TSPLIB 实例',
@@ -283,7 +283,7 @@ export const zhCNRemarks = {
       message: '地图没有空闲格',
       hint: '至少清除一格；若 1 表示空闲，请先反转地图',
     },
-    'too-large': { message: '文件超出可读取的大小 {{max}}', hint: '请先裁剪或缩小地图' },
+    'too-large': { message: '{{what}}超出可读取的上限（{{max}}）', hint: '请先裁剪或缩小地图' },
     version: {
       message: '格式版本为“{{value}}”，此版本读取“{{expected}}”',
       hint: '请刷新页面后重试',
@@ -313,6 +313,6 @@ export const zhCNRemarks = {
       message: '无法获取引擎的这一部分',
       hint: '请检查网络连接后重试；页面上的内容没有丢失',
     },
-    'engine-crashed': { message: '引擎已停止', hint: '您绘制的内容没有丢失。重置即可重新启动引擎' },
+    'engine-crashed': { message: '引擎已停止', hint: '绘制的内容没有丢失；重置即可重新启动引擎' },
   },
 }

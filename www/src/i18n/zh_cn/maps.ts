@@ -77,7 +77,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
   notices: {
     region: '消息',
     dismiss: '关闭消息',
-    calm: '您的系统要求减少动画，所以尚未开始。',
+    calm: '系统设置要求减少动画，因此尚未开始。',
     calmHint: '按任意键或点击即可开始。',
     started: '比赛进行中',
     firstPath: '{{planner}}：首条路径，长度 {{length}}',
@@ -89,11 +89,11 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     pausedForEditHint: '画完后按播放或空格键。',
     fileTooLarge: '{{name}} 太大。',
     fileTooLargeHint: '可打开不超过 64 MB 的文件和不超过 4096 × 4096 格的地图。',
-    paperPlanners: '该论文的规划器正在此地图上比赛。',
+    paperPlanners: '该论文的规划器正在这张地图上比赛。',
     terrainPlanners: '适用于此类地形的规划器正在此比赛。',
     formerPlanners: '恢复原来的规划器',
     paperReported: '这张地图代表某篇论文中的地图，论文报告了数值。',
-    paperReproduced: '报告与重现…',
+    paperReproduced: '报告与复现…',
     held: '比赛尚未开始：这张地图上的 {{count}} 个面板约需 {{size}} GiB 内存。',
     heldHint: '按播放即可开始；也可先减少面板或缩小地图。',
     heldStart: '仍然开始',
@@ -127,11 +127,11 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     },
     maze: {
       name: '迷宫',
-      note: '死路多，选择少',
+      note: '死胡同多，选择少',
     },
     'random-100': {
       name: '随机 100 × 100',
-      note: '30 % 的墙',
+      note: '30% 的墙',
     },
     'open-field': {
       name: '空旷场地',
@@ -151,7 +151,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     },
     'paper-fire': {
       name: '多处火源',
-      note: '四个目标，同时求次序与路径 · Zhang 2020',
+      note: '四个目标，同时求次序与路径 · 张森 2020',
     },
     'paper-ship-20': {
       name: '船舱 20 × 20',
@@ -167,7 +167,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     },
     'paper-threshold-1': {
       name: '环境一',
-      note: '避免蚂蚁过早一致 · 赖智铭 2014',
+      note: '防止蚂蚁过早趋同 · 赖智铭 2014',
     },
     'paper-threshold-2': {
       name: '环境二',
@@ -175,7 +175,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     },
     'paper-criss-cross': {
       name: '纵横障碍',
-      note: '由烟花留下初始信息素 · 周 2019',
+      note: '由烟花留下初始信息素 · 周森鹏 2019',
     },
   },
 }

@@ -15,15 +15,15 @@ export const zhCNQuestions: Record<string, string> = {
 
   // Where they come from.
   'Zhang, Wang, Sun, Liu, Wu, Liu 2020, Application of improved ant colony algorithm in multi-fire path planning of fire fighting robot, table 2':
-    'Zhang、Wang、Sun、Liu、Wu、Liu 2020，改进的蚁群算法在灭火机器人多火源路径规划的应用，表 2',
+    '张森、王奔、孙梦亚、刘月锟、武曲、刘秀燕 2020，改进的蚁群算法在灭火机器人多火源路径规划的应用，表 2',
   'Zhou, Mu, Zhang 2019, Path planning of mobile robot based on hybrid FWA and ACO, table 1, section 2.2 (200 ants; comparison with particles)':
-    'Zhou、Mu、Zhang 2019，基于烟花混合蚁群的移动机器人路径规划研究，表 1，第 2.2 节（200 只蚂蚁；与粒子群比较）',
+    '周森鹏、穆平安、张仁杰 2019，基于烟花混合蚁群的移动机器人路径规划研究，表 1，第 2.2 节（200 只蚂蚁；与粒子群比较）',
   'Fan, Zhang, Liu, Zhu 2026, Journal of Dalian Maritime University 52(1), 87–98, tables 1 and 2, section 4.3; doi:10.16411/j.cnki.issn1006-7736.2026.01.009':
-    'Fan、Zhang、Liu、Zhu 2026，大连海事大学学报 52(1)，87–98，表 1 与表 2，第 4.3 节；doi:10.16411/j.cnki.issn1006-7736.2026.01.009',
+    '范学兴、张彬、刘世翔、朱文斌 2026，大连海事大学学报 52(1)，87–98，表 1 与表 2，第 4.3 节；doi:10.16411/j.cnki.issn1006-7736.2026.01.009',
   'Robot 3D path planning by an improved elitist potential-field ant colony (基于改进精英势场蚁群算法的机器人三维路径规划算法研究), Hans Publishers, article 41567, tables 2 and 3':
     '基于改进精英势场蚁群算法的机器人三维路径规划算法研究，汉斯出版社，文章 41567，表 2 与表 3',
   'Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning, tables 1 and 2, figure 5':
-    'Lai、Guo 2014，基于自适应阈值蚁群算法的路径规划算法，表 1 与表 2，图 5',
+    '赖智铭、郭躬德 2014，基于自适应阈值蚁群算法的路径规划算法，表 1 与表 2，图 5',
 
   // What they ask.
   "Do the successors of Ant System find shorter paths than it does, as they do on tours (Dorigo and Stützle 2004, chapter 3), when each constructs 5000 paths? Parameters are the defaults here: the book's where it has them. A question of our own: no size is claimed.":

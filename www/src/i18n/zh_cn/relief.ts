@@ -10,7 +10,7 @@ export const zhCNRelief: DictionaryShape<typeof enRelief> = {
     solidHint: '以三维方式查看地形',
     contours: '等高线',
     stretch: '高度',
-    stretchTimes: '高度放大 {{times}} 倍',
+    stretchTimes: '高度为原来的 {{times}} 倍',
     label: '三维地形 {{name}}，{{width}} × {{height}} 格。方向键旋转，加号和减号缩放。',
     help: '按住 Shift 时方向键移动格子光标；使用起点或目标工具时则相反，按 Enter 放置。Page Up 和 Page Down 改变层，Home 显示整张地图，按 3 返回平面地图。',
     opened: '地形已以三维方式显示',
@@ -33,6 +33,6 @@ export const zhCNRelief: DictionaryShape<typeof enRelief> = {
     altitude: '海拔（米）',
     empty: '找到路径后，这里显示它的起伏。',
     words: '{{planner}}：长 {{length}} 米，上升 {{climb}} 米，下降 {{descent}} 米',
-    ground: '{{planner}} 下方的地面',
+    ground: '“{{planner}}”下方的地面',
   },
 }

@@ -1,6 +1,6 @@
 /**
  * Chinese for where the catalog's planners, parameters and presets come from, and for what presets mean: by the English text, because
- * many share one. Names of authors, journals and programs stay as they are.
+ * many share one. Authors of Chinese papers and Chinese journals have their Chinese names; other names stay as they are.
  */
 export const zhCNSources: Record<string, string> = {
   'Bellman 1957, Dynamic Programming, Princeton University Press':
@@ -24,31 +24,31 @@ export const zhCNSources: Record<string, string> = {
     'Dorigo、Gambardella 1997，IEEE Trans. Evolutionary Computation 1，53–66，doi:10.1109/4235.585892',
   'Dorigo, Maniezzo, Colorni 1996, IEEE Trans. SMC-B 26, 29–41, doi:10.1109/3477.484436':
     'Dorigo、Maniezzo、Colorni 1996，IEEE Trans. SMC-B 26，29–41，doi:10.1109/3477.484436',
-  'Fan et al. 2026': 'Fan 等 2026',
-  'Fan et al. 2026, eq. 10–11': 'Fan 等 2026，式 10–11',
-  'Fan et al. 2026, eq. 14; its step 4 names eq. 12': 'Fan 等 2026，式 14；其第 4 步所指为式 12',
-  'Fan et al. 2026, eq. 6': 'Fan 等 2026，式 6',
-  'Fan et al. 2026, eq. 7': 'Fan 等 2026，式 7',
-  'Fan et al. 2026, eq. 8, 9 and 11': 'Fan 等 2026，式 8、9 与 11',
+  'Fan et al. 2026': '范学兴等 2026',
+  'Fan et al. 2026, eq. 10–11': '范学兴等 2026，式 10–11',
+  'Fan et al. 2026, eq. 14; its step 4 names eq. 12': '范学兴等 2026，式 14；其第 4 步所指为式 12',
+  'Fan et al. 2026, eq. 6': '范学兴等 2026，式 6',
+  'Fan et al. 2026, eq. 7': '范学兴等 2026，式 7',
+  'Fan et al. 2026, eq. 8, 9 and 11': '范学兴等 2026，式 8、9 与 11',
   'Fan et al. 2026, section 3.3; next: its words taken one by one':
-    'Fan 等 2026，第 3.3 节；“逐点检查”：逐字照其文字',
-  'Fan et al. 2026, section 4': 'Fan 等 2026，第 4 节',
+    '范学兴等 2026，第 3.3 节；“逐点检查”：逐字照其文字',
+  'Fan et al. 2026, section 4': '范学兴等 2026，第 4 节',
   'Fan et al. 2026, section 4, where it is called the initial trail':
-    'Fan 等 2026，第 4 节，该处称为信息素初始值',
+    '范学兴等 2026，第 4 节，该处称为信息素初始值',
   'Fan, Zhang, Liu, Zhu 2026, J. Dalian Maritime Univ. 52(1), 87–98, doi:10.16411/j.cnki.issn1006-7736.2026.01.009':
-    'Fan、Zhang、Liu、Zhu 2026，大连海事大学学报 52(1)，87–98，doi:10.16411/j.cnki.issn1006-7736.2026.01.009',
+    '范学兴、张彬、刘世翔、朱文斌 2026，大连海事大学学报 52(1)，87–98，doi:10.16411/j.cnki.issn1006-7736.2026.01.009',
   'Hart, Nilsson, Raphael 1968, IEEE Trans. Systems Science and Cybernetics 4, 100–107, doi:10.1109/TSSC.1968.300136':
     'Hart、Nilsson、Raphael 1968，IEEE Trans. Systems Science and Cybernetics 4，100–107，doi:10.1109/TSSC.1968.300136',
   'Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*':
     'Held、Karp 1962，J. SIAM 10，196–210，doi:10.1137/0110015；路段由 A* 求得',
-  'Lai, Guo 2014': 'Lai、Guo 2014',
+  'Lai, Guo 2014': '赖智铭、郭躬德 2014',
   'Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning':
-    'Lai、Guo 2014，基于自适应阈值蚁群算法的路径规划算法',
-  'Lai, Guo 2014, as printed': 'Lai、Guo 2014，按印刷公式',
-  'Lai, Guo 2014, section 1, of its ref. 13': 'Lai、Guo 2014，第 1 节，出自其文献 13',
-  'Lai, Guo 2014, table 1: ACO': 'Lai、Guo 2014，表 1：ACO',
+    '赖智铭、郭躬德 2014，基于自适应阈值蚁群算法的路径规划算法',
+  'Lai, Guo 2014, as printed': '赖智铭、郭躬德 2014，按印刷公式',
+  'Lai, Guo 2014, section 1, of its ref. 13': '赖智铭、郭躬德 2014，第 1 节，出自其文献 13',
+  'Lai, Guo 2014, table 1: ACO': '赖智铭、郭躬德 2014，表 1：ACO',
   'Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332':
-    'Lai、Guo 2014，表 1：ACOMSP，依据 Tang、Zhang、Jiang、Zhang 2012，J. Comput. Inf. Syst. 8，10325–10332',
+    '赖智铭、郭躬德 2014，表 1：ACOMSP，依据 Tang、Zhang、Jiang、Zhang 2012，J. Comput. Inf. Syst. 8，10325–10332',
   'Nash, Daniel, Koenig, Felner 2007, AAAI-07, 1177–1183; Daniel, Nash, Koenig, Felner 2010, JAIR 39, 533–579, doi:10.1613/jair.2994':
     'Nash、Daniel、Koenig、Felner 2007，AAAI-07，1177–1183；Daniel、Nash、Koenig、Felner 2010，JAIR 39，533–579，doi:10.1613/jair.2994',
   'Shi and Eberhart 1999': 'Shi 与 Eberhart 1999',
@@ -65,28 +65,28 @@ export const zhCNSources: Record<string, string> = {
   'Stützle, Hoos 2000, Future Generation Computer Systems 16, 889–914, doi:10.1016/S0167-739X(00)00043-1':
     'Stützle、Hoos 2000，Future Generation Computer Systems 16，889–914，doi:10.1016/S0167-739X(00)00043-1',
   'Tan, Zhu 2010, LNCS 6145, 355–364, doi:10.1007/978-3-642-13495-1_44; priorities as in Zhou, Mu, Zhang 2019':
-    'Tan、Zhu 2010，LNCS 6145，355–364，doi:10.1007/978-3-642-13495-1_44；优先值同 Zhou、Mu、Zhang 2019',
+    'Tan、Zhu 2010，LNCS 6145，355–364，doi:10.1007/978-3-642-13495-1_44；优先值同周森鹏等 2019',
   'V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)':
     'V(d, r)：灭火机器人论文，式 10；搜索为我们的做法：在（格，方向）上的 A*（Hart、Nilsson、Raphael 1968）',
-  'Zhang et al. 2020': 'Zhang 等 2020',
+  'Zhang et al. 2020': '张森等 2020',
   'Zhang, Wang, Sun, Liu, Wu, Liu 2020, Computer Science and Application 10(5), doi:10.12677/CSA.2020.105088':
-    'Zhang、Wang、Sun、Liu、Wu、Liu 2020，计算机科学与应用 10(5)，doi:10.12677/CSA.2020.105088',
-  'Zhou, Mu, Zhang 2019': 'Zhou、Mu、Zhang 2019',
+    '张森、王奔、孙梦亚、刘月锟、武曲、刘秀燕 2020，计算机科学与应用 10(5)，doi:10.12677/CSA.2020.105088',
+  'Zhou, Mu, Zhang 2019': '周森鹏等 2019',
   'Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究)':
-    'Zhou、Mu、Zhang 2019，基于烟花混合蚁群的移动机器人路径规划研究',
+    '周森鹏、穆平安、张仁杰 2019，基于烟花混合蚁群的移动机器人路径规划研究',
   'Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究), eq. 1–9':
-    'Zhou、Mu、Zhang 2019，基于烟花混合蚁群的移动机器人路径规划研究，式 1–9',
-  'Zhou, Mu, Zhang 2019, as printed': 'Zhou、Mu、Zhang 2019，按印刷公式',
-  'Zhou, Mu, Zhang 2019, section 1.3.2, step 2': 'Zhou、Mu、Zhang 2019，第 1.3.2 节，第 2 步',
-  'Zhou, Mu, Zhang 2019, section 2.1': 'Zhou、Mu、Zhang 2019，第 2.1 节',
-  'Zhou, Mu, Zhang 2019, section 2.1; eq. 2': 'Zhou、Mu、Zhang 2019，第 2.1 节；式 2',
-  'Zhou, Mu, Zhang 2019, section 2.1; eq. 3': 'Zhou、Mu、Zhang 2019，第 2.1 节；式 3',
-  'Zhou, Mu, Zhang 2019, section 2.2': 'Zhou、Mu、Zhang 2019，第 2.2 节',
+    '周森鹏、穆平安、张仁杰 2019，基于烟花混合蚁群的移动机器人路径规划研究，式 1–9',
+  'Zhou, Mu, Zhang 2019, as printed': '周森鹏等 2019，按印刷公式',
+  'Zhou, Mu, Zhang 2019, section 1.3.2, step 2': '周森鹏等 2019，第 1.3.2 节，第 2 步',
+  'Zhou, Mu, Zhang 2019, section 2.1': '周森鹏等 2019，第 2.1 节',
+  'Zhou, Mu, Zhang 2019, section 2.1; eq. 2': '周森鹏等 2019，第 2.1 节；式 2',
+  'Zhou, Mu, Zhang 2019, section 2.1; eq. 3': '周森鹏等 2019，第 2.1 节；式 3',
+  'Zhou, Mu, Zhang 2019, section 2.2': '周森鹏等 2019，第 2.2 节',
   'Zhou, Mu, Zhang 2019, section 2.2: 0.9, by eq. 11 what stays':
-    'Zhou、Mu、Zhang 2019，第 2.2 节：0.9，按式 11 为保留的部分',
+    '周森鹏等 2019，第 2.2 节：0.9，按式 11 为保留的部分',
   'Zhou, Mu, Zhang 2019, section 2.2: of the second stage':
-    'Zhou、Mu、Zhang 2019，第 2.2 节：第二阶段的次数',
-  'adaptive-threshold ACO (Lai, Guo 2014)': '自适应阈值蚁群（Lai、Guo 2014）',
+    '周森鹏等 2019，第 2.2 节：第二阶段的次数',
+  'adaptive-threshold ACO (Lai, Guo 2014)': '自适应阈值蚁群（赖智铭、郭躬德 2014）',
   composition: '组装',
   'composition; Ant System: not refined': '组装；蚂蚁系统：不拉直',
   'composition; Ant System: nothing': '组装；蚂蚁系统：没有这一规则',
@@ -101,14 +101,14 @@ export const zhCNSources: Record<string, string> = {
   'eq. 9: 0.6 to 0.8': '式 9：0.6 至 0.8',
   'fire-fighting paper, eq. 6–7': '灭火机器人论文，式 6–7',
   'fire-fighting robot with several fires (Zhang et al. 2020)':
-    '面对多个火源的灭火机器人（Zhang 等 2020）',
-  'fireworks and ant-colony hybrid (Zhou, Mu, Zhang 2019)': '烟花混合蚁群（Zhou、Mu、Zhang 2019）',
+    '面对多个火源的灭火机器人（张森等 2020）',
+  'fireworks and ant-colony hybrid (Zhou, Mu, Zhang 2019)': '烟花混合蚁群（周森鹏等 2019）',
   'measured: 0.8 % of ants lost on large maps, same best':
-    '实测：大地图上 0.8 % 的蚂蚁因此放弃，最优不变',
+    '实测：大地图上 0.8% 的蚂蚁因此放弃，最优不变',
   'multi-fire path planning for a fire-fighting robot': '灭火机器人多火源路径规划',
-  'named by Zhou, Mu, Zhang 2019': 'Zhou、Mu、Zhang 2019 提到',
+  'named by Zhou, Mu, Zhang 2019': '周森鹏等 2019 提到',
   'named in Zhou, Mu, Zhang 2019 as what it compares with; particle swarm as Shi and Eberhart 1999':
-    'Zhou、Mu、Zhang 2019 提到的比较对象；粒子群同 Shi 与 Eberhart 1999',
+    '周森鹏等 2019 提到的比较对象；粒子群同 Shi 与 Eberhart 1999',
   'our addition': '我们的补充',
   'our addition; the paper has no cap': '我们的补充；论文没有上限',
   'our choice, as in Ant System: eq. 4 divides by 0 at the goal':
@@ -144,9 +144,9 @@ export const zhCNSources: Record<string, string> = {
   'ours: what the seed is worth': '我们的问题：引导信息素有多大作用',
   "papers' common value": '论文中的常用值',
   "papers' common value; the book takes m = n cities": '论文中的常用值；书中取 m = n 个城市',
-  "rescue robot in a ship's engine room (Fan et al. 2026)": '船舶机舱救援机器人（Fan 等 2026）',
+  "rescue robot in a ship's engine room (Fan et al. 2026)": '船舶机舱救援机器人（范学兴等 2026）',
   "rescue robot in a ship's engine room (Fan et al. 2026), without its section 3.3":
-    '船舶机舱救援机器人（Fan 等 2026），不含其第 3.3 节',
+    '船舶机舱救援机器人（范学兴等 2026），不含其第 3.3 节',
   'section 3.2, step 4: eq. 3, with η of eq. 8': '第 3.2 节，第 4 步：式 3，η 取自式 8',
   'section 4': '第 4 节',
   'section 4, eq. 4': '第 4 节，式 4',

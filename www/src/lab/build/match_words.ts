@@ -2,6 +2,7 @@
 import type { ResultsMatch } from '@pkg/formicarium'
 import { describeNotice } from '../../i18n/errors'
 import { t } from '../../i18n/lab'
+import { listed } from '../../i18n/lists'
 
 /** More entries or maps than these are only counted. */
 const MOST_NAMED = 4
@@ -46,7 +47,7 @@ const pair = (name: string, instance: string | null) =>
   instance === null || instance === name ? name : `${name} → ${instance}`
 
 function named(names: string[]): string {
-  const shown = names.slice(0, MOST_NAMED).join(', ')
+  const shown = listed(names.slice(0, MOST_NAMED))
   const more = names.length - MOST_NAMED
   return more > 0 ? t('lab.imported.andMore', { shown, count: more }) : shown
 }

@@ -1,6 +1,7 @@
 /** What each component of a planner does: differences between runs without it and runs of the full planner, with equal seeds. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inTurn, saying } from '../../i18n/lists'
 import type { Ablated, Difference, Effect } from '../../model/analysis'
 import { amount, chance, dash, measureWords } from '../words/numbers'
 import { drawPlot, gridX, MARGIN } from './draw_plot'
@@ -115,9 +116,11 @@ export const ablation: Figure = {
     }
   },
   words: (scene) =>
-    rowsOf(scene)
-      .map(({ label, effect }) => `${label}: ${t(`lab.results.findings.${effect.finding}`)}`)
-      .join('; '),
+    inTurn(
+      rowsOf(scene).map(({ label, effect }) =>
+        saying(label, t(`lab.results.findings.${effect.finding}`)),
+      ),
+    ),
   table(scene) {
     const measure = amount(ablated(scene)?.measure ?? 'length')
     return {

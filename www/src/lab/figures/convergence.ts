@@ -1,5 +1,6 @@
 /** How good the best path is after so much effort: median and quartiles of the runs. */
 import { t } from '../../i18n/lab'
+import { inTurn, listed, saying } from '../../i18n/lists'
 import type { BandPoint, EntryAnalysis } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, effort, measureWords, optimaOf } from '../words/numbers'
 import { type Ends, endsOf, limitsOf, placed } from './curve_limits'
@@ -63,12 +64,12 @@ export const convergence: Figure = {
     })
   },
   words: (scene) =>
-    shownWith(scene, hasBand)
-      .map(({ entry, series }) => {
+    inTurn(
+      shownWith(scene, hasBand).map(({ entry, series }) => {
         const value = dash(entry.band.at(-1)?.median, amount(scene.map.curve_measure))
-        return `${series.label}: ${t('lab.results.words.median', { value })}`
-      })
-      .join('; '),
+        return saying(series.label, t('lab.results.words.median', { value }))
+      }),
+    ),
   table(scene) {
     const words = amount(scene.map.curve_measure)
     const spent = effort(scene.analysis.axis)
@@ -117,7 +118,7 @@ function optimum(plot: Plot, { look }: Scene, { value }: ExactOptimum) {
 
 function legend(optima: ExactOptimum[]): LegendItem[] {
   const band = t('lab.results.legend.band')
-  const lines = optima.map(({ words }) => words).join(', ')
+  const lines = listed(optima.map(({ words }) => words))
   return [
     { kind: 'mark', mark: 'band', label: band },
     ...(lines === '' ? [] : [{ kind: 'mark', mark: 'optimum', label: lines } as const]),

@@ -1,4 +1,6 @@
 /** Figures as files: SVG that stands alone, PNG drawn from it. */
+
+import { inSentences } from '../../i18n/lists'
 import { download } from '../../state/export_files'
 import fontUrl from '../../styles/figtree-basic.woff2?url'
 import type { Figure, Plot, Scene } from './figure'
@@ -31,7 +33,7 @@ export async function figureFile(
 ): Promise<SVGSVGElement> {
   const look = LOOKS[ground]
   const own = { ...scene, look, width: FILE_WIDTH }
-  const words = `${heading.title}. ${heading.subtitle}. ${figure.words(own)}`
+  const words = inSentences([heading.title, heading.subtitle, figure.words(own)])
   const svg = framed(figure.draw(plot, own), FILE_WIDTH, look, words, heading)
   svg.prepend(element('style', {}, await fontFace()))
   return svg

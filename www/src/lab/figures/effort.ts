@@ -1,5 +1,6 @@
 /** What it takes each entry to find its best path. */
 import { t } from '../../i18n/lab'
+import { inTurn, saying } from '../../i18n/lists'
 import type { Summary } from '../../model/analysis'
 import { axisWords, dash, effort as effortOf } from '../words/numbers'
 import { type Box, boxMarks } from './box_marks'
@@ -68,12 +69,12 @@ export const effort: Figure = {
     }
   },
   words: (scene) =>
-    known(scene)
-      .map(({ series, summary }) => {
+    inTurn(
+      known(scene).map(({ series, summary }) => {
         const value = effortOf(scene.analysis.axis)(summary.median)
-        return `${series.label}: ${t('lab.results.words.median', { value })}`
-      })
-      .join('; '),
+        return saying(series.label, t('lab.results.words.median', { value }))
+      }),
+    ),
   table(scene) {
     return {
       columns: [

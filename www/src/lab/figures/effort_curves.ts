@@ -1,5 +1,6 @@
 /** What all figures with curves over effort share. */
 import { t } from '../../i18n/lab'
+import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis } from '../../model/analysis'
 import { axisWords } from '../words/numbers'
 import type { Ends } from './curve_limits'
@@ -83,7 +84,7 @@ export function finished(scene: Scene, { plot, shown, legend, notes }: Finish): 
   const left = shownEntries(scene.map).filter(
     ({ index }) => !shown.some((each) => each.index === index),
   )
-  const entries = left.map((each) => each.series.label).join(', ')
+  const entries = listed(left.map((each) => each.series.label))
   return {
     plot,
     height: heightOf(scene),
@@ -101,9 +102,10 @@ export function finished(scene: Scene, { plot, shown, legend, notes }: Finish): 
 /** Notes on failed runs, which a curve cannot show. */
 export function pathless(shown: Shown[]): string[] {
   const said = shown
-    .map((each) => [each.series.label, failures(each)])
-    .filter(([, words]) => words !== '')
-  return said.length === 0 ? [] : [`${said.map((words) => words.join(': ')).join('; ')}.`]
+    .map((each) => ({ label: each.series.label, words: failures(each) }))
+    .filter(({ words }) => words !== '')
+  const all = inTurn(said.map(({ label, words }) => saying(label, words)))
+  return said.length === 0 ? [] : [t('lab.results.sentence', { words: all })]
 }
 
 export const timeNote = ({ analysis }: Scene) =>

@@ -4,6 +4,7 @@ import { FileCode2, Image, Table2 } from 'lucide'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { language } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inSentences } from '../../i18n/lists'
 import type { Analysis, MapAnalysis } from '../../model/analysis'
 import { notifyError, theme } from '../../state'
 import { Button } from '../../ui/buttons'
@@ -71,7 +72,7 @@ function Picture({ figure, plot, scene }: FigureCardProps & { scene: Scene }) {
   useLayoutEffect(() => {
     const draw = () => {
       const began = performance.now()
-      const words = `${titleOf(figure, scene)}. ${figure.words(scene)}`
+      const words = inSentences([titleOf(figure, scene), figure.words(scene)])
       try {
         const drawing = figure.draw(plot, scene)
         frame.current?.replaceChildren(framed(drawing, width, look, words, null))

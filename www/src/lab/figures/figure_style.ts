@@ -33,7 +33,7 @@ export const LOOKS: Record<Ground, Look> = {
 }
 
 export const FONT =
-  '"Figtree Variable", Inter, "Segoe UI", system-ui, Roboto, "Noto Sans SC", "PingFang SC", "Microsoft YaHei", sans-serif'
+  '"Figtree Variable", Inter, "Segoe UI", system-ui, Roboto, "PingFang SC", "Microsoft YaHei", "Noto Sans SC", "Noto Sans CJK SC", "Source Han Sans SC", sans-serif'
 
 /** How one entry is told from the others: by colour, by dashes and by symbol, each of which is enough alone. */
 export interface Series {

@@ -1,6 +1,7 @@
 /** How many runs end how far above the best there is: one small histogram an entry, all on one scale. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inTurn, saying } from '../../i18n/lists'
 import { drawPlot, LOW, MARGIN } from './draw_plot'
 import { failures, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
@@ -101,12 +102,12 @@ export const gaps: Figure = {
     }
   },
   words: ({ map }) =>
-    shownEntries(map)
-      .map(({ entry, series }) => {
+    inTurn(
+      shownEntries(map).map(({ entry, series }) => {
         const counts = { optimal: entry.optimal, runs: entry.runs }
-        return `${series.label}: ${t('lab.results.words.optimal', counts)}`
-      })
-      .join('; '),
+        return saying(series.label, t('lab.results.words.optimal', counts))
+      }),
+    ),
   table({ map }) {
     const edges = map.gap_edges.map((edge) => numbers.value.share.format(edge))
     const bins = edges.map((edge, i) =>

@@ -1,6 +1,7 @@
 /** Mean ranks over all maps, as Demšar (2006) draws them, with Holm's correction in place of one critical difference. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inTurn, saying } from '../../i18n/lists'
 import type { Ranks } from '../../model/analysis'
 import { chance, significant } from '../words/numbers'
 import { drawPlot, LOW, MARGIN } from './draw_plot'
@@ -134,9 +135,11 @@ export const ranks: Figure = {
     }
   },
   words: ({ analysis }) =>
-    ranked(analysis, analysis.ranks as Ranks)
-      .map(({ label, mean }) => `${label}: ${numbers.value.length.format(mean)}`)
-      .join('; '),
+    inTurn(
+      ranked(analysis, analysis.ranks as Ranks).map(({ label, mean }) =>
+        saying(label, numbers.value.length.format(mean)),
+      ),
+    ),
   table({ analysis }) {
     const all = analysis.ranks as Ranks
     return {

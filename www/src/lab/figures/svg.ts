@@ -41,7 +41,7 @@ export function shortened(text: string, most: number, font: string): string {
 /** Words in lines of at most this many pixels. Chinese may break anywhere. */
 export function wrapped(text: string, most: number, font: string): string[] {
   const words =
-    text.match(/[\u3000-\u9fff\uff00-\uffef]|[^\s\u3000-\u9fff\uff00-\uffef]+\s*/g) ?? []
+    text.match(/(?:[\u3000-\u9fff\uff00-\uffef]|[^\s\u3000-\u9fff\uff00-\uffef]+)\s*/g) ?? []
   const lines: string[] = []
   let line = ''
   for (const word of words) {

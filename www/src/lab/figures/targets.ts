@@ -1,6 +1,7 @@
 /** The share of (run, target) pairs solved after so much effort: an empirical distribution of running times over several targets. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis } from '../../model/analysis'
 import { dash, effort, optimaOf } from '../words/numbers'
 import { type Ends, endsOf, placed } from './curve_limits'
@@ -32,18 +33,17 @@ export const targets: Figure = {
         shown.map((each) => curve(plot, each, stepsOf(each.entry, ends), 'share', ends)),
       ],
     })
-    const gaps = scene.map.target_gaps.map((gap) => numbers.value.share.format(gap)).join(', ')
+    const gaps = listed(scene.map.target_gaps.map((gap) => numbers.value.share.format(gap)))
     const proven = optimaOf(scene.map, scene.map.curve_measure).length > 0
     const notes = [t(proven ? 'lab.results.targetsNote' : 'lab.results.targetsKnownNote', { gaps })]
     return finished(scene, { plot: picture, shown, legend: [], notes })
   },
   words: (scene) =>
-    shownWith(scene, hasSteps)
-      .map(({ entry, series }) => {
-        const share = numbers.value.share.format(entry.ecdf.at(-1)?.share ?? 0)
-        return `${series.label}: ${share}`
-      })
-      .join('; '),
+    inTurn(
+      shownWith(scene, hasSteps).map(({ entry, series }) =>
+        saying(series.label, numbers.value.share.format(entry.ecdf.at(-1)?.share ?? 0)),
+      ),
+    ),
   table(scene) {
     const spent = effort(scene.analysis.axis)
     const within = (gap: number) =>

@@ -1,5 +1,6 @@
 /** Every run's value, with the quartiles; the exact optimum and published numbers are on the same scale. */
 import { t } from '../../i18n/lab'
+import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
 import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
 import { type Box, boxMarks } from './box_marks'
@@ -32,17 +33,16 @@ export const values: Figure = {
     rowsOf(map.entries).some(({ entry }) => entry.summary) ? null : 'lab.results.noPaths',
   draw,
   words: ({ map }) =>
-    rowsOf(map.entries)
-      .map((row) => {
+    inTurn(
+      rowsOf(map.entries).map((row) => {
         const { summary } = row.entry
         const median = t('lab.results.words.median', {
           value: dash(summary?.median, amount(map.measure)),
         })
-        return [`${row.series.label}: ${median}`, aside(row)]
-          .filter((part) => part !== '')
-          .join(', ')
-      })
-      .join('; '),
+        const parts = [saying(row.series.label, median), aside(row)]
+        return listed(parts.filter((part) => part !== ''))
+      }),
+    ),
   table({ map }) {
     return {
       columns: [

@@ -2,6 +2,7 @@
 import { signal } from '@preact/signals'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { listed } from '../../i18n/lists'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Select } from '../../ui/fields'
 import { bestOf } from '../../words/metric_rows'
@@ -51,7 +52,7 @@ function about(map: MapAnalysis): string {
   const optima = optimaOf(map).map(({ words }) => words)
   const known =
     optima.length > 0
-      ? t('lab.results.optima', { optima: optima.join(', ') })
+      ? t('lab.results.optima', { optima: listed(optima) })
       : t('lab.results.noOptimum')
   return `${measure} ${known}`
 }

@@ -1,6 +1,7 @@
 /** Tests of pairs read as comparisons, and what they allow to say. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { inTurn, listed } from '../../i18n/lists'
 import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { chance, labelOf } from '../words/numbers'
 import { differ, effectOf, type Kind, type PairTest, pairTest } from './pair_tests'
@@ -29,7 +30,7 @@ export function sentences(map: MapAnalysis, kind: Kind): string[] {
       ? [t('lab.results.unpaired', { pairs: listOf(unpaired) })]
       : []),
     ...(few.length > 0
-      ? [t('lab.results.tooFew', { least: FEWEST, entries: few.map(labelOf).join(', ') })]
+      ? [t('lab.results.tooFew', { least: FEWEST, entries: listed(few.map(labelOf)) })]
       : []),
   ]
 }
@@ -54,4 +55,4 @@ function ahead({ a, b, pair }: Both): string {
   })
 }
 
-const listOf = (all: Both[]) => all.map(({ a, b }) => `${labelOf(a)} – ${labelOf(b)}`).join('; ')
+const listOf = (all: Both[]) => inTurn(all.map(({ a, b }) => `${labelOf(a)} – ${labelOf(b)}`))

@@ -1,6 +1,7 @@
 /** Differences in plain words, causes first, as the engine lists them. */
 import type { Deviation } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
+import { paramName } from '../../words/planner_words'
 import { shownComparison } from '../store/shown_comparison'
 
 /** One cause may make hundreds of entries differ: a few of each kind are shown. */
@@ -55,7 +56,8 @@ function wordsOf(one: Deviation): string {
 
 function parameterWords(one: Deviation & { kind: 'parameter' }): string {
   const { entry, key, recorded, now } = one
-  const words = { entry: labelOf(entry), key, recorded: String(recorded), now: String(now) }
+  const values = { recorded: String(recorded), now: String(now) }
+  const words = { entry: labelOf(entry), key: paramName({ key }), ...values }
   if (recorded === null) return t('lab.verify.parameterNew', words)
   return t(now === null ? 'lab.verify.parameterGone' : 'lab.verify.parameter', words)
 }

@@ -159,7 +159,10 @@ function NoAnalysis() {
   if (!error) return null
   return (
     <p class="field-error" role="alert">
-      {t('lab.run.noAnalysis')}: {describeError(error).message}
+      {t('lab.run.failure', {
+        what: t('lab.run.noAnalysis'),
+        message: describeError(error).message,
+      })}
     </p>
   )
 }
