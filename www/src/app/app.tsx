@@ -3,6 +3,7 @@ import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { Dock } from '../panels/dock'
+import { NotePlace } from '../panels/note_place'
 import { PanelGrid } from '../panels/panel_grid'
 import { RaceStrip } from '../panels/race_strip'
 import { catalog, showView, startError, startPage, view } from '../state'
@@ -55,6 +56,7 @@ function Race({ hidden }: { hidden: boolean }) {
       <Toolbar />
       <div class="content">
         <Welcome />
+        <NotePlace />
         <RaceStrip />
         <ScrubberPlace />
         <PanelGrid />

@@ -11,6 +11,7 @@ import type { ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
 import { placeOf } from '../model/world'
+import type { Wordless } from '../share/session_words'
 import {
   currentSession,
   engineVersion,
@@ -27,6 +28,7 @@ import {
   stepIteration,
 } from '../state'
 import { latest } from '../state/live_reports'
+import { awaited } from '../state/looking'
 
 export interface PanelResult {
   planner: string
@@ -46,7 +48,7 @@ export interface PanelResult {
 export interface Scripting {
   readonly version: string
   /** Resolves to whether it was opened; if not, the page says why. */
-  load(source: string | Session): Promise<boolean>
+  load(source: string | Wordless): Promise<boolean>
   /** Runs every panel to its end, or for a number of iterations, and gives the results. */
   run(options?: { iterations?: number }): Promise<PanelResult[]>
   pause(): void
@@ -79,12 +81,15 @@ export function offerScripting(): void {
         pause()
         return taken
       }
+      const { withWords } = await import('../share/session_words')
       // Scripts older than terrains have no heights.
       const heights = source.scenario.heights ?? null
-      loadSession({ ...source, scenario: { ...source.scenario, heights } })
+      loadSession(withWords({ ...source, scenario: { ...source.scenario, heights } }))
       return true
     },
     async run(options = {}) {
+      // A script says itself where to stop.
+      awaited.value = null
       if (options.iterations === undefined) await finishAll()
       else for (let i = 0; i < options.iterations; i++) await oneIteration()
       return results()

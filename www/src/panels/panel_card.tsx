@@ -21,7 +21,8 @@ import {
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
-import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from '../words/planner_words'
+import { FAMILIES, panelTitle, plannerName, whyNot } from '../words/planner_words'
+import { PanelLabel } from './panel_label'
 import { cardId, showParameters } from './parameters'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
@@ -46,6 +47,7 @@ export function PanelCard({ panel, place }: PanelCardProps) {
     >
       <header class="panel-head">
         <span class="panel-dot" aria-hidden="true" />
+        <PanelLabel panelId={id} place={place} />
         <Select
           label={t('panels.planner')}
           hideLabel
@@ -55,7 +57,6 @@ export function PanelCard({ panel, place }: PanelCardProps) {
           options={plannerOptions(setup.planner)}
           onChange={(planner) => setPlanner(id, planner)}
         />
-        <span class="namesake">{namesakeMark(id)}</span>
         <StatusChip panel={panel} place={place} />
         <span class="spacer" />
         <LayerCaption planner={setup.planner} />

@@ -31,10 +31,16 @@ export interface OpenerPart {
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
+/** Goes to what an opened session looked at (playback/arrival.ts). */
+export interface ArrivalPart {
+  followAwaited(): void
+}
+
 export interface LazyParts {
   opener(): Promise<OpenerPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
+  arrival(): Promise<ArrivalPart>
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
@@ -47,6 +53,7 @@ export const lazyParts: LazyParts = {
   opener: missing,
   lab: missing,
   relief: missing,
+  arrival: missing,
   inspector: missing,
 }
 

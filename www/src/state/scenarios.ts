@@ -14,7 +14,7 @@ import type { Scenario } from '../model/session'
 import { settleGoals } from '../model/settle_ends'
 import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
-import { createHistory } from './history'
+import { createHistory, type Step, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
@@ -68,6 +68,12 @@ export function commit(after: Scenario, gesture?: number): void {
   }
 }
 
+/** Notes a change of names as one step; the map stays as it is. */
+export function noteSwap(swap: Swap, gesture?: number): void {
+  const now = scenario.peek()
+  if (now) history.record(now, now, gesture, swap)
+}
+
 /** Says why the ground refuses an edit: the map itself does not show it. */
 function explain(now: Scenario, edit: Edit, gesture?: number): void {
   const refusal = refusalOf(now, edit)
@@ -82,7 +88,8 @@ function rename(next: Scenario): void {
   galleryId.value = galleryIds.get(next) ?? null
 }
 
-const asksSame = (a: Scenario, b: Scenario) =>
+/** Whether two scenarios ask the same of a planner. */
+export const asksSame = (a: Scenario, b: Scenario) =>
   a.cells === b.cells && a.heights === b.heights && askSame(a.spec, b.spec)
 
 /** Says why the tool that adds goals does nothing; every other tool needs no words. */
@@ -113,10 +120,10 @@ export function invertWalls(): void {
 }
 
 /** A different scenario altogether; undo brings the one before it back. Runs that played begin again at once. */
-export function setScenario(next: Scenario, options: { undoable: boolean }): void {
+export function setScenario(next: Scenario, options: { undoable: boolean; swap?: Swap }): void {
   const before = scenario.peek()
   const wasRunning = phase.peek() === 'running'
-  if (before && options.undoable) history.record(before, next)
+  if (before && options.undoable) history.record(before, next, undefined, options.swap)
   else history.clear()
   replace(next)
   fitView()
@@ -220,12 +227,14 @@ export function redo(): void {
 }
 
 function travel(
-  step: (current: Scenario) => Scenario | null,
+  take: (current: Scenario) => Step | null,
   said: 'notices.undone' | 'notices.redone',
 ): void {
   const now = scenario.peek()
-  const next = now && step(now)
-  if (!now || !next) return
+  const step = now && take(now)
+  if (!now || !step) return
+  const next = step.scenario
+  step.swap?.()
   suitSpeed(next)
   if (asksSame(now, next)) rename(next)
   else replace(next)

@@ -1,0 +1,37 @@
+import type { DictionaryShape } from '../dictionary_shape'
+import type { enNames } from '../en/names'
+
+export const zhCNNames: DictionaryShape<typeof enNames> = {
+  dialog: '名称与说明',
+  about: '名称与说明随比赛一起保存：链接、文件、图片和比较中都有。打开它的人都能看到。',
+  title: '标题',
+  titleEmpty: '未填写时用地图名称',
+  note: '说明',
+  noteEmpty: '这里能看到什么，可以试试什么',
+  noteLeft: '{{count}} / {{most}} 个字符',
+  map: '地图名称',
+  mapEmpty: '地图需要名称；仍用原来的名称。',
+  done: '完成',
+  label: '面板 {{place}} 中规划器的名称',
+  labelHint: '回车保存，Esc 恢复原名；留空则按其设置命名',
+  region: '关于这场比赛',
+  read: '阅读说明',
+  edit: '修改名称与说明',
+  close: '隐藏',
+  opened: '{{title}}。说明：{{note}}',
+  tab: '{{title}} – Formicarium',
+  look: {
+    awaited: '此链接查看的是第 {{iteration}} 次迭代。',
+    awaitedHint: '各次运行到达该迭代后，页面会自动转到那里。',
+    now: '立即运行到那里',
+    there: '第 {{iteration}} 次迭代，即链接所查看的',
+    changed: '比赛已经改变：不再转到链接所查看的第 {{iteration}} 次迭代。',
+    changedHint: '重新打开链接即可查看。',
+    never: '运行在第 {{last}} 次迭代结束；链接查看的是第 {{iteration}} 次迭代。',
+    neverHint: '链接生成之后，规划器或其参数可能有变化。',
+    refused: '无法显示链接所查看的内容：没有一个运行能够开始。',
+    refusedHint: '原因见各面板。',
+    noPanel: '链接查看的是某个规划器的格子，而该规划器不在这里。',
+    noPanelHint: '可用查看工具查看其他规划器的任意格子。',
+  },
+}

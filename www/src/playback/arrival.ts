@@ -1,0 +1,130 @@
+/** Goes to what an opened session looked at: the iteration once the runs have come so far, and the cell. */
+import { batch, effect, untracked } from '@preact/signals'
+import { numbers } from '../i18n'
+import { addNamesWords, t } from '../i18n/names'
+import type { Scenario } from '../model/session'
+import {
+  announce,
+  inspected,
+  notify,
+  notifyError,
+  panelById,
+  panels,
+  runToEnd,
+  scenario,
+  seed,
+  tool,
+} from '../state'
+import { awaited } from '../state/looking'
+import { asksSame } from '../state/scenarios'
+import { counted, lookTo, settle } from './look_back'
+
+type Awaited = NonNullable<typeof awaited.value>
+
+/** How far the runs are on the way to an iteration. */
+type Way = 'on' | 'there' | 'ended' | 'refused'
+
+export function followAwaited(): void {
+  addNamesWords().then(follow, notifyError)
+}
+
+let stop = () => {}
+
+function follow(): void {
+  stop()
+  const wanted = awaited.peek()
+  if (!wanted) return
+  const { look } = wanted
+  if (look === null) {
+    awaited.value = null
+    inspect(wanted)
+    return
+  }
+  const isSame = sameRace()
+  if (look > 0) tellAwaited(look)
+  stop = effect(() => {
+    if (awaited.value !== wanted) return leave()
+    if (!isSame()) return giveUp(wanted, 'changed')
+    const way = wayTo(look)
+    if (way === 'there') leave(() => void arrive(wanted).catch(notifyError))
+    else if (way === 'ended') giveUp(wanted, 'never')
+    else if (way === 'refused') giveUp(wanted, 'refused')
+  })
+}
+
+function tellAwaited(look: number): void {
+  notify('info', t('names.look.awaited', { iteration: numbers.peek().whole.format(look) }), {
+    hint: t('names.look.awaitedHint'),
+    action: { label: t('names.look.now'), run: runToEnd },
+  })
+}
+
+/** Ends the waiting after the effect that noticed. */
+function leave(then = () => {}): void {
+  queueMicrotask(() => {
+    stop()
+    then()
+  })
+}
+
+/** Whether the planners still run on the same question as now. */
+function sameRace(): () => boolean {
+  const of = () => [
+    seed.value,
+    ...panels.value.flatMap(({ id, setup: { planner, params } }) => [id, planner, params]),
+  ]
+  const [map, before] = untracked(() => [scenario.value, of()] as const)
+  return () => {
+    const now = of()
+    return isSameMap(map, scenario.value) && now.every((value, at) => value === before[at])
+  }
+}
+
+const isSameMap = (a: Scenario | null, b: Scenario | null) =>
+  a === b || (a !== null && b !== null && asksSame(a, b))
+
+function wayTo(look: number): Way {
+  const all = panels.value.map(({ live }) => live.value)
+  if (all.some(({ summary, error, crashed }) => !summary && !error && crashed === null)) return 'on'
+  const stopped = all.flatMap(({ summary, crashed }) => (crashed === null ? [] : (summary ?? [])))
+  const runs = counted.value.filter((summary) => !stopped.includes(summary))
+  if (runs.length === 0) return 'refused'
+  // One looks back at the very beginning from the first iteration.
+  const goal = Math.max(1, look)
+  const isThere = runs.some(({ iteration }) => iteration >= goal)
+  if (runs.some(({ iteration, status }) => iteration < goal && status === 'running')) return 'on'
+  return isThere ? 'there' : 'ended'
+}
+
+function giveUp({ look }: Awaited, why: 'changed' | 'never' | 'refused'): void {
+  const { whole } = numbers.peek()
+  const last = Math.max(0, ...counted.peek().map(({ iteration }) => iteration))
+  const words = { iteration: whole.format(look ?? 0), last: whole.format(last) }
+  leave(() => {
+    awaited.value = null
+    notify('warning', t(`names.look.${why}`, words), { hint: t(`names.look.${why}Hint`) })
+  })
+}
+
+async function arrive(wanted: Awaited): Promise<void> {
+  const { look } = wanted
+  awaited.value = null
+  if (look === null) return
+  lookTo(look)
+  await settle()
+  announce(t('names.look.there', { iteration: numbers.peek().whole.format(look) }))
+  inspect(wanted)
+}
+
+/** Opens the cell, if one was looked into, where its panel is still there. */
+function inspect({ inspected: there }: Awaited): void {
+  if (!there) return
+  if (!panelById(there.panelId)) {
+    notify('warning', t('names.look.noPanel'), { hint: t('names.look.noPanelHint') })
+    return
+  }
+  batch(() => {
+    tool.value = 'inspect'
+    inspected.value = there
+  })
+}
