@@ -17,7 +17,6 @@ import {
   engineVersion,
   historyOf,
   importText,
-  loadSession,
   type Panel,
   type PanelLive,
   panels,
@@ -29,6 +28,7 @@ import {
 } from '../state'
 import { latest } from '../state/live_reports'
 import { awaited } from '../state/looking'
+import { loadGiven } from '../state/sessions'
 
 export interface PanelResult {
   planner: string
@@ -81,10 +81,7 @@ export function offerScripting(): void {
         pause()
         return taken
       }
-      const { withWords } = await import('../share/session_words')
-      // Scripts older than terrains have no heights.
-      const heights = source.scenario.heights ?? null
-      loadSession(withWords({ ...source, scenario: { ...source.scenario, heights } }))
+      await loadGiven(source)
       return true
     },
     async run(options = {}) {

@@ -101,8 +101,8 @@ function MapNameField() {
   )
 }
 
-/** Gestures on the map count upwards. */
-let lastVisit = 0
+/** Gestures on the map count upwards; −1 and −2 are those of levels. */
+let lastVisit = -2
 const newVisit = () => --lastVisit
 
 /** What is typed in one visit to a field is undone together. */

@@ -1,7 +1,6 @@
-/** The field in which a panel is renamed. Fetched with the first name that is changed. */
-import '../styles/names.css'
+/** The field in which a panel is renamed. */
 import { useLayoutEffect, useRef } from 'preact/hooks'
-import { addNamesWords, t } from '../i18n/names'
+import { t } from '../i18n/names'
 import { LONGEST } from '../model/names'
 import { panelById } from '../state'
 import { setLabel } from '../state/naming'
@@ -14,9 +13,7 @@ interface LabelFieldProps {
   onDone: (byKey: boolean) => void
 }
 
-export const fetchLabelField = () => addNamesWords().then(() => LabelField)
-
-function LabelField({ panelId, place, onDone }: LabelFieldProps) {
+export function LabelField({ panelId, place, onDone }: LabelFieldProps) {
   const field = useRef<HTMLInputElement>(null)
   useLayoutEffect(() => field.current?.select(), [])
   /** Leaving by a key takes the field away, which leaves it once more. */

@@ -1,9 +1,8 @@
 /** What the race is called and what is said of it, in one line that can be hidden. The whole note opens beneath it. */
-import '../styles/names.css'
 import { effect, signal } from '@preact/signals'
 import { PenLine, X } from 'lucide'
 import { useEffect, useId, useRef } from 'preact/hooks'
-import { addNamesWords, t } from '../i18n/names'
+import { t } from '../i18n/names'
 import type { Caption } from '../model/session'
 import { announce, caption, view } from '../state'
 import { openDialog, show } from '../state/dialogs'
@@ -13,30 +12,26 @@ import { mapName } from '../words/map_names'
 /** The last one that the reader has hidden. */
 const hidden = signal<Caption | null>(null)
 
-export async function fetchNoteStrip() {
-  await addNamesWords()
-  showInTab()
-  return NoteStrip
-}
-
 /** The tab is called as the race, while that is on show. */
-function showInTab(): void {
+export function showInTab(): void {
+  let before = ''
   effect(() => {
-    const { title } = caption.value
-    const named = title !== '' && view.value === 'race'
-    document.title = named ? t('names.tab', { title }) : t('app.title')
+    const title = view.value === 'race' ? caption.value.title : ''
+    if (title !== '' || before !== '')
+      document.title = title === '' ? t('app.title') : t('names.tab', { title })
+    before = title
   })
 }
 
-function NoteStrip() {
+export function NoteStrip() {
   const now = caption.value
   const title = now.title || mapName()
   useEffect(() => {
     // Whoever writes it knows it.
-    if (openDialog.peek() === null)
+    if ((now.title || now.note) && openDialog.peek() === null)
       announce(now.note ? t('names.opened', { title, note: now.note }) : title)
   }, [now])
-  if (hidden.value === now) return null
+  if (hidden.value === now || !(now.title || now.note)) return null
   return (
     <aside class="note-strip" aria-label={t('names.region')} data-testid="note-strip">
       <strong dir="auto">{title}</strong>

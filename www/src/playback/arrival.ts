@@ -1,7 +1,7 @@
 /** Goes to what an opened session looked at: the iteration once the runs have come so far, and the cell. */
 import { batch, effect, untracked } from '@preact/signals'
 import { numbers } from '../i18n'
-import { addNamesWords, t } from '../i18n/names'
+import { t } from '../i18n/names'
 import type { Scenario } from '../model/session'
 import {
   announce,
@@ -24,16 +24,20 @@ type Awaited = NonNullable<typeof awaited.value>
 /** How far the runs are on the way to an iteration. */
 type Way = 'on' | 'there' | 'ended' | 'refused'
 
+/** From now on, whichever session is opened. */
 export function followAwaited(): void {
-  addNamesWords().then(follow, notifyError)
+  effect(() => {
+    const wanted = awaited.value
+    untracked(() => {
+      stop()
+      if (wanted) follow(wanted)
+    })
+  })
 }
 
 let stop = () => {}
 
-function follow(): void {
-  stop()
-  const wanted = awaited.peek()
-  if (!wanted) return
+function follow(wanted: Awaited): void {
   const { look } = wanted
   if (look === null) {
     awaited.value = null
@@ -43,10 +47,9 @@ function follow(): void {
   const isSame = sameRace()
   if (look > 0) tellAwaited(look)
   stop = effect(() => {
-    if (awaited.value !== wanted) return leave()
     if (!isSame()) return giveUp(wanted, 'changed')
     const way = wayTo(look)
-    if (way === 'there') leave(() => void arrive(wanted).catch(notifyError))
+    if (way === 'there') leave(wanted, () => void arrive(wanted, look).catch(notifyError))
     else if (way === 'ended') giveUp(wanted, 'never')
     else if (way === 'refused') giveUp(wanted, 'refused')
   })
@@ -60,9 +63,10 @@ function tellAwaited(look: number): void {
 }
 
 /** Ends the waiting after the effect that noticed. */
-function leave(then = () => {}): void {
+function leave(wanted: Awaited, then: () => void): void {
   queueMicrotask(() => {
-    stop()
+    if (awaited.peek() !== wanted) return
+    awaited.value = null
     then()
   })
 }
@@ -96,20 +100,16 @@ function wayTo(look: number): Way {
   return isThere ? 'there' : 'ended'
 }
 
-function giveUp({ look }: Awaited, why: 'changed' | 'never' | 'refused'): void {
+function giveUp(wanted: Awaited, why: 'changed' | 'never' | 'refused'): void {
   const { whole } = numbers.peek()
   const last = Math.max(0, ...counted.peek().map(({ iteration }) => iteration))
-  const words = { iteration: whole.format(look ?? 0), last: whole.format(last) }
-  leave(() => {
-    awaited.value = null
+  const words = { iteration: whole.format(wanted.look ?? 0), last: whole.format(last) }
+  leave(wanted, () => {
     notify('warning', t(`names.look.${why}`, words), { hint: t(`names.look.${why}Hint`) })
   })
 }
 
-async function arrive(wanted: Awaited): Promise<void> {
-  const { look } = wanted
-  awaited.value = null
-  if (look === null) return
+async function arrive(wanted: Awaited, look: number): Promise<void> {
   lookTo(look)
   await settle()
   announce(t('names.look.there', { iteration: numbers.peek().whole.format(look) }))

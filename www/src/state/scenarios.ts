@@ -1,18 +1,13 @@
 /** Everything that changes the map or the question asked on it. */
 
-import type { Generator } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
-import { tools } from '../engine/tools'
 import { type GalleryEntry, gallery } from '../gallery/gallery'
 import type { Racer } from '../gallery/paper_maps'
 import { t } from '../i18n'
 import { applyEditTo, type Edit, refusalOf } from '../model/edit'
 import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
-import { heightsOf } from '../model/height_bytes'
 import type { Scenario } from '../model/session'
-import { settleGoals } from '../model/settle_ends'
-import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
 import { createHistory, type Step, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
@@ -182,40 +177,6 @@ function letRace(racers: Racer[], group: GalleryEntry['group']): void {
 export function fromGallery(id: string, built: Scenario): Scenario {
   galleryIds.set(built, id)
   return built
-}
-
-export async function generateMap(
-  kind: Generator,
-  width: number,
-  height: number,
-  seed: number,
-  density: number,
-): Promise<void> {
-  const made = await tools.generate(kind, width, height, seed, density)
-  const now = scenario.peek()
-  if (!now) return
-  const { cells, start, goal } = made
-  const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
-  const heights = heightsOf(made.heights)
-  const { terrain: _, world: __, resolution, ...kept } = now.spec
-  const generated: Scenario = {
-    spec: {
-      ...kept,
-      name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
-      width,
-      height,
-      start,
-      goals,
-      // The size of a cell belongs to the ground; from plane to plane it is the reader's.
-      resolution: heights || now.heights ? made.resolution : resolution,
-      ...(heights && { terrain: plainTerrain() }),
-    },
-    cells,
-    heights,
-    origin: { generator: kind, seed, density },
-  }
-  suitSpeed(generated)
-  setScenario(generated, { undoable: true })
 }
 
 export function undo(): void {

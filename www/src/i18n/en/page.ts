@@ -141,10 +141,6 @@ export const en = {
     planner: 'Planner',
     parametersOf: 'Parameters of {{planner}}',
     remove: 'Remove {{planner}}',
-    rename: 'Rename',
-    twin: 'same as no. {{place}}',
-    on: 'on',
-    off: 'off',
     add: 'Add planner',
     useInstead: 'Use {{planner}}',
     otherGround: {

@@ -138,10 +138,6 @@ export const zhCN: DictionaryShape<typeof en> = {
     planner: '规划器',
     parametersOf: '{{planner}} 的参数',
     remove: '移除 {{planner}}',
-    rename: '重命名',
-    twin: '与第 {{place}} 个相同',
-    on: '开',
-    off: '关',
     add: '添加规划器',
     useInstead: '改用{{planner}}',
     otherGround: {
