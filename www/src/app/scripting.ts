@@ -26,9 +26,9 @@ import {
   scenario,
   stepIteration,
 } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { latest } from '../state/live_reports'
 import { awaited } from '../state/looking'
-import { loadGiven } from '../state/sessions'
 
 export interface PanelResult {
   planner: string
@@ -81,8 +81,7 @@ export function offerScripting(): void {
         pause()
         return taken
       }
-      await loadGiven(source)
-      return true
+      return (await lazyParts.opener()).openGiven(source)
     },
     async run(options = {}) {
       // A script says itself where to stop.

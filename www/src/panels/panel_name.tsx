@@ -28,7 +28,7 @@ export function PanelName({ panelId, place }: { panelId: number; place: number }
           if (key === 'F2') edit()
         }}
       >
-        <bdi>{title}</bdi>
+        <Parts title={title} />
       </button>
       {editing.value && (
         <LabelField
@@ -40,6 +40,18 @@ export function PanelName({ panelId, place }: { panelId: number; place: number }
           }}
         />
       )}
+    </>
+  )
+}
+
+/** Where there is no room for all of it, what tells it from others goes before the end of the name that they share. */
+function Parts({ title }: { title: string }) {
+  const at = title.indexOf(' · ')
+  if (at < 0) return <bdi>{title}</bdi>
+  return (
+    <>
+      <bdi>{title.slice(0, at)}</bdi>
+      <bdi class="mark">{title.slice(at)}</bdi>
     </>
   )
 }

@@ -5,6 +5,7 @@ import { t } from '../i18n/names'
 import type { Scenario } from '../model/session'
 import {
   announce,
+  dismiss,
   inspected,
   notify,
   notifyError,
@@ -36,6 +37,8 @@ export function followAwaited(): void {
 }
 
 let stop = () => {}
+/** The notice of what is awaited. */
+let told = 0
 
 function follow(wanted: Awaited): void {
   const { look } = wanted
@@ -45,7 +48,7 @@ function follow(wanted: Awaited): void {
     return
   }
   const isSame = sameRace()
-  if (look > 0) tellAwaited(look)
+  told = tellAwaited(look)
   stop = effect(() => {
     if (!isSame()) return giveUp(wanted, 'changed')
     const way = wayTo(look)
@@ -55,8 +58,8 @@ function follow(wanted: Awaited): void {
   })
 }
 
-function tellAwaited(look: number): void {
-  notify('info', t('names.look.awaited', { iteration: numbers.peek().whole.format(look) }), {
+function tellAwaited(look: number): number {
+  return notify('info', t('names.look.awaited', { iteration: numbers.peek().whole.format(look) }), {
     hint: t('names.look.awaitedHint'),
     action: { label: t('names.look.now'), run: runToEnd },
   })
@@ -67,6 +70,7 @@ function leave(wanted: Awaited, then: () => void): void {
   queueMicrotask(() => {
     if (awaited.peek() !== wanted) return
     awaited.value = null
+    dismiss(told)
     then()
   })
 }

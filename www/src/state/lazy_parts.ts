@@ -6,6 +6,7 @@
 import { signal } from '@preact/signals'
 import type { ComponentType } from 'preact'
 import type { PanelSetup, Scenario } from '../model/session'
+import type { Wordless } from '../share/session_words'
 
 /** Comparisons (lab/). */
 export interface LabPart {
@@ -28,6 +29,8 @@ export interface ReliefPart {
 export interface OpenerPart {
   openText(text: string, opening?: { unasked?: boolean }): Promise<boolean>
   openFiles(files: File[]): Promise<boolean>
+  /** A session that a script has made. */
+  openGiven(session: Wordless): Promise<boolean>
   /** Opens files as maps, and hands each of them to `take` instead of the race. */
   openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
@@ -40,6 +43,8 @@ export interface NamesPart {
   NoteStrip: ComponentType
   /** What tells one from the others: of equal planners what differs; empty where nothing has to be told. */
   markOf(one: Named, all: readonly Named[]): string
+  /** The key of the built-in map that has this name in its file; undefined for any other name. */
+  builtInCalled(name: string): string | undefined
 }
 
 /** A planner with its values, and what the reader calls it. */

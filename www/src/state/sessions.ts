@@ -5,7 +5,6 @@ import { tools } from '../engine/tools'
 import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
-import type { Wordless } from '../share/session_words'
 import { reducedMotion } from './appearance'
 import { exchange } from './history'
 import { fetchNames } from './lazy_parts'
@@ -72,13 +71,6 @@ export function loadSession(session: Session): void {
   })
   if (awaited.peek() || session.title || session.note) fetchNames().catch(notifyError)
   for (const panel of panels.peek()) void verify(panel)
-}
-
-/** A session that a script has made: one older than terrains, titles or labels has none of them. */
-export async function loadGiven(given: Wordless): Promise<void> {
-  const { withWords } = await import('../share/link')
-  const heights = given.scenario.heights ?? null
-  loadSession(withWords({ ...given, scenario: { ...given.scenario, heights } }))
 }
 
 /** For when the catalog is complete: panels that waited for it are verified, or removed if this version does not know their planner. */
