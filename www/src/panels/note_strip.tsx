@@ -75,6 +75,10 @@ function Note({ text }: { text: string }) {
     style.left = `${Math.max(EDGE, Math.min(left, innerWidth - offsetWidth - EDGE))}px`
     style.maxHeight = `${innerHeight - bottom - 2 * EDGE}px`
   }
+  /** The page's own Escape would keep the note open. */
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (event.key === 'Escape' && whole.current?.matches(':popover-open')) event.stopPropagation()
+  }
   return (
     <>
       <button
@@ -84,6 +88,7 @@ function Note({ text }: { text: string }) {
         popoverTarget={id}
         title={t('names.read')}
         data-testid="note-read"
+        onKeyDown={onKeyDown}
       >
         <span dir="auto">{text.split('\n', 1)[0]}</span>
       </button>
@@ -98,6 +103,7 @@ function Note({ text }: { text: string }) {
         tabIndex={0}
         dir="auto"
         data-testid="note-text"
+        onKeyDown={onKeyDown}
         onToggle={(event) => {
           if (event.newState === 'open') place()
         }}
