@@ -72,6 +72,14 @@ test.describe('what a session says beside its race', () => {
     expect(refusal((d) => (d.inspected.level = 13), session).field).toBe('inspected.level')
   })
 
+  test('of a map that has shrunk, or whose levels are gone, is left out', async () => {
+    const session = worded()
+    session.inspected = { panel: 1, cell: [7, 3], level: 4 }
+    expect((await pass(session)).inspected).toEqual({ panel: 1, cell: [7, 3], level: null })
+    session.inspected = { panel: 1, cell: [8, 3], level: null }
+    expect((await pass(session)).inspected).toBeNull()
+  })
+
   test('is left out where there is nothing to say', () => {
     const document = documentOf(sessionOf(8, 4), '0.1.0')
     expect(Object.keys(document)).toEqual([

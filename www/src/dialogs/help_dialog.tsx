@@ -15,6 +15,7 @@ type KeyName =
   | 'tools'
   | 'fit'
   | 'relief'
+  | 'rename'
 type StageKeyName =
   | 'cursor'
   | 'apply'
@@ -39,6 +40,7 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
   ['fit', ['0']],
   ['relief', ['3']],
+  ['rename', ['F2']],
 ]
 
 const MAP_KEYS: [StageKeyName, string[]][] = [

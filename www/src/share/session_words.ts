@@ -8,20 +8,22 @@ import { cell, type Fields, fieldsOf, integer, invalid, text } from './field_che
 export const MOST_ITERATIONS = 1e7
 
 /** Of a document, after all that has always been in it. */
-export function wordsOf({ title, note, look, inspected }: Caption & Look): Fields {
+export function wordsOf({ title, note, look, inspected, scenario: { spec } }: Session): Fields {
   return {
     ...(title && { title }),
     ...(note && { note }),
     ...(look !== null && { look }),
-    ...(inspected && { inspected: inspectedFields(inspected) }),
+    ...(inspected && inspectedFields(inspected, spec)),
   }
 }
 
-const inspectedFields = ({ panel, cell, level }: InspectedCell): Fields => ({
-  panel,
-  cell,
-  ...(level !== null && { level }),
-})
+/** A cell that was chosen on a larger map, or a level among more, is left out: no reader would take it. */
+function inspectedFields({ panel, cell, level }: InspectedCell, spec: ScenarioSpec): Fields {
+  const [x, y] = cell
+  if (x >= spec.width || y >= spec.height) return {}
+  const isThere = level !== null && level <= (spec.terrain?.slices?.levels ?? 0)
+  return { inspected: { panel, cell, ...(isThere && { level }) } }
+}
 
 /** A panel of a document. */
 export const panelFields = ({ label, ...setup }: PanelSetup): Fields => ({

@@ -333,7 +333,7 @@ export const enDialogs = {
     tooLarge:
       'This terrain has more heights than a link can carry. Save the session as a file instead: it opens here by drag and drop.',
     tooLong:
-      'This map makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the session as a file instead: it carries the same and opens here by drag and drop.',
+      'This race makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the session as a file instead: it carries the same and opens here by drag and drop.',
   },
   help: {
     title: 'Help and keys',
@@ -357,6 +357,7 @@ export const enDialogs = {
       tools: 'Wall, erase, start, goal, add a goal, moves of a cell, pan',
       fit: 'Fit the map',
       relief: 'A terrain in 3-D, and flat again',
+      rename: 'Rename a planner, on its name',
       cursor: 'Move the cell cursor',
       apply: 'Use the tool on the cell',
       remove: 'Remove the goal on the cell',

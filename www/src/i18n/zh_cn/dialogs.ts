@@ -315,7 +315,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     private: '{{length}} 个字符。所有内容都在链接里，不会上传任何数据。',
     tooLarge: '这片地形的高程太多，链接无法容纳。请改为保存会话文件：拖放到此页即可打开。',
     tooLong:
-      '这张地图的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存会话文件：内容相同，拖放到此页即可打开。',
+      '这场比赛的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存会话文件：内容相同，拖放到此页即可打开。',
   },
   help: {
     title: '帮助与快捷键',
@@ -338,6 +338,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       tools: '墙、擦除、起点、终点、添加目标、某格的选择、移动视图',
       fit: '适应窗口',
       relief: '地形三维与平面切换',
+      rename: '在规划器名称上：重命名',
       cursor: '移动格子光标',
       apply: '在该格使用工具',
       remove: '删除该格的目标',
