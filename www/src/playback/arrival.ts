@@ -11,6 +11,7 @@ import {
   notifyError,
   panelById,
   panels,
+  plannerEntry,
   runToEnd,
   scenario,
   seed,
@@ -43,8 +44,9 @@ let told = 0
 function follow(wanted: Awaited): void {
   const { look } = wanted
   if (look === null) {
-    awaited.value = null
-    inspect(wanted)
+    stop = effect(() => {
+      if (isSettled(wanted)) leave(wanted, () => inspect(wanted))
+    })
     return
   }
   const isSame = sameRace()
@@ -56,6 +58,12 @@ function follow(wanted: Awaited): void {
     else if (way === 'ended') giveUp(wanted, 'never')
     else if (way === 'refused') giveUp(wanted, 'refused')
   })
+}
+
+/** Whether it is known if the panel that is looked into stays: its planner may be on its way, or one of tomorrow. */
+function isSettled({ inspected: there }: Awaited): boolean {
+  const panel = panels.value.find(({ id }) => id === there?.panelId)
+  return !panel || plannerEntry(panel.setup.planner) !== undefined
 }
 
 function tellAwaited(look: number): number {
