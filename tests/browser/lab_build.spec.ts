@@ -35,8 +35,8 @@ test.describe('making a comparison', () => {
     expect(question.instances.map(({ id }) => id)).toEqual(['classic-20-20', 'open-field'])
     const entries = question.entries.map(({ id, label, set }) => [id, label, set])
     expect(entries).toEqual([
-      ['ant-system', 'Ant System', {}],
-      ['ant-system-2', 'Ant System (ants 7)', { ants: 7 }],
+      ['ant-system', 'Ant System · m 50', {}],
+      ['ant-system-2', 'Ant System · m 7', { ants: 7 }],
       ['ship', 'Ours', {}],
     ])
     const csv = await page.evaluate(() => window.formicarium.resultFile('csv'))

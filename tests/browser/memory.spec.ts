@@ -6,7 +6,13 @@ import { RacePage } from './race_page'
 import { sessionOf } from './units/sessions'
 import { countCalls, ticks } from './workers'
 
-const setup = (planner: string): PanelSetup => ({ planner, preset: null, params: {}, result: null })
+const setup = (planner: string): PanelSetup => ({
+  planner,
+  preset: null,
+  params: {},
+  label: null,
+  result: null,
+})
 
 /** A link with an empty map, which is short however large the map is. */
 async function link(side: number, planners: string[]): Promise<string> {

@@ -84,13 +84,13 @@ test.describe('undo', () => {
     edit(2, 7)
     edit(3, 8)
     expect(walls(now.cells)).toBe(3)
-    now = history.undo(now) ?? now
+    now = history.undo(now)?.scenario ?? now
     expect(walls(now.cells)).toBe(2)
-    now = history.undo(now) ?? now
+    now = history.undo(now)?.scenario ?? now
     expect(walls(now.cells)).toBe(0)
     expect(history.canUndo.value).toBe(false)
     expect(history.undo(now)).toBeNull()
-    now = history.redo(now) ?? now
+    now = history.redo(now)?.scenario ?? now
     expect(walls(now.cells)).toBe(2)
     edit(5)
     expect(history.canRedo.value).toBe(false)
@@ -105,7 +105,7 @@ test.describe('undo', () => {
       now = after
     }
     let steps = 0
-    for (let back = history.undo(now); back; back = history.undo(back)) steps++
+    for (let back = history.undo(now); back; back = history.undo(back.scenario)) steps++
     expect(steps).toBeGreaterThan(0)
     expect(steps).toBeLessThan(11)
   })

@@ -24,6 +24,7 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
         planner: 'ant-system',
         preset: 'fire',
         params: { ants: 50, rho: 0.3, dead_end: 'retreat', elitist: true },
+        label: null,
         result: {
           iterations: 42,
           status: 'running',
@@ -31,12 +32,16 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
           digest: '0123456789abcdef',
         },
       },
-      { planner: 'astar', preset: null, params: {}, result: null },
+      { planner: 'astar', preset: null, params: {}, label: null, result: null },
     ],
     seed: 4_294_967_295,
     sync: 'iterations',
     speed: 4,
     layer: 'visits',
+    title: '',
+    note: '',
+    look: null,
+    inspected: null,
   }
 }
 

@@ -2,6 +2,7 @@ import { LoaderCircle, TriangleAlert } from 'lucide'
 import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
+import { NotePlace } from '../panels/note_place'
 import { PanelGrid } from '../panels/panel_grid'
 import { catalog, focused, showView, startError, startPage, view } from '../state'
 import { PlayBar } from '../toolbar/play_bar'
@@ -51,6 +52,7 @@ function Race({ hidden }: { hidden: boolean }) {
   return (
     <main class="page" hidden={hidden}>
       <Toolbar />
+      <NotePlace />
       <div class="workbench">
         <PanelGrid />
         <ColumnPlace />

@@ -5,5 +5,6 @@ nameLazyParts({
   opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
+  names: async () => (await import('../panels/names')).namesPart(),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

@@ -5,6 +5,7 @@ import {
   Eraser,
   Flag,
   Map as MapIcon,
+  PenLine,
   RotateCcw,
   Scaling,
   Upload,
@@ -88,6 +89,12 @@ export function MapMenu() {
           unavailable={spec?.terrain ? t('maps.invertTerrain') : null}
           testId="invert"
           onClick={invertWalls}
+        />
+        <MenuItem
+          icon={PenLine}
+          label={t('maps.names')}
+          testId="open-names"
+          onClick={() => show('names')}
         />
         <MenuHeading text={t('maps.files')} />
         <MenuItem

@@ -11,12 +11,12 @@ import type { ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
 import { placeOf } from '../model/world'
+import type { Wordless } from '../share/session_words'
 import {
   currentSession,
   engineVersion,
   historyOf,
   importText,
-  loadSession,
   type Panel,
   type PanelLive,
   panels,
@@ -26,7 +26,9 @@ import {
   scenario,
   stepIteration,
 } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { latest } from '../state/live_reports'
+import { awaited } from '../state/looking'
 
 export interface PanelResult {
   planner: string
@@ -46,7 +48,7 @@ export interface PanelResult {
 export interface Scripting {
   readonly version: string
   /** Resolves to whether it was opened; if not, the page says why. */
-  load(source: string | Session): Promise<boolean>
+  load(source: string | Wordless): Promise<boolean>
   /** Runs every panel to its end, or for a number of iterations, and gives the results. */
   run(options?: { iterations?: number }): Promise<PanelResult[]>
   pause(): void
@@ -79,12 +81,11 @@ export function offerScripting(): void {
         pause()
         return taken
       }
-      // Scripts older than terrains have no heights.
-      const heights = source.scenario.heights ?? null
-      loadSession({ ...source, scenario: { ...source.scenario, heights } })
-      return true
+      return (await lazyParts.opener()).openGiven(source)
     },
     async run(options = {}) {
+      // A script says itself where to stop.
+      awaited.value = null
       if (options.iterations === undefined) await finishAll()
       else for (let i = 0; i < options.iterations; i++) await oneIteration()
       return results()

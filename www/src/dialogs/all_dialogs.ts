@@ -2,6 +2,7 @@
 import type { JSX } from 'preact'
 import '../styles/raster.css'
 import '../styles/figure.css'
+import '../styles/names.css'
 import type { DialogName } from '../state/dialogs'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'
@@ -10,6 +11,7 @@ import { HelpDialog } from './help_dialog'
 import { ImportDialog } from './import_dialog'
 import { MapChoiceDialog } from './map_choice_dialog'
 import { MapDialog } from './map_dialog'
+import { NamesDialog } from './names_dialog'
 import { OrderDialog } from './order_dialog'
 import { ResizeDialog } from './resize_dialog'
 import { ScenDialog } from './scen_dialog'
@@ -25,6 +27,7 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   help: HelpDialog,
   paper: CardDialog,
   order: OrderDialog,
+  names: NamesDialog,
 }
 
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

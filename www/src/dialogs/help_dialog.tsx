@@ -17,6 +17,7 @@ type KeyName =
   | 'relief'
   | 'focus'
   | 'column'
+  | 'rename'
 type StageKeyName =
   | 'cursor'
   | 'apply'
@@ -43,6 +44,7 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['relief', ['3']],
   ['focus', ['F']],
   ['column', ['C']],
+  ['rename', ['F2']],
 ]
 
 const MAP_KEYS: [StageKeyName, string[]][] = [

@@ -1,8 +1,8 @@
 /** The race as one picture: every panel as it stands, side by side. */
 
 import { pngWith } from '../share/png'
-import { type Panel, panels, plannerEntry, slotColour } from '../state'
-import { plannerName } from '../words/planner_words'
+import { type Panel, panels, slotColour } from '../state'
+import { panelTitle } from '../words/planner_words'
 
 const MOST_COLUMNS = 3
 /** Pixels. */
@@ -62,7 +62,7 @@ function stageOf(panel: Panel, place: number): Stage | null {
 
 function heading(
   context: CanvasRenderingContext2D,
-  { setup, slot }: Panel,
+  { id, slot }: Panel,
   x: number,
   y: number,
   style: CSSStyleDeclaration,
@@ -73,6 +73,5 @@ function heading(
   context.fill()
   context.fillStyle = style.getPropertyValue('--text').trim()
   context.font = `600 20px ${style.getPropertyValue('--font')}`
-  const entry = plannerEntry(setup.planner)
-  context.fillText(entry ? plannerName(entry) : setup.planner, x + 26, y + 27)
+  context.fillText(panelTitle(id), x + 26, y + 27)
 }

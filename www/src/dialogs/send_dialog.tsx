@@ -17,19 +17,33 @@ const TOO_LARGE = 'too large'
 /** An address, the mark that there can be none, or null while it is being made. */
 export type Link = string | typeof TOO_LARGE | null
 
-/** An address made once, as runs may go on behind the dialog. `make` is null while there is nothing to share. */
-export function useLink(prefix: string, make: (() => Promise<string>) | null): Link {
+/**
+ * An address made once, as runs may go on behind the dialog; made again when `about` is another. `make` is null while there is nothing
+ * to share.
+ */
+export function useLink(
+  prefix: string,
+  make: (() => Promise<string>) | null,
+  about?: unknown,
+): Link {
   const [link, setLink] = useState<Link>(null)
   useEffect(() => {
     const page = location.href.replace(/#.*$/, '')
+    let wanted = true
+    const take = (made: Link) => {
+      if (wanted) setLink(made)
+    }
     make?.().then(
-      (text) => setLink(`${page}${prefix}${text}`),
+      (text) => take(`${page}${prefix}${text}`),
       (error) => {
-        if (error instanceof LinkError) setLink(TOO_LARGE)
+        if (error instanceof LinkError) take(TOO_LARGE)
         else notifyError(error)
       },
     )
-  }, [])
+    return () => {
+      wanted = false
+    }
+  }, [about])
   return link
 }
 

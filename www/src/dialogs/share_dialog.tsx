@@ -1,18 +1,26 @@
+import type { ScenarioSpec } from '@pkg/formicarium'
 import { useState } from 'preact/hooks'
+import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
-import { currentSession, latest, panels, plannerEntry } from '../state'
+import { caption, currentSession, latest, panels, scenario } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { download, exportSession, fileStem } from '../state/export_files'
-import { isSearch, plannerName } from '../words/planner_words'
+import { mapName } from '../words/map_names'
+import { isSearch, labelsOf } from '../words/planner_words'
+import { useNamesWords } from './names_dialog'
+import { NamesFields } from './names_fields'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
 export function ShareDialog() {
   // Runs may go on behind the dialog, so both its words and the link are of the moment it was opened.
-  const [session] = useState(currentSession)
+  const [shared] = useState(currentSession)
   const [expanded] = useState(expandedCells)
-  const link = useLink(PREFIX, session && (() => encodeSession(session)))
+  const ready = useNamesWords()
+  const session = shared && named(shared)
+  const names = JSON.stringify([caption.value, session?.scenario.spec.name])
+  const link = useLink(PREFIX, session && (() => encodeSession(session)), names)
   return (
     <SendDialog
       title={t('share.title')}
@@ -26,30 +34,66 @@ export function ShareDialog() {
       testId="share"
     >
       {session && <Contents session={session} expanded={expanded} />}
+      {ready && <Names />}
     </SendDialog>
+  )
+}
+
+/** With the names of now: they can be changed in the dialog. */
+function named(session: Session): Session {
+  const { spec } = session.scenario
+  const name = scenario.value?.spec.name ?? spec.name
+  return {
+    ...session,
+    ...caption.value,
+    scenario: { ...session.scenario, spec: { ...spec, name } },
+  }
+}
+
+function Names() {
+  const [open] = useState(() => caption.peek().title !== '' || caption.peek().note !== '')
+  return (
+    <details class="share-names" open={open}>
+      <summary data-testid="share-names">{t('share.names')}</summary>
+      <NamesFields />
+    </details>
   )
 }
 
 /** What the link holds, so that nothing is shared unseen. */
 function Contents({ session, expanded }: { session: Session; expanded: (number | null)[] }) {
-  const { spec } = session.scenario
+  const labels = labelsOf(session.panels)
+  const { look, inspected } = session
   return (
     <ul class="share-contents">
-      <li>
-        {t(spec.terrain ? 'share.terrain' : 'share.map', {
-          name: spec.name,
-          width: spec.width,
-          height: spec.height,
-        })}
-      </li>
+      <li>{mapWords(session.scenario.spec)}</li>
       {session.panels.map((panel, index) => (
         <li key={index}>
-          {panelName(panel.planner)} · {resultWords(panel, expanded[index] ?? null)}
+          {labels[index]} · {resultWords(panel, expanded[index] ?? null)}
         </li>
       ))}
       <li>{t('share.seed', { seed: session.seed })}</li>
+      {look !== null && <li>{t('share.look', { iteration: numbers.value.whole.format(look) })}</li>}
+      {inspected && (
+        <li>
+          {t('share.inspected', {
+            x: inspected.cell[0],
+            y: inspected.cell[1],
+            planner: labels[inspected.panel],
+          })}
+        </li>
+      )}
     </ul>
   )
+}
+
+/** Names that tell the size are not followed by it. */
+function mapWords({ width, height, terrain }: ScenarioSpec): string {
+  const name = mapName()
+  const size = `${width} × ${height}`
+  const words = name.includes(size) ? 'sized' : 'map'
+  const what = t(`share.${words}`, { name, size })
+  return terrain ? t('share.terrain', { what }) : what
 }
 
 /** Colonies count iterations, searches expanded cells; the latter are known only for the run on show. */
@@ -66,11 +110,6 @@ function expandedCells(): (number | null)[] {
     const { summary } = latest(id)
     return summary && summary.iteration > 0 ? summary.effort.cell_expansions : null
   })
-}
-
-function panelName(id: string): string {
-  const entry = plannerEntry(id)
-  return entry ? plannerName(entry) : id
 }
 
 /** A picture of the panels, with the link inside, or the session file where a link would be too long. */

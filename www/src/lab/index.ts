@@ -3,6 +3,7 @@ import '../styles/lab.css'
 import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
+import { fetchNames } from '../state/lazy_parts'
 import { takeResults } from './build/take_results'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
@@ -22,7 +23,7 @@ let ready: Promise<typeof Lab> | null = null
 
 /** The view with its text. Also opens the comparison in the address, or the one this tab had open. */
 export function fetchLab(): Promise<typeof Lab> {
-  ready ??= addLabWords().then(() => {
+  ready ??= Promise.all([addLabWords(), fetchNames()]).then(() => {
     void openAddress()
     return Lab
   })

@@ -32,6 +32,8 @@ export interface Filling {
   ablated: string | null
   untilBudget?: boolean
   title?: string | null
+  /** What the reader says of it. */
+  note?: string
 }
 
 /** A file of imported results that belongs to it. */

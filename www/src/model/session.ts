@@ -1,5 +1,6 @@
 /** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
 import type { Generator, Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { Cell } from './cell'
 import { layers } from './facts'
 import type { ParamValues } from './messages'
 
@@ -44,10 +45,33 @@ export interface PanelSetup {
   preset: string | null
   /** Only the values that differ from the catalog's defaults. */
   params: ParamValues
+  /** As the reader calls it; null: by what it does. */
+  label: string | null
   result: RecordedResult | null
 }
 
-export interface Session {
+/** The cell whose moves are on show, in the panel of this number, from 0 on; by slices at a level, null elsewhere. */
+export interface InspectedCell {
+  panel: number
+  cell: Cell
+  level: number | null
+}
+
+/** What of the race was looked at when it was shared: an iteration of the past, null for the present, and a cell. */
+export interface Look {
+  look: number | null
+  inspected: InspectedCell | null
+}
+
+/** What the reader calls a session, and says of it; empty where nothing is said. */
+export interface Caption {
+  /** One line. */
+  title: string
+  /** Plain text with line breaks. */
+  note: string
+}
+
+export interface Session extends Caption, Look {
   scenario: Scenario
   panels: PanelSetup[]
   /** One seed for every panel: paired runs. */

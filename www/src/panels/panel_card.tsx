@@ -25,7 +25,8 @@ import {
 import { Button, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
-import { FAMILIES, namesakeMark, panelTitle, plannerName, whyNot } from '../words/planner_words'
+import { FAMILIES, panelTitle, plannerName, whyNot } from '../words/planner_words'
+import { PanelLabel } from './panel_label'
 import { cardId, showParameters } from './places'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
@@ -51,6 +52,7 @@ export function PanelCard({ panel, place }: PanelCardProps) {
     >
       <header class="panel-head">
         <span class="panel-dot" aria-hidden="true" />
+        <PanelLabel panelId={id} place={place} />
         <Select
           label={t('panels.planner')}
           hideLabel
@@ -60,7 +62,6 @@ export function PanelCard({ panel, place }: PanelCardProps) {
           options={plannerOptions(setup.planner)}
           onChange={(planner) => setPlanner(id, planner)}
         />
-        <span class="namesake">{namesakeMark(id)}</span>
         <StatusChip panel={panel} place={place} />
         <Readout panel={panel} place={place} />
         <PanelButtons panel={panel} place={place} />

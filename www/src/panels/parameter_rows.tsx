@@ -5,12 +5,7 @@ import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { t, translated } from '../i18n'
 import { paramName, valueName } from '../words/planner_words'
 import { unitWords } from './parameter_groups'
-import {
-  Formula,
-  meaningOf,
-  ParameterRow,
-  type ParameterRowProps,
-} from './parameter_row'
+import { Formula, meaningOf, ParameterRow, type ParameterRowProps } from './parameter_row'
 
 /** A pointer on its way elsewhere does not call up notes. */
 const PAUSE_MS = 300

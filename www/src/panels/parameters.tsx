@@ -23,7 +23,7 @@ import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { fold, Section } from '../ui/section'
 import { cardOf, showCard } from '../words/paper_cards'
-import { panelTitle, plannerSummary, presetName } from '../words/planner_words'
+import { panelTitle, plannerSummary, presetName, runAlike } from '../words/planner_words'
 import { inGroups, matches, paramsInForce } from './parameter_groups'
 import type { ParameterRowProps } from './parameter_row'
 import { ParameterRows } from './parameter_rows'
@@ -233,18 +233,14 @@ function About({ entry, preset }: { entry: CatalogEntry; preset: string | null }
 
 /** All panels share a seed, so equal parameters make equal runs. To readers who expect chance this looks like a fault. */
 function TwinHint({ panel }: { panel: Panel }) {
-  const twin = panels.value.find((other) => other.id !== panel.id && runAlike(other, panel))
+  const twin = panels.value.find(
+    (other) => other.id !== panel.id && runAlike(other.setup, panel.setup),
+  )
   return twin ? (
     <p class="hint" role="status" data-testid="twin-hint">
       {t('parameters.twin', { planner: panelTitle(twin.id) })}
     </p>
   ) : null
-}
-
-function runAlike({ setup: a }: Panel, { setup: b }: Panel): boolean {
-  if (a.planner !== b.planner) return false
-  const params = plannerEntry(a.planner)?.params ?? []
-  return params.every((spec) => paramValue(a, spec) === paramValue(b, spec))
 }
 
 function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string | null }) {

@@ -9,12 +9,17 @@ void addPlaybackWords()
 /** Some panel is still on its way to the iteration. */
 export const recomputing = signal(false)
 
-/** The last finished iteration of the runs on show; searches count only where there is nothing else, for theirs are contours. */
-export const lastIteration = computed(() => {
+/** The runs on show whose iterations count; searches only where there is nothing else, for theirs are contours. */
+export const counted = computed(() => {
   const known = panels.value.flatMap(({ live }) => live.value.summary ?? [])
-  const counted = known.filter(({ iteration_budget }) => iteration_budget !== null)
-  return Math.max(0, ...(counted.length > 0 ? counted : known).map(({ iteration }) => iteration))
+  const colonies = known.filter(({ iteration_budget }) => iteration_budget !== null)
+  return colonies.length > 0 ? colonies : known
 })
+
+/** The last finished iteration of the runs on show. */
+export const lastIteration = computed(() =>
+  Math.max(0, ...counted.value.map(({ iteration }) => iteration)),
+)
 
 export function lookBy(iterations: number): void {
   flushLive()

@@ -37,6 +37,14 @@ import {
   text,
 } from './field_checks'
 import { LinkError } from './link_error'
+import {
+  MOST_ITERATIONS,
+  panelFields,
+  readCaption,
+  readLabel,
+  readLook,
+  wordsOf,
+} from './session_words'
 
 export const FORMAT = 'formicarium/experiment@1'
 
@@ -65,11 +73,12 @@ export function documentOf(session: Session, engine: string): Fields {
     format: FORMAT,
     engine,
     scenario: { ...scenario.spec, ...(scenario.origin && { origin: scenario.origin }) },
-    panels,
+    panels: panels.map(panelFields),
     seed,
     sync,
     speed: SPEEDS[speed]?.id ?? 'move',
     layer,
+    ...wordsOf(session),
   }
 }
 
@@ -77,16 +86,18 @@ export function documentOf(session: Session, engine: string): Fields {
 export function readDocument(value: unknown, known = FACTS): Described {
   const fields = fieldsOf(value, 'document')
   checkFormat(fields.format)
-  const { origin, ...spec } = fieldsOf(fields.scenario, 'scenario')
+  const { origin, ...given } = fieldsOf(fields.scenario, 'scenario')
+  const spec = readSpec(given, known.limits)
+  const panels = list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
+    readPanel(panel, `panels[${i}]`),
+  )
   return {
-    spec: readSpec(spec, known.limits),
+    spec,
     origin:
       origin === undefined || origin === null
         ? null
         : readOrigin(fieldsOf(origin, 'scenario.origin'), known),
-    panels: list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
-      readPanel(panel, `panels[${i}]`),
-    ),
+    panels,
     seed: integer(fields.seed, 'seed', 0, SEED_MAX),
     sync: oneOf(fields.sync, 'sync', SYNCS),
     speed: SPEEDS.findIndex(
@@ -99,6 +110,8 @@ export function readDocument(value: unknown, known = FACTS): Described {
         ),
     ),
     layer: oneOf(fields.layer, 'layer', layerChoices(known.layers)),
+    ...readCaption(fields),
+    ...readLook(fields, { spec, panels }),
   }
 }
 
@@ -218,11 +231,12 @@ function readOrigin(fields: Fields, { generators, limits }: typeof FACTS): Origi
 }
 
 function readPanel(value: unknown, field: string): PanelSetup {
-  const { planner, preset, params, result } = fieldsOf(value, field)
+  const { planner, preset, params, label, result } = fieldsOf(value, field)
   return {
     planner: text(planner, `${field}.planner`, 64),
     preset: preset === null || preset === undefined ? null : text(preset, `${field}.preset`, 64),
     params: readParams(fieldsOf(params, `${field}.params`), `${field}.params`),
+    label: readLabel(label, `${field}.label`),
     result:
       result === null || result === undefined
         ? null
@@ -245,7 +259,7 @@ function readResult(fields: Fields, field: string): RecordedResult {
   if (!/^[0-9a-f]{16}$/.test(digest))
     throw invalid(`${field}.digest`, 'must be 16 hexadecimal digits')
   return {
-    iterations: integer(fields.iterations, `${field}.iterations`, 0, 1e7),
+    iterations: integer(fields.iterations, `${field}.iterations`, 0, MOST_ITERATIONS),
     status: oneOf(fields.status, `${field}.status`, STATUSES),
     length: fields.length === null ? null : real(fields.length, `${field}.length`, 0, 1e9),
     digest,

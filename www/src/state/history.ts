@@ -1,13 +1,36 @@
-/** Undo and redo over whole scenarios: they are immutable and share what an edit left alone, so a snapshot is one reference. */
-import { type ReadonlySignal, signal } from '@preact/signals'
+/**
+ * Undo and redo over whole scenarios: they are immutable and share what an edit left alone, so a snapshot is one reference. What is not
+ * the scenario's, such as names, is exchanged with what it was before.
+ */
+import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import type { Scenario } from '../model/session'
 
+/** Exchanges something with what it was before the step, or after it. */
+export type Swap = () => void
+
+/** Gives a signal another value; what comes back exchanges it with the former one. */
+export function exchange<T>(of: Signal<T>, next: T): Swap {
+  let other = of.peek()
+  of.value = next
+  return () => {
+    const now = of.peek()
+    of.value = other
+    other = now
+  }
+}
+
+export interface Step {
+  /** The scenario to go to. */
+  scenario: Scenario
+  swap?: Swap
+}
+
 export interface History {
-  /** Notes a change. Changes of the same gesture (one drag) are undone together. */
-  record(before: Scenario, after: Scenario, gesture?: number): void
-  /** The scenario to go back to, or null at the end. */
-  undo(current: Scenario): Scenario | null
-  redo(current: Scenario): Scenario | null
+  /** Notes a change. Changes of the same gesture (one drag) are undone together. `swap`: what else has changed with it. */
+  record(before: Scenario, after: Scenario, gesture?: number, swap?: Swap): void
+  /** The step to take back, or null at the end. */
+  undo(current: Scenario): Step | null
+  redo(current: Scenario): Step | null
   canUndo: ReadonlySignal<boolean>
   canRedo: ReadonlySignal<boolean>
   clear(): void
@@ -18,8 +41,8 @@ const MOST_STEPS = 200
 const MOST_CELLS = 64 << 20
 
 export function createHistory(): History {
-  const past: Scenario[] = []
-  const future: Scenario[] = []
+  const past: Step[] = []
+  const future: Step[] = []
   let lastGesture: number | undefined
   const canUndo = signal(false)
   const canRedo = signal(false)
@@ -29,9 +52,9 @@ export function createHistory(): History {
     canRedo.value = future.length > 0
   }
 
-  function step(from: Scenario[], to: Scenario[], current: Scenario): Scenario | null {
+  function step(from: Step[], to: Step[], scenario: Scenario): Step | null {
     const target = from.pop() ?? null
-    if (target !== null) to.push(current)
+    if (target) to.push({ ...target, scenario })
     lastGesture = undefined
     settled()
     return target
@@ -40,10 +63,10 @@ export function createHistory(): History {
   return {
     canUndo,
     canRedo,
-    record(before, after, gesture) {
-      if (before === after) return
+    record(scenario, after, gesture, swap) {
+      if (scenario === after && !swap) return
       future.length = 0
-      if (gesture === undefined || gesture !== lastGesture) past.push(before)
+      if (gesture === undefined || gesture !== lastGesture) past.push({ scenario, swap })
       lastGesture = gesture
       trim(past)
       settled()
@@ -59,9 +82,9 @@ export function createHistory(): History {
   }
 }
 
-function trim(past: Scenario[]): void {
-  let cells = past.reduce((sum, scenario) => sum + scenario.cells.length, 0)
+function trim(past: Step[]): void {
+  let cells = past.reduce((sum, { scenario }) => sum + scenario.cells.length, 0)
   while (past.length > MOST_STEPS || (past.length > 1 && cells > MOST_CELLS)) {
-    cells -= past.shift()?.cells.length ?? 0
+    cells -= past.shift()?.scenario.cells.length ?? 0
   }
 }

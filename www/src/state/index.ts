@@ -3,9 +3,9 @@ export * from './appearance'
 export * from './column'
 export * from './files'
 export * from './focus'
+export { changeLevel } from './levels'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
-export { changeLevel, type Rules, setRules } from './movement_rules'
 export {
   announce,
   announcement,

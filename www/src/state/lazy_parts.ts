@@ -2,8 +2,11 @@
  * Parts of the page that stand above the state and are fetched when they are first asked for. What the state and the stage need of
  * them is written here; app/lazy_parts.ts says where they are.
  */
+
+import { signal } from '@preact/signals'
 import type { ComponentType } from 'preact'
-import type { Scenario } from '../model/session'
+import type { PanelSetup, Scenario } from '../model/session'
+import type { Wordless } from '../share/session_words'
 
 /** Comparisons (lab/). */
 export interface LabPart {
@@ -26,15 +29,32 @@ export interface ReliefPart {
 export interface OpenerPart {
   openText(text: string, opening?: { unasked?: boolean }): Promise<boolean>
   openFiles(files: File[]): Promise<boolean>
+  /** A session that a script has made. */
+  openGiven(session: Wordless): Promise<boolean>
   /** Opens files as maps, and hands each of them to `take` instead of the race. */
   openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
+/** Names, notes and what a link looked at (panels/names.ts). */
+export interface NamesPart {
+  /** The name of a panel, which can be changed. */
+  PanelName: ComponentType<{ panelId: number; place: number }>
+  NoteStrip: ComponentType
+  /** What tells one from the others: of equal planners what differs; empty where nothing has to be told. */
+  markOf(one: Named, all: readonly Named[]): string
+  /** The key of the built-in map that has this name in its file; undefined for any other name. */
+  builtInCalled(name: string): string | undefined
+}
+
+/** A planner with its values, and what the reader calls it. */
+export type Named = Pick<PanelSetup, 'planner' | 'preset' | 'params' | 'label'>
+
 export interface LazyParts {
   opener(): Promise<OpenerPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
+  names(): Promise<NamesPart>
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
@@ -47,10 +67,18 @@ export const lazyParts: LazyParts = {
   opener: missing,
   lab: missing,
   relief: missing,
+  names: missing,
   inspector: missing,
 }
 
 /** Called once, before the page is drawn. */
 export function nameLazyParts(parts: LazyParts): void {
   Object.assign(lazyParts, parts)
+}
+
+/** Null until it is here: once the browser is idle, or with the first session that has more to say than its race. */
+export const names = signal<NamesPart | null>(null)
+
+export async function fetchNames(): Promise<void> {
+  names.value ??= await lazyParts.names()
 }

@@ -38,6 +38,8 @@ import { importPart, offerTerrain } from './terrain_files'
 /** All files of a folder together. */
 const MAX_TOTAL = 8 * MAX_BYTES
 
+export { openGiven } from './given_session'
+
 const sessionFormat = () => import('../share/link')
 
 /** Kinds that leave a choice. */

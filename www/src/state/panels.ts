@@ -32,6 +32,7 @@ export const bareSetup = (planner: string): PanelSetup => ({
   planner,
   preset: null,
   params: {},
+  label: null,
   result: null,
 })
 
@@ -91,7 +92,7 @@ export function setParam(id: number, key: string, value: ParamValues[string]): v
 /** A named set of a paper; null brings the defaults back. */
 export function setPreset(id: number, name: string | null): void {
   startedFrom.delete(id)
-  changeSetup(id, ({ planner }) => presetSetup(planner, name))
+  changeSetup(id, ({ planner, label }) => ({ ...presetSetup(planner, name), label }))
 }
 
 export function setSeed(value: number): void {
@@ -111,7 +112,10 @@ export function dropResults(): void {
   })
 }
 
-export function paramValue(setup: PanelSetup, spec: ParamSpec): ParamValues[string] {
+export function paramValue(
+  setup: Pick<PanelSetup, 'params'>,
+  spec: ParamSpec,
+): ParamValues[string] {
   return setup.params[spec.key] ?? spec.default
 }
 

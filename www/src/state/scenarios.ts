@@ -1,20 +1,15 @@
 /** Everything that changes the map or the question asked on it. */
 
-import type { Generator } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
-import { tools } from '../engine/tools'
 import { type GalleryEntry, gallery } from '../gallery/gallery'
 import type { Racer } from '../gallery/paper_maps'
 import { t } from '../i18n'
 import { applyEditTo, type Edit, refusalOf } from '../model/edit'
 import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
-import { heightsOf } from '../model/height_bytes'
 import type { Scenario } from '../model/session'
-import { settleGoals } from '../model/settle_ends'
-import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
-import { createHistory } from './history'
+import { createHistory, type Step, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
@@ -68,6 +63,12 @@ export function commit(after: Scenario, gesture?: number): void {
   }
 }
 
+/** Notes a change of names as one step; the map stays as it is. */
+export function noteSwap(swap: Swap, gesture?: number): void {
+  const now = scenario.peek()
+  if (now) history.record(now, now, gesture, swap)
+}
+
 /** Says why the ground refuses an edit: the map itself does not show it. */
 function explain(now: Scenario, edit: Edit, gesture?: number): void {
   const refusal = refusalOf(now, edit)
@@ -82,7 +83,8 @@ function rename(next: Scenario): void {
   galleryId.value = galleryIds.get(next) ?? null
 }
 
-const asksSame = (a: Scenario, b: Scenario) =>
+/** Whether two scenarios ask the same of a planner. */
+export const asksSame = (a: Scenario, b: Scenario) =>
   a.cells === b.cells && a.heights === b.heights && askSame(a.spec, b.spec)
 
 /** Says why the tool that adds goals does nothing; every other tool needs no words. */
@@ -113,10 +115,10 @@ export function invertWalls(): void {
 }
 
 /** A different scenario altogether; undo brings the one before it back. Runs that played begin again at once. */
-export function setScenario(next: Scenario, options: { undoable: boolean }): void {
+export function setScenario(next: Scenario, options: { undoable: boolean; swap?: Swap }): void {
   const before = scenario.peek()
   const wasRunning = phase.peek() === 'running'
-  if (before && options.undoable) history.record(before, next)
+  if (before && options.undoable) history.record(before, next, undefined, options.swap)
   else history.clear()
   replace(next)
   fitView()
@@ -177,40 +179,6 @@ export function fromGallery(id: string, built: Scenario): Scenario {
   return built
 }
 
-export async function generateMap(
-  kind: Generator,
-  width: number,
-  height: number,
-  seed: number,
-  density: number,
-): Promise<void> {
-  const made = await tools.generate(kind, width, height, seed, density)
-  const now = scenario.peek()
-  if (!now) return
-  const { cells, start, goal } = made
-  const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
-  const heights = heightsOf(made.heights)
-  const { terrain: _, world: __, resolution, ...kept } = now.spec
-  const generated: Scenario = {
-    spec: {
-      ...kept,
-      name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
-      width,
-      height,
-      start,
-      goals,
-      // The size of a cell belongs to the ground; from plane to plane it is the reader's.
-      resolution: heights || now.heights ? made.resolution : resolution,
-      ...(heights && { terrain: plainTerrain() }),
-    },
-    cells,
-    heights,
-    origin: { generator: kind, seed, density },
-  }
-  suitSpeed(generated)
-  setScenario(generated, { undoable: true })
-}
-
 export function undo(): void {
   travel(history.undo.bind(history), 'notices.undone')
 }
@@ -220,12 +188,14 @@ export function redo(): void {
 }
 
 function travel(
-  step: (current: Scenario) => Scenario | null,
+  take: (current: Scenario) => Step | null,
   said: 'notices.undone' | 'notices.redone',
 ): void {
   const now = scenario.peek()
-  const next = now && step(now)
-  if (!now || !next) return
+  const step = now && take(now)
+  if (!now || !step) return
+  const next = step.scenario
+  step.swap?.()
   suitSpeed(next)
   if (asksSame(now, next)) rename(next)
   else replace(next)

@@ -6,7 +6,10 @@ import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
+import { exchange } from './history'
+import { fetchNames } from './lazy_parts'
 import { latest, setVerified } from './live_reports'
+import { awaited, awaitLook, currentLook } from './looking'
 import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
@@ -15,6 +18,7 @@ import { dropRun, pause, play, reset, restart, runSetup } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
+  caption,
   layer,
   type Panel,
   panelById,
@@ -42,6 +46,8 @@ export function currentSession(): Session | null {
     sync: sync.peek(),
     speed: speed.peek(),
     layer: layer.peek(),
+    ...caption.peek(),
+    ...currentLook(),
   }
 }
 
@@ -55,12 +61,15 @@ export function loadSession(session: Session): void {
     setSpeedOfSession(session.speed)
     layer.value = session.layer
     panels.value = []
-    setScenario(session.scenario, { undoable: scenario.peek() !== null })
+    const swap = exchange(caption, { title: session.title, note: session.note })
+    setScenario(session.scenario, { undoable: scenario.peek() !== null, swap })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
+    awaitLook(session)
     if (wholeEngine.peek() === 'here') dropUnknown(panels.value)
     reset()
   })
+  if (awaited.peek() || session.title || session.note) fetchNames().catch(notifyError)
   for (const panel of panels.peek()) void verify(panel)
 }
 
@@ -112,6 +121,10 @@ export function firstSession(): Session {
     sync: 'moves',
     speed: DEFAULT_SPEED,
     layer: 'trail',
+    title: '',
+    note: '',
+    look: null,
+    inspected: null,
   }
 }
 
@@ -190,7 +203,7 @@ async function verify(panel: Panel): Promise<void> {
   if (!plannerEntry(panel.setup.planner)) return
   try {
     const summary = await tools.replay(runSetup(panel, now), recorded)
-    if (panelById(panel.id)?.setup !== panel.setup) return
+    if (panelById(panel.id)?.setup.result !== recorded) return
     setVerified(panel.id, summary.digest === recorded.digest ? 'verified' : 'differs')
   } catch {
     setVerified(panel.id, 'differs')

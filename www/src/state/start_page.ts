@@ -3,6 +3,7 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
+import { fetchNames } from './lazy_parts'
 import { held } from './memory'
 import { watchScenario } from './optimum'
 import { followAddress } from './page_view'
@@ -35,7 +36,9 @@ function watch(): void {
   storeSessionChanges()
   fetchWholeEngineWhenIdle()
   effect(() => {
-    if (wholeEngine.value === 'here') untracked(admitWaiting)
+    if (wholeEngine.value !== 'here') return
+    untracked(admitWaiting)
+    fetchNames().catch(() => {})
   })
   effect(() => {
     if (!held.value) untracked(verifyWaiting)

@@ -14,7 +14,13 @@ import type {
   RunSummary,
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
-import { DEFAULT_SPEED, type PanelSetup, type Scenario, type Sync } from '../model/session'
+import {
+  type Caption,
+  DEFAULT_SPEED,
+  type PanelSetup,
+  type Scenario,
+  type Sync,
+} from '../model/session'
 import { slotColour } from './slot_colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
@@ -69,6 +75,9 @@ export const scenarioNotices = signal<Notice[]>([])
 export const references = signal<Partial<Record<Objective, Reference>>>({})
 /** Why the current scenario has no reference and will get none: it cannot be used, or the engine stopped. */
 export const referenceRefusal = signal<Notice | null>(null)
+
+/** What the reader calls the session, and says of it. */
+export const caption = signal<Caption>({ title: '', note: '' })
 
 export const panels = signal<Panel[]>([])
 /** The panel whose parameters are on show. */

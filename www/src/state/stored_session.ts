@@ -5,9 +5,10 @@
 import { effect } from '@preact/signals'
 import { gallery } from '../gallery/gallery'
 import type { Session } from '../model/session'
+import { inspected, lookedAt } from './looking'
 import { fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession } from './sessions'
-import { galleryId, layer, panels, scenario, seed, speed, sync } from './store'
+import { caption, galleryId, layer, panels, scenario, seed, speed, sync } from './store'
 
 const KEY = 'formicarium.session'
 /** Waits until a drag has ended. */
@@ -24,6 +25,9 @@ export function storeSessionChanges(): void {
     sync.value
     speed.value
     layer.value
+    caption.value
+    lookedAt.value
+    inspected.value
     clearTimeout(timer)
     timer = window.setTimeout(storeSession, SETTLE_MS)
   })

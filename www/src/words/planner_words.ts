@@ -1,10 +1,11 @@
 /** The catalog's own words, in the reader's language where it has them. */
 import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
+import { computed } from '@preact/signals'
 import { engineText, t } from '../i18n'
 import type { ParamValues } from '../model/messages'
-import type { PanelSetup } from '../model/session'
 import { groundOf } from '../model/terrain'
-import { panelById, panels, plannerEntry, scenario } from '../state'
+import { panels, paramValue, plannerEntry, scenario } from '../state'
+import { type Named, names } from '../state/lazy_parts'
 
 /** In the order in which people meet them. */
 export const FAMILIES = ['ant-colony', 'swarm', 'search', 'exact'] as const
@@ -52,34 +53,35 @@ export const valueName = (value: ParamValues[string]) => {
 export const presetName = ({ name }: CatalogEntry['presets'][number]) =>
   engineText(`presets.${name}`, name)
 
-/** Name of a panel's planner, told apart when several panels run the same; its id when the catalog does not know it. */
-export function panelTitle(panelId: number): string {
-  const planner = panelById(panelId)?.setup.planner ?? ''
+/** What a panel is called. */
+export const panelTitle = (panelId: number) => titles.value.get(panelId) ?? ''
+
+const titles = computed(() => {
+  const labels = labelsOf(panels.value.map(({ setup }) => setup))
+  return new Map(panels.value.map(({ id }, at) => [id, labels[at] ?? '']))
+})
+
+/** What each of these is called beside the others: as the reader says, or else by its planner and what differs. */
+export function labelsOf(all: readonly Named[]): string[] {
+  return all.map((one) => {
+    if (one.label !== null) return one.label
+    const mark = names.value?.markOf(one, all)
+    return mark ? `${nameOf(one.planner)} · ${mark}` : nameOf(one.planner)
+  })
+}
+
+/** Its id when the catalog does not know it. */
+export function nameOf(planner: string): string {
   const entry = plannerEntry(planner)
-  const name = entry ? plannerName(entry) : planner
-  return `${name}${namesakeMark(panelId)}`
+  return entry ? plannerName(entry) : planner
 }
 
-/**
- * What tells a panel from others with the same planner: its preset, " (paper)", or nothing for the defaults, where it alone
- * has them; else its number, " (2)".
- */
-export function namesakeMark(panelId: number): string {
-  const planner = panelById(panelId)?.setup.planner
-  const namesakes = panels.value.filter(({ setup }) => setup.planner === planner)
-  if (namesakes.length < 2) return ''
-  const place = namesakes.findIndex(({ id }) => id === panelId)
-  const sets = namesakes.map(({ setup }) => setName(setup))
-  const set = sets[place] ?? null
-  if (set === null || sets.filter((each) => each === set).length > 1) return ` (${place + 1})`
-  return set === '' ? '' : ` (${set})`
-}
-
-/** A preset's name; empty for the defaults and for values of the reader's own. */
-function setName({ planner, preset, params }: PanelSetup): string | null {
-  const known = plannerEntry(planner)?.presets.find(({ name }) => name === preset)
-  if (known) return presetName(known)
-  return Object.keys(params).length === 0 ? '' : null
+/** All panels share a seed, so equal values make equal runs. */
+export function runAlike(a: Named, b: Named): boolean {
+  if (a.planner !== b.planner) return false
+  const known = plannerEntry(a.planner)
+  if (!known) return JSON.stringify(a.params) === JSON.stringify(b.params)
+  return known.params.every((spec) => paramValue(a, spec) === paramValue(b, spec))
 }
 
 function capital(text: string): string {

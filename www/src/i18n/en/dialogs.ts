@@ -313,8 +313,12 @@ export const enDialogs = {
   share: {
     title: 'Share this race',
     what: 'Whoever opens the link sees the same map, planners, parameters and seed; the run repeats, and the page says whether the result agrees bit for bit.',
-    map: 'Map “{{name}}”, {{width}} × {{height}}',
-    terrain: 'Terrain “{{name}}”, {{width}} × {{height}}, with its heights',
+    map: 'Map “{{name}}”, {{size}}',
+    sized: 'Map “{{name}}”',
+    terrain: '{{what}}, a terrain with its heights',
+    look: 'Looks back at iteration {{iteration}}',
+    inspected: 'Looks into cell ({{x}}, {{y}}) of {{planner}}',
+    names: 'Name and note',
     result: 'result after {{iterations}} iterations, digest {{digest}}',
     resultExact_one: 'result after {{count}} expanded cell, digest {{digest}}',
     resultExact_other: 'result after {{count}} expanded cells, digest {{digest}}',
@@ -329,7 +333,7 @@ export const enDialogs = {
     tooLarge:
       'This terrain has more heights than a link can carry. Save the session as a file instead: it opens here by drag and drop.',
     tooLong:
-      'This map makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the session as a file instead: it carries the same and opens here by drag and drop.',
+      'This race makes a link of {{length}} characters; many programs cut links beyond {{limit}}. Save the session as a file instead: it carries the same and opens here by drag and drop.',
   },
   help: {
     title: 'Help and keys',
@@ -355,6 +359,7 @@ export const enDialogs = {
       relief: 'A terrain in 3-D, and flat again',
       focus: 'One panel alone',
       column: 'Charts and parameters',
+      rename: 'Rename a planner, on its name',
       cursor: 'Move the cell cursor',
       apply: 'Use the tool on the cell',
       remove: 'Remove the goal on the cell',

@@ -72,6 +72,7 @@ export const enLab = {
     autoTitle: '{{what}} on {{where}}',
     madeWay: 'The other planners made way for the ablation',
     ablationTitle: 'Ablation of {{planner}} on {{where}}',
+    note: 'Note',
     asks: 'Which planner finds the better paths, over all seeds?',
   },
   run: {

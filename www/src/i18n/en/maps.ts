@@ -47,6 +47,7 @@ export const enMaps = {
     clear: 'Clear all walls',
     invert: 'Swap walls and free cells',
     invertTerrain: 'Not on a terrain',
+    names: 'Name and note…',
     files: 'Files',
     import: 'Import…',
     export: 'Export…',

@@ -300,8 +300,12 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
   share: {
     title: '分享这场比赛',
     what: '打开链接的人会看到相同的地图、规划器、参数与种子；运行会重新进行，页面会说明结果是否逐位一致。',
-    map: '地图“{{name}}”，{{width}} × {{height}}',
-    terrain: '地形“{{name}}”，{{width}} × {{height}}，含高程',
+    map: '地图“{{name}}”，{{size}}',
+    sized: '地图“{{name}}”',
+    terrain: '{{what}}，地形，含高程',
+    look: '回看第 {{iteration}} 次迭代',
+    inspected: '查看“{{planner}}”的格子 ({{x}}, {{y}})',
+    names: '名称与说明',
     result: '{{iterations}} 次迭代后的结果，摘要 {{digest}}',
     resultExact_other: '扩展 {{count}} 格后的结果，摘要 {{digest}}',
     resultRecorded: '记录的结果，摘要 {{digest}}',
@@ -314,7 +318,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     private: '{{length}} 个字符。所有内容都在链接里，不会上传任何数据。',
     tooLarge: '这片地形的高程太多，链接无法容纳。请改为保存会话文件：拖放到此页即可打开。',
     tooLong:
-      '这张地图的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存会话文件：内容相同，拖放到此页即可打开。',
+      '这场比赛的链接有 {{length}} 个字符；许多程序会截断超过 {{limit}} 个字符的链接。请改为保存会话文件：内容相同，拖放到此页即可打开。',
   },
   help: {
     title: '帮助与快捷键',
@@ -339,6 +343,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       relief: '地形三维与平面切换',
       focus: '只看一个面板',
       column: '图表与参数',
+      rename: '在规划器名称上：重命名',
       cursor: '移动格子光标',
       apply: '在该格使用工具',
       remove: '删除该格的目标',

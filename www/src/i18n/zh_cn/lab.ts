@@ -68,6 +68,7 @@ export const zhCNLab: DictionaryShape<typeof enLab> = {
     autoTitle: '{{where}}：{{what}}',
     madeWay: '其他规划器已让位给消融实验',
     ablationTitle: '{{where}}：{{planner}}的消融实验',
+    note: '说明',
     asks: '在所有种子上，哪个规划器找到更好的路径？',
   },
   run: {

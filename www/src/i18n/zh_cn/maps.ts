@@ -48,6 +48,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     clear: '清除所有墙',
     invert: '交换墙与空地',
     invertTerrain: '不适用于地形',
+    names: '名称与说明…',
     files: '文件',
     import: '导入…',
     export: '导出…',

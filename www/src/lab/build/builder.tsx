@@ -3,6 +3,7 @@ import { Play, RotateCcw } from 'lucide'
 import { useEffect, useId, useState } from 'preact/hooks'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { LONGEST } from '../../model/names'
 import { catalog, scenario, wholeEngine } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
@@ -14,6 +15,7 @@ import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
 import { Entries } from './entries'
 import { titleOf } from './labels'
 import { Maps } from './maps'
+import { NoteField } from './note_field'
 import { isShownElsewhere } from './refusals'
 import { restoreDraft } from './stored_draft'
 
@@ -40,6 +42,7 @@ export function Builder() {
       <Entries />
       <BudgetFields />
       <TitleField />
+      <NoteField />
       <StartBar />
     </section>
   )
@@ -56,7 +59,7 @@ function TitleField() {
         id={id}
         class="input title-input"
         type="text"
-        maxLength={120}
+        maxLength={LONGEST.title}
         value={title.value ?? ''}
         placeholder={titleOf()}
         data-testid="study-title"

@@ -6,9 +6,10 @@ import { type ComparisonDocument, type MapOfQuestion, textOf } from '../../model
 import type { DraftEntry } from '../../model/draft'
 import { formats } from '../../model/facts'
 import type { ParamValues } from '../../model/messages'
+import { noteText } from '../../model/names'
 import { plannerEntry } from '../../state'
 import { uniqueId } from '../store/names'
-import { budget, entries, maps, seeds, untilBudget } from './draft'
+import { budget, entries, maps, note, seeds, untilBudget } from './draft'
 import { idsOf, labelOf, titleOf } from './labels'
 
 export async function compose(): Promise<string> {
@@ -47,7 +48,7 @@ function questionOf(): Question {
   return {
     format: formats.question,
     title: titleOf(),
-    asks: t('lab.build.asks'),
+    asks: noteText(note.peek()) || t('lab.build.asks'),
     seeds: seeds.peek(),
     ...(limit && { budget: limit }),
     instances,

@@ -3,9 +3,8 @@ import type { Budget } from '@pkg/formicarium'
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
 import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
 import type { Scenario } from '../../model/session'
-import { panels, plannerEntry, scenario, view } from '../../state'
+import { caption, panels, scenario, view } from '../../state'
 import { mapName } from '../../words/map_names'
-import { namesakeMark, plannerName } from '../../words/planner_words'
 
 const USUAL_SEEDS = 30
 /** Of an entry about which the reader has said nothing. */
@@ -19,6 +18,8 @@ export const budget = signal<Budget | null>(null)
 export const untilBudget = signal(false)
 /** As the reader wrote it; null: made from what is compared. */
 export const title = signal<string | null>(null)
+/** What the reader says of it; empty: that planners are compared. */
+export const note = signal('')
 /** The name of the planner whose components are taken out one by one; null when this is no ablation. */
 export const ablated = signal<string | null>(null)
 /** Why the engine refused to start it. */
@@ -44,17 +45,18 @@ export function takeRace(): void {
     filled = true
     maps.value = []
     addCurrentMap()
-    entries.value = panels.peek().map(({ id, setup: { planner, preset, params } }) => ({
+    entries.value = panels.peek().map(({ setup: { planner, preset, params, label } }) => ({
       key: nextKey++,
       planner,
       preset,
       params,
-      label: raceLabel(id, planner),
+      label,
       id: null,
       ablation: null,
     }))
     ablated.value = null
-    title.value = null
+    title.value = caption.peek().title || null
+    note.value = caption.peek().note
     refusal.value = null
   })
 }
@@ -69,6 +71,7 @@ export function drafted(): Required<Filling> | null {
     ablated: ablated.value,
     untilBudget: untilBudget.value,
     title: title.value,
+    note: note.value,
   }
   return filled ? now : null
 }
@@ -84,14 +87,8 @@ export function fillWith(all: Filling): void {
     untilBudget.value = all.untilBudget ?? false
     ablated.value = all.ablated
     title.value = all.title ?? null
+    note.value = all.note ?? ''
   })
-}
-
-/** Two panels with the same planner keep the marks that tell them apart in the race. */
-function raceLabel(panelId: number, planner: string): string | null {
-  const entry = plannerEntry(planner)
-  const mark = namesakeMark(panelId)
-  return entry && mark ? `${plannerName(entry)}${mark}` : null
 }
 
 export function addCurrentMap(): void {

@@ -4,6 +4,7 @@ import { Copy, Scissors, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import type { DraftEntry } from '../../model/draft'
+import { LONGEST } from '../../model/names'
 import { paramsInForce } from '../../panels/parameter_groups'
 import { ParameterRows } from '../../panels/parameter_rows'
 import { presetOptions } from '../../panels/parameters'
@@ -35,7 +36,7 @@ export function EntryRow({ entry, place }: { entry: DraftEntry; place: number })
         <input
           class="input entry-label"
           type="text"
-          maxLength={60}
+          maxLength={LONGEST.label}
           value={entry.label ?? ''}
           placeholder={name}
           aria-label={t('lab.build.label')}
@@ -99,8 +100,8 @@ function Values({ entry, known, name, refused }: ValuesProps) {
   const isRefused = refused !== null && isOfParameter(refused, known)
   const [unfolded, unfold] = useState(false)
   const open = unfolded || isRefused
-  const { planner, preset, params } = entry
-  const setup = { planner, preset, params, result: null }
+  const { planner, preset, params, label } = entry
+  const setup = { planner, preset, params, label, result: null }
   const count = Object.keys(params).length
   return (
     <details

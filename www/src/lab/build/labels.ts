@@ -1,32 +1,19 @@
 /** Labels of entries and the title, unless the reader has written others. */
+import { computed } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import type { DraftEntry } from '../../model/draft'
 import { plannerEntry } from '../../state'
-import { plannerName, presetName } from '../../words/planner_words'
+import { labelsOf, nameOf, presetName } from '../../words/planner_words'
 import { uniqueId } from '../store/names'
 import { ablated, entries, maps, title } from './draft'
 
-/** Its planner, and its preset or values in brackets. */
-export function labelOf(entry: DraftEntry): string {
-  if (entry.label !== null) return entry.label
-  const plain = usualLabel(entry)
-  const namesakes = entries.value.filter(
-    (other) => other.label === null && usualLabel(other) === plain,
-  )
-  const place = namesakes.findIndex(({ key }) => key === entry.key)
-  return place > 0 ? `${plain} (${place + 1})` : plain
-}
+/** What an entry is called beside the others. */
+export const labelOf = (entry: DraftEntry) => labels.value.get(entry.key) ?? nameOf(entry.planner)
 
-type Named = Pick<DraftEntry, 'planner' | 'preset' | 'params'>
-
-export function usualLabel({ planner, preset, params }: Named): string {
-  const known = plannerEntry(planner)
-  const name = known ? plannerName(known) : planner
-  const set = known?.presets.find((each) => each.name === preset)
-  if (set) return `${name} (${presetName(set)})`
-  const changed = Object.entries(params).map(([key, value]) => `${key} ${value}`)
-  return changed.length > 0 && changed.length <= 2 ? `${name} (${changed.join(', ')})` : name
-}
+const labels = computed(() => {
+  const all = labelsOf(entries.value)
+  return new Map(entries.value.map(({ key }, at) => [key, all[at] ?? '']))
+})
 
 /** Stable ids of all entries, in their order. */
 export function idsOf(all: DraftEntry[]): string[] {
@@ -52,7 +39,7 @@ export function titleOf(): string {
   return t('lab.build.autoTitle', { what, where: where ?? '' })
 }
 
-/** A planner and the values with which it runs. */
+/** A planner and all the values with which it runs. */
 export function labelOfPlanner(
   planner: string,
   preset: string | null,
@@ -61,7 +48,6 @@ export function labelOfPlanner(
   const known = plannerEntry(planner)
   const set = known?.presets.find((each) => each.name === preset)
   const values = Object.entries(params).map(([key, value]) => `${key} = ${value}`)
-  const name = known ? plannerName(known) : planner
   const rest = [...(set ? [presetName(set)] : []), ...values]
-  return rest.length > 0 ? `${name}: ${rest.join(', ')}` : name
+  return rest.length > 0 ? `${nameOf(planner)}: ${rest.join(', ')}` : nameOf(planner)
 }

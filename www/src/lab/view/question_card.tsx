@@ -75,7 +75,7 @@ function Question() {
             : t('lab.run.noBudget')}
         </span>
       </summary>
-      <p>{asks}</p>
+      <p class="asks">{asks}</p>
       {paper && <p class="hint">{paper}</p>}
       <div class="asked-lists">
         <ul>
