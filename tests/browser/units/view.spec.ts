@@ -12,15 +12,15 @@ import {
 
 const WHOLE: Viewpoint = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 const map = { width: 36, height: 22 }
-const canvas = { width: 640, height: 420 }
+const canvas = { width: 640, height: 420, dpr: 1 }
 
 test.describe('view', () => {
   test('the whole map fits every canvas, with cells of whole pixels where there is room', () => {
     for (const size of [
       canvas,
-      { width: 390, height: 300 },
-      { width: 50, height: 900 },
-      { width: 1, height: 1 },
+      { width: 390, height: 300, dpr: 1 },
+      { width: 50, height: 900, dpr: 1 },
+      { width: 1, height: 1, dpr: 1 },
     ]) {
       for (const shape of [map, { width: 512, height: 512 }, { width: 1, height: 4096 }]) {
         const { scale, originX, originY } = placement(WHOLE, size, shape)

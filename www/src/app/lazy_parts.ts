@@ -5,5 +5,6 @@ nameLazyParts({
   opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
+  editor: async () => (await import('../editor')).fetchEditor(),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

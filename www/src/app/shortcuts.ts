@@ -11,6 +11,7 @@ import {
   tool,
   undo,
   view,
+  withEditor,
 } from '../state'
 import { openDialog, show } from '../state/dialogs'
 import { fitWholeMap, toggleRelief } from '../state/relief'
@@ -48,6 +49,8 @@ const KEYS: Record<string, () => void> = {
   'Ctrl+y': redo,
   Escape: choose('wall'),
 }
+
+for (const key of 'lbnfmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
 
 export function listenForKeys(): void {
   noteHowFocusMoves()

@@ -1,9 +1,10 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
+export { editor, withEditor } from './editor'
 export * from './files'
+export { changeLevel } from './levels'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
-export { changeLevel, type Rules, setRules } from './movement_rules'
 export {
   announce,
   announcement,

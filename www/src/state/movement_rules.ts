@@ -1,11 +1,11 @@
-/** How one moves: the map's size, its moves, and what a terrain asks besides. */
+/** How one moves: the map's size, its moves, and what a terrain asks besides. Fetched with the dialog that asks for them. */
 import type { Movement, SliceRules, TerrainFields } from '@pkg/formicarium'
 import { t } from '../i18n'
-import { applyEditTo } from '../model/edit'
+import { resized } from '../model/resize'
 import type { Scenario } from '../model/session'
-import { type End, liftEnds, shiftLevel } from '../model/terrain'
+import { liftEnds } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
-import { announce, notify } from './notices'
+import { notify } from './notices'
 import { commit } from './scenarios'
 import { scenario } from './store'
 
@@ -27,7 +27,7 @@ export function underRules(now: Scenario, rules: Rules): Scenario | null {
   const { terrain: former, ...plain } = now.spec
   const surface = former ? { terrain: { vertical_unit: former.vertical_unit } } : {}
   const flat = { ...now, spec: { ...plain, ...surface } }
-  const sized = applyEditTo(flat, { kind: 'resize', width, height })
+  const sized = resized(flat, width, height)
   if (resizing && sized === flat) return null
   const spec = { ...sized.spec, movement, resolution, ...(now.heights && terrain && { terrain }) }
   return liftEnds({ ...sized, spec })
@@ -51,21 +51,4 @@ function tellLifted(asked: SliceRules | undefined, taken: SliceRules | undefined
   const { start_level: start, goal_level: goal } = taken
   if (start === asked.start_level && goal === asked.goal_level) return
   notify('warning', t('terrain.lifted', { start, goal }), { hint: t('terrain.liftedHint') })
-}
-
-/** Levels that are changed one after the other are undone together. */
-const GESTURES: Record<End, number> = { start: -1, goal: -2 }
-
-/** Raises or lowers an end of the paths by slices, as far as there are levels above the ground. */
-export function changeLevel(end: End, delta: number): void {
-  const now = scenario.peek()
-  const before = now?.spec.terrain?.slices
-  if (!now || !before) return
-  const after = shiftLevel(now, end, delta)
-  commit(after, GESTURES[end])
-  const rules = after.spec.terrain?.slices ?? before
-  const level = end === 'start' ? rules.start_level : rules.goal_level
-  const key = after === now ? 'terrain.levelStays' : 'terrain.levelIs'
-  const metres = Math.round(level * rules.level)
-  announce(t(key, { end: t(`stage.${end}`), level, levels: rules.levels, metres }))
 }

@@ -1,24 +1,20 @@
 /** Everything that changes the map or the question asked on it. */
 
-import type { Generator } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
-import { tools } from '../engine/tools'
 import { type GalleryEntry, gallery } from '../gallery/gallery'
 import type { Racer } from '../gallery/paper_maps'
 import { t } from '../i18n'
 import { applyEditTo, type Edit, refusalOf } from '../model/edit'
 import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
-import { heightsOf } from '../model/height_bytes'
 import type { Scenario } from '../model/session'
-import { settleGoals } from '../model/settle_ends'
-import { plainTerrain } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
 import { createHistory } from './history'
 import { lazyParts } from './lazy_parts'
+import { flushLive } from './live_reports'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
-import { pause, play, reset, restart } from './runs'
+import { pause, play, reset, restart, showDrawn } from './runs'
 import { suitSpeed } from './speed'
 import {
   activeGoal,
@@ -26,6 +22,7 @@ import {
   panels,
   phase,
   plannerEntry,
+  pressed,
   scenario,
   tool,
   wholeEngine,
@@ -43,12 +40,14 @@ const galleryIds = new WeakMap<Scenario, string>()
  * left on becomes free.
  */
 let dragged: { gesture: number; before: Scenario } | null = null
+/** What a press has drawn so far: the page takes it over when it ends, so that nothing moves under the pointer. */
+let drawn: { map: Scenario; gesture?: number } | null = null
 /** The gesture whose refusal has been said: once is enough. */
 let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
 export function applyEdit(edit: Edit, gesture?: number): void {
-  const before = scenario.peek()
+  const before = drawn?.map ?? scenario.peek()
   if (!before) return
   const base = beforeDrag(before, edit, gesture)
   const after = applyEditTo(base, edit)
@@ -59,6 +58,11 @@ export function applyEdit(edit: Edit, gesture?: number): void {
 /** Puts a changed scenario in the place of the one on show; undo brings that one back. */
 export function commit(after: Scenario, gesture?: number): void {
   const before = scenario.peek()
+  if (pressed.peek()) {
+    drawn = { map: after, gesture }
+    showDrawn(after)
+    return
+  }
   if (!before || after === before) return
   history.record(before, after, gesture)
   if (asksSame(before, after)) rename(after)
@@ -66,6 +70,20 @@ export function commit(after: Scenario, gesture?: number): void {
     pauseForEdit()
     replace(after)
   }
+}
+
+/** From here to the end of the press only the workers' pictures follow what is drawn. */
+export function beginPress(): void {
+  pressed.value = true
+}
+
+export function endPress(): void {
+  pressed.value = false
+  const made = drawn
+  drawn = null
+  if (made?.map === scenario.peek()) restart()
+  else if (made) commit(made.map, made.gesture)
+  flushLive()
 }
 
 /** Says why the ground refuses an edit: the map itself does not show it. */
@@ -177,40 +195,6 @@ export function fromGallery(id: string, built: Scenario): Scenario {
   return built
 }
 
-export async function generateMap(
-  kind: Generator,
-  width: number,
-  height: number,
-  seed: number,
-  density: number,
-): Promise<void> {
-  const made = await tools.generate(kind, width, height, seed, density)
-  const now = scenario.peek()
-  if (!now) return
-  const { cells, start, goal } = made
-  const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
-  const heights = heightsOf(made.heights)
-  const { terrain: _, world: __, resolution, ...kept } = now.spec
-  const generated: Scenario = {
-    spec: {
-      ...kept,
-      name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
-      width,
-      height,
-      start,
-      goals,
-      // The size of a cell belongs to the ground; from plane to plane it is the reader's.
-      resolution: heights || now.heights ? made.resolution : resolution,
-      ...(heights && { terrain: plainTerrain() }),
-    },
-    cells,
-    heights,
-    origin: { generator: kind, seed, density },
-  }
-  suitSpeed(generated)
-  setScenario(generated, { undoable: true })
-}
-
 export function undo(): void {
   travel(history.undo.bind(history), 'notices.undone')
 }
@@ -235,6 +219,8 @@ function travel(
 
 /** The runs on the old map are obsolete; what they have shown stays visible no longer than the map. */
 function replace(next: Scenario): void {
+  // Undone in mid-press, or another map has come: what was drawn on the one before is left out.
+  drawn = null
   batch(() => {
     scenario.value = next
     activeGoal.value = Math.min(activeGoal.peek(), next.spec.goals.length - 1)

@@ -108,6 +108,7 @@ export const enDialogs = {
     density: 'Walls (%)',
     roughness: 'Roughness (%)',
     sides: 'Usual sizes',
+    generateLarge: 'So large a map is shown once it has been made.',
     generateHint:
       'The same seed gives the same map on every computer. Start and goals are always connected. Undo brings the present map back.',
     generateTerrainHint:

@@ -101,6 +101,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     density: '墙（%）',
     roughness: '粗糙度（%）',
     sides: '常用尺寸',
+    generateLarge: '这么大的地图生成后才显示。',
     generateHint: '相同的种子在任何电脑上生成相同的地图。起点与各目标必定连通。可撤销。',
     generateTerrainHint: '相同的种子在任何电脑上生成相同的地形，每格 30 米。可撤销。',
     resizeTerrainHint: '每边 2 到 {{most}} 格。保留左上部分；其外高程未知，不能通行。可撤销。',
