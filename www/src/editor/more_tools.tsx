@@ -44,11 +44,12 @@ const ICONS: Record<WallTool, IconNode> = {
   block: BLOCK,
   fill: PaintBucket,
 }
+/** The library names them by the line between the halves, the tools by what changes places. */
 const TURN_ICONS: Record<Turn, IconNode> = {
   left: RotateCcwSquare,
   right: RotateCwSquare,
-  mirror: FlipHorizontal2,
-  flip: FlipVertical2,
+  mirror: FlipVertical2,
+  flip: FlipHorizontal2,
 }
 const KEYS: Record<WallTool, string> = {
   wall: 'W',

@@ -56,6 +56,22 @@ function WallTool() {
   )
 }
 
+function toolButton({ id, icon, keys }: (typeof TOOLS)[number]) {
+  return (
+    <IconButton
+      key={id}
+      icon={icon}
+      label={id === 'goal' ? goalToolName() : t(`tools.${id}`)}
+      keys={keys}
+      pressed={tool.value === id}
+      testId={`tool-${id}`}
+      onClick={() => {
+        tool.value = id
+      }}
+    />
+  )
+}
+
 /** In a place that is kept for them, so that nothing moves when they come: when the browser is idle, or wanted before. */
 function MoreTools() {
   const Tools = editor.value?.MoreTools
@@ -71,20 +87,9 @@ export function EditTools() {
     <div class="toolbar-group edit-tools" role="toolbar" aria-label={t('tools.group')}>
       <div class="tool-set">
         <WallTool />
-        {TOOLS.map(({ id, icon, keys }) => (
-          <IconButton
-            key={id}
-            icon={icon}
-            label={id === 'goal' ? goalToolName() : t(`tools.${id}`)}
-            keys={keys}
-            pressed={tool.value === id}
-            testId={`tool-${id}`}
-            onClick={() => {
-              tool.value = id
-            }}
-          />
-        ))}
+        {TOOLS.slice(0, 1).map(toolButton)}
         <MoreTools />
+        {TOOLS.slice(1).map(toolButton)}
       </div>
       <span class="divider" />
       <IconButton
