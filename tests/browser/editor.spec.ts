@@ -127,7 +127,7 @@ test.describe('with the mouse', () => {
     await expect(page.getByTestId('shape-fill')).toBeVisible()
   })
 
-  test('a selection is moved, copied and resized; what it covered comes back when it moves on', async ({
+  test('a selection is moved and copied; what it covered comes back when it moves on', async ({
     page,
   }) => {
     const race = await openField(page)
@@ -168,6 +168,27 @@ test.describe('with the mouse', () => {
     // Moving on and on is one step.
     await page.getByTestId('undo').click()
     expect(await walls(race)).toEqual(listed([...block(10, 5, 2, 2), ...block(16, 5, 1, 5)]))
+  })
+
+  test('a handle makes the selection larger, a click beside it drops it', async ({ page }) => {
+    const race = await openField(page)
+    const said = page.getByTestId('announcement')
+    await page.keyboard.press('m')
+    await race.drag([
+      [10, 5],
+      [14, 8],
+    ])
+    await expect(said).toHaveText(/5 by 4 cells selected from 10, 5/i)
+    const [inner, beyond] = [await race.pointOf([14, 8]), await race.pointOf([15, 9])]
+    const to = await race.pointOf([20, 12])
+    await page.mouse.move((inner.x + beyond.x) / 2, (inner.y + beyond.y) / 2)
+    await page.mouse.down()
+    await page.mouse.move(to.x, to.y)
+    await page.mouse.up()
+    await expect(said).toHaveText(/11 by 8 cells selected from 10, 5/i)
+    await race.drag([[30, 20]])
+    await expect(said).toHaveText(/nothing is selected/i)
+    expect(await race.walls()).toBe(0)
   })
 
   test('walls of a selection never cover the start, and that is said', async ({ page }) => {

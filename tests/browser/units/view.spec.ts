@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test'
+import { markRadius } from '../../../www/src/drawing/draw_marks'
 import {
   MOST_ZOOM,
   type Point,
@@ -33,6 +34,21 @@ test.describe('view', () => {
         if (scale >= 6) expect(Number.isInteger(scale)).toBe(true)
       }
     }
+  })
+
+  test('markers of the outermost cells are never cut off, however small the cells', () => {
+    for (const dpr of [1, 2, 3])
+      for (const side of [180, 390, 640])
+        for (const cells of [2, 20, 36, 100, 513]) {
+          const size = { width: side * dpr, height: side * dpr, dpr }
+          const { scale, originX } = placement(WHOLE, size, { width: cells, height: cells })
+          for (const several of [false, true]) {
+            // A diamond is the widest of them, and has a ring.
+            const reach = 1.18 * markRadius({ scale, dpr }, several) + 1.5 * dpr
+            expect(originX + 0.5 * scale - reach).toBeGreaterThanOrEqual(-1)
+            expect(originX + (cells - 0.5) * scale + reach).toBeLessThanOrEqual(size.width + 1)
+          }
+        }
   })
 
   test('zooming keeps what is under the pointer there', () => {

@@ -13,12 +13,18 @@ type KeyName =
   | 'undo'
   | 'redo'
   | 'tools'
+  | 'shapes'
+  | 'select'
+  | 'width'
   | 'fit'
   | 'relief'
 type StageKeyName =
   | 'cursor'
   | 'apply'
   | 'remove'
+  | 'corners'
+  | 'part'
+  | 'clipboard'
   | 'level'
   | 'turn'
   | 'pointer'
@@ -37,6 +43,9 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['undo', ['Ctrl Z']],
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
+  ['shapes', ['L', 'B', 'N', 'F']],
+  ['width', ['J', 'K']],
+  ['select', ['M']],
   ['fit', ['0']],
   ['relief', ['3']],
 ]
@@ -45,6 +54,9 @@ const MAP_KEYS: [StageKeyName, string[]][] = [
   ['cursor', ['←', '↑', '↓', '→']],
   ['apply', ['Enter', 'X']],
   ['remove', ['Delete']],
+  ['corners', ['Enter', 'Enter']],
+  ['part', ['←', 'Delete', 'Esc']],
+  ['clipboard', ['Ctrl C', 'Ctrl X', 'Ctrl V', 'Ctrl A']],
   ['level', ['PgUp', 'PgDn']],
   ['turn', ['←', 'Shift ←']],
   ['pointer', []],

@@ -7,7 +7,18 @@ import { ARROWS, STRIDE } from '../stage/keyboard'
 import type { Cursor } from '../stage/panel_view'
 import { announce, type FurtherTool, scenario, tool } from '../state'
 import { corner, stepBrushSize } from './hand'
-import { copy, cut, free, nudge, paste, select, selectAll, selection, unselect } from './selection'
+import {
+  canPaste,
+  copy,
+  cut,
+  free,
+  nudge,
+  paste,
+  select,
+  selectAll,
+  selection,
+  unselect,
+} from './selection'
 import { drawByKey } from './shapes'
 
 const TOOL_KEYS: Record<string, FurtherTool> = {
@@ -47,9 +58,26 @@ function commandKey({ key, shiftKey }: KeyboardEvent, at: Cell | null): boolean 
     nudge([arrow[0] * STRIDE, arrow[1] * STRIDE])
     return true
   }
-  const command = { c: copy, x: cut, v: () => paste(at), a: selectAll }[key.toLowerCase()]
+  const command = commandFor(key.toLowerCase(), at)
   command?.()
-  return command !== undefined
+  return command !== null
+}
+
+/** Null where there is nothing to copy or paste: then the page, or the browser, has the key. */
+function commandFor(key: string, at: Cell | null): (() => void) | null {
+  const part = selection.peek()
+  switch (key) {
+    case 'c':
+      return part && copy
+    case 'x':
+      return part && cut
+    case 'v':
+      return canPaste.peek() ? () => paste(at) : null
+    case 'a':
+      return selectAll
+    default:
+      return null
+  }
 }
 
 function selectKey({ key, shiftKey }: KeyboardEvent, at: Cell): boolean {

@@ -57,13 +57,13 @@ export function applyEdit(edit: Edit, gesture?: number): void {
 
 /** Puts a changed scenario in the place of the one on show; undo brings that one back. */
 export function commit(after: Scenario, gesture?: number): void {
-  const before = scenario.peek()
+  const before = drawn?.map ?? scenario.peek()
+  if (!before || after === before) return
   if (pressed.peek()) {
     drawn = { map: after, gesture }
     showDrawn(after)
     return
   }
-  if (!before || after === before) return
   history.record(before, after, gesture)
   if (asksSame(before, after)) rename(after)
   else {
