@@ -198,6 +198,7 @@ async function mapShare(race: RacePage): Promise<number> {
     const size = {
       width: Math.round((right - left) * dpr),
       height: Math.round((bottom - top) * dpr),
+      dpr,
     }
     const { scale, originX, originY } = placement(WHOLE_MAP, size, spec)
     const [x, y] = [left + originX / dpr, top + originY / dpr]

@@ -155,9 +155,9 @@ export class RacePage {
     const box = await this.stage(place).boundingBox()
     const dpr = await this.page.evaluate(() => devicePixelRatio)
     if (!box) throw new Error('the stage is not on screen')
-    const size = { width: Math.round(box.width * dpr), height: Math.round(box.height * dpr) }
+    const [width, height] = [Math.round(box.width * dpr), Math.round(box.height * dpr)]
     const { spec } = (await this.session()).scenario
-    const { scale, originX, originY } = placement(WHOLE_MAP, size, spec)
+    const { scale, originX, originY } = placement(WHOLE_MAP, { width, height, dpr }, spec)
     return {
       x: box.x + (originX + (cell[0] + 0.5) * scale) / dpr,
       y: box.y + (originY + (cell[1] + 0.5) * scale) / dpr,

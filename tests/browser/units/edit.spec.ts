@@ -1,5 +1,6 @@
 import { expect, test } from '@playwright/test'
 import { applyEditTo, lineCells } from '../../../www/src/model/edit'
+import { resized } from '../../../www/src/model/resize'
 import { createHistory } from '../../../www/src/state/history'
 import { sessionOf } from './sessions'
 
@@ -44,7 +45,7 @@ test.describe('map edits', () => {
       scenario,
     )
     expect(applyEditTo(scenario, { kind: 'clear' })).toBe(scenario)
-    expect(applyEditTo(scenario, { kind: 'resize', width: 10, height: 6 })).toBe(scenario)
+    expect(resized(scenario, 10, 6)).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'start', at: [9, 5] })).toBe(scenario)
     expect(applyEditTo(scenario, { kind: 'goal', index: 0, at: [10, 5] })).toBe(scenario)
   })
@@ -60,13 +61,13 @@ test.describe('map edits', () => {
 
   test('resizing keeps the upper left part and both ends inside, apart and free', () => {
     const walled = applyEditTo(blank(), { kind: 'paint', from: [3, 0], to: [3, 5], blocked: true })
-    const small = applyEditTo(walled, { kind: 'resize', width: 4, height: 3 })
+    const small = resized(walled, 4, 3)
     expect([small.spec.width, small.spec.height, small.cells.length]).toEqual([4, 3, 12])
     expect(small.spec.goals[0]?.at).toEqual([3, 2])
     expect([...small.cells]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0])
-    const dot = applyEditTo(walled, { kind: 'resize', width: 2, height: 1 })
+    const dot = resized(walled, 2, 1)
     expect(dot.spec.start).not.toEqual(dot.spec.goals[0]?.at)
-    const large = applyEditTo(walled, { kind: 'resize', width: 20, height: 20 })
+    const large = resized(walled, 20, 20)
     expect(walls(large.cells)).toBe(6)
   })
 })

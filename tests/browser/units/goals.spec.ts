@@ -2,8 +2,9 @@ import { expect, test } from '@playwright/test'
 import type { Cell } from '../../../www/src/model/cell'
 import { applyEditTo, type Edit } from '../../../www/src/model/edit'
 import { askSame, goalName, goalWeight } from '../../../www/src/model/goals'
+import { resized } from '../../../www/src/model/resize'
 import type { Scenario } from '../../../www/src/model/session'
-import { settleGoals } from '../../../www/src/model/settle_ends'
+import { settleGoals } from '../../../www/src/model/settle_goals'
 import { placeError, quantityError, readPlace } from '../../../www/src/panels/goal_input'
 import { brushFor, stroke } from '../../../www/src/stage/brush'
 import { sessionOf } from './sessions'
@@ -103,7 +104,7 @@ test.describe('goals', () => {
 
   test('shrinking the map keeps goals inside, apart from each other and from the start', () => {
     const four = after(open(), add(1, [9, 0]), add(2, [2, 1]), add(3, [9, 1]))
-    const small = applyEditTo(four, { kind: 'resize', width: 3, height: 2 })
+    const small = resized(four, 3, 2)
     expect(new Set([...places(small), small.spec.start.join()]).size).toBe(5)
     for (const { at } of small.spec.goals) {
       expect(at[0]).toBeLessThan(3)
@@ -111,7 +112,7 @@ test.describe('goals', () => {
     }
     // The one that need not move does not.
     expect(places(small)[2]).toBe('2,1')
-    const tiny = applyEditTo(four, { kind: 'resize', width: 2, height: 1 })
+    const tiny = resized(four, 2, 1)
     expect(tiny.spec.goals).toHaveLength(1)
     expect(tiny.spec.start).not.toEqual(tiny.spec.goals[0]?.at)
   })

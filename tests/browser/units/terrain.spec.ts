@@ -11,6 +11,7 @@ import {
   wholeOf,
   withSide,
 } from '../../../www/src/model/raster_part'
+import { resized } from '../../../www/src/model/resize'
 import type { Scenario } from '../../../www/src/model/session'
 import {
   groundAt,
@@ -68,7 +69,7 @@ test.describe('edits of a terrain', () => {
   })
 
   test('a larger map has no data in its new cells, a smaller one keeps its part', () => {
-    const large = applyEditTo(ground(), { kind: 'resize', width: 5, height: 4 })
+    const large = resized(ground(), 5, 4)
     expect([...(large.heights ?? [])]).toEqual([
       10,
       20,
@@ -92,7 +93,7 @@ test.describe('edits of a terrain', () => {
       NO,
     ])
     expect([...large.cells]).toEqual([0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1])
-    const small = applyEditTo(ground(), { kind: 'resize', width: 3, height: 3 })
+    const small = resized(ground(), 3, 3)
     expect([...(small.heights ?? [])]).toEqual([10, 20, 30, 15, 25, 35, NO, 30, NO])
     // The nearest cell inside, (2, 2), has no data.
     expect(small.spec.goals[0]?.at).toEqual([2, 1])
@@ -102,9 +103,7 @@ test.describe('edits of a terrain', () => {
   test('a part without data has no place for the ends: nothing changes', () => {
     const heights = Float32Array.from({ length: 16 }, (_, i) => (i % 4 < 2 && i < 8 ? NO : i))
     const scenario = terrainOf(4, 4, heights).scenario
-    const edit = { kind: 'resize', width: 2, height: 2 } as const
-    expect(applyEditTo(scenario, edit)).toBe(scenario)
-    expect(refusalOf(scenario, edit)).toBe('end')
+    expect(resized(scenario, 2, 2)).toBe(scenario)
   })
 })
 

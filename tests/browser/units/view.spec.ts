@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test'
+import { markRadius } from '../../../www/src/drawing/draw_marks'
 import {
   MOST_ZOOM,
   type Point,
@@ -12,15 +13,15 @@ import {
 
 const WHOLE: Viewpoint = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 const map = { width: 36, height: 22 }
-const canvas = { width: 640, height: 420 }
+const canvas = { width: 640, height: 420, dpr: 1 }
 
 test.describe('view', () => {
   test('the whole map fits every canvas, with cells of whole pixels where there is room', () => {
     for (const size of [
       canvas,
-      { width: 390, height: 300 },
-      { width: 50, height: 900 },
-      { width: 1, height: 1 },
+      { width: 390, height: 300, dpr: 1 },
+      { width: 50, height: 900, dpr: 1 },
+      { width: 1, height: 1, dpr: 1 },
     ]) {
       for (const shape of [map, { width: 512, height: 512 }, { width: 1, height: 4096 }]) {
         const { scale, originX, originY } = placement(WHOLE, size, shape)
@@ -33,6 +34,21 @@ test.describe('view', () => {
         if (scale >= 6) expect(Number.isInteger(scale)).toBe(true)
       }
     }
+  })
+
+  test('markers of the outermost cells are never cut off, however small the cells', () => {
+    for (const dpr of [1, 2, 3])
+      for (const side of [180, 390, 640])
+        for (const cells of [2, 20, 36, 100, 513]) {
+          const size = { width: side * dpr, height: side * dpr, dpr }
+          const { scale, originX } = placement(WHOLE, size, { width: cells, height: cells })
+          for (const several of [false, true]) {
+            // A diamond is the widest of them, and has a ring.
+            const reach = 1.18 * markRadius({ scale, dpr }, several) + 1.5 * dpr
+            expect(originX + 0.5 * scale - reach).toBeGreaterThanOrEqual(-1)
+            expect(originX + (cells - 0.5) * scale + reach).toBeLessThanOrEqual(size.width + 1)
+          }
+        }
   })
 
   test('zooming keeps what is under the pointer there', () => {

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import { applyEditTo } from '../../../www/src/model/edit'
+import { resized } from '../../../www/src/model/resize'
 import type { Scenario } from '../../../www/src/model/session'
 import { placeOf } from '../../../www/src/model/world'
 import { documentOf, readDocument } from '../../../www/src/share/session_document'
@@ -30,7 +30,7 @@ test('cells stay where they are when rows and columns come and go', () => {
     [2, 3],
     [6, 5],
   ] as const) {
-    const { spec } = applyEditTo(before, { kind: 'resize', width, height })
+    const { spec } = resized(before, width, height)
     expect([spec.width, spec.height]).toEqual([width, height])
     const [was, is] = [placeOf(before.spec, [1, 1]), placeOf(spec, [1, 1])]
     expect(is?.[0]).toBeCloseTo(was?.[0] ?? 0, 9)

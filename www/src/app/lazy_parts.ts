@@ -6,5 +6,6 @@ nameLazyParts({
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
   names: async () => (await import('../panels/names')).namesPart(),
+  editor: async () => (await import('../editor')).fetchEditor(),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

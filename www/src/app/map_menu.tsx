@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals'
 import {
   Contrast,
   Dices,
@@ -24,9 +25,14 @@ import {
 } from '../state'
 import { show } from '../state/dialogs'
 import { Icon } from '../ui/icon'
+import { lazily } from '../ui/lazily'
 import { Menu, MenuColumn, MenuHeading, MenuItem } from '../ui/menu'
 import { galleryName, galleryNote, mapName } from '../words/map_names'
 import { waysOfMoving } from '../words/movement_words'
+
+/** Pictures of the maps come with the first look. */
+const looked = signal(false)
+const GalleryPicture = lazily(async () => (await import('./gallery_picture')).GalleryPicture)
 
 export function MapMenu() {
   const spec = scenario.value?.spec
@@ -35,6 +41,9 @@ export function MapMenu() {
     <Menu
       label={t('maps.menu')}
       testId="map-menu"
+      onOpen={() => {
+        looked.value = true
+      }}
       face={
         <span class="map-face">
           <Icon icon={MapIcon} size={16} />
@@ -122,6 +131,7 @@ function galleryItem({ id }: GalleryEntry) {
     <MenuItem
       key={id}
       label={galleryName(id)}
+      picture={looked.value && <GalleryPicture id={id} />}
       note={galleryNote(id)}
       testId={`gallery-${id}`}
       checked={galleryId.value === id}

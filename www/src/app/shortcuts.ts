@@ -14,6 +14,7 @@ import {
   tool,
   undo,
   view,
+  withEditor,
 } from '../state'
 import { openDialog, show } from '../state/dialogs'
 import { fitWholeMap, toggleRelief } from '../state/relief'
@@ -55,6 +56,8 @@ const KEYS: Record<string, () => void> = {
     if (!leaveFocus()) tool.value = 'wall'
   },
 }
+
+for (const key of 'lbnfmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
 
 export function listenForKeys(): void {
   noteHowFocusMoves()

@@ -5,16 +5,22 @@ import { useState } from 'preact/hooks'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
 import { generators, limits } from '../model/facts'
+import type { Scenario } from '../model/session'
 import { notifyError } from '../state'
 import { closeDialog } from '../state/dialogs'
-import { generateMap } from '../state/generate_map'
+import { type GeneratorCall, generatedMap, openGenerated } from '../state/generated_maps'
 import { Button, IconButton } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
+import { type Latest, useLatest } from './latest_answer'
+import { MapPreview } from './map_preview'
 
 /** Sides of terrains that papers and programs like. */
 const SIDES = ['21', '65', '129', '257', '513']
+
+/** Larger maps are not drawn before they are made: that would take longer than it is worth. Cells. */
+const MOST_SHOWN = 1 << 20
 
 /** Kept while the page lives, so that a second map starts from the first one's settings. */
 const settings = signal({
@@ -28,6 +34,7 @@ const settings = signal({
 
 export function GenerateDialog() {
   const [error, setError] = useState<unknown>(null)
+  const [making, setMaking] = useState(false)
   const { kind, width, height, seed, density, roughness } = settings.value
   const { terrain: isTerrain = false, asks_for: asked = null } =
     generators.find(({ id }) => id === kind) ?? {}
@@ -35,18 +42,24 @@ export function GenerateDialog() {
   const set = (change: Partial<typeof settings.value>) => {
     settings.value = { ...settings.value, ...change }
   }
+  const call: GeneratorCall = {
+    kind,
+    width,
+    height,
+    seed,
+    density: (asked === 'roughness' ? roughness : density) / 100,
+  }
+  const small = width * height <= MOST_SHOWN
+  const preview = useLatest(JSON.stringify(call), small ? () => generatedMap(call) : null)
   const make = async () => {
+    setMaking(true)
     try {
-      await generateMap(
-        kind,
-        width,
-        height,
-        seed,
-        (asked === 'roughness' ? roughness : density) / 100,
-      )
+      const made = small && preview.settled ? preview.answer : await generatedMap(call)
+      if (made) openGenerated(made)
       closeDialog()
     } catch (thrown) {
       setError(thrown)
+      setMaking(false)
     }
   }
   return (
@@ -60,6 +73,7 @@ export function GenerateDialog() {
           label={t('maps.generateNow')}
           tone="primary"
           testId="generate"
+          busy={making}
           onClick={make}
         />
       }
@@ -127,8 +141,23 @@ export function GenerateDialog() {
         />
       )}
       <p class="hint">{t(isTerrain ? 'maps.generateTerrainHint' : 'maps.generateHint')}</p>
-      {error !== null && <FormError error={error} />}
+      {(error ?? preview.error) !== null && <FormError error={error ?? preview.error} />}
+      <GeneratedPreview preview={preview} small={small} />
     </Dialog>
+  )
+}
+
+/** The map as it would be. Its place is as large for every map, so that no field moves while one chooses. */
+function GeneratedPreview(props: { preview: Latest<Scenario | null>; small: boolean }) {
+  const { answer, settled } = props.preview
+  return (
+    <div class="generated" data-testid="generated" data-settled={settled}>
+      {props.small ? (
+        <MapPreview map={answer} busy={!settled} ends />
+      ) : (
+        <p class="hint">{t('maps.generateLarge')}</p>
+      )}
+    </div>
   )
 }
 

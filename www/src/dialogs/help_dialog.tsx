@@ -13,6 +13,9 @@ type KeyName =
   | 'undo'
   | 'redo'
   | 'tools'
+  | 'shapes'
+  | 'select'
+  | 'width'
   | 'fit'
   | 'relief'
   | 'focus'
@@ -22,6 +25,9 @@ type StageKeyName =
   | 'cursor'
   | 'apply'
   | 'remove'
+  | 'corners'
+  | 'part'
+  | 'clipboard'
   | 'level'
   | 'turn'
   | 'pointer'
@@ -40,6 +46,9 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['undo', ['Ctrl Z']],
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
+  ['shapes', ['L', 'B', 'N', 'F']],
+  ['width', ['J', 'K']],
+  ['select', ['M']],
   ['fit', ['0']],
   ['relief', ['3']],
   ['focus', ['F']],
@@ -51,6 +60,9 @@ const MAP_KEYS: [StageKeyName, string[]][] = [
   ['cursor', ['←', '↑', '↓', '→']],
   ['apply', ['Enter', 'X']],
   ['remove', ['Delete']],
+  ['corners', ['Enter', 'Enter']],
+  ['part', ['←', 'Delete', 'Esc']],
+  ['clipboard', ['Ctrl C', 'Ctrl X', 'Ctrl V', 'Ctrl A']],
   ['level', ['PgUp', 'PgDn']],
   ['turn', ['←', 'Shift ←']],
   ['pointer', []],

@@ -1,9 +1,10 @@
 /** Shows what a file that leaves a choice would come to, before anything on the page is replaced. */
 import type { Imported } from '@pkg/formicarium'
-import { useEffect, useState } from 'preact/hooks'
+import { useEffect, useMemo, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { describeNotice } from '../i18n/errors'
+import { mapToShow } from '../model/map_pixels'
 import { WATCHED_SIDE } from '../model/raster_part'
 import { type MapFile, mapFile } from '../state'
 import { bytesOf } from '../state/file_bytes'
@@ -52,6 +53,7 @@ function Reading({ file }: { file: MapFile }) {
   const fit = fits.crop && fits.cells && fits.metres
   const options = optionsOf(file, choices)
   const { answer: map, settled, error } = useReading(file, fit ? options : null)
+  const shown = useMemo(() => map && mapToShow(map), [map])
   const [as, setAs] = useState<ReadAs>('picture')
   const asFigure = as === 'figure'
   const figure = useFigure(file, asFigure, whole !== null && isPicture(file) && isSoonLooked(whole))
@@ -126,7 +128,7 @@ function Reading({ file }: { file: MapFile }) {
         <>
           <OtherPicture file={file} />
           <div class="raster">
-            <MapPreview map={map} busy={!settled && fit} />
+            <MapPreview map={shown} busy={!settled && fit} />
             <Facts file={file} map={map} />
           </div>
           {wrong !== null && <FormError error={wrong} />}

@@ -48,7 +48,8 @@ function stageOf(panel: Panel, place: number): Stage | null {
   if (!host || !frame || frame.width === 0) return null
   const scale = Math.min(devicePixelRatio, WIDEST / frame.width)
   const size = { width: Math.round(frame.width * scale), height: Math.round(frame.height * scale) }
-  const layers = [...host.querySelectorAll('canvas')].filter((canvas) => canvas.offsetWidth > 0)
+  const all = host.querySelectorAll<HTMLCanvasElement>(':not(.edit-preview) > canvas')
+  const layers = [...all].filter((canvas) => canvas.offsetWidth > 0)
   const draw = (context: CanvasRenderingContext2D, x: number, y: number) => {
     for (const layer of layers) {
       const box = layer.getBoundingClientRect()

@@ -25,7 +25,7 @@ type Context = Pick<
   | 'textBaseline'
 >
 type Point = [number, number]
-type Look = Pick<PanelView, 'theme' | 'dpr' | 'width' | 'goalNames'>
+type Look = Pick<PanelView, 'theme' | 'dpr' | 'width' | 'height' | 'goalNames'>
 
 /** Where the marks are on the canvas; null for one that is not to be drawn. */
 export interface MarkPlaces {
@@ -150,22 +150,28 @@ function drawPlace(
   context.fillText(String(place), x, y + 0.36 * size)
 }
 
-/** Beside the marker, on whichever side the canvas has room. */
+/** Beside the marker, on whichever side the canvas has room; never beyond its edges while the marker is within them. */
 function drawName(context: Context, view: Look, [x, y]: Point, name: string, radius: number): void {
   const { dpr } = view
   const size = Math.min(15 * dpr, Math.max(11 * dpr, radius))
   const text = name.length > MOST_LETTERS ? `${name.slice(0, MOST_LETTERS - 1)}…` : name
+  if (text === '') return
   context.font = `600 ${size}px ${FONT}`
   const width = context.measureText(text).width + 8 * dpr
   const gap = 1.18 * radius + 3 * dpr
-  const left = x + gap + width > view.width ? x - gap - width : x + gap
   const height = 1.35 * size
+  const beside = x + gap + width > view.width ? x - gap - width : x + gap
+  const seen = x >= 0 && y >= 0 && x <= view.width && y <= view.height
+  const left = seen ? clamp(beside, view.width - width) : beside
+  const top = seen ? clamp(y - height / 2, view.height - height) : y - height / 2
   context.fillStyle = COLOURS[view.theme].label
   context.beginPath()
-  context.roundRect(left, y - height / 2, width, height, 4 * dpr)
+  context.roundRect(left, top, width, height, 4 * dpr)
   context.fill()
   context.textAlign = 'left'
   context.textBaseline = 'alphabetic'
   context.fillStyle = COLOURS[view.theme].text
-  context.fillText(text, left + 4 * dpr, y + 0.35 * size)
+  context.fillText(text, left + 4 * dpr, top + height / 2 + 0.35 * size)
 }
+
+const clamp = (value: number, most: number) => Math.max(0, Math.min(value, most))

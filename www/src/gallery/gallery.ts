@@ -4,7 +4,7 @@ import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import { goalAt, type Origin, type Scenario } from '../model/session'
 import { plainTerrain } from '../model/terrain'
-import { ENGINE_ROOM, SCATTERED, SEALED, TWO_CORRIDORS } from './drawings'
+import { TWO_CORRIDORS } from './first_drawing'
 import { paperMaps, type Racer } from './paper_maps'
 import { paperScenario } from './paper_scenario'
 
@@ -17,6 +17,8 @@ export interface GalleryEntry {
   racers?: Racer[]
 }
 
+const drawings = () => import('./drawings')
+
 /** What a newcomer sees: needs no engine, so it is there at once. */
 export function firstScenario(): Scenario {
   return drawn('Two corridors', TWO_CORRIDORS)
@@ -25,8 +27,11 @@ export function firstScenario(): Scenario {
 /** The most telling first; last, the one without a path. */
 const ready: Omit<GalleryEntry, 'group'>[] = [
   { id: 'two-corridors', scenario: async () => firstScenario() },
-  { id: 'aco-20x20', scenario: async () => drawn('Scattered blocks, 20 × 20', SCATTERED) },
-  { id: 'engine-room', scenario: async () => drawn('Engine room', ENGINE_ROOM) },
+  {
+    id: 'aco-20x20',
+    scenario: async () => drawn('Scattered blocks, 20 × 20', (await drawings()).SCATTERED),
+  },
+  { id: 'engine-room', scenario: async () => drawn('Engine room', (await drawings()).ENGINE_ROOM) },
   {
     id: 'rooms',
     scenario: () => generated('Rooms', 48, 32, { generator: 'rooms', seed: 7, density: 0 }),
@@ -41,7 +46,7 @@ const ready: Omit<GalleryEntry, 'group'>[] = [
       generated('Random, 100 × 100', 100, 100, { generator: 'random', seed: 11, density: 0.3 }),
   },
   { id: 'open-field', scenario: async () => openField() },
-  { id: 'unreachable', scenario: async () => drawn('Unreachable', SEALED) },
+  { id: 'unreachable', scenario: async () => drawn('Unreachable', (await drawings()).SEALED) },
 ]
 
 /** One for each way of moving on a terrain. */

@@ -1,27 +1,28 @@
 /** Edits of a scenario, as pure functions: the same object comes back when an edit changes nothing. */
 
 import type { Cell } from './cell'
-import { changeGoal, type GoalChange, isGoal, placeGoal, removeGoal, takenCells } from './goals'
+import { changeGoal, type GoalChange, placeGoal, removeGoal, takenCells } from './goals'
 import type { Scenario } from './session'
-import { keepInside } from './settle_ends'
 import { hasNoData, liftEnds } from './terrain'
-import { withRows } from './world'
 
 export type Edit =
   /** A line of cells from one pointer position to the next. Start and goals are never walled in. */
   | { kind: 'paint'; from: Cell; to: Cell; blocked: boolean }
+  /** Cells by their numbers, row by row from the upper left. */
+  | { kind: 'cells'; cells: Iterable<number>; blocked: boolean }
   | { kind: 'start'; at: Cell }
   /** Moves a goal; the index after the last one adds a goal there. */
   | { kind: 'goal'; index: number; at: Cell }
   | { kind: 'change-goal'; index: number; change: GoalChange }
   | { kind: 'remove-goal'; index: number }
   | { kind: 'clear' }
-  | { kind: 'resize'; width: number; height: number }
 
 export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
   switch (edit.kind) {
     case 'paint':
-      return paint(scenario, edit.from, edit.to, edit.blocked)
+      return paint(scenario, lineNumbers(scenario, edit.from, edit.to), edit.blocked)
+    case 'cells':
+      return paint(scenario, edit.cells, edit.blocked)
     case 'start':
       return moveStart(scenario, edit.at)
     case 'goal':
@@ -33,8 +34,6 @@ export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
       return liftEnds(removeGoal(scenario, edit.index)) ?? scenario
     case 'clear':
       return clear(scenario)
-    case 'resize':
-      return resize(scenario, edit.width, edit.height)
   }
 }
 
@@ -47,11 +46,16 @@ export function refusalOf(scenario: Scenario, edit: Edit): Refusal | null {
     return !edit.blocked && hasNoData(scenario, edit.to) && isInside(scenario, edit.to)
       ? 'erase'
       : null
-  if (edit.kind === 'resize') return 'end'
+  if (edit.kind === 'cells') return edit.blocked ? null : unknownOf(scenario, edit.cells)
   if (edit.kind !== 'start' && edit.kind !== 'goal') return null
   if (!isInside(scenario, edit.at) || takenCells(scenario.spec).some((c) => sameCell(c, edit.at)))
     return null
   return hasNoData(scenario, edit.at) ? 'end' : 'level'
+}
+
+function unknownOf({ heights }: Scenario, cells: Iterable<number>): Refusal | null {
+  for (const cell of cells) if (heights && !Number.isFinite(heights[cell])) return 'erase'
+  return null
 }
 
 export function isInside(scenario: Scenario, [x, y]: Cell): boolean {
@@ -89,20 +93,26 @@ export function lineCells([x0, y0]: Cell, [x1, y1]: Cell): Cell[] {
   }
 }
 
-function paint(scenario: Scenario, from: Cell, to: Cell, blocked: boolean): Scenario {
+/** The numbers of a line's cells, as far as they lie on the map. */
+function lineNumbers(scenario: Scenario, from: Cell, to: Cell): number[] {
+  return lineCells(from, to)
+    .filter((cell) => isInside(scenario, cell))
+    .map(([x, y]) => y * scenario.spec.width + x)
+}
+
+/** Start and goals stay free, and where there is no data nothing changes. */
+function paint(scenario: Scenario, numbers: Iterable<number>, blocked: boolean): Scenario {
+  const { spec, heights, cells: before } = scenario
+  const ends = new Set(takenCells(spec).map(([x, y]) => y * spec.width + x))
   const value = blocked ? 1 : 0
-  const changing = lineCells(from, to).filter(
-    (cell) =>
-      isInside(scenario, cell) &&
-      isBlocked(scenario, cell) !== blocked &&
-      !hasNoData(scenario, cell) &&
-      !sameCell(cell, scenario.spec.start) &&
-      !isGoal(scenario, cell),
-  )
-  if (changing.length === 0) return scenario
-  const cells = scenario.cells.slice()
-  for (const [x, y] of changing) cells[y * scenario.spec.width + x] = value
-  return { ...scenario, cells }
+  let cells: Uint8Array | null = null
+  for (const cell of numbers) {
+    if (before[cell] === value || ends.has(cell)) continue
+    if (heights && !Number.isFinite(heights[cell])) continue
+    cells ??= before.slice()
+    cells[cell] = value
+  }
+  return cells ? { ...scenario, cells } : scenario
 }
 
 /** The start stays inside and apart from every goal; on a wall it makes its cell free. */
@@ -137,39 +147,4 @@ function clear(scenario: Scenario): Scenario {
   )
   if (cells.every((cell, i) => cell === scenario.cells[i])) return scenario
   return { ...scenario, cells, origin: heights ? scenario.origin : null }
-}
-
-/**
- * Keeps the upper left part; new cells are free, and on a terrain without data. Ends that fell off move to the nearest cell inside;
- * where no cell is left for them, nothing changes.
- */
-function resize(scenario: Scenario, width: number, height: number): Scenario {
-  const { spec, heights } = scenario
-  if (width === spec.width && height === spec.height) return scenario
-  const size = { width, height }
-  const ground =
-    heights && copied(heights, new Float32Array(width * height).fill(Number.NaN), spec, size)
-  const outside = new Uint8Array(width * height).fill(ground ? 1 : 0)
-  const cells = copied(scenario.cells, outside, spec, size)
-  const { world, resolution } = spec
-  const placed = world && { world: withRows(world, height - spec.height, resolution) }
-  const moved = keepInside({ ...spec, ...placed, width, height }, (cell) =>
-    ground ? Number.isFinite(ground[cell]) : true,
-  )
-  if (moved === null) return scenario
-  for (const [x, y] of takenCells(moved)) cells[y * width + x] = 0
-  return liftEnds({ spec: moved, cells, heights: ground, origin: null }) ?? scenario
-}
-
-interface Size {
-  width: number
-  height: number
-}
-
-/** The upper left part of a map, laid over another. */
-function copied<T extends Uint8Array | Float32Array>(from: T, onto: T, was: Size, is: Size): T {
-  const width = Math.min(was.width, is.width)
-  for (let y = 0; y < Math.min(was.height, is.height); y++)
-    onto.set(from.subarray(y * was.width, y * was.width + width), y * is.width)
-  return onto
 }

@@ -1,4 +1,4 @@
-/** Finds places for start and goals when the ground beneath them changes: on another map, or a smaller one. */
+/** Finds places for start and goals when a map gets smaller. */
 import type { Goal, ScenarioSpec } from '@pkg/formicarium'
 import type { Cell } from './cell'
 
@@ -32,44 +32,15 @@ export function keepInside(
   return settled.length === 0 && spec.goals.length > 0 ? null : { ...spec, start, goals: settled }
 }
 
-/**
- * Goals of one map on another that has a start of its own and a place for the first of them: the others keep their place in
- * proportion, as near to it as the start can be left for.
- */
-export function settleGoals(
-  goals: Goal[],
-  from: ScenarioSpec,
-  to: { width: number; height: number; cells: Uint8Array; start: Cell; goal: Cell },
-): Goal[] {
-  const [first, ...others] = goals
-  if (!first) return []
-  const { width, height, cells, start } = to
-  const settled = [{ ...first, at: to.goal }]
-  if (others.length === 0) return settled
-  const taken = new Set([key(start, width), key(to.goal, width)])
-  const reached = reachedFrom(start, width, height, cells)
-  for (const goal of others) {
-    const wanted: Cell = [
-      Math.floor((goal.at[0] / from.width) * width),
-      Math.floor((goal.at[1] / from.height) * height),
-    ]
-    const free = (cell: number) => reached[cell] === 1 && !taken.has(cell)
-    const at = nearest(wanted, width, height, free)
-    if (at === null) continue
-    taken.add(key(at, width))
-    settled.push({ ...goal, at })
-  }
-  return settled
-}
-
-const key = ([x, y]: Cell, width: number) => y * width + x
+/** The number of a cell, row by row. */
+export const key = ([x, y]: Cell, width: number) => y * width + x
 
 function inside([x, y]: Cell, width: number, height: number): Cell {
   return [Math.min(x, width - 1), Math.min(y, height - 1)]
 }
 
 /** The first cell that fits, in growing squares about a cell; null when none does. */
-function nearest(
+export function nearest(
   [x, y]: Cell,
   width: number,
   height: number,
@@ -95,24 +66,4 @@ function* ring([x, y]: Cell, radius: number): Generator<Cell> {
     yield [x - i, y + radius]
     yield [x - radius, y - i]
   }
-}
-
-/** Cells that straight steps lead to: no movement rule allows less. */
-function reachedFrom(start: Cell, width: number, height: number, cells: Uint8Array): Uint8Array {
-  const reached = new Uint8Array(cells.length)
-  const waiting = [key(start, width)]
-  reached[waiting[0] ?? 0] = 1
-  const visit = (cell: number) => {
-    if (cells[cell] === 1 || reached[cell] === 1) return
-    reached[cell] = 1
-    waiting.push(cell)
-  }
-  for (let cell = waiting.pop(); cell !== undefined; cell = waiting.pop()) {
-    const x = cell % width
-    if (x > 0) visit(cell - 1)
-    if (x < width - 1) visit(cell + 1)
-    if (cell >= width) visit(cell - width)
-    if (cell < (height - 1) * width) visit(cell + width)
-  }
-  return reached
 }

@@ -13,6 +13,9 @@ export interface Size {
   height: number
 }
 
+/** What a map is drawn on; `dpr`: device pixels a CSS pixel. */
+export type CanvasSize = Size & { dpr: number }
+
 /** Where one panel's canvas puts the map. */
 export interface Placement {
   scale: number
@@ -25,8 +28,10 @@ export type Point = [number, number]
 export const MOST_ZOOM = 64
 /** From this size on cells are whole pixels wide, so that all look equal. */
 const WHOLE_PIXELS = 6
-/** Leaves an edge free, so that markers in the corners are not cut off. */
+/** Leaves an edge free. */
 const ROOM = 0.97
+/** How far markers of start and goals reach from the middle of their cell while cells are small; CSS pixels. */
+const MARK = 11
 
 const WHOLE_MAP: Viewpoint = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 
@@ -42,7 +47,7 @@ export function zoomBy(factor: number): void {
   viewpoint.value = settle({ ...view, zoom: limit(view.zoom * factor) })
 }
 
-export function placement(view: Viewpoint, canvas: Size, map: Size): Placement {
+export function placement(view: Viewpoint, canvas: CanvasSize, map: Size): Placement {
   const scale = wholeIfLarge(fitScale(canvas, map) * view.zoom)
   return {
     scale,
@@ -61,7 +66,7 @@ export function zoomAt(
   view: Viewpoint,
   factor: number,
   at: Point,
-  canvas: Size,
+  canvas: CanvasSize,
   map: Size,
 ): Viewpoint {
   const zoom = limit(view.zoom * factor)
@@ -73,7 +78,13 @@ export function zoomAt(
 }
 
 /** Shifts the map by a number of pixels. */
-export function panBy(view: Viewpoint, dx: number, dy: number, canvas: Size, map: Size): Viewpoint {
+export function panBy(
+  view: Viewpoint,
+  dx: number,
+  dy: number,
+  canvas: CanvasSize,
+  map: Size,
+): Viewpoint {
   const { scale } = placement(view, canvas, map)
   const centreX = view.centreX - dx / scale / map.width
   const centreY = view.centreY - dy / scale / map.height
@@ -81,7 +92,7 @@ export function panBy(view: Viewpoint, dx: number, dy: number, canvas: Size, map
 }
 
 /** The nearest view that shows `cell` with some room around it; the same object when it is shown already. */
-export function reveal(view: Viewpoint, cell: Point, canvas: Size, map: Size): Viewpoint {
+export function reveal(view: Viewpoint, cell: Point, canvas: CanvasSize, map: Size): Viewpoint {
   const { scale, originX, originY } = placement(view, canvas, map)
   const margin = Math.min(2 * scale, canvas.width / 4, canvas.height / 4)
   const dx = shortfall(originX + cell[0] * scale, scale, canvas.width, margin)
@@ -109,9 +120,16 @@ function unit(fraction: number): number {
   return Math.min(1, Math.max(0, fraction))
 }
 
-function fitScale(canvas: Size, map: Size): number {
-  const largest = Math.min(canvas.width / map.width, canvas.height / map.height)
-  return Math.max(0.05, largest * ROOM)
+/** The whole map, and the markers of its outermost cells. */
+function fitScale({ width, height, dpr }: CanvasSize, map: Size): number {
+  const marked = (side: number, cells: number) => (side - 2 * MARK * dpr) / Math.max(1, cells - 1)
+  const largest = Math.min(
+    (ROOM * width) / map.width,
+    (ROOM * height) / map.height,
+    marked(width, map.width),
+    marked(height, map.height),
+  )
+  return Math.max(0.05, largest)
 }
 
 function wholeIfLarge(scale: number): number {

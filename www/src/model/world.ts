@@ -7,16 +7,17 @@ export function placeOf(
   { world, height, resolution }: ScenarioSpec,
   [x, y]: Cell,
 ): [number, number] | null {
-  return world ? turned(world, (x + 0.5) * resolution, (height - y - 0.5) * resolution) : null
+  return world ? pointOf(world, (x + 0.5) * resolution, (height - y - 0.5) * resolution) : null
 }
 
 /** The origin of a map whose last rows were cut off, or that got more of them. */
 export function withRows(world: World, rows: number, resolution: number): World {
-  const [x, y] = turned(world, 0, -rows * resolution)
+  const [x, y] = pointOf(world, 0, -rows * resolution)
   return { ...world, x, y }
 }
 
-function turned({ x, y, yaw = 0 }: World, east: number, north: number): [number, number] {
+/** A point so many metres to the right of the origin and above it, in the world. */
+export function pointOf({ x, y, yaw = 0 }: World, east: number, north: number): [number, number] {
   const [sin, cos] = [Math.sin(yaw), Math.cos(yaw)]
   return [x + cos * east - sin * north, y + sin * east + cos * north]
 }

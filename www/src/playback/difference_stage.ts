@@ -176,6 +176,7 @@ function drawEnds(context: CanvasRenderingContext2D, picture: Picture, { spec }:
     theme: colours,
     dpr: size.dpr,
     width: size.width,
+    height: size.height,
     goalNames: spec.goals.map(({ name }) => name),
   }
   const at = {

@@ -38,6 +38,7 @@ export function drawOverlay(
     theme: theme.value,
     dpr,
     width: canvas.width,
+    height: canvas.height,
     goalNames: spec.goals.map((_, index) => goalName(spec, index)),
   }
   if (cursor) drawCell(context, scene, cursor, dpr)

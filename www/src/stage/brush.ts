@@ -33,8 +33,7 @@ export function brushFor(tool: Tool, scenario: Scenario, at: Cell, active: numbe
       return { kind: 'goal', index: Math.min(active, length - 1) }
     case 'add-goal':
       return length < limits.max_goals ? { kind: 'goal', index: length } : null
-    case 'inspect':
-    case 'pan':
+    default:
       return null
   }
 }

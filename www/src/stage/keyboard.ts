@@ -8,12 +8,13 @@ import type { Cell } from '../model/cell'
 import { isBlocked, sameCell } from '../model/edit'
 import { goalIndexAt, goalName } from '../model/goals'
 import type { Scenario } from '../model/session'
-import { fitView, panBy, reveal, type Size, viewpoint, zoomBy } from '../model/viewpoint'
+import { type CanvasSize, fitView, panBy, reveal, viewpoint, zoomBy } from '../model/viewpoint'
 import {
   activeGoal,
   announce,
   applyEdit,
   changeLevel,
+  editor,
   refuseMoreGoals,
   scenario,
   tool,
@@ -33,13 +34,19 @@ export const ARROWS: Record<string, Cell> = {
 export const STRIDE = 10
 
 export function keyboardHandler(
-  size: ReadonlySignal<Size>,
+  size: ReadonlySignal<CanvasSize>,
   cursor: Signal<Cursor | null>,
   inspect: (cell: Cell) => void,
 ): (event: KeyboardEvent) => void {
   return (event) => {
     const now = scenario.peek()
-    if (now === null || event.altKey || event.metaKey) return
+    if (now === null) return
+    if (editor.peek()?.key(event, cursor)) {
+      event.preventDefault()
+      event.stopPropagation()
+      return
+    }
+    if (event.altKey || event.metaKey) return
     if (handleInspection(event, now, cursor, inspect) || handle(event, now, size.peek(), cursor)) {
       event.preventDefault()
       event.stopPropagation()
@@ -63,7 +70,7 @@ export function handleInspection(
 function handle(
   event: KeyboardEvent,
   now: Scenario,
-  size: Size,
+  size: CanvasSize,
   cursor: Signal<Cursor | null>,
 ): boolean {
   const arrow = ARROWS[event.key]
@@ -114,7 +121,12 @@ export function handleAtCursor(
   }
 }
 
-function moveCursor(by: Cell, now: Scenario, size: Size, cursor: Signal<Cursor | null>): void {
+function moveCursor(
+  by: Cell,
+  now: Scenario,
+  size: CanvasSize,
+  cursor: Signal<Cursor | null>,
+): void {
   const cell = shiftCursor(by, now, cursor)
   viewpoint.value = reveal(viewpoint.peek(), cell, size, now.spec)
 }
@@ -129,7 +141,7 @@ export function shiftCursor([dx, dy]: Cell, now: Scenario, cursor: Signal<Cursor
   return cell
 }
 
-function pan([dx, dy]: Cell, now: Scenario, size: Size): void {
+function pan([dx, dy]: Cell, now: Scenario, size: CanvasSize): void {
   const step = Math.round(0.1 * Math.min(size.width, size.height))
   viewpoint.value = panBy(viewpoint.peek(), -dx * step, -dy * step, size, now.spec)
 }

@@ -1,6 +1,6 @@
 /** The pointers that hold the map: one pans it, two pan and zoom it. */
 
-import { type Point, panBy, type Size, viewpoint, zoomAt } from '../model/viewpoint'
+import { type CanvasSize, type Point, panBy, viewpoint, zoomAt } from '../model/viewpoint'
 import { scenario } from '../state'
 
 export class PanZoomGesture {
@@ -23,7 +23,7 @@ export class PanZoomGesture {
   }
 
   /** What was under the fingers stays under them. */
-  move(pointerId: number, at: Point, canvas: Size): void {
+  move(pointerId: number, at: Point, canvas: CanvasSize): void {
     const map = scenario.peek()?.spec
     if (map === undefined) return
     const before = [...this.points.values()]

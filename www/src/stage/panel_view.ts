@@ -2,11 +2,11 @@
 import type { Cell } from '../model/cell'
 import { goalName } from '../model/goals'
 import type { PanelView } from '../model/messages'
-import { type Placement, placement, type Size, viewpoint } from '../model/viewpoint'
+import { type CanvasSize, type Placement, placement, viewpoint } from '../model/viewpoint'
 import { layer, panelColour, scenario, showAnts, showPath, theme } from '../state'
 import { inRelief, showContours } from '../state/relief'
 
-export type CanvasSize = Size & { dpr: number }
+export type { CanvasSize }
 
 /** Where the cell cursor is, and whether keys or the pointer put it there. */
 export interface Cursor {
@@ -38,7 +38,7 @@ function names(): string[] {
 }
 
 /** Where the present scenario lies on a canvas of this size. */
-export function place(size: Size): Placement {
+export function place(size: CanvasSize): Placement {
   const map = scenario.value?.spec ?? { width: 1, height: 1 }
   return placement(viewpoint.value, size, map)
 }

@@ -1,24 +1,39 @@
 /**
  * Mouse, pen and touch on one stage. One pointer draws or drags; the middle button, the pan tool or two fingers move the map;
- * Ctrl and the wheel, or pinching, zoom, and the wheel alone once the map is magnified: else it scrolls. Moves are gathered and applied once a frame, joined by lines so that fast drags leave no holes.
+ * Ctrl and the wheel, or pinching, zoom, and the wheel alone once the map is magnified: else it scrolls. Moves are gathered and
+ * applied once a frame, joined by lines so that fast drags leave no holes. While one draws nothing moves: the page holds still
+ * (`beginPress`), and cells are read from where the map lay at the press.
  */
 import type { ReadonlySignal, Signal } from '@preact/signals'
 import type { Cell } from '../model/cell'
 import { isInside, sameCell } from '../model/edit'
+import type { Scenario } from '../model/session'
+import type { HeldKeys, Stroke } from '../model/stroke'
 import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
-import { activeGoal, applyEdit, refuseMoreGoals, scenario, tool } from '../state'
-import { type Brush, brushFor, newGesture, stroke } from './brush'
+import { activeGoal, beginPress, editor, endPress, refuseMoreGoals, scenario, tool } from '../state'
+import { type Brush, brushFor } from './brush'
+import { brushStroke } from './brush_stroke'
 import { listenToPointers, type PointerHandlers, wheelZooms } from './listen'
 import { type MarkerUnder, markerUnder } from './marker_under'
 import { PanZoomGesture } from './pan_zoom_gesture'
 import { type CanvasSize, type Cursor, place } from './panel_view'
 
+/** Where the element and its map lie on the screen. */
+interface Frame {
+  left: number
+  top: number
+  dpr: number
+  placement: Placement
+}
+
 interface Drawing {
   pointerId: number
-  brush: Brush
-  gesture: number
-  last: Cell
-  pending: Cell[]
+  stroke: Stroke
+  /** As it was at the press. */
+  frame: Frame
+  pending: [Cell, HeldKeys][]
+  /** Where the pointer is. */
+  last: Point
   /** Nothing is drawn before: a second finger may yet turn this into a pinch. */
   notBefore: number
 }
@@ -27,6 +42,8 @@ const ZOOM_PER_PIXEL = 1.0016
 const PINCH_GRACE_MS = 90
 /** A press that has gone no further is a click; CSS pixels. */
 const CLICK_SLOP = 5
+/** Fingers miss what is small; CSS pixels. */
+const FINGER = 20
 
 export class PointerInput {
   private drawing: Drawing | null = null
@@ -57,6 +74,7 @@ export class PointerInput {
 
   release(): void {
     this.listening.abort()
+    if (this.drawing !== null) endPress()
     cancelAnimationFrame(this.requested)
   }
 
@@ -95,22 +113,39 @@ export class PointerInput {
     const now = scenario.peek()
     const cell = end?.at ?? this.cell(at)
     if (now === null || !isInside(now, cell)) return
-    const brush = end?.brush ?? brushFor(tool.peek(), now, cell, activeGoal.peek())
-    if (brush === null) {
+    const stroke = end ? this.take(end.brush, cell) : this.strokeFor(event, at, cell, now)
+    if (stroke === null) {
       refuseMoreGoals()
       return
     }
-    if (brush.kind === 'goal') activeGoal.value = brush.index
     const notBefore = event.pointerType === 'touch' ? performance.now() + PINCH_GRACE_MS : 0
+    const { pointerId } = event
     this.drawing = {
-      pointerId: event.pointerId,
-      brush,
-      gesture: newGesture(),
-      last: cell,
-      pending: [cell],
+      pointerId,
+      stroke,
+      frame: this.frame(),
+      pending: [[cell, event]],
+      last: at,
       notBefore,
     }
+    beginPress()
     this.request()
+  }
+
+  private strokeFor(event: PointerEvent, at: Point, cell: Cell, now: Scenario): Stroke | null {
+    const { placement, dpr } = this.frame()
+    const { shiftKey, ctrlKey, altKey } = event
+    const slack = ((event.pointerType === 'touch' ? FINGER : CLICK_SLOP) * dpr) / placement.scale
+    const press = { cell, at: toMap(placement, at), slack, shiftKey, ctrlKey, altKey }
+    const further = editor.peek()?.begin(press)
+    if (further) return further
+    const brush = brushFor(tool.peek(), now, cell, activeGoal.peek())
+    return brush && this.take(brush, cell)
+  }
+
+  private take(brush: Brush, cell: Cell): Stroke {
+    if (brush.kind === 'goal') activeGoal.value = brush.index
+    return brushStroke(brush, cell)
   }
 
   private move(event: PointerEvent): void {
@@ -121,7 +156,8 @@ export class PointerInput {
     }
     this.hover(at)
     if (this.drawing?.pointerId !== event.pointerId) return
-    this.drawing.pending.push(this.cell(at))
+    this.drawing.last = at
+    this.drawing.pending.push([this.cell(at), event])
     this.request()
   }
 
@@ -131,17 +167,21 @@ export class PointerInput {
     if (event.pointerType === 'touch') this.cursor.value = null
     if (this.drawing?.pointerId !== event.pointerId) return
     this.draw()
+    const { stroke } = this.drawing
     this.drawing = null
+    if (event.type === 'pointerup') stroke.end?.()
+    else stroke.drop?.()
+    endPress()
   }
 
   /** A second finger turns a stroke into a pinch; what has not been drawn yet is dropped. */
   private joinPinch(pointerId: number, at: Point): void {
     if (this.drawing !== null) {
-      this.hold.take(
-        this.drawing.pointerId,
-        this.centreOf(this.drawing.pending.at(-1) ?? this.drawing.last),
-      )
+      const { pointerId: first, stroke, last } = this.drawing
+      this.hold.take(first, last)
       this.drawing = null
+      stroke.drop?.()
+      endPress()
     }
     this.hold.take(pointerId, at)
   }
@@ -150,6 +190,7 @@ export class PointerInput {
     const map = scenario.peek()?.spec
     if (map === undefined || !wheelZooms(event, viewpoint.peek().zoom)) return
     event.preventDefault()
+    if (this.drawing !== null) return
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 * event.deltaY : event.deltaY
     const factor = ZOOM_PER_PIXEL ** -pixels
     viewpoint.value = zoomAt(viewpoint.peek(), factor, this.point(event), this.size.peek(), map)
@@ -183,43 +224,32 @@ export class PointerInput {
 
   private draw(): void {
     if (this.drawing === null) return
-    const { brush, gesture, pending } = this.drawing
-    for (const cell of pending) {
-      applyEdit(stroke(brush, this.drawing.last, cell), gesture)
-      this.drawing.last = cell
-    }
+    const { stroke, pending } = this.drawing
+    for (const [cell, keys] of pending) stroke.go(cell, keys)
     pending.length = 0
   }
 
   private endAt(event: PointerEvent, at: Point): MarkerUnder | null {
     const now = scenario.peek()
     if (now === null) return null
-    return markerUnder(
-      now,
-      at,
-      this.placement(),
-      this.size.peek().dpr,
-      event.pointerType === 'touch',
-    )
+    const { placement, dpr } = this.frame()
+    return markerUnder(now, at, placement, dpr, event.pointerType === 'touch')
   }
 
-  private placement(): Placement {
-    return place(this.size.peek())
+  private frame(): Frame {
+    if (this.drawing !== null) return this.drawing.frame
+    const { left, top } = this.element.getBoundingClientRect()
+    const size = this.size.peek()
+    return { left, top, dpr: size.dpr, placement: place(size) }
   }
 
   private cell(at: Point): Cell {
-    const [x, y] = toMap(this.placement(), at)
+    const [x, y] = toMap(this.frame().placement, at)
     return [Math.floor(x), Math.floor(y)]
   }
 
-  private centreOf([x, y]: Cell): Point {
-    const { scale, originX, originY } = this.placement()
-    return [originX + (x + 0.5) * scale, originY + (y + 0.5) * scale]
-  }
-
   private point(event: MouseEvent): Point {
-    const box = this.element.getBoundingClientRect()
-    const { dpr } = this.size.peek()
-    return [(event.clientX - box.left) * dpr, (event.clientY - box.top) * dpr]
+    const { left, top, dpr } = this.frame()
+    return [(event.clientX - left) * dpr, (event.clientY - top) * dpr]
   }
 }

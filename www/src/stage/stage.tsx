@@ -3,7 +3,7 @@ import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
-import { scenario, tool } from '../state'
+import { editor, scenario, tool } from '../state'
 import { inRelief, relief } from '../state/relief'
 import { mapName } from '../words/map_names'
 import { CellReadout } from './cell_readout'
@@ -22,6 +22,7 @@ export function Stage({ panelId }: { panelId: number }) {
 
 function FlatStage({ panelId }: { panelId: number }) {
   const host = useRef<HTMLDivElement>(null)
+  const EditPreview = editor.value?.EditPreview
   const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
   const cursor = useSignal<Cursor | null>(null)
   const label = useComputed(() => {
@@ -65,6 +66,7 @@ function FlatStage({ panelId }: { panelId: number }) {
         // biome-ignore lint/a11y/noNoninteractiveTabindex: an application region is operated with the keyboard
         tabIndex={0}
       />
+      {EditPreview && <EditPreview size={size} cursor={cursor} />}
       <CellReadout cursor={cursor} />
       {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
     </>

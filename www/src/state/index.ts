@@ -1,6 +1,7 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
 export * from './column'
+export { editor, withEditor } from './editor'
 export * from './files'
 export * from './focus'
 export { changeLevel } from './levels'

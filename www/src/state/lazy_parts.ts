@@ -3,10 +3,14 @@
  * them is written here; app/lazy_parts.ts says where they are.
  */
 
-import { signal } from '@preact/signals'
+import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import type { IconNode } from 'lucide'
 import type { ComponentType } from 'preact'
+import type { Cell } from '../model/cell'
 import type { PanelSetup, Scenario } from '../model/session'
+import type { Press, Stroke } from '../model/stroke'
 import type { Wordless } from '../share/session_words'
+import type { Tool } from './store'
 
 /** Comparisons (lab/). */
 export interface LabPart {
@@ -23,6 +27,25 @@ export interface ReliefPart {
   ReliefStage: ComponentType<{ panelId: number }>
   zoomEye(factor: number): void
   resetEye(): void
+}
+
+/** Tools that draw more than one cell after the other, or take up a part of the map (editor/). */
+export interface EditorPart {
+  /** What a press does; null where the tool in hand is the page's own. */
+  begin(press: Press): Stroke | null
+  /** A key on a focused map; true when the tool in hand has handled it. */
+  key(event: KeyboardEvent, cursor: Signal<{ cell: Cell; byKeys: boolean } | null>): boolean
+  /** A key of the page that chooses a tool or the size of the brush. */
+  shortcut(key: string): void
+  /** Lists the tools that draw walls as soon as it is there. */
+  openShapes(): void
+  /** What the button for walls shows: the one of its tools used last. */
+  wallTool: ReadonlySignal<{ id: Tool; icon: IconNode; keys: string; label: string }>
+  /** The rest of the tools, in the place that the row keeps for them. */
+  MoreTools: ComponentType
+  /** Drawn over a map: what a press would do. Its properties are the stage's. */
+  // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
+  EditPreview: ComponentType<any>
 }
 
 /** Opens files and texts (state/open_files.ts); false where not all was opened, and the reader knows. */
@@ -55,6 +78,7 @@ export interface LazyParts {
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   names(): Promise<NamesPart>
+  editor(): Promise<EditorPart>
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
@@ -68,6 +92,7 @@ export const lazyParts: LazyParts = {
   lab: missing,
   relief: missing,
   names: missing,
+  editor: missing,
   inspector: missing,
 }
 

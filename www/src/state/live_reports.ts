@@ -5,7 +5,7 @@
 import { batch } from '@preact/signals'
 import type { PanelReply } from '../model/messages'
 import { HistoryRows } from './history_rows'
-import { blankLive, liveTick, type PanelLive, panelById } from './store'
+import { blankLive, liveTick, type PanelLive, panelById, pressed } from './store'
 
 const FLUSH_MS = 120
 const histories = new Map<number, HistoryRows>()
@@ -74,9 +74,11 @@ export function setVerified(panelId: number, verified: PanelLive['verified']): v
   panel.live.value = { ...panel.live.peek(), verified }
 }
 
+/** Not while a pointer draws: no number may push the map from under it. */
 export function flushLive(): void {
   clearTimeout(timer)
   timer = 0
+  if (pressed.peek()) return
   batch(() => {
     for (const [panelId, live] of pending) {
       const panel = panelById(panelId)

@@ -1,7 +1,7 @@
-/** How one moves: the map's size, its moves, and what a terrain asks besides. */
+/** How one moves: the map's size, its moves, and what a terrain asks besides. Fetched with the dialog that asks for them. */
 import type { Movement, SliceRules, TerrainFields } from '@pkg/formicarium'
 import { t } from '../i18n'
-import { applyEditTo } from '../model/edit'
+import { resized } from '../model/resize'
 import type { Scenario } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import { fitView } from '../model/viewpoint'
@@ -27,7 +27,7 @@ export function underRules(now: Scenario, rules: Rules): Scenario | null {
   const { terrain: former, ...plain } = now.spec
   const surface = former ? { terrain: { vertical_unit: former.vertical_unit } } : {}
   const flat = { ...now, spec: { ...plain, ...surface } }
-  const sized = applyEditTo(flat, { kind: 'resize', width, height })
+  const sized = resized(flat, width, height)
   if (resizing && sized === flat) return null
   const spec = { ...sized.spec, movement, resolution, ...(now.heights && terrain && { terrain }) }
   return liftEnds({ ...sized, spec })

@@ -67,6 +67,12 @@ export function runToEnd(): void {
   conductor.runToEnd()
 }
 
+/** The picture of a map that is being drawn: runs rest, and all else on the page still tells of the map before. */
+export function showDrawn(map: Scenario): void {
+  conductor.pause()
+  loadAll(map)
+}
+
 /** Every run back to its beginning, on the same map with the same seed. */
 export function reset(): void {
   conductor.pause()
@@ -75,12 +81,14 @@ export function reset(): void {
   if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchWholeEngine()
   batch(() => {
     phase.value = 'editing'
-    for (const panel of panels.peek()) {
-      clearLive(panel.id)
-      if (now) conductor.load(panel.id, ++lastRunId, runSetup(panel, now))
-    }
+    for (const { id } of panels.peek()) clearLive(id)
+    if (now) loadAll(now)
     liveTick.value = liveTick.peek() + 1
   })
+}
+
+function loadAll(map: Scenario): void {
+  for (const panel of panels.peek()) conductor.load(panel.id, ++lastRunId, runSetup(panel, map))
 }
 
 /** After a change that makes the runs obsolete: begin again, and go on playing if they played. */

@@ -11,9 +11,10 @@ import type { Scenario } from '../model/session'
 import { fitView } from '../model/viewpoint'
 import { createHistory, type Step, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
+import { flushLive } from './live_reports'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
-import { pause, play, reset, restart } from './runs'
+import { pause, play, reset, restart, showDrawn } from './runs'
 import { suitSpeed } from './speed'
 import {
   activeGoal,
@@ -21,6 +22,7 @@ import {
   panels,
   phase,
   plannerEntry,
+  pressed,
   scenario,
   tool,
   wholeEngine,
@@ -38,12 +40,14 @@ const galleryIds = new WeakMap<Scenario, string>()
  * left on becomes free.
  */
 let dragged: { gesture: number; before: Scenario } | null = null
+/** What a press has drawn so far: the page takes it over when it ends, so that nothing moves under the pointer. */
+let drawn: { map: Scenario; gesture?: number } | null = null
 /** The gesture whose refusal has been said: once is enough. */
 let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
 export function applyEdit(edit: Edit, gesture?: number): void {
-  const before = scenario.peek()
+  const before = drawn?.map ?? scenario.peek()
   if (!before) return
   const base = beforeDrag(before, edit, gesture)
   const after = applyEditTo(base, edit)
@@ -53,8 +57,13 @@ export function applyEdit(edit: Edit, gesture?: number): void {
 
 /** Puts a changed scenario in the place of the one on show; undo brings that one back. */
 export function commit(after: Scenario, gesture?: number): void {
-  const before = scenario.peek()
+  const before = drawn?.map ?? scenario.peek()
   if (!before || after === before) return
+  if (pressed.peek()) {
+    drawn = { map: after, gesture }
+    showDrawn(after)
+    return
+  }
   history.record(before, after, gesture)
   if (asksSame(before, after)) rename(after)
   else {
@@ -67,6 +76,20 @@ export function commit(after: Scenario, gesture?: number): void {
 export function noteSwap(swap: Swap, gesture?: number): void {
   const now = scenario.peek()
   if (now) history.record(now, now, gesture, swap)
+}
+
+/** From here to the end of the press only the workers' pictures follow what is drawn. */
+export function beginPress(): void {
+  pressed.value = true
+}
+
+export function endPress(): void {
+  pressed.value = false
+  const made = drawn
+  drawn = null
+  if (made?.map === scenario.peek()) restart()
+  else if (made) commit(made.map, made.gesture)
+  flushLive()
 }
 
 /** Says why the ground refuses an edit: the map itself does not show it. */
@@ -205,6 +228,8 @@ function travel(
 
 /** The runs on the old map are obsolete; what they have shown stays visible no longer than the map. */
 function replace(next: Scenario): void {
+  // Undone in mid-press, or another map has come: what was drawn on the one before is left out.
+  drawn = null
   batch(() => {
     scenario.value = next
     activeGoal.value = Math.min(activeGoal.peek(), next.spec.goals.length - 1)

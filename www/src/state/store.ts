@@ -57,7 +57,17 @@ export interface Panel {
 /** Not asked for · on its way · here, and its planners in the catalog · not to be had, until asked for again */
 export type WholeEngineState = 'absent' | 'fetching' | 'here' | 'failed'
 
-export type Tool = 'wall' | 'erase' | 'start' | 'goal' | 'add-goal' | 'inspect' | 'pan'
+/** Draws more than one cell after the other, or takes up a part of the map (editor/). */
+export type FurtherTool = 'line' | 'rectangle' | 'block' | 'fill' | 'select'
+export type Tool =
+  | 'wall'
+  | 'erase'
+  | 'start'
+  | 'goal'
+  | 'add-goal'
+  | 'inspect'
+  | 'pan'
+  | FurtherTool
 
 export const catalog = signal<Pick<Catalog, 'planners'> | null>(null)
 /** Once it is here the catalog is complete: until then it lists the planners of the core. */
@@ -88,6 +98,8 @@ export const speed = signal(DEFAULT_SPEED)
 export const phase = signal<Phase>('editing')
 
 export const tool = signal<Tool>('wall')
+/** Whether a pointer is drawing. */
+export const pressed = signal(false)
 /** The goal that the goal tool moves: the one last taken up. */
 export const activeGoal = signal(0)
 /** Whether the table of goals is on show though there is only one goal. */

@@ -1,11 +1,23 @@
 import { BrickWall, CircleDot, Compass, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
+import { useEffect } from 'preact/hooks'
 import { t } from '../i18n'
 import { goalName } from '../model/goals'
-import { activeGoal, canRedo, canUndo, redo, scenario, type Tool, tool, undo } from '../state'
+import {
+  activeGoal,
+  canRedo,
+  canUndo,
+  editor,
+  redo,
+  scenario,
+  type Tool,
+  tool,
+  undo,
+  wholeEngine,
+  withEditor,
+} from '../state'
 import { IconButton } from '../ui/buttons'
 
 const TOOLS = [
-  { id: 'wall', icon: BrickWall, keys: 'W' },
   { id: 'erase', icon: Eraser, keys: 'E' },
   { id: 'start', icon: CircleDot, keys: 'S' },
   { id: 'goal', icon: Flag, keys: 'G' },
@@ -21,23 +33,63 @@ function goalToolName(): string {
   return t('tools.goalNamed', { name: goalName(spec, activeGoal.value) })
 }
 
+/** Shows the one used last of the tools that draw walls; pressed again it lists them. */
+function WallTool() {
+  const further = editor.value
+  const shown = further?.wallTool.value
+  const id = shown?.id ?? 'wall'
+  const pressed = tool.value === id
+  return (
+    <IconButton
+      icon={shown?.icon ?? BrickWall}
+      label={shown?.label ?? t('tools.wall')}
+      keys={shown?.keys ?? 'W'}
+      pressed={pressed}
+      testId="tool-wall"
+      list={further ? 'wall-tools' : undefined}
+      onClick={(event) => {
+        if (!pressed) event.preventDefault()
+        else if (!further) withEditor(({ openShapes }) => openShapes())
+        tool.value = id
+      }}
+    />
+  )
+}
+
+function toolButton({ id, icon, keys }: (typeof TOOLS)[number]) {
+  return (
+    <IconButton
+      key={id}
+      icon={icon}
+      label={id === 'goal' ? goalToolName() : t(`tools.${id}`)}
+      keys={keys}
+      pressed={tool.value === id}
+      testId={`tool-${id}`}
+      onClick={() => {
+        tool.value = id
+      }}
+    />
+  )
+}
+
+/** In a place that is kept for them, so that nothing moves when they come: when the browser is idle, or wanted before. */
+function MoreTools() {
+  const Tools = editor.value?.MoreTools
+  const idle = wholeEngine.value === 'here'
+  useEffect(() => {
+    if (idle) withEditor(() => {})
+  }, [idle])
+  return <span class="tool-set more-tools">{Tools && <Tools />}</span>
+}
+
 export function EditTools() {
   return (
     <div class="toolbar-group edit-tools" role="toolbar" aria-label={t('tools.group')}>
       <div class="tool-set">
-        {TOOLS.map(({ id, icon, keys }) => (
-          <IconButton
-            key={id}
-            icon={icon}
-            label={id === 'goal' ? goalToolName() : t(`tools.${id}`)}
-            keys={keys}
-            pressed={tool.value === id}
-            testId={`tool-${id}`}
-            onClick={() => {
-              tool.value = id
-            }}
-          />
-        ))}
+        <WallTool />
+        {TOOLS.slice(0, 1).map(toolButton)}
+        <MoreTools />
+        {TOOLS.slice(1).map(toolButton)}
       </div>
       <span class="divider" />
       <IconButton

@@ -10,6 +10,8 @@ interface IconButtonProps {
   testId?: string
   disabled?: boolean
   pressed?: boolean
+  /** The list that it opens. */
+  list?: string
   tone?: 'plain' | 'quiet'
   size?: number
 }
@@ -22,6 +24,8 @@ export function IconButton(props: IconButtonProps) {
       class={`icon-button ${props.tone ?? 'plain'}`}
       aria-label={label}
       aria-pressed={pressed}
+      aria-haspopup={props.list ? 'menu' : undefined}
+      popoverTarget={props.list}
       data-tip={keys ? `${label} · ${keys}` : label}
       data-testid={props.testId}
       disabled={props.disabled}

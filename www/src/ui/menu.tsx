@@ -82,6 +82,8 @@ interface MenuItemProps {
   label: string
   onClick: () => void
   icon?: IconNode
+  /** In the place of an icon; the place is kept while there is nothing in it. */
+  picture?: ComponentChildren
   note?: string
   testId?: string
   checked?: boolean
@@ -90,7 +92,7 @@ interface MenuItemProps {
 }
 
 export function MenuItem(props: MenuItemProps) {
-  const { label, onClick, icon, note, testId, checked, unavailable = null } = props
+  const { label, onClick, icon, picture, note, testId, checked, unavailable = null } = props
   const role =
     checked === undefined
       ? { role: 'menuitem' as const }
@@ -109,6 +111,7 @@ export function MenuItem(props: MenuItemProps) {
       }}
     >
       {icon && <Icon icon={icon} size={16} />}
+      {picture !== undefined && <span class="menu-picture">{picture}</span>}
       <span class="menu-item-text">
         <span>{label}</span>
         {(unavailable ?? note) && <span class="menu-item-note">{unavailable ?? note}</span>}
@@ -163,7 +166,7 @@ function items(list: HTMLElement | null): HTMLElement[] {
 }
 
 /** Arrows and Home/End walk through the items, as in every menu. */
-function moveFocus(event: KeyboardEvent, list: HTMLElement | null): void {
+export function moveFocus(event: KeyboardEvent, list: HTMLElement | null): void {
   const all = items(list)
   const at = all.indexOf(document.activeElement as HTMLElement)
   const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: all.length - 1 }[event.key]

@@ -108,6 +108,7 @@ export const enDialogs = {
     density: 'Walls (%)',
     roughness: 'Roughness (%)',
     sides: 'Usual sizes',
+    generateLarge: 'So large a map is shown once it has been made.',
     generateHint:
       'The same seed gives the same map on every computer. Start and goals are always connected. Undo brings the present map back.',
     generateTerrainHint:
@@ -355,6 +356,9 @@ export const enDialogs = {
       undo: 'Undo',
       redo: 'Redo',
       tools: 'Wall, erase, start, goal, add a goal, moves of a cell, pan',
+      shapes: 'Line, rectangle, filled rectangle, fill',
+      width: 'Brush and lines narrower, wider',
+      select: 'Select; its button again: turn and mirror',
       fit: 'Fit the map',
       relief: 'A terrain in 3-D, and flat again',
       focus: 'One panel alone',
@@ -363,6 +367,9 @@ export const enDialogs = {
       cursor: 'Move the cell cursor',
       apply: 'Use the tool on the cell',
       remove: 'Remove the goal on the cell',
+      corners: 'Line, rectangle, selection: one corner, then the other',
+      part: 'A selection: move by a cell, free its cells, drop it',
+      clipboard: 'A selection: copy, cut out, paste; select all',
       level: 'By slices: raise, lower the end on the cell',
       turn: 'In 3-D arrows turn it; with Shift: the cell cursor',
       pointer: 'Drag: draw; with the middle button: pan',

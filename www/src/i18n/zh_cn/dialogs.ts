@@ -101,6 +101,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     density: '墙（%）',
     roughness: '粗糙度（%）',
     sides: '常用尺寸',
+    generateLarge: '这么大的地图生成后才显示。',
     generateHint:
       '相同的种子在任何电脑上都生成相同的地图。起点与各目标必定连通。撤销可恢复现在的地图。',
     generateTerrainHint:
@@ -339,6 +340,9 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       undo: '撤销',
       redo: '重做',
       tools: '墙、擦除、起点、终点、添加目标、某格的选择、移动视图',
+      shapes: '直线、矩形、实心矩形、填充',
+      width: '笔刷与线条变窄、变宽',
+      select: '选择；再按一次按钮：旋转和镜像',
       fit: '适应窗口',
       relief: '地形三维与平面切换',
       focus: '只看一个面板',
@@ -347,6 +351,9 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       cursor: '移动格子光标',
       apply: '在该格使用工具',
       remove: '删除该格的目标',
+      corners: '直线、矩形、选区：先定一角，再定对角',
+      part: '选区：移动一格、清空其格子、取消',
+      clipboard: '选区：复制、剪切、粘贴；全选',
       level: '按切片：升高、降低该格的端点',
       turn: '三维中方向键旋转；加 Shift 移动格子光标',
       pointer: '拖动：绘制；中键：移动视图',

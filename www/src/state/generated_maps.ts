@@ -1,31 +1,35 @@
-/** Maps made by seed, in the place of the one on show. */
+/** Maps that the engine makes: looked at before they are opened. Fetched with the dialog that asks for them. */
 import type { Generator } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
 import { heightsOf } from '../model/height_bytes'
 import type { Scenario } from '../model/session'
-import { settleGoals } from '../model/settle_ends'
+import { settleGoals } from '../model/settle_goals'
 import { plainTerrain } from '../model/terrain'
 import { setScenario } from './scenarios'
 import { suitSpeed } from './speed'
 import { scenario } from './store'
 
-/** One step to undo. */
-export async function generateMap(
-  kind: Generator,
-  width: number,
-  height: number,
-  seed: number,
-  density: number,
-): Promise<void> {
+export interface GeneratorCall {
+  kind: Generator
+  width: number
+  height: number
+  seed: number
+  /** Share of obstacles; of a terrain its roughness. */
+  density: number
+}
+
+/** What the call makes, with the goals and rules of the map on show; null while there is none. */
+export async function generatedMap(call: GeneratorCall): Promise<Scenario | null> {
+  const { kind, width, height, seed, density } = call
   const made = await tools.generate(kind, width, height, seed, density)
   const now = scenario.peek()
-  if (!now) return
+  if (!now) return null
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
   const heights = heightsOf(made.heights)
   const { terrain: _, world: __, resolution, ...kept } = now.spec
-  const generated: Scenario = {
+  return {
     spec: {
       ...kept,
       name: t('maps.generatedName', { kind: t(`maps.kind.${kind}`), seed }),
@@ -41,6 +45,9 @@ export async function generateMap(
     heights,
     origin: { generator: kind, seed, density },
   }
+}
+
+export function openGenerated(generated: Scenario): void {
   suitSpeed(generated)
   setScenario(generated, { undoable: true })
 }

@@ -1,0 +1,39 @@
+/** What the further tools remember: the width of the brush, the tool used last, a corner set by keys, and what is about to be drawn. */
+import { effect, signal } from '@preact/signals'
+import { t } from '../i18n/editor'
+import type { Cell } from '../model/cell'
+import type { Span } from '../model/spans'
+import { announce, type Tool, tool } from '../state'
+
+/** The tools that draw walls, or tear them down; one button stands for them. */
+export const WALL_TOOLS = ['wall', 'line', 'rectangle', 'block', 'fill'] as const
+export type WallTool = (typeof WALL_TOOLS)[number]
+
+export const isWallTool = (id: Tool): id is WallTool =>
+  (WALL_TOOLS as readonly string[]).includes(id)
+
+/** Cells a side. */
+export const SIZES = [1, 2, 3, 5, 9]
+export const brushSize = signal(1)
+export const lastWallTool = signal<WallTool>('wall')
+
+/** The corner that keys have set; the next one ends the shape. */
+export const corner = signal<Cell | null>(null)
+/** What the press under way will draw. */
+export const sketch = signal<{ spans: Span[]; blocked: boolean } | null>(null)
+
+effect(() => {
+  if (isWallTool(tool.value)) lastWallTool.value = tool.value
+  corner.value = null
+})
+
+export function setBrushSize(size: number): void {
+  brushSize.value = size
+  announce(t('editor.sizeNow', { count: size }))
+}
+
+/** The next size up or down. */
+export function stepBrushSize(by: 1 | -1): void {
+  const at = SIZES.indexOf(brushSize.peek())
+  setBrushSize(SIZES[Math.min(SIZES.length - 1, Math.max(0, at + by))] ?? 1)
+}
