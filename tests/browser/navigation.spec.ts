@@ -307,8 +307,8 @@ test('what is stored does not ask', async ({ page }) => {
 test('a comparison in a link gets an address of its own', async ({ browser, page }) => {
   await new ComparisonPage(page).open()
   await new ComparisonPage(page).script({ document: SMALL })
-  await page.getByTestId('study-share').click()
-  const field = page.getByTestId('study-link')
+  await page.getByTestId('lab-share').click()
+  const field = page.getByTestId('lab-share-link')
   await expect(field).toHaveValue(/#q=/)
   const link = await field.inputValue()
   const other = await (await browser.newContext()).newPage()
