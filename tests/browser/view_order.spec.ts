@@ -110,7 +110,7 @@ for (const first of ['race', 'lab'] as const) {
     expect(await race.shareLink()).toContain('#x=')
     await race.ready()
     await use('play')
-    await race.seesMotion()
+    await expect.poll(() => race.antMoves()).toBeGreaterThan(0)
     await page.context().close()
   })
 

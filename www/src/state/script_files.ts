@@ -212,7 +212,8 @@ async function readFlat(file: FoundFile, together: FoundFile[], options: Options
       `${fileName(file.name)} ${whyOpen(file, matrices.length)}`,
       ways(file),
     )
-  return tools.importMap(file.bytes, fileName(file.name), read, image?.bytes)
+  const usual = matrices.length > 1 ? { matrix: 1 } : {}
+  return tools.importMap(file.bytes, fileName(file.name), read ?? usual, image?.bytes)
 }
 
 const whyOpen = ({ kind, why }: FoundFile, matrices: number) =>
