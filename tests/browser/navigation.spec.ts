@@ -304,6 +304,25 @@ test('what is stored does not ask', async ({ page }) => {
   expect(asked).toBe(false)
 })
 
+test('what was drawn and could not be stored asks', async ({ page }) => {
+  await page.addInitScript(() => {
+    Storage.prototype.setItem = () => {
+      throw new DOMException('full', 'QuotaExceededError')
+    }
+  })
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.drag([[20, 12]])
+  await expect(page.getByTestId('undo')).toBeEnabled()
+  /** Whether the page would ask, by the event that browsers send before leaving it. */
+  const asks = () =>
+    page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })))
+  // The session is stored a moment after the last change.
+  await expect.poll(asks).toBe(true)
+  await page.getByTestId('undo').click()
+  await expect.poll(asks).toBe(false)
+})
+
 test('a comparison in a link gets an address of its own', async ({ browser, page }) => {
   await new ComparisonPage(page).open()
   await new ComparisonPage(page).script({ document: SMALL })

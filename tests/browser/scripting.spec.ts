@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { RacePage } from './race_page'
+import { zipOf } from './zips'
 
 const TEXT = readFileSync(join(__dirname, '../../docs/scripting.md'), 'utf8')
 const BLOCKS = [...TEXT.matchAll(/^```js\n([\s\S]*?)^```$/gm)].map(([, code = '']) => code)
@@ -160,9 +161,9 @@ test('maps may be a session, a link, a text or a file with its options', async (
 
 test('every kind of result file is whole', async ({ page }) => {
   await new RacePage(page).openAtRest()
-  const kinds = [
-    ...new Set(/`resultFile` gives[^\n]*/.exec(TEXT)?.[0].match(/`[a-z-]+`/g)),
-  ].map((kind) => kind.slice(1, -1))
+  const kinds = [...new Set(/`resultFile` gives[^\n]*/.exec(TEXT)?.[0].match(/`[a-z-]+`/g))].map(
+    (kind) => kind.slice(1, -1),
+  )
   await page.evaluate(() =>
     window.formicarium.compare({
       planners: [{ planner: 'ant-system', params: { ants: 5, iterations: 4 } }, 'astar'],
@@ -177,4 +178,86 @@ test('every kind of result file is whole', async ({ page }) => {
   }
   const rows = await page.evaluate(() => window.formicarium.resultFile('csv'))
   expect(rows.trim().split('\n')).toHaveLength(1 + 40)
+})
+
+const MAP = 'type octile\nheight 2\nwidth 3\nmap\n...\n.@.\n'
+const HEIGHTS = 'ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2 3\n4 5 6\n'
+const PLACES = `NAME: four
+TYPE: TSP
+DIMENSION: 4
+EDGE_WEIGHT_TYPE: EUC_2D
+NODE_COORD_SECTION
+1 0 0
+2 0 3
+3 4 3
+4 4 0
+EOF
+`
+const RUNS = Array.from({ length: 30 }, (_, at) => `Mine,${at + 1},50\n`)
+const RESULTS = `entry,seed,length\n${RUNS.join('')}`
+
+/** Loads a file, and tells what was opened, or what kind of refusal it was and about what. */
+async function load(page: Page, name: string, content: string | Buffer, options?: object) {
+  const base64 = Buffer.from(content).toString('base64')
+  return page.evaluate(
+    async ([file, text, given]) => {
+      const bytes = Uint8Array.from(atob(text), (char) => char.charCodeAt(0))
+      return window.formicarium.load(new File([bytes], file), given).then(
+        (opened) => `${opened.kind} ${opened.name}`,
+        (error) => `${error.kind}: ${error.field}`,
+      )
+    },
+    [name, base64, options] as const,
+  )
+}
+
+test('every kind of file that can be dropped is opened, or asked about by name', async ({
+  page,
+}) => {
+  test.slow()
+  const race = new RacePage(page)
+  await race.openAtRest()
+  const width = async () => (await race.session()).scenario.spec.width
+  expect(await load(page, 'heights.asc', HEIGHTS)).toBe('choice-needed: part')
+  expect(await width()).toBe(36)
+  const part = { crop: { x: 1, y: 0, width: 2, height: 2 } }
+  expect(await load(page, 'heights.asc', HEIGHTS, { part })).toBe('map heights.asc')
+  expect((await race.session()).scenario.heights).toEqual(Float32Array.of(2, 3, 5, 6))
+  const two = '0 1\n0 0\n\n0 0 0\n1 0 0\n'
+  expect(await load(page, 'two.txt', two)).toBe('choice-needed: read')
+  expect(await load(page, 'two.txt', two, { read: { matrix: 2 } })).toBe('map two.txt')
+  expect(await width()).toBe(3)
+  const both = zipOf([
+    ['a.map', MAP],
+    ['b.map', MAP.replace('.@.', '..@')],
+    ['read.me', 'nothing to open'],
+  ])
+  expect(await load(page, 'both.zip', both)).toBe('choice-needed: file')
+  expect(await load(page, 'both.zip', both, { file: 'c.map' })).toBe('no-such-file: file')
+  expect(await load(page, 'both.zip', both, { file: 'a.map' })).toBe('map a.map')
+  expect(await race.isWall([1, 1])).toBe(true)
+  const one = zipOf([['a.map', MAP]])
+  expect(await load(page, 'one.zip', one, { row: 2 })).toBe('unused-option: row')
+  expect(await load(page, 'read.me', 'nothing to open')).toMatch(/^unknown-format: /)
+
+  const picture = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(8, 6)
+    canvas.getContext('2d')?.fillRect(0, 0, 2, 2)
+    const blob = await canvas.convertToBlob()
+    const asked = await window.formicarium.load(blob).catch((error) => error.field)
+    const opened = await window.formicarium.load(blob, { usual: true })
+    return [asked, opened.kind]
+  })
+  expect(picture).toEqual(['read', 'map'])
+  expect(await width()).toBe(8)
+
+  expect(await load(page, 'four.tsp', PLACES)).toBe('order four.tsp')
+  await expect(page.locator('dialog')).toContainText('four')
+  await race.leaveDialog()
+  await load(page, 'a.map', MAP)
+  expect(await load(page, 'mine.csv', RESULTS)).toBe('results mine.csv')
+  await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
+  const nowhere = { instance: 'nowhere' }
+  expect(await load(page, 'theirs.csv', RESULTS, nowhere)).toMatch(/^[\w-]+: \S/)
+  await expect(page.getByTestId('toast-error')).toBeHidden()
 })

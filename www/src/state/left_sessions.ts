@@ -1,7 +1,8 @@
 /** Sessions that the reader left by a link in the address: Back brings them back as they were left. */
 import type { Session } from '../model/session'
+import { currentSession, loadSession, openFragment } from '.'
 import { type Arrival, staysAt } from './address'
-import { autoplay, currentSession, loadSession, openFragment } from './sessions'
+import { autoplay } from './sessions'
 
 const left = new Map<number, Session>()
 let changing: Promise<void> = Promise.resolve()
