@@ -258,6 +258,9 @@ test('every kind of file that can be dropped is opened, or asked about by name',
   expect(await load(page, 'mine.csv', RESULTS)).toBe('results mine.csv')
   await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
   const nowhere = { instance: 'nowhere' }
-  expect(await load(page, 'theirs.csv', RESULTS, nowhere)).toMatch(/^[\w-]+: \S/)
+  expect(await load(page, 'theirs.csv', RESULTS, nowhere)).toMatch(/^[\w-]+: (results|instance)/)
+  const theirs = RESULTS.replaceAll('Mine', 'Theirs')
+  expect(await load(page, 'theirs.csv', theirs, { leaveOut: [] })).toBe('results theirs.csv')
+  expect(await load(page, 'a.map', MAP, { leaveOut: [] })).toBe('unused-option: leaveOut')
   await expect(page.getByTestId('toast-error')).toBeHidden()
 })

@@ -31,7 +31,7 @@ export const load = (source: unknown, options?: LoadOptions): Promise<Opened> =>
     const whole = await inTurn([nameOf(source)], async (turn) => {
       const content = await contentOf(source, options)
       turn.check()
-      opened = await show(content, options ?? {}, turn)
+      opened = await show(content, turn)
     })
     if (whole && opened) return opened
     const hint = 'Wait for one call before the next.'
@@ -40,7 +40,7 @@ export const load = (source: unknown, options?: LoadOptions): Promise<Opened> =>
 
 const nameOf = (source: unknown) => (source instanceof File ? source.name : 'script')
 
-async function show(content: Content, options: LoadOptions, turn: Turn): Promise<Opened> {
+async function show(content: Content, turn: Turn): Promise<Opened> {
   const { kind, name, notices } = content
   if (kind === 'session') {
     showView('race')
@@ -50,7 +50,7 @@ async function show(content: Content, options: LoadOptions, turn: Turn): Promise
     turn.check()
     showView('lab')
     await openComparisonDocument(content.text)
-  } else if (kind === 'results') await join(content.file, options, turn)
+  } else if (kind === 'results') await join(content, turn)
   else if (kind === 'order') await offerOrder(content.file, content.tour, () => turn.check())
   else {
     pause()
@@ -63,14 +63,13 @@ async function show(content: Content, options: LoadOptions, turn: Turn): Promise
 const plain = ({ kind, message }: Notice) => ({ kind, message })
 
 async function join(
-  { name, bytes }: { name: string; bytes: Uint8Array },
-  { instance, leaveOut = [] }: LoadOptions,
+  { file, name, instance, leaveOut }: Content & { kind: 'results' },
   turn: Turn,
 ): Promise<void> {
   const { joinForScript } = await import('../lab')
   turn.check()
   showView('lab')
-  await joinForScript(name, bytes, instance, leaveOut)
+  await joinForScript(name, file.bytes, instance, leaveOut)
 }
 
 export const run = (given?: RunOptions): Promise<void> =>

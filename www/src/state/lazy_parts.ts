@@ -4,6 +4,7 @@
  */
 import type { ComponentType } from 'preact'
 import type { Scenario } from '../model/session'
+import type { Arrival } from './address'
 
 /** Comparisons (lab/). */
 export interface LabPart {
@@ -31,8 +32,14 @@ export interface OpenerPart {
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
+/** Back and Forward between the sessions that links brought (state/left_sessions.ts). */
+export interface LeftSessionsPart {
+  changeSession(arrival: Arrival): Promise<void>
+}
+
 export interface LazyParts {
   opener(): Promise<OpenerPart>
+  leftSessions(): Promise<LeftSessionsPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
@@ -45,6 +52,7 @@ const missing = () => Promise.reject(new Error('the parts of the page have not b
 /** Where to fetch them. */
 export const lazyParts: LazyParts = {
   opener: missing,
+  leftSessions: missing,
   lab: missing,
   relief: missing,
   inspector: missing,

@@ -1,7 +1,7 @@
 /** What a script gives, read to the end before anything on the page changes. What a reader would be asked about is an option by name. */
 import type { Notice, ReadOptions, ScenLine } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { badOption, optionsOf, ScriptError, wholeNumber } from '../model/script_error'
+import { badOption, optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import type { Scenario, Session } from '../model/session'
 import type { TerrainPart } from '../model/tool_calls'
 import { bytesOf, refuseLarge } from './file_bytes'
@@ -37,7 +37,7 @@ const OPTIONS = ['file', 'row', 'read', 'part', 'instance', 'leaveOut', 'usual']
 export type Content = { name: string; notices: Notice[] } & (
   | { kind: 'session'; session: Session }
   | { kind: 'comparison'; text: string }
-  | { kind: 'results'; file: NamedBytes }
+  | { kind: 'results'; file: NamedBytes; instance: string | undefined; leaveOut: string[] }
   | { kind: 'order'; file: NamedBytes; tour: NamedBytes | null }
   | { kind: 'map'; scenario: Scenario }
   | { kind: 'ends'; scenario: Scenario }
@@ -169,7 +169,7 @@ async function readSubject(
     case 'comparison':
       return { ...plain, kind: 'comparison', text: text() }
     case 'results':
-      return { ...plain, kind: 'results', file }
+      return { ...plain, kind: 'results', file, ...placeOf(options) }
     case 'tsplib':
       return { ...plain, kind: 'order', file, tour: tourFor(file, together) }
     case 'movingai-scen':
@@ -177,6 +177,16 @@ async function readSubject(
     default:
       return readMap(file, together, options)
   }
+}
+
+/** On which map results were made, and which maps of theirs are left out. */
+function placeOf(options: Options): { instance: string | undefined; leaveOut: string[] } {
+  const instance = options.take('instance')
+  const leaveOut = options.take('leaveOut') ?? []
+  if (instance !== undefined) shortText(instance, 'instance', 200)
+  if (!Array.isArray(leaveOut)) throw badOption('leaveOut', 'must be a list of names')
+  for (const [at, name] of leaveOut.entries()) shortText(name, `leaveOut[${at}]`, 200)
+  return { instance, leaveOut }
 }
 
 function tourFor(file: NamedBytes, together: FoundFile[]): NamedBytes | null {

@@ -4,6 +4,7 @@ import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { arrival } from './address'
+import { lazyParts } from './lazy_parts'
 import { held } from './memory'
 import { notifyError } from './notices'
 import { watchScenario } from './optimum'
@@ -44,6 +45,9 @@ function watch(): void {
   effect(() => {
     const came = arrival.value
     if (came && came.from !== came.to)
-      import('./left_sessions').then((left) => left.changeSession(came)).catch(notifyError)
+      lazyParts
+        .leftSessions()
+        .then((left) => left.changeSession(came))
+        .catch(notifyError)
   })
 }
