@@ -283,8 +283,9 @@ test('what the browser does not store lives as long as the page, and leaving ask
   const closing = page.close({ runBeforeUnload: true })
   const dialog = await asked
   expect(dialog.type()).toBe('beforeunload')
-  await dialog.dismiss()
-  await closing
+  const closed = page.waitForEvent('close')
+  await dialog.accept()
+  await Promise.all([closing, closed])
   await page.context().close()
 })
 
