@@ -2,6 +2,7 @@ import { watchFile } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import preact from '@preact/preset-vite'
 import { defineConfig, type Plugin } from 'vite'
+import { chartNumbers } from './chart_numbers.ts'
 import { contentSecurity } from './content_security.ts'
 import { paperCards } from './paper_cards.ts'
 import { paperQuestions } from './paper_questions.ts'
@@ -27,7 +28,14 @@ function reloadOnNewEngine(): Plugin {
 export default defineConfig({
   // Relative addresses: the built folder works on any host and any sub-path.
   base: './',
-  plugins: [preact(), reloadOnNewEngine(), paperCards(), paperQuestions(), contentSecurity()],
+  plugins: [
+    preact(),
+    reloadOnNewEngine(),
+    paperCards(),
+    paperQuestions(),
+    chartNumbers(),
+    contentSecurity(),
+  ],
   resolve: { alias: { '@pkg': pkg } },
   server: { fs: { allow: [path('..')] } },
   build: { target: 'es2022', sourcemap: false },

@@ -8,7 +8,7 @@ import { packBits, unpack } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'
 import { LinkError } from '../../../www/src/share/link_error'
 import { documentOf, readDocument } from '../../../www/src/share/session_document'
-import { withWords } from '../../../www/src/share/session_words'
+import { sessionFromObject } from '../../../www/src/share/session_object'
 import { builtInCalled } from '../../../www/src/words/built_in_names'
 import { generate, rolling, sessionOf, terrainOf } from './sessions'
 
@@ -137,14 +137,20 @@ test.describe('what a session says beside its race', () => {
     expect(readDocument(document)).not.toHaveProperty('mood')
   })
 
-  test('of a script is checked alike, and may be missing', () => {
+  test('of a script is checked alike, and may be missing', async () => {
     const { title, note, look, inspected, panels, ...bare } = sessionOf(8, 4)
     const older = { ...bare, panels: panels.map(({ label, ...panel }) => panel) }
-    expect(withWords(older)).toEqual({ ...older, panels, title, note, look, inspected })
-    expect(() => withWords({ ...older, note: 'bell \u0007' })).toThrow(LinkError)
-    expect(() =>
-      withWords({ ...older, inspected: { panel: 5, cell: [0, 0], level: null } }),
-    ).toThrow('inspected.panel')
+    expect(await sessionFromObject(older)).toEqual({
+      ...older,
+      panels,
+      title,
+      note,
+      look,
+      inspected,
+    })
+    await expect(sessionFromObject({ ...older, note: 'bell \u0007' })).rejects.toThrow(LinkError)
+    const elsewhere = { ...older, look: 'soon' }
+    await expect(sessionFromObject(elsewhere)).rejects.toThrow('look')
   })
 })
 

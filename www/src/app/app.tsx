@@ -20,7 +20,7 @@ const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(le
 
 /** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {
-  showView('race')
+  showView('race', 'replace')
   throw error
 }
 

@@ -3,6 +3,7 @@ import { nameLazyParts } from '../state/lazy_parts'
 
 nameLazyParts({
   opener: () => import('../state/open_files'),
+  leftSessions: () => import('../state/left_sessions'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
   names: async () => (await import('../panels/names')).namesPart(),

@@ -1,7 +1,7 @@
 /**
- * `window.formicarium`: what lessons, tests and the console may ask of the page.
+ * `window.formicarium`: what lessons, tests and the console may ask of the page. docs/scripting.md describes it.
  *
- *     await formicarium.load(link)             // a share link, the text of any file we read, or a Session
+ *     await formicarium.load(link)             // a share link, the text of any file we read, a session, a File, Files
  *     await formicarium.run()                  // to the end of every panel; or { iterations: 20 }
  *     formicarium.results()                    // one entry a panel
  *     await formicarium.look(12)               // all panels as they stood after iteration 12; null for now
@@ -11,24 +11,18 @@ import type { ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Session } from '../model/session'
 import { placeOf } from '../model/world'
-import type { Wordless } from '../share/session_words'
 import {
   currentSession,
   engineVersion,
   historyOf,
-  importText,
   type Panel,
   type PanelLive,
   panels,
   pause,
-  phase,
-  runToEnd,
   scenario,
-  stepIteration,
 } from '../state'
-import { lazyParts } from '../state/lazy_parts'
 import { latest } from '../state/live_reports'
-import { awaited } from '../state/looking'
+import type { LoadOptions, Source } from '../state/script_files'
 
 export interface PanelResult {
   planner: string
@@ -45,18 +39,33 @@ export interface PanelResult {
   verified: PanelLive['verified']
 }
 
+export interface RunOptions {
+  /** So many of each panel; to its end, if nothing is said. */
+  iterations?: number
+}
+
+/** What `load` has opened. */
+export interface Opened {
+  /** `ends`: start and goal for the map on show. */
+  kind: 'session' | 'map' | 'ends' | 'comparison' | 'results' | 'order'
+  name: string
+  /** What was assumed or left out on reading, in English. */
+  notices: { kind: string; message: string }[]
+}
+
+/** Described in docs/scripting.md. What a promise is rejected with is an Error with `kind`, `field`, `message` and `hint`. */
 export interface Scripting {
   readonly version: string
-  /** Resolves to whether it was opened; if not, the page says why. */
-  load(source: string | Wordless): Promise<boolean>
+  /** Opens a link, the text of any file that can be read, a session, a file, or files that belong together. */
+  load(source: Source, options?: LoadOptions): Promise<Opened>
   /** Runs every panel to its end, or for a number of iterations, and gives the results. */
-  run(options?: { iterations?: number }): Promise<PanelResult[]>
+  run(options?: RunOptions): Promise<PanelResult[]>
   pause(): void
   /** Looks back at an iteration in every panel; null returns to the present. Meanwhile `results` tells of that iteration. */
   look(iteration: number | null): Promise<PanelResult[]>
   results(): PanelResult[]
   session(): Session | null
-  /** Runs every planner on the map with many seeds, or any comparison that a document holds. */
+  /** Runs planners on maps with many seeds, or any comparison that a document holds. */
   compare(options?: CompareOptions): Promise<ComparisonResult>
   /** A result file of the comparison that is open, as text. */
   resultFile(kind: ResultFile): Promise<string>
@@ -68,43 +77,27 @@ declare global {
   }
 }
 
-const POLL_MS = 30
+const calls = () => import('./script_calls')
 
 export function offerScripting(): void {
   window.formicarium = {
     get version() {
       return engineVersion.peek()
     },
-    async load(source) {
-      if (typeof source === 'string') {
-        const taken = await importText(source, { unasked: true })
-        pause()
-        return taken
-      }
-      return (await lazyParts.opener()).openGiven(source)
-    },
-    async run(options = {}) {
-      // A script says itself where to stop.
-      awaited.value = null
-      if (options.iterations === undefined) await finishAll()
-      else for (let i = 0; i < options.iterations; i++) await oneIteration()
+    load: async (source, options) => (await calls()).load(source, options),
+    async run(options) {
+      await (await calls()).run(options)
       return results()
     },
     pause,
     async look(iteration) {
-      const { lookTo, settle } = await import('../playback/look_back')
-      lookTo(iteration ?? Number.POSITIVE_INFINITY)
-      await settle()
+      await (await calls()).look(iteration)
       return results()
     },
     results,
     session: currentSession,
-    async compare(options) {
-      const lab = await import('../lab')
-      await lab.fetchLab()
-      return lab.compare(options)
-    },
-    resultFile: async (kind) => (await import('../lab')).resultFile(kind),
+    compare: async (options) => (await calls()).compare(options),
+    resultFile: async (kind) => (await calls()).resultFile(kind),
   }
 }
 
@@ -128,34 +121,6 @@ function results(): PanelResult[] {
   })
 }
 
-async function finishAll(): Promise<void> {
-  await until(() => panels.peek().every(settled))
-  runToEnd()
-  await until(() => phase.peek() === 'finished' || panels.peek().every(ended))
-}
-
-async function oneIteration(): Promise<void> {
-  await until(() => panels.peek().every(settled))
-  const before = panels.peek().map(iterationOf)
-  stepIteration()
-  await until(() =>
-    panels.peek().every((panel, i) => ended(panel) || iterationOf(panel) > (before[i] ?? 0)),
-  )
-}
-
-const iterationOf = (panel: Panel) => latest(panel.id).summary?.iteration ?? 0
-
-/** Whether its run is loaded, or refused for a reason that will not go away by waiting. */
-function settled(panel: Panel): boolean {
-  const { summary, error, crashed } = latest(panel.id)
-  return summary !== null || error !== null || crashed !== null
-}
-
-function ended(panel: Panel): boolean {
-  const { summary, error, crashed } = latest(panel.id)
-  return error !== null || crashed !== null || (summary !== null && summary.status !== 'running')
-}
-
 function rows(panel: Panel): number[][] {
   const flat = historyOf(panel.id).toArray()
   return Array.from({ length: flat.length / 6 }, (_, i) => [...flat.subarray(i * 6, i * 6 + 6)])
@@ -164,8 +129,4 @@ function rows(panel: Panel): number[][] {
 function pairs(flat: Uint32Array | null): [number, number][] | null {
   if (!flat || flat.length === 0) return null
   return Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i] ?? 0, flat[2 * i + 1] ?? 0])
-}
-
-async function until(met: () => boolean): Promise<void> {
-  while (!met()) await new Promise((resolve) => setTimeout(resolve, POLL_MS))
 }

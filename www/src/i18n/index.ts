@@ -138,7 +138,7 @@ function preferred(): Language {
     chosen = localStorage.getItem(LANGUAGE_KEY)
   } catch {}
   if (chosen === 'en' || chosen === 'zh-CN') return chosen
-  return navigator.language.toLowerCase().startsWith('zh') ? 'zh-CN' : 'en'
+  return /^zh([-_]|$)/i.test(navigator.language) ? 'zh-CN' : 'en'
 }
 
 effect(() => {

@@ -4,12 +4,11 @@ import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { fetchNames } from '../state/lazy_parts'
-import { takeResults } from './build/take_results'
+import { joinFile, takeResults } from './build/take_results'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 
-export { resultFile } from './run/actions'
-export { compare } from './scripting'
+export { compare, resultFile } from './scripting'
 export { showPublished } from './view/show_published'
 export { openComparisonDocument }
 
@@ -17,6 +16,19 @@ export { openComparisonDocument }
 export async function takeImportedResults(name: string, bytes: Uint8Array): Promise<void> {
   await openAddress()
   await takeResults(name, bytes)
+}
+
+/** The same for a script: what is refused is thrown. */
+export async function joinForScript(
+  name: string,
+  bytes: Uint8Array,
+  instance: string | undefined,
+  leaveOut: string[],
+): Promise<void> {
+  await fetchLab()
+  await openAddress()
+  const place = instance === undefined ? {} : { instance: { id: instance, name: instance } }
+  await joinFile(name, bytes, { leaveOut, ...place })
 }
 
 let ready: Promise<typeof Lab> | null = null

@@ -1,16 +1,17 @@
 /** Comparisons for scripts: `await formicarium.compare({ seeds: 30 })`. */
+import type { ResultFile } from '@pkg/formicarium'
 import { effect } from '@preact/signals'
+import { optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import { showView } from '../state'
 import { compose } from './build/compose_document'
-import { seeds, takeRace } from './build/draft'
-import { phase, progress, resultFile, startComparison } from './run/actions'
+import { ASKED, type Asked, draftFromScript } from './build/script_draft'
+import * as run from './run/actions'
+import { MOST_WORKERS } from './run/pool'
 import { openAddress } from './view/open_address'
 
-export interface CompareOptions {
-  /** A `formicarium/comparison@1` document, as text; the map and the planners that race now, if none is given. */
+export interface CompareOptions extends Asked {
+  /** A `formicarium/comparison@1` document, as text, which says everything; instead of all options above. */
   document?: string
-  /** Of each planner, from 1 on; 30 if nothing is said. A document has its own. */
-  seeds?: number
   /** As many as the machine has processors, if nothing is said. */
   workers?: number
   /** How the Markdown file says that it was made; how the same comes from the command line, if nothing is said. */
@@ -22,41 +23,92 @@ export interface ComparisonResult {
   runs: number
   pathless: number
   failed: number
+  /** Runs to be done altogether. More than `runs` and `failed` where the reader paused it. */
+  total: number
   /** From the first run's beginning to the last one's end. */
   seconds: number
-  /** The result files, as the command line writes them. */
+  /** The result files, as the command line writes them; `resultFile` gives all others. */
   files: Record<(typeof FILES)[number], string>
 }
 
 const FILES = ['csv', 'markdown', 'tests', 'json'] as const
-
-export async function compare(options: CompareOptions = {}): Promise<ComparisonResult> {
-  showView('lab')
-  await openAddress()
-  const { document, workers, command } = options
-  const text = document ?? (await racing(options.seeds ?? 30))
-  const began = performance.now()
-  await startComparison(text, workers === undefined ? {} : { workers })
-  await atRest()
-  const seconds = (performance.now() - began) / 1000
-  const { done: runs, pathless, failed } = progress.peek()
-  const written = FILES.map(async (kind) => [kind, await resultFile(kind, command)] as const)
-  const files = Object.fromEntries(await Promise.all(written)) as ComparisonResult['files']
-  return { runs, pathless, failed, seconds, files }
+/** Every kind, by the type check. */
+const KINDS: Record<ResultFile, true> = {
+  csv: true,
+  markdown: true,
+  tests: true,
+  'tests-csv': true,
+  'summary-csv': true,
+  'summary-json': true,
+  'summary-markdown': true,
+  latex: true,
+  json: true,
+  link: true,
 }
 
-function racing(count: number): Promise<string> {
-  takeRace()
-  seeds.value = { from: 1, count }
+export async function compare(given?: CompareOptions): Promise<ComparisonResult> {
+  const options = optionsOf(given, ['document', 'workers', 'command', ...ASKED], 'compare')
+  const { document, workers, command, ...asked } = options as CompareOptions
+  const most =
+    workers === undefined ? {} : { workers: wholeNumber(workers, 'workers', 1, MOST_WORKERS) }
+  const madeBy = command === undefined ? undefined : shortText(command, 'command', 1000)
+  showView('lab')
+  await openAddress()
+  const text = document === undefined ? await composed(asked) : documentAlone(document, asked)
+  if (run.phase.peek() === 'running') run.tellStopped()
+  const began = performance.now()
+  await run.startComparison(text, most)
+  await atRest()
+  const seconds = (performance.now() - began) / 1000
+  const { done: runs, pathless, failed, total } = run.progress.peek()
+  const written = FILES.map(async (kind) => [kind, await run.resultFile(kind, madeBy)] as const)
+  const files = Object.fromEntries(await Promise.all(written)) as ComparisonResult['files']
+  return { runs, pathless, failed, total, seconds, files }
+}
+
+async function composed(asked: Asked): Promise<string> {
+  await draftFromScript(asked)
   return compose()
 }
 
+function documentAlone(document: unknown, asked: Asked): string {
+  const [also] = Object.keys(asked)
+  if (also !== undefined) {
+    const message = `${also} cannot be given beside a document`
+    throw new ScriptError('options-exclude', also, message, 'Change the document, or leave it out.')
+  }
+  if (typeof document === 'string') return document
+  const hint = 'Pass JSON.stringify(document).'
+  throw new ScriptError('bad-option', 'document', 'document must be a text', hint)
+}
+
+/** A result file of the open comparison. */
+export async function resultFile(kind: ResultFile): Promise<string> {
+  if (!Object.hasOwn(KINDS, kind)) {
+    const hint = `There are ${Object.keys(KINDS).join(', ')}.`
+    throw new ScriptError('unknown-file', 'kind', `there is no result file "${kind}"`, hint)
+  }
+  await openAddress()
+  if (run.openComparison.peek()) return run.resultFile(kind)
+  const hint = 'Call compare, load one, or open an earlier one.'
+  throw new ScriptError('no-comparison', '', 'no comparison is open', hint)
+}
+
+/** Once nothing runs any more; throws where another comparison has taken its place. */
 function atRest(): Promise<void> {
-  return new Promise((resolve) => {
+  const mine = run.openComparison.peek()?.id
+  return new Promise((resolve, reject) => {
     const stop = effect(() => {
-      if (phase.value === 'running') return
-      resolve()
+      const isOpen = run.openComparison.value?.id === mine
+      if (isOpen && run.phase.value === 'running') return
+      if (isOpen) resolve()
+      else reject(leftEarly())
       queueMicrotask(() => stop())
     })
   })
+}
+
+function leftEarly(): ScriptError {
+  const hint = 'The runs that were done are kept: it can go on later.'
+  return new ScriptError('comparison-left', '', 'the comparison was closed before its end', hint)
 }

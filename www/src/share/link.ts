@@ -17,7 +17,6 @@ import { LinkError } from './link_error'
 import { documentOf, readDocument } from './session_document'
 
 export { LinkError } from './link_error'
-export { withWords } from './session_words'
 
 export const PREFIX = '#x='
 const BLOCKED = '@'

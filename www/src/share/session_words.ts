@@ -66,27 +66,6 @@ function readInspected(fields: Fields, spec: ScenarioSpec, panels: number): Insp
   }
 }
 
-/** A session without what older scripts do not know of. */
-export type Wordless = Omit<Session, 'panels' | keyof (Caption & Look)> &
-  Partial<Caption & Look> & {
-    panels: (Omit<PanelSetup, 'label'> & Partial<Pick<PanelSetup, 'label'>>)[]
-  }
-
-/** Checks what a script says beside the race as if it came from a document. */
-export function withWords(given: Wordless): Session {
-  const panels = given.panels.map((panel, i) => ({
-    ...panel,
-    label: readLabel(panel.label, `panels[${i}].label`),
-  }))
-  const { spec } = given.scenario
-  return {
-    ...given,
-    panels,
-    ...readCaption({ ...given }),
-    ...readLook({ ...given }, { spec, panels }),
-  }
-}
-
 function line(value: unknown, field: string, most: number): string | null {
   if (value == null) return null
   const read = text(value, field, most).trim()

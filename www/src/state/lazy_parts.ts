@@ -9,7 +9,7 @@ import type { ComponentType } from 'preact'
 import type { Cell } from '../model/cell'
 import type { PanelSetup, Scenario } from '../model/session'
 import type { Press, Stroke } from '../model/stroke'
-import type { Wordless } from '../share/session_words'
+import type { Arrival } from './address'
 import type { Tool } from './store'
 
 /** Comparisons (lab/). */
@@ -52,8 +52,6 @@ export interface EditorPart {
 export interface OpenerPart {
   openText(text: string, opening?: { unasked?: boolean }): Promise<boolean>
   openFiles(files: File[]): Promise<boolean>
-  /** A session that a script has made. */
-  openGiven(session: Wordless): Promise<boolean>
   /** Opens files as maps, and hands each of them to `take` instead of the race. */
   openMapsFor(files: File[], take: (opened: Scenario) => void): Promise<void>
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
@@ -73,8 +71,14 @@ export interface NamesPart {
 /** A planner with its values, and what the reader calls it. */
 export type Named = Pick<PanelSetup, 'planner' | 'preset' | 'params' | 'label'>
 
+/** Back and Forward between the sessions that links brought (state/left_sessions.ts). */
+export interface LeftSessionsPart {
+  changeSession(arrival: Arrival): Promise<void>
+}
+
 export interface LazyParts {
   opener(): Promise<OpenerPart>
+  leftSessions(): Promise<LeftSessionsPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   names(): Promise<NamesPart>
@@ -89,6 +93,7 @@ const missing = () => Promise.reject(new Error('the parts of the page have not b
 /** Where to fetch them. */
 export const lazyParts: LazyParts = {
   opener: missing,
+  leftSessions: missing,
   lab: missing,
   relief: missing,
   names: missing,

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
 import { describeError, describeNotice } from '../i18n/errors'
-import { goalAt, type Session } from '../model/session'
+import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
 import { loadSession, notify, scenario, setScenario, showView } from '.'
@@ -38,12 +38,10 @@ import { importPart, offerTerrain } from './terrain_files'
 /** All files of a folder together. */
 const MAX_TOTAL = 8 * MAX_BYTES
 
-export { openGiven } from './given_session'
-
 const sessionFormat = () => import('../share/link')
 
 /** Kinds that leave a choice. */
-const ASKED = new Set(['picture', 'ros-map', 'occupancy-grid'])
+export const ASKED = new Set(['picture', 'ros-map', 'occupancy-grid'])
 
 /** Pasted or typed text: a share link, or the contents of any file we read. False if it was not opened, and the reader knows. */
 export async function openText(text: string, opening: Opening = {}): Promise<boolean> {
@@ -270,7 +268,7 @@ async function openOne(
 }
 
 /** None where they cannot be told: the import says why. */
-const matricesOf = ({ bytes }: NamedBytes) => tools.listMatrices(bytes).catch(() => [])
+export const matricesOf = ({ bytes }: NamedBytes) => tools.listMatrices(bytes).catch(() => [])
 
 /** The map as the reader wants it. */
 export const readMap = ({ bytes, name, image }: MapFile, choices: ReadOptions) =>
@@ -328,10 +326,14 @@ async function openScen(file: NamedBytes, turn?: Turn): Promise<void> {
 export function chooseScen(line: ScenLine): void {
   const now = scenario.peek()
   scenChoice.value = null
-  if (!now) return
+  if (now) setScenario(withEnds(now, line), { undoable: true })
+}
+
+/** The map with the start and goal of a line. */
+export function withEnds(now: Scenario, line: ScenLine): Scenario {
   const goals = [goalAt(line.goal, now.spec.goals[0]?.name ?? 'goal')]
   const chosen = { ...now, spec: { ...now.spec, start: line.start, goals } }
-  setScenario(liftEnds(chosen) ?? chosen, { undoable: true })
+  return liftEnds(chosen) ?? chosen
 }
 
 async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {

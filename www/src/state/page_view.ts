@@ -1,14 +1,14 @@
-/** Which half of the page is on show: the race, or the laboratory. Kept through a reload, like the session. */
-import { signal } from '@preact/signals'
+/** Which half of the page is on show, by the address: the race, or the laboratory. */
+import { computed, effect, untracked } from '@preact/signals'
+import { goTo, place } from './address'
 import { pause, play } from './runs'
 import { phase } from './store'
 
 export type PageView = 'race' | 'lab'
 
-const KEY = 'formicarium.view'
-const HASH = '#lab'
-
-export const view = signal<PageView>(first())
+export const view = computed<PageView>(() =>
+  /^#(lab(\/|$)|q=)/.test(place.value) ? 'lab' : 'race',
+)
 
 /** Whether the race was playing when the reader left for the laboratory: it goes on when they come back. */
 let interrupted = false
@@ -19,42 +19,23 @@ export function playWhenShown(): void {
   else interrupted = true
 }
 
-export function showView(next: PageView): void {
-  if (next === view.peek()) return
-  if (next === 'lab') {
-    interrupted = phase.peek() === 'running'
-    pause()
-  } else if (interrupted) play()
-  view.value = next
-  // An address of the other view is dropped, or a reload would show that view again.
-  const fits = isAboutLab(location.hash) === (next === 'lab')
-  if (!fits)
-    history.replaceState(null, '', next === 'lab' ? HASH : location.pathname + location.search)
-  remember(next)
+export function showView(next: PageView, how?: 'push' | 'replace'): void {
+  if (next !== view.peek()) goTo(next === 'lab' ? '#lab' : '', how)
 }
 
-/** An address with a comparison shows the laboratory, one with a session the race. */
-export function followAddress(): void {
-  if (location.hash !== '') showView(isAboutLab(location.hash) ? 'lab' : 'race')
+let before = view.peek()
+effect(() => {
+  const now = view.value
+  if (now === before) return
+  before = now
+  untracked(now === 'lab' ? rest : goOn)
+})
+
+function rest(): void {
+  interrupted = phase.peek() === 'running'
+  pause()
 }
 
-function isAboutLab(hash: string): boolean {
-  return hash === HASH || hash.startsWith('#q=')
-}
-
-function first(): PageView {
-  if (location.hash !== '') return isAboutLab(location.hash) ? 'lab' : 'race'
-  try {
-    return sessionStorage.getItem(KEY) === 'lab' ? 'lab' : 'race'
-  } catch {
-    return 'race'
-  }
-}
-
-/** Private windows may refuse storage. */
-function remember(shown: PageView): void {
-  try {
-    if (shown === 'lab') sessionStorage.setItem(KEY, shown)
-    else sessionStorage.removeItem(KEY)
-  } catch {}
+function goOn(): void {
+  if (interrupted) play()
 }

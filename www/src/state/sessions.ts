@@ -5,6 +5,7 @@ import { tools } from '../engine/tools'
 import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
+import { goTo } from './address'
 import { reducedMotion } from './appearance'
 import { exchange } from './history'
 import { fetchNames } from './lazy_parts'
@@ -108,7 +109,7 @@ export function openFirstSession(): void {
 
 /** As on a first visit. A link in the address is left behind, or a reload would bring it back. */
 export function startOver(): void {
-  history.replaceState(null, '', location.pathname + location.search)
+  goTo('', 'replace')
   openFirstSession()
   autoplay()
 }

@@ -3,10 +3,11 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
-import { fetchNames } from './lazy_parts'
+import { arrival } from './address'
+import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
+import { notifyError } from './notices'
 import { watchScenario } from './optimum'
-import { followAddress } from './page_view'
 import { admitWaiting, autoplay, openFirstSession, openFragment, verifyWaiting } from './sessions'
 import { catalog, engineVersion, startError, wholeEngine } from './store'
 import { openStoredSession, storeSessionChanges } from './stored_session'
@@ -43,8 +44,12 @@ function watch(): void {
   effect(() => {
     if (!held.value) untracked(verifyWaiting)
   })
-  addEventListener('hashchange', async () => {
-    followAddress()
-    if (await openFragment(location.hash)) autoplay()
+  effect(() => {
+    const came = arrival.value
+    if (came && came.from !== came.to)
+      lazyParts
+        .leftSessions()
+        .then((left) => left.changeSession(came))
+        .catch(notifyError)
   })
 }

@@ -5,8 +5,9 @@
 import { effect } from '@preact/signals'
 import { gallery } from '../gallery/gallery'
 import type { Session } from '../model/session'
+import { askBeforeLeaving } from './leaving'
 import { inspected, lookedAt } from './looking'
-import { fromGallery } from './scenarios'
+import { canUndo, fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession } from './sessions'
 import { caption, galleryId, layer, panels, scenario, seed, speed, sync } from './store'
 
@@ -58,7 +59,10 @@ async function storeSession(): Promise<void> {
   if (!session) return
   const text = await packed(session).catch(() => null)
   // A session packed meanwhile is newer.
-  if (turn === latest) write(text)
+  if (turn !== latest) return
+  write(text)
+  const isKept = text === null ? isFirst(session) : read() === text
+  askBeforeLeaving('map', !isKept && canUndo.peek())
 }
 
 /** The key of the built-in map, if it is one, then a link's fragment; null when there is nothing worth storing. */

@@ -8,7 +8,14 @@ import { FormError } from '../../ui/form_error'
 import { budget, change, seeds, untilBudget } from './draft'
 import { refusalOf } from './refusals'
 
-const AXES = ['iterations', 'constructed-paths', 'ant-moves', 'cell-expansions', 'moves'] as const
+/** What a budget can count. */
+export const AXES = [
+  'iterations',
+  'constructed-paths',
+  'ant-moves',
+  'cell-expansions',
+  'moves',
+] as const
 /** About what most planners spend by default, by what is counted. */
 const USUAL: Record<Budget['axis'], number> = {
   iterations: 100,

@@ -34,30 +34,43 @@ export async function takeResults(
   told: Told = {},
   key?: number,
 ): Promise<void> {
-  const { leaveOut = [] } = told
-  const instance = told.instance?.id ?? null
   let match: ResultsMatch | null = null
-  try {
-    // The form may never have been on show.
-    if (phase.peek() === 'idle') await restoreDraft()
-    const document = await documentNow()
-    const found = await tools.matchResults(document, bytes, name)
+  const note = (found: ResultsMatch) => {
     match = found
-    const matched = told.instance ? onMap(found, told.instance.name) : found
-    if (phase.peek() === 'idle') {
-      // A file that does not fit is refused now, rather than when the runs start.
-      await tools.joinResults(document, bytes, name, instance, leaveOut)
-      addImportedFile({ name, bytes, instance, leaveOut, match: matched })
-    } else {
-      if (phase.peek() === 'running') notify('info', t('lab.imported.paused', { name }))
-      await joinResults(name, bytes, instance, leaveOut)
-      const hint = toldOf(matched, leaveOut).join(' ')
-      notify('success', t('lab.imported.joined', { name }), { hint })
-    }
+  }
+  try {
+    await joinFile(name, bytes, told, note)
     if (key !== undefined) removeRefusedFile(key)
   } catch (error) {
     addRefusedFile({ name, bytes, error, match }, key)
   }
+}
+
+/** The same, but what is refused is thrown; `note` is told whose runs the file holds before they are joined. */
+export async function joinFile(
+  name: string,
+  bytes: Uint8Array,
+  told: Told,
+  note: (match: ResultsMatch) => void = () => {},
+): Promise<void> {
+  const { leaveOut = [] } = told
+  const instance = told.instance?.id ?? null
+  // The form may never have been on show.
+  if (phase.peek() === 'idle') await restoreDraft()
+  const document = await documentNow()
+  const found = await tools.matchResults(document, bytes, name)
+  note(found)
+  const matched = told.instance ? onMap(found, told.instance.name) : found
+  if (phase.peek() === 'idle') {
+    // A file that does not fit is refused now, rather than when the runs start.
+    await tools.joinResults(document, bytes, name, instance, leaveOut)
+    addImportedFile({ name, bytes, instance, leaveOut, match: matched })
+    return
+  }
+  if (phase.peek() === 'running') notify('info', t('lab.imported.paused', { name }))
+  await joinResults(name, bytes, instance, leaveOut)
+  const hint = toldOf(matched, leaveOut).join(' ')
+  notify('success', t('lab.imported.joined', { name }), { hint })
 }
 
 /** The open comparison or, where none is open, the draft. */

@@ -1,10 +1,11 @@
 /** What the runs of the open comparison say, in tabs. */
 import '../../styles/lab_results.css'
-import { computed, signal } from '@preact/signals'
+import { computed } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import { FormError } from '../../ui/form_error'
 import { shownAnalysis } from '../store/shown_comparison'
+import { shownTab } from '../store/shown_tab'
 import { analysisError, openComparison, progress } from '../store/signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
@@ -14,9 +15,9 @@ import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
 
 const TABS = ['summary', 'figures', 'tests', 'reported', 'files'] as const
-type Tab = (typeof TABS)[number]
-
-const chosen = signal<Tab>('summary')
+/** Whether there is a tab of this name. */
+export const isTab = (name: string): name is (typeof TABS)[number] =>
+  TABS.some((tab) => tab === name)
 
 const BODIES = {
   summary: SummaryTab,
@@ -30,7 +31,7 @@ export function Results() {
   const now = shownAnalysis.value
   if (!openComparison.value) return null
   const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
-  const tab = tabs.includes(chosen.value) ? chosen.value : 'summary'
+  const tab = tabs.find((each) => each === shownTab.value) ?? 'summary'
   const Body = BODIES[tab]
   return (
     <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
@@ -40,7 +41,7 @@ export function Results() {
         tabs={tabs.map((id) => ({ id, label: t(`lab.results.tabs.${id}`) }))}
         chosen={tab}
         onChoose={(id) => {
-          chosen.value = id
+          shownTab.value = id
         }}
       />
       <TabPanel name="results" chosen={tab}>

@@ -12,6 +12,7 @@ import { fileStem } from '../store/names'
 import { failures, finishing, openComparison, phase, verification } from '../store/signals'
 import { lockComparison } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, recallInTab } from '../store/tab_memory'
+import { dropUnstored } from '../store/unstored'
 import {
   changed,
   closeComparison,
@@ -112,22 +113,35 @@ export async function cancel(): Promise<void> {
   mine.runner.end()
   const { done } = mine.runner.progress
   await mine.writer.flush()
-  const { id, title } = mine.comparison
+  if (done > 0) tellStopped()
   closeComparison()
-  if (done === 0) await deleteComparison(id).catch(() => {})
-  else
-    notify('info', t('lab.run.stopped', { title: translated(title), count: done }), {
-      hint: t('lab.run.stoppedHint'),
-      action: {
-        label: t('lab.kept.open'),
-        run: () => void openKeptComparison(id).catch(notifyError),
-      },
-    })
+  if (done === 0) await forget(mine.comparison.id)
   await refreshKeptComparisons()
+}
+
+/** Says that the runs are ended and those that are done are kept, with a way back. */
+export function tellStopped(): void {
+  const mine = openParts()
+  if (!mine) return
+  const { id, title } = mine.comparison
+  const count = mine.runner.progress.done
+  notify('info', t('lab.run.stopped', { title: translated(title), count }), {
+    hint: t('lab.run.stoppedHint'),
+    action: {
+      label: t('lab.kept.open'),
+      run: () => void openKeptComparison(id).catch(notifyError),
+    },
+  })
+}
+
+async function forget(id: string): Promise<void> {
+  dropUnstored(id)
+  await deleteComparison(id).catch(() => {})
 }
 
 export async function removeComparison(id: string): Promise<void> {
   if (openParts()?.comparison.id === id) closeComparison()
+  dropUnstored(id)
   await removeKeptComparison(id)
 }
 

@@ -22,6 +22,7 @@ import {
 } from '../store/signals'
 import { isLocked, whenUnlocked } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, rememberInTab } from '../store/tab_memory'
+import { keepUnstored, noteUnstored, unstored } from '../store/unstored'
 import { AnalystClient } from './analyst_client'
 import { Runner } from './runner'
 import { Tasks } from './tasks'
@@ -91,7 +92,7 @@ export async function openNew({
 }
 
 export async function openKeptComparison(id: string): Promise<void> {
-  const found = await storedComparison(id)
+  const found = unstored(id) ?? (await storedComparison(id))
   if (!found) {
     notify('warning', t('lab.kept.gone'))
     await refreshKeptComparisons()
@@ -138,7 +139,7 @@ async function begin(
     elsewhere: false,
   }
   const tasks = new Tasks(opened)
-  const writer = new ComparisonWriter(stored, refused)
+  const writer = new ComparisonWriter(stored, (error) => refused(id, error))
   const runner: Runner = new Runner({
     comparison: now,
     analyst,
@@ -247,8 +248,9 @@ export function closeComparison(): void {
 
 function leave(): void {
   if (!current) return
-  const { runner, analyst, writer, unlock, closed } = current
+  const { stored, runner, analyst, writer, unlock, closed } = current
   current = null
+  if (writer.hasRefused || unstored(stored.id)) keepUnstored(stored, analyst.all)
   runner.end()
   analyst.close()
   closed.abort()
@@ -268,7 +270,8 @@ function trouble(error: NonNullable<typeof analysisError.value>): void {
 }
 
 /** Said once: the runs go on without being stored. */
-function refused(error: unknown): void {
+function refused(id: string, error: unknown): void {
+  noteUnstored(id)
   const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
   notify('warning', t(isFull ? 'lab.kept.full' : 'lab.kept.refused'), {
     hint: t('lab.kept.refusedHint'),

@@ -21,7 +21,7 @@ const SHORT_RUNS_AHEAD = 2
 /** Longer runs are not queued: pausing must not wait for one that has not begun. */
 const SHORT_SECONDS = 0.1
 /** Memory runs out before processors do. */
-const MOST_WORKERS = 32
+export const MOST_WORKERS = 32
 
 export function poolSize(runs: number, wanted = navigator.hardwareConcurrency || 2): number {
   return Math.max(1, Math.min(wanted, runs, MOST_WORKERS))

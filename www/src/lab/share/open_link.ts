@@ -5,9 +5,6 @@ import { openDocument } from '../run/actions'
 /** False when the address holds no comparison. Throws a LinkError, or the engine's error, when it cannot be opened. */
 export async function openComparisonLink(hash: string): Promise<boolean> {
   if (!hash.startsWith(PREFIX)) return false
-  const document = await decodeFragment(hash)
-  await openDocument(document)
-  // A reload goes on with this comparison instead of opening the link once more.
-  history.replaceState(null, '', '#lab')
+  await openDocument(await decodeFragment(hash))
   return true
 }

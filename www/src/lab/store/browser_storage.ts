@@ -95,7 +95,8 @@ const rowsOf = (id: string) => IDBKeyRange.bound([id], [id, []])
 export class ComparisonWriter {
   private waiting: KeptRun[] = []
   private writing: Promise<void> = Promise.resolve()
-  private refused = false
+  /** Whether runs are no longer written. */
+  hasRefused = false
 
   constructor(
     private readonly comparison: StoredComparison,
@@ -122,13 +123,13 @@ export class ComparisonWriter {
     this.writing = this.writing.then(async () => {
       const runs = this.waiting
       this.waiting = []
-      if (!this.refused) await put(runs).catch((error: unknown) => this.refuse(error))
+      if (!this.hasRefused) await put(runs).catch((error: unknown) => this.refuse(error))
     })
     return this.writing
   }
 
   private refuse(error: unknown): void {
-    this.refused = true
+    this.hasRefused = true
     this.trouble(error)
   }
 }

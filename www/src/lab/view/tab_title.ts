@@ -1,14 +1,29 @@
-/** Shows the progress of the runs in the tab's title, for readers who are in another tab. */
+/** The tab's title: where in Compare the reader is and, for readers who are in another tab, how far the runs are. */
 import { effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
+import { view } from '../../state'
+import { isTab } from '../results/results'
 import { shownComparison } from '../store/shown_comparison'
+import { shownTab } from '../store/shown_tab'
 import { phase, progress } from '../store/signals'
 
-export function showProgressInTitle(): void {
+const SITE = 'Formicarium'
+
+export function keepTabTitle(): void {
   effect(() => {
-    const { done, total } = progress.value
-    const percent = Math.floor((100 * done) / Math.max(1, total))
-    const name = shownComparison.value?.title
-    document.title = phase.value === 'running' ? `${percent} % · ${name}` : t('app.title')
+    document.title = titleNow()
   })
+}
+
+function titleNow(): string {
+  const name = shownComparison.value?.title
+  if (phase.value === 'running') {
+    const { done, total } = progress.value
+    return `${Math.floor((100 * done) / Math.max(1, total))} % · ${name}`
+  }
+  if (view.value === 'race') return t('app.title')
+  const tab = shownTab.value
+  const parts = name ? [name, SITE] : [t('header.views.lab'), SITE]
+  if (name && tab !== null && isTab(tab)) parts.unshift(t(`lab.results.tabs.${tab}`))
+  return parts.join(' · ')
 }

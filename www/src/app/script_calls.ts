@@ -1,0 +1,155 @@
+/** What scripts ask of the page, fetched with the first call that takes time. */
+import type { Notice, ResultFile } from '@pkg/formicarium'
+import type { CompareOptions, ComparisonResult } from '../lab/scripting'
+import { badOption, optionsOf, ScriptError, typed, wholeNumber } from '../model/script_error'
+import {
+  latest,
+  loadSession,
+  type Panel,
+  panels,
+  pause,
+  phase,
+  runToEnd,
+  setScenario,
+  showView,
+  stepIteration,
+} from '../state'
+import { lazyParts } from '../state/lazy_parts'
+import { awaited } from '../state/looking'
+import { allowed } from '../state/memory'
+import { inTurn, type Turn } from '../state/openings'
+import { offerOrder } from '../state/order_play'
+import { type Content, contentOf, type LoadOptions } from '../state/script_files'
+import { suitSpeed } from '../state/speed'
+import type { Opened, RunOptions } from './scripting'
+
+const POLL_MS = 30
+const MOST_ITERATIONS = 1_000_000
+
+export const load = (source: unknown, options?: LoadOptions): Promise<Opened> =>
+  typed(async () => {
+    let opened: Opened | null = null
+    const whole = await inTurn([nameOf(source)], async (turn) => {
+      const content = await contentOf(source, options)
+      turn.check()
+      opened = await show(content, turn)
+    })
+    if (whole && opened) return opened
+    const hint = 'Wait for one call before the next.'
+    throw new ScriptError('opening-ended', '', 'something else was opened meanwhile', hint)
+  })
+
+const nameOf = (source: unknown) => (source instanceof File ? source.name : 'script')
+
+async function show(content: Content, turn: Turn): Promise<Opened> {
+  const { kind, name, notices } = content
+  if (kind === 'session') {
+    showView('race')
+    loadSession(content.session)
+  } else if (kind === 'comparison') {
+    const { openComparisonDocument } = await lazyParts.lab()
+    turn.check()
+    showView('lab')
+    await openComparisonDocument(content.text)
+  } else if (kind === 'results') await join(content, turn)
+  else if (kind === 'order') await offerOrder(content.file, content.tour, () => turn.check())
+  else {
+    pause()
+    if (kind === 'map') suitSpeed(content.scenario)
+    setScenario(content.scenario, { undoable: true })
+  }
+  return { kind, name, notices: notices.map(plain) }
+}
+
+const plain = ({ kind, message }: Notice) => ({ kind, message })
+
+async function join(
+  { file, name, instance, leaveOut }: Content & { kind: 'results' },
+  turn: Turn,
+): Promise<void> {
+  const { joinForScript } = await import('../lab')
+  turn.check()
+  showView('lab')
+  await joinForScript(name, file.bytes, instance, leaveOut)
+}
+
+export const run = (given?: RunOptions): Promise<void> =>
+  typed(async () => {
+    const { iterations } = optionsOf(given, ['iterations'], 'run')
+    const count =
+      iterations === undefined ? null : wholeNumber(iterations, 'iterations', 0, MOST_ITERATIONS)
+    if (panels.peek().length === 0) {
+      const hint = 'Load a session with planners, or add one on the page.'
+      throw new ScriptError('no-planner', '', 'there is no planner to run', hint)
+    }
+    if (!allowed()) {
+      const hint = 'Remove planners, or take a smaller map or fewer ants.'
+      throw new ScriptError('too-much-memory', 'panels', 'these runs take too much memory', hint)
+    }
+    // A script says itself where to stop.
+    awaited.value = null
+    if (count === null) await finishAll()
+    else for (let i = 0; i < count; i++) await oneIteration()
+  })
+
+export const look = (iteration: unknown): Promise<void> =>
+  typed(async () => {
+    if (iteration === undefined)
+      throw badOption('iteration', 'must be a whole number, or null for now')
+    const to =
+      iteration === null
+        ? Number.POSITIVE_INFINITY
+        : wholeNumber(iteration, 'iteration', 0, MOST_ITERATIONS)
+    const { lookTo, settle } = await import('../playback/look_back')
+    lookTo(to)
+    await settle()
+  })
+
+export const compare = (options?: CompareOptions): Promise<ComparisonResult> =>
+  typed(async () => {
+    const lab = await import('../lab')
+    await lab.fetchLab()
+    return lab.compare(options)
+  })
+
+export const resultFile = (kind: ResultFile): Promise<string> =>
+  typed(async () => {
+    const lab = await import('../lab')
+    await lab.fetchLab()
+    return lab.resultFile(kind)
+  })
+
+async function finishAll(): Promise<void> {
+  await until(() => panels.peek().every(settled))
+  runToEnd()
+  await until(() => phase.peek() !== 'running' || panels.peek().every(ended))
+  if (panels.peek().every(ended)) return
+  const hint = 'Call run again to go on.'
+  throw new ScriptError('run-ended', '', 'the runs were paused or reset before their end', hint)
+}
+
+async function oneIteration(): Promise<void> {
+  await until(() => panels.peek().every(settled))
+  const before = panels.peek().map(iterationOf)
+  stepIteration()
+  await until(() =>
+    panels.peek().every((panel, i) => ended(panel) || iterationOf(panel) > (before[i] ?? 0)),
+  )
+}
+
+const iterationOf = (panel: Panel) => latest(panel.id).summary?.iteration ?? 0
+
+/** Whether its run is loaded, or refused for a reason that will not go away by waiting. */
+function settled(panel: Panel): boolean {
+  const { summary, error, crashed } = latest(panel.id)
+  return summary !== null || error !== null || crashed !== null
+}
+
+function ended(panel: Panel): boolean {
+  const { summary, error, crashed } = latest(panel.id)
+  return error !== null || crashed !== null || (summary !== null && summary.status !== 'running')
+}
+
+async function until(met: () => boolean): Promise<void> {
+  while (!met()) await new Promise((resolve) => setTimeout(resolve, POLL_MS))
+}

@@ -1,0 +1,22 @@
+/** Comparisons that the browser refused to store: kept as long as the page is open, and leaving it asks. */
+import type { KeptRun } from '../../model/comparison_calls'
+import { askBeforeLeaving } from '../../state/leaving'
+import type { StoredComparison } from './browser_storage'
+
+const kept = new Map<string, { comparison: StoredComparison; runs: KeptRun[] }>()
+
+/** From now on its runs are in this page alone. */
+export function noteUnstored(id: string): void {
+  askBeforeLeaving(`comparison ${id}`, true)
+}
+
+export function keepUnstored(comparison: StoredComparison, runs: KeptRun[]): void {
+  kept.set(comparison.id, { comparison, runs })
+}
+
+export const unstored = (id: string) => kept.get(id) ?? null
+
+export function dropUnstored(id: string): void {
+  kept.delete(id)
+  askBeforeLeaving(`comparison ${id}`, false)
+}
