@@ -29,8 +29,9 @@ async function caption(race: RacePage, words: Partial<Record<'title' | 'note' | 
 
 async function setParam(page: Page, place: number, key: string, value: string): Promise<void> {
   await page.getByTestId(`parameters-${place}`).click()
-  await page.getByTestId(`param-${key}`).fill(value)
-  await page.getByTestId(`param-${key}`).press('Enter')
+  const field = await new RacePage(page).param(key)
+  await field.fill(value)
+  await field.press('Enter')
 }
 
 test.describe('the name of a planner', () => {
