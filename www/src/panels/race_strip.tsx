@@ -1,5 +1,5 @@
 import type { Objective, ScenarioSpec, SliceRules } from '@pkg/formicarium'
-import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
+import { Bug, Equal, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { numbers, t } from '../i18n'
 import { describeNotice } from '../i18n/errors'
 import { layerChoices } from '../model/session'
@@ -10,8 +10,10 @@ import {
   plannerEntry,
   referenceRefusal,
   references,
+  sameScale,
   scenario,
   scenarioNotices,
+  setSameScale,
   showAnts,
   showPath,
   wholeEngine,
@@ -179,6 +181,14 @@ function ViewControls() {
         onChange={(id) => {
           layer.value = id
         }}
+      />
+      <IconButton
+        icon={Equal}
+        label={t('view.sameScale')}
+        pressed={sameScale.value}
+        testId="same-scale"
+        disabled={panels.value.length < 2}
+        onClick={() => setSameScale(!sameScale.value)}
       />
       <IconButton
         icon={Bug}

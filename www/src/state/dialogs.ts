@@ -10,6 +10,7 @@ export type DialogName =
   | 'help'
   | 'paper'
   | 'order'
+  | 'picture'
 
 export const openDialog = signal<DialogName | null>(null)
 

@@ -1,6 +1,7 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
 export * from './files'
+export * from './layer_scale'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
 export { changeLevel, type Rules, setRules } from './movement_rules'
