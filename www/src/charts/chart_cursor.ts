@@ -36,6 +36,7 @@ export class ChartCursor {
   private byKeys = false
   private dragged = false
   private press = 0
+  private readonly line = document.createElement('div')
 
   constructor(private readonly places: Places) {}
 
@@ -44,17 +45,19 @@ export class ChartCursor {
     opts: (_, options) => ({
       ...options,
       cursor: {
+        // The line stands at a place, the library's where the pointer is.
+        x: false,
         y: false,
         points: { show: false },
-        drag: { x: true, y: false, dist: DRAG, setScale: false },
+        drag: { x: true, y: false, dist: DRAG, setScale: false, click: () => {} },
         bind: { dblclick: () => null },
-        move: (plot, left, top) => [left < 0 ? left : this.snapped(plot, left), top],
       },
     }),
     hooks: {
       init: (plot) => this.listen(plot),
       setCursor: (plot) => this.moved(plot),
       setSelect: (plot) => this.selected(plot),
+      draw: () => this.mark(),
       destroy: () => this.forget(),
     },
   }
@@ -80,10 +83,12 @@ export class ChartCursor {
 
   private listen(plot: uPlot): void {
     this.plot = plot
+    this.line.className = 'chart-cursor'
+    plot.over.append(this.line)
     plot.over.addEventListener('mousedown', () => {
       this.dragged = false
     })
-    plot.over.addEventListener('click', () => this.pressed())
+    plot.over.addEventListener('click', (event) => this.pressed(plot, event))
     plot.over.addEventListener('dblclick', () => {
       clearTimeout(this.press)
       this.reset()
@@ -95,8 +100,14 @@ export class ChartCursor {
     this.plot = null
   }
 
-  private snapped(plot: uPlot, left: number): number {
-    return plot.valToPos(this.places.nearest(plot.posToVal(left, 'x')), 'x')
+  /** The line across the plot. */
+  private mark(): void {
+    const { plot, line, at } = this
+    const place = at.peek()
+    const left = plot && place !== null ? plot.valToPos(place, 'x') : -1
+    const within = plot !== null && left >= 0 && left <= plot.over.clientWidth
+    line.hidden = !within
+    line.style.left = `${left}px`
   }
 
   private moved(plot: uPlot): void {
@@ -104,11 +115,14 @@ export class ChartCursor {
     if (left >= 0) this.at.value = this.places.nearest(plot.posToVal(left, 'x'))
     else if (!this.byKeys) this.at.value = null
     if (plot.cursor.event) this.byKeys = false
+    this.mark()
   }
 
-  private pressed(): void {
-    const place = this.at.peek()
-    if (this.dragged || place === null) return
+  private pressed(plot: uPlot, { clientX }: MouseEvent): void {
+    if (this.dragged) return
+    // The cursor comes a frame later.
+    const left = clientX - plot.over.getBoundingClientRect().left
+    const place = this.places.nearest(plot.posToVal(left, 'x'))
     clearTimeout(this.press)
     if (this.zoom.peek() === null) this.places.act(place)
     else this.press = window.setTimeout(() => this.places.act(place), DOUBLE_MS)

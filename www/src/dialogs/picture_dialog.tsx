@@ -16,7 +16,7 @@ import { closeDialog } from '../state/dialogs'
 import { type PictureKind, wantedPicture } from '../state/pictures'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
-import { Labelled, Segmented, Select } from '../ui/fields'
+import { Segmented, Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
 import { panelTitle } from '../words/planner_words'
 
@@ -57,18 +57,16 @@ function Shown() {
           onChange={(kind) => change({ kind })}
         />
         {wanted.kind === 'map' && <WhoseField whose={wanted.whose} onChange={change} />}
-        <Labelled label={t('pictures.ground')}>
-          <Segmented
-            label={t('pictures.ground')}
-            value={wanted.ground}
-            options={GROUNDS.map((value) => ({
-              value,
-              label: t(`pictures.grounds.${value}`),
-              testId: `picture-${value}`,
-            }))}
-            onChange={(ground) => change({ ground })}
-          />
-        </Labelled>
+        <Segmented
+          label={t('pictures.ground')}
+          value={wanted.ground}
+          options={GROUNDS.map((value) => ({
+            value,
+            label: t(`pictures.grounds.${value}`),
+            testId: `picture-${value}`,
+          }))}
+          onChange={(ground) => change({ ground })}
+        />
       </div>
       <Preview svg={svg} />
     </Dialog>

@@ -44,7 +44,7 @@ export function runners(): Runner[] {
     const length = summary?.metrics?.length
     const label =
       length === undefined
-        ? t('pictures.noPath', { name })
+        ? t(summary?.status === 'no-path' ? 'pictures.noPath' : 'pictures.noPathYet', { name })
         : t(gap === null ? 'pictures.withLength' : 'pictures.withGap', {
             name,
             length: numbers.peek().length.format(length),

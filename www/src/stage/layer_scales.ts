@@ -37,15 +37,20 @@ function flush(): void {
   scales.value = new Map(all)
 }
 
-/** By layer from the least value of any panel that shows it to the greatest. */
+/** Of layers that several panels show, from the least value of any of them to the greatest. */
 const common = computed(() => {
   const ends: Partial<Record<Layer, LayerEnds>> = {}
   if (!sameScale.value) return ends
+  const known = new Map<Layer, LayerEnds>()
   for (const { id } of panels.value) {
     const { layer, own } = scales.value.get(id) ?? {}
     if (!layer || layer === 'none' || !own) continue
-    const [low, high] = ends[layer] ?? own
-    ends[layer] = [Math.min(low, own[0]), Math.max(high, own[1])]
+    const before = known.get(layer)
+    const both: LayerEnds = before
+      ? [Math.min(before[0], own[0]), Math.max(before[1], own[1])]
+      : own
+    if (before) ends[layer] = both
+    known.set(layer, both)
   }
   return ends
 })

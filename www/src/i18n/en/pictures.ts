@@ -16,6 +16,7 @@ export const enPictures = {
     seed: 'Seed {{seed}}',
     iteration: 'Iteration {{iteration}}',
     noPath: '{{name}}: no path',
+    noPathYet: '{{name}}: no path yet',
     withLength: '{{name}}: {{length}}',
     withGap: '{{name}}: {{length}} ({{gap}})',
     metres: '{{value}} m',

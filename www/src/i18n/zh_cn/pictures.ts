@@ -18,6 +18,7 @@ export const zhCNPictures: DictionaryShape<typeof enPictures> = {
     seed: '种子 {{seed}}',
     iteration: '第 {{iteration}} 次迭代',
     noPath: '{{name}}：无路径',
+    noPathYet: '{{name}}：尚无路径',
     withLength: '{{name}}：{{length}}',
     withGap: '{{name}}：{{length}}（{{gap}}）',
     metres: '{{value}} 米',
