@@ -54,7 +54,7 @@ function rampOf({ id, title, low, high, colours }: Ramp, look: Look): SVGElement
 
 /** As long as a round number of metres. */
 function barOf(metresPerPixel: number, look: Look): SVGElement {
-  const metres = ticks([0, RAMP.width * metresPerPixel], 2)[1] ?? metresPerPixel
+  const metres = ticks([0, RAMP.width * metresPerPixel], 3).at(-1) ?? metresPerPixel
   const length = px(metres / metresPerPixel)
   const { metres: format } = numbers.peek()
   const words =

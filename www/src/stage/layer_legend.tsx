@@ -81,9 +81,9 @@ function Ramp({ title, note, ends, colours, write }: RampProps) {
       data-high={ends[1]}
     >
       <Row title={title} note={note} />
-      <span class="ramp" style={{ backgroundImage: gradient(colours) }} />
       <span class="ramp-ends">
         <span>{low}</span>
+        <span class="ramp" style={{ backgroundImage: gradient(colours) }} />
         <span>{high}</span>
       </span>
     </div>

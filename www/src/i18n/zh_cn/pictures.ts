@@ -8,7 +8,7 @@ export const zhCNPictures: DictionaryShape<typeof enPictures> = {
     kinds: { map: '地图', convergence: '收敛曲线', profile: '剖面' },
     whose: '地图上显示',
     all: '空白地图上的全部路径',
-    one: '{{planner}} 及其图层',
+    one: '{{planner}}及其图层',
     ground: '配色',
     grounds: { page: '与页面相同', print: '打印用（白底）' },
     svg: 'SVG',
