@@ -96,8 +96,11 @@ test('small stages have no room for it, and it takes no press', async ({ page })
     [(at?.x ?? 0) + 20, (at?.y ?? 0) + 10],
   )
   expect(hit).toBeNull()
-  await page.locator('.panel-stage').first().evaluate((stage) => {
-    ;(stage as HTMLElement).style.maxWidth = '230px'
-  })
+  await page
+    .locator('.panel-stage')
+    .first()
+    .evaluate((stage) => {
+      ;(stage as HTMLElement).style.maxWidth = '230px'
+    })
   await expect(legend).toBeHidden()
 })
