@@ -10,6 +10,10 @@ import { paperQuestions } from './paper_questions.ts'
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
 
+/** With all that they import: words, and what of the stage and of lazy parts the opening page has. */
+const NEEDED =
+  /src.(words.(gap|planner|height|place|objective)_words|ui.lazily|stage.(stage|keyboard|pointer)\.)/
+
 /** `cargo xtask serve --dev` writes pkg/.stamp last: the engine is new, so is the page. */
 function reloadOnNewEngine(): Plugin {
   return {
@@ -38,6 +42,11 @@ export default defineConfig({
   ],
   resolve: { alias: { '@pkg': pkg } },
   server: { fs: { allow: [path('..')] } },
-  build: { target: 'es2022', sourcemap: false },
+  build: {
+    target: 'es2022',
+    sourcemap: false,
+    // What every visit needs is one file: cut up by which late part needs what, it would be larger by kilobytes.
+    rolldownOptions: { output: { codeSplitting: { groups: [{ name: 'page', test: NEEDED }] } } },
+  },
   worker: { format: 'es' },
 })

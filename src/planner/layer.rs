@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::listed::listed;
+use crate::map::Grid;
 
 listed! {
     /// A field over the map that can be drawn.
@@ -26,5 +27,24 @@ listed! {
         Priority,
         /// A search's cost from the start, in cells; infinite where none is known.
         Cost,
+    }
+}
+
+/// Smallest and largest value of a layer over the free cells; infinite values do not count. None where there is no finite one.
+pub fn extent(field: &[f32], grid: &Grid) -> Option<[f32; 2]> {
+    let free = field.iter().zip(0..).filter(|&(value, cell)| value.is_finite() && !grid.is_blocked(cell));
+    let (low, high) = free.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), (&v, _)| (l.min(v), h.max(v)));
+    (low <= high).then_some([low, high])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_extent_leaves_out_walls_and_what_is_not_finite() {
+        let grid = Grid::from_bytes(2, 2, &[0, 1, 0, 0]).expect("a grid");
+        assert_eq!(extent(&[0.5, 9.0, f32::INFINITY, -1.0], &grid), Some([-1.0, 0.5]));
+        assert_eq!(extent(&[f32::NAN, 9.0, f32::INFINITY, f32::NAN], &grid), None);
     }
 }

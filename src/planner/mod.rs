@@ -21,7 +21,7 @@ use crate::path::PathKind;
 use crate::scenario::Scenario;
 
 pub use ground::{Ground, GroundRule};
-pub use layer::Layer;
+pub use layer::{Layer, extent};
 pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};

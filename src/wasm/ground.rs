@@ -16,6 +16,11 @@ impl Theme {
         }
     }
 
+    /// 256 tints from the lowest ground to the highest.
+    pub(super) fn ground(self) -> impl Iterator<Item = Rgb> {
+        (0..=255).map(move |height| tint(&self.tints(), height))
+    }
+
     /// What the ground turns to in the shade and in the light.
     fn shade(self) -> [Rgb; 2] {
         match self {
@@ -44,7 +49,7 @@ impl Ground {
         }
         let shading = self.shading.take().unwrap_or_else(|| Shading::of(heights, width, style.scale));
         self.mixes = (0..=255).map(|light| if style.shaded { mix_of(light) } else { 0 }).collect();
-        let tints: Vec<Rgb> = (0..=255).map(|height| tint(&style.theme.tints(), height)).collect();
+        let tints: Vec<Rgb> = style.theme.ground().collect();
         self.style = Some(style);
         self.colors = shading.heights.iter().map(|&height| tints[height as usize]).collect();
         self.shading = Some(shading);

@@ -47,6 +47,8 @@ pub use maps::{
 #[cfg(feature = "whole")]
 pub use order::{OrderRun, read_order};
 #[cfg(feature = "whole")]
+pub use paint::map_colors;
+#[cfg(feature = "whole")]
 pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};
 

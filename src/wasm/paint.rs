@@ -1,15 +1,17 @@
 //! Raster layers: the map and one field over it, one pixel a cell. On a terrain the field lies over shaded ground, and what has no data
 //! is left clear, for the page to hatch.
 
+#[cfg(feature = "whole")]
+use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use super::Answer;
-use super::arguments::{Context, Flag, ThemeName, argument, not};
+use super::arguments::{Context, Flag, LayerOrNone, ThemeName, argument, not, word};
 #[cfg(feature = "whole")]
 use super::ground::Ground;
 use crate::map::Grid;
-use crate::planner::{Layer, Planner};
+use crate::planner::{Layer, Planner, extent};
 
 /// What the browser calls it.
 const CONTEXT: &str = "an OffscreenCanvasRenderingContext2D";
@@ -129,7 +131,7 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// Paints map and layer.
+    /// Paints map and layer, whose colours go from the lower to the upper of these values, or of the layer's own, which it gives.
     pub(super) fn paint(
         &mut self,
         context: &Context,
@@ -137,9 +139,12 @@ impl Canvas {
         planner: &dyn Planner,
         layer: Option<Layer>,
         style: Style,
-    ) -> Answer<()> {
+        ends: Option<[f32; 2]>,
+    ) -> Answer<Option<[f32; 2]>> {
         let layer = layer.filter(|&kind| planner.layer(kind, &mut self.field));
-        self.put(context, grid, layer, style)
+        let own = layer.and_then(|_| extent(&self.field, grid));
+        self.put(context, grid, layer.map(|kind| Shown::new(kind, style.theme, ends.or(own))), style)?;
+        Ok(own)
     }
 
     /// Paints the map alone.
@@ -147,7 +152,7 @@ impl Canvas {
         self.put(context, grid, None, style)
     }
 
-    fn put(&mut self, context: &Context, grid: &Grid, layer: Option<Layer>, style: Style) -> Answer<()> {
+    fn put(&mut self, context: &Context, grid: &Grid, layer: Option<Shown>, style: Style) -> Answer<()> {
         let context: &OffscreenCanvasRenderingContext2d = context.dyn_ref().ok_or_else(|| not("context", CONTEXT))?;
         self.rgba.resize(grid.len() * 4, u8::MAX);
         #[cfg(feature = "whole")]
@@ -162,15 +167,12 @@ impl Canvas {
         painted.map_err(|_| argument("context", "nothing can be painted here"))
     }
 
-    fn fill(&mut self, grid: &Grid, theme: Theme, layer: Option<Layer>) {
-        let table = layer.map(|kind| (Ramp::of(kind), color_table(theme, kind)));
-        let (low, per_unit) = range(&self.field, grid);
+    fn fill(&mut self, grid: &Grid, theme: Theme, layer: Option<Shown>) {
         for (c, pixel) in self.rgba.chunks_exact_mut(4).enumerate() {
             let color = if grid.is_blocked(c as u32) {
                 theme.blocked()
-            } else if let Some((ramp, table)) = &table {
-                let t = (self.field[c] - low) * per_unit;
-                shade(table, theme, *ramp, t)
+            } else if let Some(shown) = &layer {
+                shown.over(theme.free(), shown.strength(self.field[c]))
             } else {
                 theme.free()
             };
@@ -179,19 +181,16 @@ impl Canvas {
     }
 
     #[cfg(feature = "whole")]
-    fn fill_terrain(&mut self, grid: &Grid, heights: &[f32], style: Style, layer: Option<Layer>) {
-        let theme = style.theme;
-        let table = layer.map(|kind| (Ramp::of(kind), color_table(theme, kind)));
-        let (low, per_unit) = range(&self.field, grid);
+    fn fill_terrain(&mut self, grid: &Grid, heights: &[f32], style: Style, layer: Option<Shown>) {
         self.ground.prepare(heights, grid.width(), style);
         for (c, pixel) in self.rgba.chunks_exact_mut(4).enumerate() {
             let ground = self.ground.color(c);
             let color = if grid.is_blocked(c as u32) {
-                self.ground.lit(c, theme.blocked())
-            } else if let Some((ramp, table)) = &table {
-                let t = ramp.scaled((self.field[c] - low) * per_unit);
+                self.ground.lit(c, style.theme.blocked())
+            } else if let Some(shown) = &layer {
+                let t = shown.ramp.scaled(shown.strength(self.field[c]));
                 if t.is_finite() && t > 0.0 {
-                    self.ground.under(c, table[(t * 255.0) as usize & 255], ramp.cover(t))
+                    self.ground.under(c, shown.table[(t * 255.0) as usize & 255], shown.ramp.cover(t))
                 } else {
                     ground
                 }
@@ -204,24 +203,58 @@ impl Canvas {
     }
 }
 
-/// Smallest value over the free cells, and 1 / (largest − smallest); infinite values do not count.
-fn range(field: &[f32], grid: &Grid) -> (f32, f32) {
-    let (mut low, mut high) = (f32::INFINITY, f32::NEG_INFINITY);
-    for (c, &v) in field.iter().enumerate() {
-        if v.is_finite() && !grid.is_blocked(c as u32) {
-            low = low.min(v);
-            high = high.max(v);
-        }
-    }
-    (low, if high > low { 1.0 / (high - low) } else { 0.0 })
+/// A layer on show.
+struct Shown {
+    ramp: Ramp,
+    table: [Rgb; 256],
+    /// The value with the first colour, and 1 / its distance to the one with the last; 0 where all values are the same.
+    low: f32,
+    per_unit: f32,
 }
 
-/// Colour of a value between the lowest, 0, and the highest, 1. What is lowest shows the bare map, and so does what has no value.
-fn shade(table: &[Rgb; 256], theme: Theme, ramp: Ramp, t: f32) -> Rgb {
-    if !t.is_finite() || t <= 0.002 {
-        return theme.free();
+impl Shown {
+    /// Without a finite value there are no ends, and nothing is shown.
+    fn new(layer: Layer, theme: Theme, ends: Option<[f32; 2]>) -> Self {
+        let [low, high] = ends.unwrap_or_default();
+        let per_unit = if high > low { 1.0 / (high - low) } else { 0.0 };
+        Self { ramp: Ramp::of(layer), table: color_table(theme, layer), low, per_unit }
     }
-    table[(ramp.scaled(t) * 255.0) as usize & 255]
+
+    /// Where a value lies between the ends, 0 to 1; below the lower one negative, and not finite where there is no value.
+    fn strength(&self, value: f32) -> f32 {
+        let t = (value - self.low) * self.per_unit;
+        if t > 1.0 && value.is_finite() { 1.0 } else { t }
+    }
+
+    /// Colour of a strength. What is lowest shows the bare map, and so does what has no value.
+    fn over(&self, free: Rgb, t: f32) -> Rgb {
+        if !t.is_finite() || t <= 0.002 {
+            return free;
+        }
+        self.table[(self.ramp.scaled(t) * 255.0) as usize & 255]
+    }
+}
+
+/// Three bytes each: the colour of a free cell, that of a blocked one, and 256 of a layer from its lowest value to its highest, evenly; of
+/// no layer those of a terrain from its lowest ground to its highest.
+#[cfg(feature = "whole")]
+#[wasm_bindgen]
+pub fn map_colors(layer: &LayerOrNone, theme: &ThemeName) -> Answer<Vec<u8>> {
+    let theme = Theme::of(theme)?;
+    let mut colors = vec![theme.free(), theme.blocked()];
+    match layer_of(layer)? {
+        Some(layer) => {
+            let shown = Shown::new(layer, theme, Some([0.0, 255.0]));
+            colors.extend((0..=255u8).map(|value| shown.over(theme.free(), shown.strength(f32::from(value)))));
+        }
+        None => colors.extend(theme.ground()),
+    }
+    Ok(colors.concat())
+}
+
+/// A layer, or none.
+pub(super) fn layer_of(name: &LayerOrNone) -> Answer<Option<Layer>> {
+    if **name == *"none" { Ok(None) } else { word(name, "layer").map(Some) }
 }
 
 fn color_table(theme: Theme, layer: Layer) -> [Rgb; 256] {

@@ -8,7 +8,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Bytes, Context, Flag, Heights, LayerOrNone, Number, ParamValues, Text, ThemeName};
-use super::paint::{Canvas, Style};
+use super::paint::{Canvas, Style, layer_of};
 use super::{Answer, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::planner::playback::{Playback, Replay};
@@ -179,11 +179,21 @@ impl Run {
     }
 
     /// Paints map and layer into a canvas of width × height pixels, one pixel a cell; a terrain with light and shade or, not `shaded`, in
-    /// the ground's colours alone. Cells without data stay clear.
-    pub fn paint(&self, context: &Context, layer: &LayerOrNone, theme: &ThemeName, shaded: &Flag) -> Answer<()> {
-        let layer = if **layer == *"none" { None } else { Some(arguments::word(layer, "layer")?) };
+    /// the ground's colours alone. Cells without data stay clear. The colours go from the lower to the upper value of `ends`, or, with null, from
+    /// the smallest to the largest of the layer over the free cells. Gives those two; empty where the layer has no finite value.
+    pub fn paint(
+        &self,
+        context: &Context,
+        layer: &LayerOrNone,
+        theme: &ThemeName,
+        shaded: &Flag,
+        ends: Option<Heights>,
+    ) -> Answer<Vec<f32>> {
+        let layer = layer_of(layer)?;
         let style = Style::of(theme, cells_per_unit(&self.scenario.spec), shaded)?;
-        self.canvas.borrow_mut().paint(context, &self.scenario.grid, self.shown(), layer, style)
+        let ends = ends.map(|ends| ends_of(&ends)).transpose()?;
+        let own = self.canvas.borrow_mut().paint(context, &self.scenario.grid, self.shown(), layer, style, ends)?;
+        Ok(own.map_or_else(Vec::new, |own| own.to_vec()))
     }
 }
 
@@ -200,6 +210,14 @@ pub fn paint_map(
     let spec = arguments::value(&spec, "spec")?;
     let grid = grid(spec.width, spec.height, cells, heights.as_ref())?;
     Canvas::default().paint_map(context, &grid, Style::of(theme, cells_per_unit(&spec), shaded)?)
+}
+
+/// Two numbers, the smaller one first.
+fn ends_of(given: &Heights) -> Answer<[f32; 2]> {
+    match given.read("ends")?[..] {
+        [low, high] if low.is_finite() && high.is_finite() && low <= high => Ok([low, high]),
+        _ => Err(arguments::not("ends", "two numbers, the smaller one first")),
+    }
 }
 
 /// Cells per unit of the heights; 1 on a plane, which has none.

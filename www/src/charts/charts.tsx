@@ -10,7 +10,7 @@ const CHARTS = ['convergence', 'profile'] as const
 type Chart = (typeof CHARTS)[number]
 
 const chosen = signal<Chart>('convergence')
-const Profile = lazily(async () => (await import('./profile')).Profile)
+const Profile = lazily(async () => (await import('./profile')).fetchProfile())
 
 const titleOf = (chart: Chart) => t(chart === 'profile' ? 'profile.title' : 'chart.title')
 

@@ -53,6 +53,39 @@ function curves(panel: Panel, points: number, stride: number): PanelCurves {
   }
 }
 
+/** What a panel had reached by an iteration; null where it had nothing, or has no iterations. */
+export interface Reached {
+  best: number | null
+  iterationBest: number | null
+  mean: number | null
+}
+
+export function reachedAt(panel: Panel, iteration: number): Reached {
+  const rows = historyOf(panel.id)
+  const search = isSearch(panel.setup.planner)
+  const row = search ? rows.count - 1 : lastRowUpTo(rows, iteration)
+  const at = (column: number) => finite(row < 0 ? Number.NaN : rows.at(row, column))
+  const own = !search && row >= 0 && rows.at(row, ITERATION) === iteration
+  return {
+    best: at(BEST_SO_FAR),
+    iterationBest: own ? at(ITERATION_BEST) : null,
+    mean: own ? at(MEAN) : null,
+  }
+}
+
+const finite = (value: number) => (Number.isFinite(value) ? value : null)
+
+/** Rows are in the order of their iterations. -1 where all are later. */
+function lastRowUpTo(rows: HistoryRows, iteration: number): number {
+  let [low, high] = [-1, rows.count - 1]
+  while (low < high) {
+    const middle = (low + high + 1) >> 1
+    if (rows.at(middle, ITERATION) <= iteration) low = middle
+    else high = middle - 1
+  }
+  return low
+}
+
 /** The last row of every stride; iterations without an arrived ant leave a hole. */
 function column(rows: HistoryRows, index: number, points: number, stride: number): Curve {
   const curve: Curve = Array.from({ length: points }, () => null)

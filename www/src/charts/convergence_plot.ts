@@ -1,6 +1,7 @@
 /** uPlot, set up for convergence curves in the page's colours. */
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
+import type { ChartCursor } from './chart_cursor'
 import { chartLook } from './chart_style'
 import type { Curves } from './convergence_data'
 
@@ -17,8 +18,8 @@ export interface PlotStyle {
   marker: () => number | null
 }
 
-export function makePlot(host: HTMLElement, style: PlotStyle): uPlot {
-  return new uPlot(options(host, style), [[]], host)
+export function makePlot(host: HTMLElement, style: PlotStyle, cursor: ChartCursor): uPlot {
+  return new uPlot(options(host, style, cursor), [[]], host)
 }
 
 export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
@@ -31,13 +32,13 @@ export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
   return [curves.iterations, ...levels, ...panels]
 }
 
-function options(host: HTMLElement, style: PlotStyle): uPlot.Options {
+function options(host: HTMLElement, style: PlotStyle, cursor: ChartCursor): uPlot.Options {
   const { colour, axis, frame } = chartLook(host)
   return {
     ...frame,
     padding: [10, 12, 0, 0],
-    cursor: { drag: { x: false, y: false }, points: { show: false } },
-    scales: { x: { time: false, range: xRange }, y: { range: yRange } },
+    plugins: [cursor.plugin],
+    scales: { x: { time: false, range: cursor.range }, y: { range: yRange } },
     axes: [
       { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
       { ...axis, label: style.axisLabels.y, size: 40 },
@@ -91,8 +92,6 @@ const isLone: uPlot.Series.Points.Show = (plot, series) => {
   }
   return values === 1
 }
-
-const xRange: uPlot.Range.Function = (_, min, max) => [min ?? 1, max ?? 10]
 
 /** Room above and below, so that the lines to compare with never lie on the frame. */
 const yRange: uPlot.Range.Function = (_, min, max) => {

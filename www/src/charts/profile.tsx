@@ -1,14 +1,30 @@
 /** How the best paths go up and down: altitude over distance, one line a panel. */
 import { computed, effect, useComputed } from '@preact/signals'
-import { useEffect, useRef } from 'preact/hooks'
 import type uPlot from 'uplot'
-import { numbers, t } from '../i18n'
+import { numbers } from '../i18n'
+import { addReadingWords, t } from '../i18n/reading'
 import { ground } from '../relief/shown_ground'
 import { pointedPlaces } from '../stage/pointed_places'
-import { notifyError, panels, scenario, selectedPanel, shownOf, slotColour, theme } from '../state'
+import {
+  inspected,
+  panels,
+  scenario,
+  selectedPanel,
+  shownOf,
+  slotColour,
+  theme,
+  tool,
+} from '../state'
 import { panelTitle } from '../words/planner_words'
+import { ChartCursor } from './chart_cursor'
+import { ChartFrame } from './chart_frame'
 import { PanelKeys } from './panel_keys'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
+import { makeProfilePlot } from './profile_plot'
+import { ProfileReadout, pointAt, pointInWords } from './profile_readout'
+
+const ready = addReadingWords()
+export const fetchProfile = () => ready.then(() => Profile)
 
 /** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160
@@ -47,18 +63,75 @@ const profiles = computed<PanelProfile[]>(() => {
   return lastProfiles
 })
 
-export function Profile() {
-  const host = useRef<HTMLDivElement>(null)
+/** The path of which keys and presses choose cells. */
+const leading = () => {
+  const all = profiles.peek()
+  return (all.find(({ panelId }) => panelId === groundOf.peek()) ?? all[0])?.profile
+}
+
+const placeOf = (index: number) => {
+  const distances = leading()?.distances ?? []
+  return distances[Math.min(distances.length - 1, Math.max(0, index))] ?? 0
+}
+
+const cursor = new ChartCursor({
+  ends: () => [placeOf(0), placeOf(Number.POSITIVE_INFINITY)],
+  nearest: (x) => placeOf(indexAt(x)),
+  step: (from, by) => placeOf(indexAt(from) + by),
+  start: () => placeOf(0),
+  act: inspect,
+})
+
+function indexAt(distance: number): number {
+  const profile = leading()
+  return profile ? nearest(profile, distance) : 0
+}
+
+/** Looks into the cell that the leading path passes there. */
+function inspect(distance: number): void {
+  const all = profiles.peek()
+  const led = all.find(({ panelId }) => panelId === groundOf.peek()) ?? all[0]
+  const cell = led?.profile.cells[nearest(led.profile, distance)]
+  if (!led || !cell) return
+  tool.value = 'inspect'
+  inspected.value = { panelId: led.panelId, cell, level: null }
+}
+
+function Profile() {
+  const label = useComputed(
+    () => `${t('cursor.profile', { chart: t('profile.title') })}. ${describe()}`,
+  )
   const empty = useComputed(() => profiles.value.length === 0)
-  const words = useComputed(describe)
-  useEffect(() => (host.current ? keepDrawn(host.current) : undefined), [])
+  if (empty.value) {
+    return (
+      <>
+        <Legend />
+        <div class="plot" data-empty={true}>
+          <p class="plot-hint">{t('profile.empty')}</p>
+        </div>
+      </>
+    )
+  }
+  const distance = cursor.at.value ?? 0
+  const at = t('cursor.distance', { distance: numbers.value.metres.format(distance) })
+  const points = profiles.value.map(({ panelId, colour, profile }) => ({
+    panelId,
+    colour,
+    ...pointAt(profile, distance),
+  }))
   return (
     <>
-      <Legend />
-      <div class="plot" data-empty={empty}>
-        <div ref={host} class="plot-host" role="img" aria-label={words} data-testid="profile" />
-        <p class="plot-hint">{t('profile.empty')}</p>
-      </div>
+      <ProfileReadout at={at} distance={distance} points={points} />
+      <ChartFrame
+        testId="profile"
+        picture="profile"
+        cursor={cursor}
+        label={label}
+        ends={[placeOf(0), placeOf(Number.POSITIVE_INFINITY)]}
+        at={distance}
+        words={[at, ...points.map(pointInWords)].join('; ')}
+        keepDrawn={keepDrawn}
+      />
     </>
   )
 }
@@ -100,29 +173,29 @@ function describe(): string {
 function keepDrawn(host: HTMLElement): () => void {
   let plot: uPlot | null = null
   let timer = 0
-  let closed = false
-  const remake = async () => {
+  const remake = () => {
     timer = 0
-    const { makeProfilePlot } = await import('./profile_plot')
-    if (closed) return
     plot?.destroy()
     const axisLabels = { x: t('profile.distance'), y: t('profile.altitude') }
-    plot = makeProfilePlot(host, profiles.peek(), { axisLabels, onHover: mark })
+    plot = makeProfilePlot(host, profiles.peek(), { axisLabels, cursor })
+    cursor.refresh()
   }
   const stop = effect(() => {
     profiles.value
     theme.value
     t('profile.title')
-    if (timer === 0) timer = window.setTimeout(() => remake().catch(notifyError), REDRAW_MS)
+    if (timer === 0) timer = window.setTimeout(remake, REDRAW_MS)
   })
+  const stopMarking = effect(() => mark(cursor.at.value))
   const resized = new ResizeObserver(() => {
     plot?.setSize({ width: Math.max(1, host.clientWidth), height: Math.max(1, host.clientHeight) })
+    cursor.refresh()
   })
   resized.observe(host)
   return () => {
-    closed = true
     clearTimeout(timer)
     stop()
+    stopMarking()
     resized.disconnect()
     plot?.destroy()
     mark(null)

@@ -1,6 +1,7 @@
 /** uPlot, set up for elevation profiles in the page's colours. */
 import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
+import type { ChartCursor } from './chart_cursor'
 import { chartLook } from './chart_style'
 import type { Profile } from './profile_data'
 
@@ -11,8 +12,7 @@ export interface Line {
 
 export interface ProfileStyle {
   axisLabels: { x: string; y: string }
-  /** Called with the metres along the paths under the pointer; null when it has left. */
-  onHover(distance: number | null): void
+  cursor: ChartCursor
 }
 
 export function makeProfilePlot(host: HTMLElement, lines: Line[], style: ProfileStyle): uPlot {
@@ -34,8 +34,8 @@ function options(host: HTMLElement, lines: Line[], style: ProfileStyle): uPlot.O
   return {
     ...frame,
     padding: [10, 16, 0, 0],
-    cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
-    scales: { x: { time: false }, y: { range: yRange } },
+    plugins: [style.cursor.plugin],
+    scales: { x: { time: false, range: style.cursor.range }, y: { range: yRange } },
     axes: [
       { ...axis, label: style.axisLabels.x, size: 22 },
       { ...axis, label: style.axisLabels.y, size: 48 },
@@ -43,12 +43,6 @@ function options(host: HTMLElement, lines: Line[], style: ProfileStyle): uPlot.O
     series: [{}, ...lines.flatMap((line) => series(line, colour('--text-muted')))],
     hooks: {
       draw: [(plot) => drawEnds(plot, lines, { start: colour('--start'), goal: colour('--goal') })],
-      setCursor: [
-        ({ cursor, posToVal }) => {
-          const { left } = cursor
-          style.onHover(left === undefined || left < 0 ? null : posToVal(left, 'x'))
-        },
-      ],
     },
   }
 }

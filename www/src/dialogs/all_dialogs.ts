@@ -1,5 +1,5 @@
 /** Every dialog, in one part of the page that is fetched when the first of them is opened. */
-import type { JSX } from 'preact'
+import type { ComponentType } from 'preact'
 import '../styles/raster.css'
 import '../styles/figure.css'
 import '../styles/names.css'
@@ -13,12 +13,13 @@ import { MapChoiceDialog } from './map_choice_dialog'
 import { MapDialog } from './map_dialog'
 import { NamesDialog } from './names_dialog'
 import { OrderDialog } from './order_dialog'
+import { PictureDialog } from './picture_dialog'
 import { ResizeDialog } from './resize_dialog'
 import { ScenDialog } from './scen_dialog'
 import { ShareDialog } from './share_dialog'
 import { TerrainDialog } from './terrain_dialog'
 
-export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
+export const DIALOGS: Record<DialogName, ComponentType> = {
   share: ShareDialog,
   import: ImportDialog,
   export: ExportDialog,
@@ -28,6 +29,7 @@ export const DIALOGS: Record<DialogName, () => JSX.Element | null> = {
   paper: CardDialog,
   order: OrderDialog,
   names: NamesDialog,
+  picture: PictureDialog,
 }
 
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

@@ -1,5 +1,5 @@
 import type { ExportFormat } from '@pkg/formicarium'
-import { Copy, Download } from 'lucide'
+import { Copy, Download, Image } from 'lucide'
 import { useEffect, useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
@@ -13,6 +13,7 @@ import {
   exportSession,
   fileStem,
 } from '../state/export_files'
+import { takePicture } from '../state/pictures'
 import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
@@ -84,6 +85,13 @@ export function ExportDialog() {
       wide
       actions={
         <>
+          <Button
+            icon={Image}
+            label={t('maps.asPicture')}
+            tone="quiet"
+            testId="export-picture"
+            onClick={() => takePicture('map')}
+          />
           <Button
             icon={Copy}
             label={t('common.copy')}

@@ -7,7 +7,7 @@ type Context = OffscreenCanvasRenderingContext2D
 /** CSS pixels a cell must have before grid lines help rather than hide. */
 const GRID_FROM = 12
 
-const COLOURS = {
+export const MAP_COLOURS = {
   light: {
     grid: 'rgba(60, 48, 30, 0.09)',
     hatch: ['#e4e7e6', '#b9c1be'],
@@ -54,7 +54,7 @@ function hatchTile(theme: PanelView['theme'], size: number): OffscreenCanvas {
   if (known) return known
   const tile = new OffscreenCanvas(size, size)
   const context = tile.getContext('2d')
-  const [ground, stroke] = COLOURS[theme].hatch
+  const [ground, stroke] = MAP_COLOURS[theme].hatch
   if (context && ground && stroke) {
     context.fillStyle = ground
     context.fillRect(0, 0, size, size)
@@ -76,7 +76,7 @@ export function drawGrid(context: Context, view: PanelView, { width, height }: S
   const right = originX + width * scale
   const bottom = originY + height * scale
   const line = Math.max(1, Math.round(dpr / 2))
-  context.fillStyle = COLOURS[view.theme].grid
+  context.fillStyle = MAP_COLOURS[view.theme].grid
   for (let x = originX; x <= right + 0.5; x += scale) {
     if (x >= 0 && x <= view.width) context.fillRect(Math.round(x), originY, line, bottom - originY)
   }
@@ -95,7 +95,7 @@ export function drawPath(context: Context, view: PanelView, path: Uint32Array): 
   const width = Math.min(6 * view.dpr, Math.max(2.25 * view.dpr, 0.24 * view.scale))
   context.lineJoin = 'round'
   context.lineCap = 'round'
-  context.strokeStyle = COLOURS[view.theme].halo
+  context.strokeStyle = MAP_COLOURS[view.theme].halo
   context.lineWidth = width + 3 * view.dpr
   context.stroke(line)
   context.strokeStyle = view.colour
@@ -109,7 +109,7 @@ export function drawCursor(context: Context, view: PanelView): void {
   const { scale, dpr } = view
   const size = Math.max(scale, view.cursorFocus ? 9 * dpr : 3 * dpr)
   const [x, y] = centre(view, ...view.cursor)
-  const colours = COLOURS[view.theme]
+  const colours = MAP_COLOURS[view.theme]
   if (!view.cursorFocus) {
     context.globalAlpha = 0.16
     context.fillStyle = colours.cursor

@@ -38,7 +38,7 @@ const FONT = 'system-ui, sans-serif'
 /** Longer names are cut; the table of goals has them in full. */
 const MOST_LETTERS = 14
 
-const COLOURS = {
+export const MARK_COLOURS = {
   light: {
     ring: '#ffffff',
     start: '#0c8a4d',
@@ -106,7 +106,7 @@ export function markRadius(
 }
 
 function drawDisc(context: Context, view: Look, [x, y]: Point, radius: number): void {
-  const colours = COLOURS[view.theme]
+  const colours = MARK_COLOURS[view.theme]
   for (const [colour, size] of [
     [colours.ring, radius + 1.5 * view.dpr],
     [colours.start, radius],
@@ -128,10 +128,10 @@ function drawDiamond(context: Context, view: Look, [x, y]: Point, radius: number
   context.lineTo(x - reach, y)
   context.closePath()
   context.lineJoin = 'round'
-  context.strokeStyle = COLOURS[view.theme].ring
+  context.strokeStyle = MARK_COLOURS[view.theme].ring
   context.lineWidth = 3 * view.dpr
   context.stroke()
-  context.fillStyle = COLOURS[view.theme].goal
+  context.fillStyle = MARK_COLOURS[view.theme].goal
   context.fill()
 }
 
@@ -146,7 +146,7 @@ function drawPlace(
   context.font = `700 ${size}px ${FONT}`
   context.textAlign = 'center'
   context.textBaseline = 'alphabetic'
-  context.fillStyle = COLOURS[view.theme].onGoal
+  context.fillStyle = MARK_COLOURS[view.theme].onGoal
   context.fillText(String(place), x, y + 0.36 * size)
 }
 
@@ -164,13 +164,13 @@ function drawName(context: Context, view: Look, [x, y]: Point, name: string, rad
   const seen = x >= 0 && y >= 0 && x <= view.width && y <= view.height
   const left = seen ? clamp(beside, view.width - width) : beside
   const top = seen ? clamp(y - height / 2, view.height - height) : y - height / 2
-  context.fillStyle = COLOURS[view.theme].label
+  context.fillStyle = MARK_COLOURS[view.theme].label
   context.beginPath()
   context.roundRect(left, top, width, height, 4 * dpr)
   context.fill()
   context.textAlign = 'left'
   context.textBaseline = 'alphabetic'
-  context.fillStyle = COLOURS[view.theme].text
+  context.fillStyle = MARK_COLOURS[view.theme].text
   context.fillText(text, left + 4 * dpr, top + height / 2 + 0.35 * size)
 }
 

@@ -6,6 +6,7 @@
 import { toEngineError } from '../model/errors'
 import type {
   Frame,
+  LayerScale,
   PanelAnswers,
   PanelQuestion,
   PanelReply,
@@ -35,6 +36,7 @@ const UNSEEN: PanelView = {
   originY: 0,
   dpr: 1,
   layer: 'none',
+  ends: {},
   showAnts: false,
   showPath: false,
   showContours: false,
@@ -60,6 +62,9 @@ export class PanelClient {
   state: State = 'loading'
   /** The newest answer of the current run. */
   frame: Frame | null = null
+  /** What the colours of its map say, and who is told of changes. */
+  scale: LayerScale | null = null
+  onScale: ((scale: LayerScale) => void) | null = null
   private worker: Worker | null = null
   /** The build that the worker runs on. */
   private build: Build = 'core'
@@ -200,6 +205,7 @@ export class PanelClient {
     if (reply.kind === 'crashed') this.crash(reply.message)
     else if (reply.kind === 'ready') this.onReply(reply)
     else if (reply.kind === 'raster') this.handRaster(reply)
+    else if (reply.kind === 'scale') this.tellScale(reply)
     else if (reply.kind === 'answer') this.settle(reply.id, reply.answer)
     else this.answer(reply)
   }
@@ -214,6 +220,11 @@ export class PanelClient {
   private leaveUnanswered(): void {
     for (const resolve of this.waiting.values()) resolve(null)
     this.waiting.clear()
+  }
+
+  private tellScale(scale: LayerScale): void {
+    this.scale = scale
+    this.onScale?.(scale)
   }
 
   private handRaster(reply: RasterReply): void {

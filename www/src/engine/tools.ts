@@ -128,6 +128,9 @@ export const tools = {
   surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
   importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
     wholeBox().call('importTerrain', bytes, name, part),
+  /** What the colours of maps and layers are; see `MapCalls.mapColours`. */
+  mapColours: (...look: Parameters<MapCalls['mapColours']>) =>
+    wholeBox().call('mapColours', ...look),
   exportMap: ({ spec, cells, heights }: Scenario, format: ExportFormat) =>
     wholeBox().call('exportMap', spec, cells, heights, format),
   exportRos: ({ spec, cells }: Scenario, image: string) =>

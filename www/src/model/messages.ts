@@ -21,6 +21,9 @@ export interface RunSetup {
   seed: number
 }
 
+/** The values that the first and the last colour of a layer stand for. */
+export type LayerEnds = [low: number, high: number]
+
 /** How a panel looks at the map. Place and zoom are the same in every panel, so that maps can be compared cell by cell. */
 export interface PanelView {
   /** Canvas size in device pixels. */
@@ -33,6 +36,8 @@ export interface PanelView {
   /** Device pixels per CSS pixel: line widths and markers scale with it. */
   dpr: number
   layer: Layer | 'none'
+  /** Of layers that all panels draw by one scale; any other goes from its own least value to its greatest. */
+  ends: Partial<Record<Layer, LayerEnds>>
   showAnts: boolean
   showPath: boolean
   /** Lines of equal height on a terrain. */
@@ -84,6 +89,11 @@ export type PanelQuestion =
   | { about: 'layer'; layer: Layer }
   /** What is kept to look back. */
   | { about: 'kept' }
+  /** The map as the panel would draw it in a theme, with a layer or without. */
+  | ({ about: 'picture'; size: [width: number, height: number] } & Pick<
+      PanelView,
+      'layer' | 'ends' | 'theme'
+    >)
 
 /** What is answered to each question; null where there is no answer, e.g. because the run has been replaced meanwhile. */
 export interface PanelAnswers {
@@ -101,6 +111,20 @@ export interface PanelAnswers {
     /** Most iterations that a look back computes again. */
     mostRepeated: number
   }
+  picture: MapPicture
+}
+
+/** A map and a layer over it, one pixel a cell. */
+export interface MapPicture {
+  /** Red, green, blue, opacity. */
+  pixels: Uint8ClampedArray<ArrayBuffer>
+  scale: LayerScale
+}
+
+/** Which layer a panel shows, and its least and greatest value over the free cells; null where it has none. */
+export interface LayerScale {
+  layer: Layer | 'none'
+  own: LayerEnds | null
 }
 
 /** What a tick or a load did. */
@@ -135,6 +159,8 @@ export type PanelReply =
   | { kind: 'answer'; id: number; answer: PanelAnswers[keyof PanelAnswers] | null }
   | RasterReply
   | Frame
+  /** The layer on show, or its values, have changed. */
+  | ({ kind: 'scale' } & LayerScale)
   /** The request was refused; the panel shows the map alone. */
   | { kind: 'refused'; runId: number; error: EngineError }
   /** The worker itself failed. */

@@ -3,6 +3,20 @@ import type { Scenario } from './session'
 
 export type Vector = [x: number, y: number, z: number]
 
+/** The lowest and the highest ground in metres; null without a height. */
+export function heightRange({
+  spec,
+  heights,
+}: Pick<Scenario, 'spec' | 'heights'>): [number, number] | null {
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]
+  for (const h of heights ?? []) {
+    if (h < low) low = h
+    if (h > high) high = h
+  }
+  const unit = spec.terrain?.vertical_unit ?? 1
+  return Number.isFinite(low) && Number.isFinite(high) ? [low * unit, high * unit] : null
+}
+
 /** x and z are the map's columns and rows, y is up, without exaggeration. */
 export class Ground {
   readonly width: number
@@ -21,13 +35,9 @@ export class Ground {
     this.resolution = spec.resolution
     this.unit = spec.terrain?.vertical_unit ?? 1
     this.heights = heights ?? new Float32Array(spec.width * spec.height)
-    let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]
-    for (const h of this.heights) {
-      if (h < low) low = h
-      if (h > high) high = h
-    }
-    this.lowest = Number.isFinite(low) ? low * this.unit : 0
-    this.highest = Number.isFinite(high) ? high * this.unit : 0
+    const [lowest, highest] = heightRange({ spec, heights }) ?? [0, 0]
+    this.lowest = lowest
+    this.highest = highest
   }
 
   /** From the lowest to the highest cell. */

@@ -9,6 +9,7 @@ import type {
   Generator,
   Imported,
   Lattice,
+  Layer,
   MatrixInfo,
   Notice,
   Objective,
@@ -27,7 +28,7 @@ import type {
   Unpacked,
   Window,
 } from '@pkg/formicarium'
-import type { ParamValues, RunSetup } from './messages'
+import type { PanelView, ParamValues, RunSetup } from './messages'
 
 /** What of a raster of heights is to be opened, and in how many cells; all of it as it is where nothing is said. */
 export interface TerrainPart {
@@ -50,6 +51,8 @@ export interface MapCalls {
   figureMap(classes: Uint8Array, columns: number, name: string): Imported
   surveyTerrain(bytes: Uint8Array, name: string): Survey
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
+  /** Red, green, blue: of a free cell, a blocked one, and 256 of a layer from its least value to its greatest. */
+  mapColours(layer: Layer | 'none', theme: PanelView['theme']): Uint8Array
   exportMap(
     spec: ScenarioSpec,
     cells: Uint8Array,

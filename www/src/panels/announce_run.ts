@@ -2,7 +2,7 @@
 import { effect, untracked } from '@preact/signals'
 import { numbers, t } from '../i18n'
 import { announce, liveTick, type Panel, panels, phase } from '../state'
-import { panelGap } from '../words/gap_words'
+import { gapShown, panelGap } from '../words/gap_words'
 import { panelTitle } from '../words/planner_words'
 
 /** Better paths come faster than anybody can hear of them: one in so many milliseconds is told. */
@@ -55,7 +55,7 @@ function results(): string {
 /** The gap; the length where there is no reference. */
 function outcome(panel: Panel): string {
   const gap = panelGap(panel)
-  if (gap !== null) return numbers.peek().percent.format(gap)
+  if (gap !== null) return gapShown(gap)
   const length = panel.live.peek().summary?.metrics?.length
   return length === undefined ? t('gap.noPathYet') : numbers.peek().length.format(length)
 }

@@ -1,7 +1,7 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, type TextKey, t } from '../i18n'
 import { type Panel, referenceOf, referenceRefusal, shownOf } from '../state'
-import { panelGap } from '../words/gap_words'
+import { gapShown, panelGap } from '../words/gap_words'
 import { type ObjectiveWord, objectiveWord } from '../words/objective_words'
 import { isSearch, panelTitle } from '../words/planner_words'
 
@@ -17,7 +17,7 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
   return (
     <div class="readout">
       <div class={`gap ${tone}`} data-testid={`gap-${place}`} data-gap={gap ?? ''} title={words}>
-        {gap !== null && <strong class="gap-value">{numbers.value.percent.format(gap)}</strong>}
+        {gap !== null && <strong class="gap-value">{gapShown(gap)}</strong>}
         <span class="gap-words">{words}</span>
       </div>
       <dl class="readout-facts">

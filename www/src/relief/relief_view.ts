@@ -133,7 +133,7 @@ export class ReliefView implements RasterWatcher {
         () => lookAt(this.panelId, this.size.value, null),
         (view) => {
           this.client.setView(view)
-          const key = `${view.layer} ${view.theme}`
+          const key = `${view.layer} ${view.theme} ${JSON.stringify(view.ends)}`
           if (key !== picture) this.stale()
           picture = key
         },

@@ -3,7 +3,7 @@ import type { Cell } from '../model/cell'
 import { goalName } from '../model/goals'
 import type { PanelView } from '../model/messages'
 import { type CanvasSize, type Placement, placement, viewpoint } from '../model/viewpoint'
-import { layer, panelColour, scenario, showAnts, showPath, theme } from '../state'
+import { layer, layerEnds, panelColour, scenario, showAnts, showPath, theme } from '../state'
 import { inRelief, showContours } from '../state/relief'
 
 export type { CanvasSize }
@@ -20,6 +20,7 @@ export function lookAt(panelId: number, size: CanvasSize, cursor: Cursor | null)
     ...size,
     ...place(size),
     layer: layer.value,
+    ends: layerEnds.value,
     showAnts: showAnts.value,
     showPath: showPath.value,
     showContours: showContours.value,

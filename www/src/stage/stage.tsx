@@ -3,8 +3,9 @@ import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
-import { editor, scenario, tool } from '../state'
+import { editor, scenario, tool, wholeEngine } from '../state'
 import { inRelief, relief } from '../state/relief'
+import { lazily } from '../ui/lazily'
 import { mapName } from '../words/map_names'
 import { CellReadout } from './cell_readout'
 import { watchSize } from './element_size'
@@ -17,8 +18,16 @@ import { PointerInput } from './pointer'
 
 export function Stage({ panelId }: { panelId: number }) {
   const Relief = inRelief.value ? relief.value?.ReliefStage : null
-  return Relief ? <Relief panelId={panelId} /> : <FlatStage panelId={panelId} />
+  return (
+    <>
+      {Relief ? <Relief panelId={panelId} /> : <FlatStage panelId={panelId} />}
+      {wholeEngine.value === 'here' && <LayerLegend panelId={panelId} />}
+    </>
+  )
 }
+
+// Fetched once the whole engine is here: ants should not have to wait for it.
+const LayerLegend = lazily(async () => (await import('./layer_legend')).fetchLegend())
 
 function FlatStage({ panelId }: { panelId: number }) {
   const host = useRef<HTMLDivElement>(null)

@@ -11,6 +11,7 @@ export type DialogName =
   | 'paper'
   | 'order'
   | 'names'
+  | 'picture'
 
 export const openDialog = signal<DialogName | null>(null)
 

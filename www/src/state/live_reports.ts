@@ -29,7 +29,7 @@ export function latest(panelId: number): PanelLive {
 /** The one way in for everything a panel's worker says. */
 export function onReply(panelId: number, reply: PanelReply): void {
   const panel = panelById(panelId)
-  if (!panel || reply.kind === 'ready' || reply.kind === 'raster' || reply.kind === 'answer') return
+  if (!panel || !('runId' in reply || reply.kind === 'crashed')) return
   const before = latest(panelId)
   if (reply.kind === 'frame') {
     historyOf(panelId).append(reply.history)

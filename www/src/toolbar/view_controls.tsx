@@ -1,8 +1,17 @@
 /** How the maps are looked at: what lies under ants and paths, and how near. */
-import { Bug, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
+import { Bug, Equal, Maximize, Route, ZoomIn, ZoomOut } from 'lucide'
 import { t } from '../i18n'
 import { layerChoices } from '../model/session'
-import { layer, panels, plannerEntry, showAnts, showPath, wholeEngine } from '../state'
+import {
+  layer,
+  panels,
+  plannerEntry,
+  sameScale,
+  setSameScale,
+  showAnts,
+  showPath,
+  wholeEngine,
+} from '../state'
 import { fitWholeMap, onTerrain, zoomView } from '../state/relief'
 import { IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
@@ -38,6 +47,15 @@ export function ViewControls() {
           layer.value = id
         }}
       />
+      {panels.value.length > 1 && (
+        <IconButton
+          icon={Equal}
+          label={t('view.sameScale')}
+          pressed={sameScale.value}
+          testId="same-scale"
+          onClick={() => setSameScale(!sameScale.value)}
+        />
+      )}
       <IconButton
         icon={Bug}
         label={t('view.ants')}

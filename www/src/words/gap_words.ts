@@ -1,8 +1,8 @@
 /** How far a result is from its reference. */
 import type { Reference } from '@pkg/formicarium'
+import { numbers } from '../i18n'
+import { gapText, relativeGap } from '../model/gap'
 import { type Panel, referenceOf, shownOf } from '../state'
-
-const EQUAL = 1e-9
 
 /** The value of the reference, proven or not. */
 export function referenceValue(reference: Reference | null): number | null {
@@ -15,11 +15,11 @@ export function gapOf(
   reference: Reference | null,
 ): number | null {
   const best = referenceValue(reference)
-  if (value == null || best === null) return null
-  if (best === 0) return 0
-  const gap = value / best - 1
-  return Math.abs(gap) < EQUAL ? 0 : gap
+  return value == null || best === null ? null : relativeGap(value, best)
 }
+
+/** A gap in the reader's language, wherever one is shown. */
+export const gapShown = (gap: number): string => gapText(gap, numbers.value.percent)
 
 /** The gap of what a panel shows, by its own objective. */
 export function panelGap(panel: Panel): number | null {

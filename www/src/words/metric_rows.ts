@@ -1,6 +1,7 @@
 /** The rows of the comparison table: where each number comes from and which way is better. */
 import type { Family, RunSummary } from '@pkg/formicarium'
 import { numbers } from '../i18n'
+import { gapShown } from './gap_words'
 
 export type MetricId =
   | 'gap'
@@ -38,13 +39,12 @@ export interface MetricRow {
 
 const decimal = (value: number) => numbers.value.length.format(value)
 const whole = (value: number) => numbers.value.whole.format(value)
-const percent = (value: number) => numbers.value.percent.format(value)
 
 export const GAP_ROW: MetricRow = {
   id: 'gap',
   better: 'lower',
   value: (_, gap) => gap,
-  format: percent,
+  format: gapShown,
 }
 
 /** Below the gap and what it is taken from, and the order of several goals. */

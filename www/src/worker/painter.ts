@@ -1,12 +1,13 @@
 /** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
 import type { Run } from '@pkg/core/formicarium'
-import type { Layer, ScenarioSpec } from '@pkg/formicarium'
+import type { ScenarioSpec } from '@pkg/formicarium'
 import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
 import { drawMarks } from '../drawing/draw_marks'
-import type { PanelView } from '../model/messages'
+import type { LayerScale, PanelView } from '../model/messages'
 import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
+import { paintLayer } from './shown_layer'
 
 type Context = OffscreenCanvasRenderingContext2D
 type PaintMap = (context: Context, theme: PanelView['theme'], shaded: boolean) => void
@@ -33,10 +34,13 @@ export class Painter {
   private glideFrom = 0
   private glideMs = 0
   private requested = 0
+  private scale = ''
 
   constructor(
     private readonly canvas: OffscreenCanvas,
     private view: PanelView,
+    /** Told what the colours mean when it has changed. */
+    private readonly onScale: (scale: LayerScale) => void,
   ) {
     this.context = contextOf(canvas)
     this.fitCanvas()
@@ -97,7 +101,10 @@ export class Painter {
     const before = this.view
     this.view = view
     this.fitCanvas()
-    const other = before.layer !== view.layer || before.theme !== view.theme
+    const other =
+      before.layer !== view.layer ||
+      before.theme !== view.theme ||
+      JSON.stringify(before.ends) !== JSON.stringify(view.ends)
     if (other || before.hidden !== view.hidden) this.repaint()
     this.draw()
   }
@@ -123,7 +130,13 @@ export class Painter {
   private paint(onto: Context, shaded: boolean): void {
     const { run, view } = this
     if (run === null) this.bare?.(onto, view.theme, shaded)
-    else run.paint(onto, layerOf(run, view.layer), view.theme, shaded)
+    this.tell(run ? paintLayer(run, onto, view, shaded) : { layer: 'none', own: null })
+  }
+
+  private tell(scale: LayerScale): void {
+    const key = `${scale.layer} ${scale.own}`
+    if (key !== this.scale) this.onScale(scale)
+    this.scale = key
   }
 
   private draw(): void {
@@ -148,13 +161,6 @@ export class Painter {
     if (progress < 1 && this.crowd.size > 0)
       this.requested = requestAnimationFrame(() => this.draw())
   }
-}
-
-/** One layer is chosen for all panels; a planner without it shows the first it has. */
-function layerOf(run: Run, wanted: Layer | 'none'): Layer | 'none' {
-  if (wanted === 'none') return 'none'
-  const layers = run.layers()
-  return layers.includes(wanted) ? wanted : (layers[0] ?? 'none')
 }
 
 function contextOf(canvas: OffscreenCanvas): Context {

@@ -2,6 +2,7 @@
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import { paintLayer } from './shown_layer'
 
 /** A run of either build of the engine. */
 type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
@@ -33,7 +34,17 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return run.layer(question.layer)
     case 'kept':
       return keptOf(run)
+    case 'picture':
+      return pictureOf(question, run)
   }
+}
+
+function pictureOf(look: Extract<PanelQuestion, { about: 'picture' }>, run: Run): Answer {
+  const [width, height] = look.size
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
+  if (context === null) return null
+  const scale = paintLayer(run, context, look, true)
+  return { pixels: context.getImageData(0, 0, width, height).data, scale }
 }
 
 function keptOf(run: Run): PanelAnswers['kept'] {

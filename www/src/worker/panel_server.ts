@@ -48,7 +48,7 @@ export function servePanel(build: PanelEngine, ground: GroundOf): void {
 
 function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
   engine.initSync({ module: request.module })
-  painter = new Painter(request.canvas, request.view)
+  painter = new Painter(request.canvas, request.view, (scale) => reply({ kind: 'scale', ...scale }))
   reply({ kind: 'ready' })
 }
 

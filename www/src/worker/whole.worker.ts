@@ -31,6 +31,7 @@ const calls: ToolCalls & MapCalls & OrderCalls = {
     engine.join_results(document, bytes, name, instance, leaveOut),
   matchResults: (document, bytes, name) => engine.match_results(document, bytes, name),
   resultsTemplate: (document) => engine.results_template(document),
+  mapColours: (layer, theme) => engine.map_colors(layer, theme),
   exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),

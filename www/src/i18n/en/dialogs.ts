@@ -178,6 +178,7 @@ export const enDialogs = {
     exportBinary: 'A file of {{bytes}} bytes, not text.',
     preview: 'Preview',
     download: 'Download {{name}}',
+    asPicture: 'Picture (SVG, PNG)',
     downloadBoth: 'Download {{name}} and {{other}}',
   },
   mapFile: {

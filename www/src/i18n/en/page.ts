@@ -99,6 +99,7 @@ export const en = {
   view: {
     group: 'View',
     layer: 'Layer',
+    sameScale: 'Same scale in all panels',
     layers: {
       trail: 'Pheromone',
       visits: 'Visits',

@@ -170,6 +170,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     exportBinary: '二进制文件，{{bytes}} 字节。',
     preview: '预览',
     download: '下载 {{name}}',
+    asPicture: '图片（SVG、PNG）',
     downloadBoth: '下载 {{name}} 与 {{other}}',
   },
   mapFile: {

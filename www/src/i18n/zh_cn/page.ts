@@ -97,6 +97,7 @@ export const zhCN: DictionaryShape<typeof en> = {
   view: {
     group: '视图',
     layer: '图层',
+    sameScale: '各面板统一标尺',
     layers: {
       trail: '信息素',
       visits: '访问次数',

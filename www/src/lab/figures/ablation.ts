@@ -1,4 +1,6 @@
 /** What each component of a planner does: differences between runs without it and runs of the full planner, with equal seeds. */
+
+import { plotSymbol } from '../../figures/point_symbols'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inTurn, saying } from '../../i18n/lists'
@@ -9,7 +11,6 @@ import { pathless } from './effort_curves'
 import { MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Plot, type Scene, shownEntries } from './figure'
 import { seriesOf } from './figure_style'
-import { plotSymbol } from './point_symbols'
 
 const TOP = 20
 

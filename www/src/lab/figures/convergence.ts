@@ -1,4 +1,6 @@
 /** How good the best path is after so much effort: median and quartiles of the runs. */
+
+import type { LegendItem } from '../../figures/frame'
 import { t } from '../../i18n/lab'
 import { inTurn, listed, saying } from '../../i18n/lists'
 import type { BandPoint, EntryAnalysis } from '../../model/analysis'
@@ -15,7 +17,7 @@ import {
   shownWith,
   TOP,
 } from './effort_curves'
-import type { Figure, LegendItem, Plot, Scene, Shown } from './figure'
+import type { Figure, Plot, Scene, Shown } from './figure'
 
 /** Rows of a curve's table: as many as one reads. */
 const MOST_ROWS = 12

@@ -1,12 +1,12 @@
-/** Figures as files: SVG that stands alone, PNG drawn from it. */
+/** Figures as files, with their typeface inside. */
 
+import { framed, type Heading } from '../../figures/frame'
+import { type Ground, LOOKS } from '../../figures/look'
+import { figurePng, savePng } from '../../figures/picture_files'
+import { element } from '../../figures/svg'
 import { inSentences } from '../../i18n/lists'
-import { download } from '../../state/export_files'
 import fontUrl from '../../styles/figtree-basic.woff2?url'
 import type { Figure, Plot, Scene } from './figure'
-import { framed, type Heading } from './figure_frame'
-import { type Ground, LOOKS } from './figure_style'
-import { element, svgText } from './svg'
 
 /** Pixels: as wide as a page of a paper at 96 dots an inch, less its margins. */
 const FILE_WIDTH = 720
@@ -39,39 +39,9 @@ export async function figureFile(
   return svg
 }
 
-export const downloadSvg = (svg: SVGSVGElement, stem: string): void =>
-  download(`${stem}.svg`, svgText(svg), 'image/svg+xml')
-
 export async function downloadPng(svg: SVGSVGElement, stem: string): Promise<void> {
   const drawn = await figurePng(svg, PNG_SCALE)
-  const png = embed ? await embed(drawn) : drawn
-  download(`${stem}.png`, new Uint8Array(await png.arrayBuffer()), 'image/png')
-}
-
-/** A PNG with this many pixels for each of the SVG's. */
-export async function figurePng(svg: SVGSVGElement, scale: number): Promise<Blob> {
-  const url = URL.createObjectURL(new Blob([svgText(svg)], { type: 'image/svg+xml' }))
-  try {
-    const image = new Image()
-    image.src = url
-    await image.decode()
-    const canvas = document.createElement('canvas')
-    canvas.width = Math.round(svg.width.baseVal.value * scale)
-    canvas.height = Math.round(svg.height.baseVal.value * scale)
-    canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height)
-    return await blobOf(canvas)
-  } finally {
-    URL.revokeObjectURL(url)
-  }
-}
-
-function blobOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => {
-    canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new Error('the picture is too large'))),
-      'image/png',
-    )
-  })
+  await savePng(embed ? await embed(drawn) : drawn, stem)
 }
 
 let face: Promise<string> | null = null

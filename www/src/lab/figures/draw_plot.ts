@@ -1,10 +1,10 @@
 /** Draws with the plotting library, and replaces what only a page could resolve, so that the picture stands alone. */
 import type { PlotOptions } from '@observablehq/plot'
+import { FONT, type Look } from '../../figures/look'
+import { element } from '../../figures/svg'
 import { numbers } from '../../i18n'
 import { axisWords, compact } from '../words/numbers'
 import type { Plot, Scene } from './figure'
-import { FONT, type Look } from './figure_style'
-import { element } from './svg'
 
 /** Sizes of a plot's parts in pixels. */
 export const MARGIN = { left: 12, right: 18, bottom: 44 }

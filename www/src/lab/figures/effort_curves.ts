@@ -1,19 +1,14 @@
 /** What all figures with curves over effort share. */
+
+import type { Drawing, LegendItem } from '../../figures/frame'
+import { plotSymbol } from '../../figures/point_symbols'
 import { t } from '../../i18n/lab'
 import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis } from '../../model/analysis'
 import { axisWords } from '../words/numbers'
 import type { Ends } from './curve_limits'
 import { failures } from './entry_rows'
-import {
-  type Drawing,
-  type LegendItem,
-  type Plot,
-  type Scene,
-  type Shown,
-  shownEntries,
-} from './figure'
-import { plotSymbol } from './point_symbols'
+import { type Plot, type Scene, type Shown, shownEntries } from './figure'
 
 /** Room for the numbers beside a plot, and for the name above them. Pixels. */
 export const LEFT = 52

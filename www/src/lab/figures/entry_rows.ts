@@ -1,9 +1,10 @@
 /** Figures with one row an entry: its name above its values, so that names may be long and the values have the whole width. */
+
+import { FONT } from '../../figures/look'
+import { shortened, widthOf } from '../../figures/svg'
 import { t } from '../../i18n/lab'
 import { MARGIN } from './draw_plot'
 import type { Plot, Scene, Shown } from './figure'
-import { FONT } from './figure_style'
-import { shortened, widthOf } from './svg'
 
 /** Pixels. */
 export const ROW = 62

@@ -1,8 +1,11 @@
 /** What a figure is: something that can be drawn, read as a table, and said in a few words. */
+
+import type { Drawing } from '../../figures/frame'
+import type { Look, Series } from '../../figures/look'
 import type { LabKey } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { labelOf } from '../words/numbers'
-import { type Look, type Series, seriesOf } from './figure_style'
+import { seriesOf } from './figure_style'
 
 export type Plot = typeof import('./library')
 
@@ -26,22 +29,6 @@ export interface Scene {
   look: Look
   /** Whether effort is on a logarithmic scale. */
   logarithmic: boolean
-}
-
-export type LegendItem =
-  | { kind: 'series'; series: Series; line: boolean }
-  | {
-      kind: 'mark'
-      mark: 'optimum' | 'published' | 'impossible' | 'box' | 'band' | 'group' | 'map'
-      label: string
-    }
-
-export interface Drawing {
-  plot: SVGElement
-  height: number
-  legend: LegendItem[]
-  /** Below the plot: what it leaves out, how it is to be read. */
-  notes: string[]
 }
 
 export interface FigureTable {

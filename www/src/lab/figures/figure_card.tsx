@@ -2,6 +2,9 @@
 import { useSignal } from '@preact/signals'
 import { FileCode2, Image, Table2 } from 'lucide'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
+import { framed } from '../../figures/frame'
+import { type Ground, LOOKS } from '../../figures/look'
+import { downloadSvg } from '../../figures/picture_files'
 import { language } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inSentences } from '../../i18n/lists'
@@ -12,10 +15,8 @@ import { fileStem } from '../store/names'
 import { shownComparison } from '../store/shown_comparison'
 import { openComparison, phase } from '../store/signals'
 import { DataTable } from './data_table'
-import { downloadPng, downloadSvg, figureFile } from './download'
+import { downloadPng, figureFile } from './download'
 import type { Figure, Plot, Scene } from './figure'
-import { framed } from './figure_frame'
-import { type Ground, LOOKS } from './figure_style'
 
 interface FigureCardProps {
   figure: Figure

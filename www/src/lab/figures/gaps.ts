@@ -1,12 +1,13 @@
 /** How many runs end how far above the best there is: one small histogram an entry, all on one scale. */
+
+import { FONT } from '../../figures/look'
+import { widthOf } from '../../figures/svg'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inTurn, saying } from '../../i18n/lists'
 import { drawPlot, LOW, MARGIN } from './draw_plot'
 import { failures, rowScale, rowTexts } from './entry_rows'
 import { type Figure, type Scene, type Shown, shownEntries } from './figure'
-import { FONT } from './figure_style'
-import { widthOf } from './svg'
 
 /** Pixels. */
 const TALL = 92

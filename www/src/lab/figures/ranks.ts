@@ -1,4 +1,6 @@
 /** Mean ranks over all maps, as Demšar (2006) draws them, with Holm's correction in place of one critical difference. */
+
+import { plotSymbol } from '../../figures/point_symbols'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inTurn, saying } from '../../i18n/lists'
@@ -8,7 +10,6 @@ import { drawPlot, LOW, MARGIN } from './draw_plot'
 import { MIDDLE, rowScale, rowTexts } from './entry_rows'
 import type { Figure, Scene } from './figure'
 import { seriesOf } from './figure_style'
-import { plotSymbol } from './point_symbols'
 import { groups } from './rank_groups'
 import { jitter } from './whiskers_and_jitter'
 

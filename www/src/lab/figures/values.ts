@@ -1,4 +1,7 @@
 /** Every run's value, with the quartiles; the exact optimum and published numbers are on the same scale. */
+
+import type { Drawing, LegendItem } from '../../figures/frame'
+import { plotSymbol } from '../../figures/point_symbols'
 import { t } from '../../i18n/lab'
 import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
@@ -6,17 +9,8 @@ import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../word
 import { type Box, boxMarks } from './box_marks'
 import { DOTTED, drawPlot, gridX, MARGIN, POINT_RADIUS } from './draw_plot'
 import { failures, MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
-import {
-  type Drawing,
-  type Figure,
-  type LegendItem,
-  type Plot,
-  type Scene,
-  type Shown,
-  shownEntries,
-} from './figure'
+import { type Figure, type Plot, type Scene, type Shown, shownEntries } from './figure'
 import { seriesOf } from './figure_style'
-import { plotSymbol } from './point_symbols'
 import { jitter, whiskers } from './whiskers_and_jitter'
 
 /** Room for the name of the line across all rows, and for each further one. Pixels. */

@@ -1,6 +1,7 @@
 /** All figures of the chosen map, and of all maps together. */
 import { signal } from '@preact/signals'
 import { useEffect } from 'preact/hooks'
+import type { Ground } from '../../figures/look'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import { notifyError } from '../../state'
@@ -8,7 +9,6 @@ import { Labelled, Segmented } from '../../ui/fields'
 import { figuresOf } from '../figures/all_figures'
 import type { Plot } from '../figures/figure'
 import { FigureCard } from '../figures/figure_card'
-import type { Ground } from '../figures/figure_style'
 import { AxisChoice, MapChoice, shownMap } from './choices'
 
 const library = signal<Plot | null>(null)

@@ -1,8 +1,9 @@
 /** A distribution in one line of a table: a dot a run, the optimum, and the published number among them. */
+
+import { symbolPath } from '../../figures/point_symbols'
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { seriesOf } from '../figures/figure_style'
-import { symbolPath } from '../figures/point_symbols'
 import { jitter } from '../figures/whiskers_and_jitter'
 import { type ExactOptimum, optimaOf } from '../words/numbers'
 

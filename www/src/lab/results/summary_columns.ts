@@ -1,7 +1,7 @@
 /** The columns of the summary: where each number comes from, how it is written, which way is better. */
-import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis, Summary } from '../../model/analysis'
+import { gapShown } from '../../words/gap_words'
 import { amount, axisWords, dash, effort, measureWords, range, share } from '../words/numbers'
 
 type Write = (value: number) => string
@@ -113,7 +113,7 @@ function gap(): Column {
     id: 'gap',
     better: 'lower',
     value: ({ gap }) => gap?.median ?? null,
-    text: ({ gap }) => dash(gap?.median, (value) => numbers.value.percent.format(value)),
+    text: ({ gap }) => dash(gap?.median, gapShown),
   }
 }
 

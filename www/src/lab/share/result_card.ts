@@ -1,10 +1,12 @@
 /** A picture of the results. The comparison itself is embedded in the file, so that the picture can be opened here. */
+
+import { FONT, LOOKS, type Look } from '../../figures/look'
+import { shortened, wrapped } from '../../figures/svg'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { engineVersion } from '../../state'
-import { FONT, LOOKS, type Look, seriesOf } from '../figures/figure_style'
-import { shortened, wrapped } from '../figures/svg'
+import { seriesOf } from '../figures/figure_style'
 import { openComparison, progress } from '../run/actions'
 import { shownAnalysis, shownComparison } from '../store/shown_comparison'
 import { amount, labelOf, measureWords, range } from '../words/numbers'

@@ -1,8 +1,25 @@
 /** Title, legend, plot and notes as one picture that stands alone. */
-import type { Drawing, LegendItem } from './figure'
-import { FONT, type Look } from './figure_style'
+import { FONT, type Look, type Series } from './look'
 import { type SymbolName, symbolPath } from './point_symbols'
 import { element, widthOf, wrapped } from './svg'
+
+export type LegendItem =
+  /** A line as it is drawn; of an area its fill. */
+  | { kind: 'line'; label: string; colour: string; width: number; dash?: string }
+  | { kind: 'series'; series: Series; line: boolean }
+  | {
+      kind: 'mark'
+      mark: 'optimum' | 'published' | 'impossible' | 'box' | 'band' | 'group' | 'map'
+      label: string
+    }
+
+export interface Drawing {
+  plot: SVGElement
+  height: number
+  legend: LegendItem[]
+  /** Below the plot: what it leaves out, how it is to be read. */
+  notes: string[]
+}
 
 const PADDING = 16
 const LEGEND_FONT = `12px ${FONT}`
@@ -106,6 +123,10 @@ function sample(item: LegendItem, look: Look): SVGElement[] {
     })
   const symbol = (name: SymbolName, attributes: Record<string, string | number | undefined>) =>
     element('path', { d: symbolPath(name, 5), transform: 'translate(11 0)', ...attributes })
+  if (item.kind === 'line')
+    return [
+      line({ stroke: item.colour, 'stroke-width': item.width, 'stroke-dasharray': item.dash }),
+    ]
   if (item.kind === 'series') {
     const { colour, dash, symbol: name } = item.series
     if (!item.line) return [symbol(name, { fill: colour })]
