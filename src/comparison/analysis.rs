@@ -4,6 +4,7 @@
 //! Partial results are fine: whatever is known so far is told. A run without a path is never left out of what can tell of it: it is
 //! infinitely long, which is null here.
 
+mod counts;
 mod curves;
 mod entry;
 mod matrix;
@@ -25,6 +26,7 @@ use super::samples::Samples;
 #[cfg(test)]
 mod tests;
 
+pub use counts::RunCounts;
 pub use curves::{BandPoint, EcdfPoint, RunningTime};
 pub use entry::{EntryAnalysis, NoRunningTime, Origin};
 pub use matrix::{Matrix, MatrixCell, MatrixRow, Overall, Unranked};
@@ -39,6 +41,8 @@ pub use verdicts::{VerdictKind, VerdictLine};
 pub struct Analysis {
     /// What effort is counted in.
     pub axis: Axis,
+    /// How many runs all that is said is about.
+    pub counts: RunCounts,
     /// The maps, in the order of the question.
     pub instances: Vec<MapAnalysis>,
     /// Maps × entries in one table.
@@ -99,7 +103,7 @@ pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Interva
     let judged = intervals.map_or_else(Vec::new, |intervals| judge(samples, intervals));
     let verdicts = judged.iter().filter_map(|c| verdicts::line(&comparison.question, c)).collect();
     let matrix = matrix::matrix(samples, &instances, &ranked);
-    Analysis { axis, instances, matrix, ranks: ranks::over_maps(&ranked), verdicts, judged }
+    Analysis { axis, counts: RunCounts::of(&instances), instances, matrix, ranks: ranks::over_maps(&ranked), verdicts, judged }
 }
 
 fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mut Intervals>) -> MapAnalysis {

@@ -9,7 +9,6 @@ use super::claim::Claim;
 use crate::catalog;
 use crate::error::QuestionError;
 use crate::params::Values;
-use crate::planner::Family;
 
 /// What `format` must say.
 pub const FORMAT: &str = "formicarium/question@1";
@@ -153,7 +152,7 @@ impl Entry {
     /// ants could find something. False of results from elsewhere, of which nobody can tell here.
     pub fn needs_no_seed(&self) -> bool {
         let known = self.planner.as_deref().and_then(|id| catalog::find(id).ok());
-        known.is_some_and(|planner| matches!(planner.family, Family::Search | Family::Exact))
+        known.is_some_and(|planner| planner.family.needs_no_seed())
     }
 }
 

@@ -165,7 +165,8 @@ impl About<'_> {
         let of = |measure| summary(runs.iter().filter_map(|seen| finite(comparison.value(seen.row, measure))));
         let gaps: Vec<f64> = runs.iter().filter_map(|seen| comparison.gap(seen.row)).collect();
         let no_curves = self.why_no_curves(entry);
-        let Curves { band, ecdf, running_times } = if no_curves.is_none() { self.told_curves(entry, runs) } else { Curves::default() };
+        let Curves { band, ecdf, running_times } =
+            if no_curves.is_none() { self.told_curves(entry, runs) } else { Curves::default() };
         let impossible = self.samples.impossible(self.map, entry);
         let told = |effort: Option<Summary>| effort.filter(|_| no_curves != Some(NoRunningTime::NoIterations));
         EntryAnalysis {
