@@ -10,10 +10,11 @@ import { startComparison } from '../run/actions'
 import { refusedFiles, withImportedFiles } from '../store/imported_files'
 import { BudgetFields } from './budget'
 import { compose } from './compose_document'
-import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
+import { entries, maps, refusal, runs, runsAlike, seeds, takeRace, title } from './draft'
 import { Entries } from './entries'
 import { titleOf } from './labels'
 import { Maps } from './maps'
+import { alikeWords } from '../run/count_words'
 import { isShownElsewhere } from './refusals'
 import { restoreDraft } from './stored_draft'
 
@@ -108,12 +109,13 @@ function StartBar() {
 }
 
 function sum(): string {
-  return t('lab.build.count', {
+  const all = t('lab.build.count', {
     maps: t('lab.build.mapCount', { count: maps.value.length }),
     planners: t('lab.build.plannerCount', { count: entries.value.length }),
     seeds: t('lab.build.seedCount', { count: seeds.value.count }),
     runs: runWords(),
   })
+  return [all, alikeWords(runsAlike.value)].filter((part) => part !== '').join(' ')
 }
 
 /** i18next picks the plural by the number; what is shown is grouped. */

@@ -161,6 +161,17 @@ export function change(how: () => void): void {
   })
 }
 
+/** Whether each run of a planner is the same, whatever the seed. */
+export const needsNoSeed = (planner: string) => plannerEntry(planner)?.needs_no_seed ?? false
+
 export const runs = computed(
   () => maps.value.length * entries.value.length * Math.max(0, seeds.value.count),
+)
+
+/** How many of them are of planners that need no seeds. */
+export const runsAlike = computed(
+  () =>
+    maps.value.length *
+    entries.value.filter(({ planner }) => needsNoSeed(planner)).length *
+    Math.max(0, seeds.value.count),
 )

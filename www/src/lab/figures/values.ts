@@ -1,7 +1,7 @@
 /** Every run's value, with the quartiles; the exact optimum and published numbers are on the same scale. */
 import { t } from '../../i18n/lab'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
-import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
+import { amount, dash, type ExactOptimum, labelOf, measureWords, optimaOf } from '../words/numbers'
 import { type Box, boxMarks } from './box_marks'
 import { DOTTED, drawPlot, gridX, MARGIN, POINT_RADIUS } from './draw_plot'
 import { failures, MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
@@ -72,7 +72,7 @@ function rowsOf(entries: EntryAnalysis[]): Shown[] {
   const runs = shownEntries({ entries } as Scene['map'])
   const published = entries.flatMap((entry, index) =>
     entry.runs === 0 && entry.published?.value != null
-      ? [{ index, entry, series: seriesOf(index, entry.label) }]
+      ? [{ index, entry, series: seriesOf(index, labelOf(entry)) }]
       : [],
   )
   return [...runs, ...published].sort((a, b) => a.index - b.index)
@@ -101,7 +101,6 @@ function draw(plot: Plot, scene: Scene): Drawing {
       publishedMarks(plot, scene, rows),
     ],
   })
-  const hasImported = rows.some(({ entry }) => entry.origin === 'results')
   const impossible = rows.some(({ entry }) => entry.published?.impossible)
   return {
     plot: picture,
@@ -109,7 +108,6 @@ function draw(plot: Plot, scene: Scene): Drawing {
     legend: legend(rows),
     notes: [
       t('lab.results.boxes'),
-      ...(hasImported ? [t('lab.results.imported')] : []),
       ...(impossible ? [t('lab.results.impossibleNote')] : []),
     ],
   }

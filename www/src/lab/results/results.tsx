@@ -8,17 +8,26 @@ import { shownAnalysis } from '../store/shown_comparison'
 import { analysisError, openComparison, progress } from '../store/signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
+import { MatrixTab } from './matrix_tab'
 import { hasReported, ReportedTab } from './reported_tab'
 import { SummaryTab } from './summary_tab'
 import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
 
-const TABS = ['summary', 'figures', 'tests', 'reported', 'files'] as const
+const TABS = ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const
 type Tab = (typeof TABS)[number]
 
-const chosen = signal<Tab>('summary')
+const chosen = signal<Tab>('matrix')
+
+/** From a map of the overview to all of its numbers. */
+const showSummary = () => {
+  chosen.value = 'summary'
+}
 
 const BODIES = {
+  matrix: ({ analysis }: { analysis: Analysis }) => (
+    <MatrixTab analysis={analysis} onMap={showSummary} />
+  ),
   summary: SummaryTab,
   figures: FiguresTab,
   tests: TestsTab,
@@ -30,14 +39,14 @@ export function Results() {
   const now = shownAnalysis.value
   if (!openComparison.value) return null
   const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
-  const tab = tabs.includes(chosen.value) ? chosen.value : 'summary'
+  const tab = tabs.includes(chosen.value) ? chosen.value : 'matrix'
   const Body = BODIES[tab]
   return (
     <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
       <Tabs
         label={t('lab.results.title')}
         name="results"
-        tabs={tabs.map((id) => ({ id, label: t(`lab.results.tabs.${id}`) }))}
+        tabs={tabs.map((id) => ({ id, label: nameOf(id) }))}
         chosen={tab}
         onChoose={(id) => {
           chosen.value = id
@@ -49,6 +58,9 @@ export function Results() {
     </section>
   )
 }
+
+const nameOf = (tab: Tab) =>
+  tab === 'matrix' ? t('lab.matrix.tab') : t(`lab.results.tabs.${tab}`)
 
 /** Whether any run is done. The number of them changes more often than anything here should be drawn. */
 const begun = computed(() => progress.value.done > 0)

@@ -108,12 +108,15 @@ function mean(write: Write): Column {
   }
 }
 
+const percent = (value: number) => numbers.value.percent.format(value)
+
 function gap(): Column {
   return {
     id: 'gap',
     better: 'lower',
     value: ({ gap }) => gap?.median ?? null,
-    text: ({ gap }) => dash(gap?.median, (value) => numbers.value.percent.format(value)),
+    text: ({ gap }) => dash(gap?.median, percent),
+    note: ({ gap }) => gap && t('lab.matrix.meanGap', { value: percent(gap.mean) }),
   }
 }
 
@@ -135,9 +138,8 @@ function runningTime(target: number, spent: Write): Column {
     text: (e) => dash(at(e)?.expected, spent),
     note: (e) => {
       const time = at(e)
-      return time && e.runs > 0
-        ? t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
-        : null
+      if (time?.expected == null) return t(`lab.matrix.noTime.${e.no_running_time ?? 'not-reached'}`)
+      return t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
     },
   }
 }
