@@ -124,3 +124,59 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     assert_eq!(folder.compare(&on).0, 0);
     assert!(!folder.read("on/q.csv").contains("stagnated"));
 }
+
+#[test]
+fn what_is_impossible_is_marked_in_every_file_and_preferred_in_none() {
+    let folder = Folder::with_question("impossible");
+    folder.write("mine.csv", MINE);
+    let files = "csv,markdown,tests,summary-csv,summary-markdown,latex,matrix-csv,matrix-markdown,matrix-latex";
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--results", "mine.csv", "--files", files]);
+    assert_eq!(code, 0, "{said}");
+    // Two maps, two entries that run, 40 seeds; four runs from elsewhere.
+    let counts = "160 runs, 80 of them by searches that need no seeds, alike on each map, beside 4 runs from elsewhere";
+    for file in ["q.md", "q.tests.md", "q.summary.md", "q.tex", "q.matrix.md", "q.matrix.tex"] {
+        let text = folder.read(&format!("out/{file}"));
+        let mark = if file.ends_with("tex") { "\\textdagger{}" } else { "†" };
+        assert!(text.contains("impossible on this map"), "{file}: {text}");
+        assert!(text.contains("(from elsewhere)"), "{file}: {text}");
+        assert!(file == "q.md" || text.contains(mark), "{file}: {text}");
+        assert!(file == "q.tests.md" || text.contains(counts), "{file}: {text}");
+        let bold = |line: &&str| line.contains("Bad luck") && (line.contains("**") || line.contains("\\textbf"));
+        assert_eq!(text.lines().find(bold), None, "{file}");
+    }
+    assert!(said.contains(counts), "{said}");
+    assert!(!folder.read("out/q.tests.md").contains("| bad-luck"));
+}
+
+#[test]
+fn the_files_of_the_overview_agree() {
+    let folder = Folder::with_question("overview");
+    let args = ["q.toml", "--out", "out", "--files", "matrix-csv,matrix-markdown,matrix-latex,summary-csv"];
+    let (code, said) = folder.compare(&args);
+    assert_eq!(code, 0, "{said}");
+    let table = |file: &str| -> Vec<Vec<String>> {
+        folder.read(file).lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    };
+    let (overview, summary) = (table("out/q.matrix.csv"), table("out/q.summary.csv"));
+    let column = |of: &[Vec<String>], name: &str| -> Vec<String> {
+        let at = of[0].iter().position(|column| column == name).unwrap();
+        of[1..].iter().map(|line| line[at].clone()).collect()
+    };
+    // Two maps and all of them, three entries each; one is ranked, for the other has no runs.
+    assert_eq!(overview.len(), 1 + 3 * 3);
+    for (one, other) in [("median", "median"), ("gap", "median_gap"), ("runs", "runs"), ("objective", "objective")] {
+        assert_eq!(column(&overview, one)[..6], column(&summary, other), "{one}");
+    }
+    let ranks = column(&overview, "rank");
+    // The colony finds the optimum or more; on the wall nobody finds a path, and both share their rank.
+    assert_eq!([&ranks[1], &ranks[2], &ranks[3], &ranks[4], &ranks[5]], ["1.0", "", "1.5", "1.5", ""]);
+    assert_eq!(ranks[0], "2.0");
+    assert_eq!(column(&overview, "rank")[6..], ["1.75", "1.25", ""]);
+    assert_eq!(column(&overview, "unranked")[8], "not-on-every-map");
+    let (page, tex) = (folder.read("out/q.matrix.md"), folder.read("out/q.matrix.tex"));
+    assert!(page.contains("| all maps | rank 1.75 | **rank 1.25** | – |"), "{page}");
+    assert!(page.contains("| no path; rank 1.5; path in 0.0 % |") || page.contains("| **no path; rank 1.5; path in 0.0 %** |"), "{page}");
+    assert!(tex.contains("\\label{tab:matrix}") && tex.contains("\\textbf{rank 1.25}"), "{tex}");
+    // Files of an earlier run are replaced.
+    assert_eq!(folder.compare(&args).0, 0);
+}
