@@ -111,9 +111,9 @@ test.describe('the overview of a comparison', () => {
     await expect(why('theirs')).toHaveText(/effort not told|no run reaches it/)
     await results.axis('iterations')
     await expect(why('exact')).toHaveText('has no iterations')
-    await expect(
-      page.getByTestId('summary-exact').locator('[data-column="effort"]'),
-    ).toHaveText('–')
+    await expect(page.getByTestId('summary-exact').locator('[data-column="effort"]')).toHaveText(
+      '–',
+    )
   })
 
   test('counts runs that need no seeds alike everywhere', async ({ page }) => {
@@ -212,7 +212,8 @@ test('a terrain has a picture in the builder', async ({ page }) => {
     const { width, height } = canvas
     const { data } = canvas.getContext('2d')?.getImageData(0, 0, width, height) ?? { data: [] }
     const seen = new Set<number>()
-    for (let at = 0; at < data.length; at += 4) seen.add((data[at] ?? 0) * 256 + (data[at + 1] ?? 0))
+    for (let at = 0; at < data.length; at += 4)
+      seen.add((data[at] ?? 0) * 256 + (data[at + 1] ?? 0))
     return seen.size
   })
   expect(colours).toBeGreaterThan(50)
@@ -238,7 +239,9 @@ for (const [width, height] of [
     expect(box?.width).toBeGreaterThan(0.9 * width)
   })
 
-test('the files of the overview are saved under the names of the command line', async ({ page }) => {
+test('the files of the overview are saved under the names of the command line', async ({
+  page,
+}) => {
   const results = new ResultsPage(page)
   await results.show(richDocument(2))
   await results.tab('files')

@@ -106,10 +106,7 @@ function draw(plot: Plot, scene: Scene): Drawing {
     plot: picture,
     height,
     legend: legend(rows),
-    notes: [
-      t('lab.results.boxes'),
-      ...(impossible ? [t('lab.results.impossibleNote')] : []),
-    ],
+    notes: [t('lab.results.boxes'), ...(impossible ? [t('lab.results.impossibleNote')] : [])],
   }
 }
 

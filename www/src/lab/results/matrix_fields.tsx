@@ -105,9 +105,7 @@ export function OverallField({ all, of, large }: OverallProps) {
           </span>
         ),
       )}
-      {all.unranked && (
-        <span class="cell-small">{t(`lab.matrix.unranked.${all.unranked}`)}</span>
-      )}
+      {all.unranked && <span class="cell-small">{t(`lab.matrix.unranked.${all.unranked}`)}</span>}
     </td>
   )
 }

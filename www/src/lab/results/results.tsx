@@ -59,8 +59,7 @@ export function Results() {
   )
 }
 
-const nameOf = (tab: Tab) =>
-  tab === 'matrix' ? t('lab.matrix.tab') : t(`lab.results.tabs.${tab}`)
+const nameOf = (tab: Tab) => (tab === 'matrix' ? t('lab.matrix.tab') : t(`lab.results.tabs.${tab}`))
 
 /** Whether any run is done. The number of them changes more often than anything here should be drawn. */
 const begun = computed(() => progress.value.done > 0)

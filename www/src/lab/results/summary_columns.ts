@@ -138,7 +138,8 @@ function runningTime(target: number, spent: Write): Column {
     text: (e) => dash(at(e)?.expected, spent),
     note: (e) => {
       const time = at(e)
-      if (time?.expected == null) return t(`lab.matrix.noTime.${e.no_running_time ?? 'not-reached'}`)
+      if (time?.expected == null)
+        return t(`lab.matrix.noTime.${e.no_running_time ?? 'not-reached'}`)
       return t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
     },
   }

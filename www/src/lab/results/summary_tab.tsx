@@ -243,7 +243,10 @@ function Footnotes({ map }: { map: MapAnalysis }) {
       {wrong.map((entry) => (
         <Alert
           key={entry.id}
-          words={t('lab.results.impossibleRuns', { entry: labelOf(entry), count: entry.impossible })}
+          words={t('lab.results.impossibleRuns', {
+            entry: labelOf(entry),
+            count: entry.impossible,
+          })}
         />
       ))}
       <ul class="footnotes">
