@@ -115,7 +115,7 @@ function sum(): string {
     seeds: t('lab.build.seedCount', { count: seeds.value.count }),
     runs: runWords(),
   })
-  return [all, alikeWords(runsAlike.value)].filter((part) => part !== '').join(' ')
+  return [all, alikeWords(runsAlike.value)].filter((part) => part !== '').join(' · ')
 }
 
 /** i18next picks the plural by the number; what is shown is grouped. */

@@ -55,7 +55,7 @@ export function MatrixField({ cell, measure, large, heat, isBest }: FieldProps) 
     >
       <Large text={texts[large]} isBest={isBest} />
       {impossible > 0 && (
-        <span class="cell-small">
+        <span class="cell-small matrix-impossible">
           {t('lab.matrix.impossible', { part: impossible, whole: runs })}
         </span>
       )}
