@@ -247,6 +247,8 @@ pub struct CatalogEntry {
     pub name: String,
     /// Kind of planner.
     pub family: Family,
+    /// Whether each of its runs is the same, whatever the seed.
+    pub needs_no_seed: bool,
     /// One sentence.
     pub summary: String,
     /// The publication.
@@ -320,6 +322,7 @@ pub fn catalog() -> Catalog {
         id: e.id.into(),
         name: e.name.into(),
         family: e.family,
+        needs_no_seed: e.family.needs_no_seed(),
         summary: e.summary.into(),
         source: e.source.into(),
         presets: e.presets.iter().map(preset).collect(),

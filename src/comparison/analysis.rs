@@ -4,8 +4,10 @@
 //! Partial results are fine: whatever is known so far is told. A run without a path is never left out of what can tell of it: it is
 //! infinitely long, which is null here.
 
+mod counts;
 mod curves;
 mod entry;
+mod matrix;
 mod pairs;
 mod published;
 mod ranks;
@@ -24,8 +26,10 @@ use super::samples::Samples;
 #[cfg(test)]
 mod tests;
 
+pub use counts::RunCounts;
 pub use curves::{BandPoint, EcdfPoint, RunningTime};
-pub use entry::{EntryAnalysis, Origin};
+pub use entry::{EntryAnalysis, NoRunningTime, Origin};
+pub use matrix::{Matrix, MatrixCell, MatrixRow, Overall, Unranked};
 pub use pairs::Pair;
 pub use published::PublishedAnalysis;
 pub use ranks::{RankPair, Ranks};
@@ -37,8 +41,12 @@ pub use verdicts::{VerdictKind, VerdictLine};
 pub struct Analysis {
     /// What effort is counted in.
     pub axis: Axis,
+    /// How many runs all that is said is about.
+    pub counts: RunCounts,
     /// The maps, in the order of the question.
     pub instances: Vec<MapAnalysis>,
+    /// Maps × entries in one table.
+    pub matrix: Matrix,
     /// All entries over all maps; null where there is one map or one entry.
     pub ranks: Option<Ranks>,
     /// What became of the claims; none where no intervals were asked for.
@@ -74,9 +82,11 @@ pub struct MapAnalysis {
     pub target_gaps: Vec<f64>,
     /// Where the bins of `gap_counts` begin; each ends where the next one begins, the last one never.
     pub gap_edges: Vec<f64>,
+    /// Whether the entries make different things small here.
+    pub mixed_objectives: bool,
     /// One for each entry of the question.
     pub entries: Vec<EntryAnalysis>,
-    /// Every two entries that have runs here.
+    /// Every two entries that have runs here, none of them impossible.
     pub pairs: Vec<Pair>,
 }
 
@@ -87,10 +97,13 @@ pub const TARGET_GAPS: [f64; 6] = [0.2, 0.1, 0.05, 0.02, 0.01, 0.0];
 /// them.
 pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Intervals>) -> Analysis {
     let comparison = samples.comparison();
-    let instances = (0..comparison.maps.len()).map(|map| on_map(samples, map, axis, intervals.as_deref_mut())).collect();
+    let on_map = |map| on_map(samples, map, axis, intervals.as_deref_mut());
+    let instances: Vec<MapAnalysis> = (0..comparison.maps.len()).map(on_map).collect();
+    let ranked = matrix::Ranked::of(samples);
     let judged = intervals.map_or_else(Vec::new, |intervals| judge(samples, intervals));
     let verdicts = judged.iter().filter_map(|c| verdicts::line(&comparison.question, c)).collect();
-    Analysis { axis, instances, ranks: ranks::over_maps(samples), verdicts, judged }
+    let matrix = matrix::matrix(samples, &instances, &ranked);
+    Analysis { axis, counts: RunCounts::of(&instances), instances, matrix, ranks: ranks::over_maps(&ranked), verdicts, judged }
 }
 
 fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mut Intervals>) -> MapAnalysis {
@@ -112,6 +125,7 @@ fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mu
         measure: map.measure(),
         measure_name: map.measure().name().into(),
         references: map.yardsticks().to_vec(),
+        mixed_objectives: map.yardsticks().len() > 1,
         curve_measure,
         curve_name: curve_measure.name().into(),
         target_gaps: if targets.is_empty() { Vec::new() } else { TARGET_GAPS.to_vec() },

@@ -42,15 +42,22 @@ impl Comparison {
         nowhere || (reference.is_proven() && self.gap(row).is_some_and(|gap| gap < 0.0))
     }
 
-    /// A measure of a run, as [`Row::value`] tells it, or whether it found the proven optimum.
+    /// A measure of a run, as [`Row::value`] tells it, or whether it found the proven optimum. A planner without iterations has no iteration
+    /// of the best.
     pub fn value(&self, row: &Row, measure: RunMeasure) -> Option<f64> {
         match measure {
             RunMeasure::Optimal => {
                 let is_optimal = self.reference(row).is_proven() && self.gap(row) == Some(0.0);
                 Some(f64::from(u8::from(is_optimal)))
             }
+            RunMeasure::IterationOfBest if self.needs_no_seed(row.task.entry) => None,
             other => row.value(other),
         }
+    }
+
+    /// As [`crate::comparison::Entry::needs_no_seed`]; false of an entry that there is not.
+    pub fn needs_no_seed(&self, entry: usize) -> bool {
+        self.question.entries.get(entry).is_some_and(|asked| asked.needs_no_seed())
     }
 
     /// What a run is compared with; unknown for a run on no map.

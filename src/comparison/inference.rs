@@ -38,6 +38,11 @@ fn ranks(values: &[f64]) -> (Vec<f64>, f64) {
     (ranks, ties)
 }
 
+/// Mid-ranks of a sample, in its order, from 1 for the smallest; ties share theirs.
+pub fn mid_ranks(values: &[f64]) -> Vec<f64> {
+    ranks(values).0
+}
+
 /// Mann and Whitney 1947: U of the first of two independent samples, with tie and continuity correction. `None` below [`MIN_RUNS`].
 pub fn mann_whitney(first: &[f64], second: &[f64]) -> Option<Test> {
     let enough = first.len().min(second.len()) >= MIN_RUNS;

@@ -130,7 +130,12 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
         better: better(claim.direction, &improved, &baseline),
         verdict: Verdict::Not,
     };
-    let verdict = verdict(claim, &judged);
+    let is_impossible = |id| of(id).is_some_and(|entry| samples.impossible(instance, entry) > 0);
+    let verdict = if [&claim.improved, &claim.baseline].into_iter().any(is_impossible) {
+        Verdict::CannotTell("runs of one of the two are impossible on this map")
+    } else {
+        verdict(claim, &judged)
+    };
     JudgedClaim { verdict, ..judged }
 }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::budget::Budget;
 use super::claim::Claim;
+use crate::catalog;
 use crate::error::QuestionError;
 use crate::params::Values;
 
@@ -144,6 +145,15 @@ pub struct Published {
     /// Iterations until the final best was found.
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub iterations: Option<f64>,
+}
+
+impl Entry {
+    /// Whether it is a search that draws no random numbers: each of its runs is the same, whatever the seed, and it has no iterations in which
+    /// ants could find something. False of results from elsewhere, of which nobody can tell here.
+    pub fn needs_no_seed(&self) -> bool {
+        let known = self.planner.as_deref().and_then(|id| catalog::find(id).ok());
+        known.is_some_and(|planner| planner.family.needs_no_seed())
+    }
 }
 
 impl Question {

@@ -5,6 +5,8 @@ mod csv;
 mod escape;
 mod file;
 mod latex;
+mod matrix;
+mod names;
 mod printed;
 mod table;
 mod tests;
@@ -13,8 +15,9 @@ mod verdicts;
 use std::fmt::Write;
 
 use self::escape::{cell, prose};
+use self::names::{asked_name, name, named};
 use super::ablation::effects;
-use super::analysis::{Analysis, EntryAnalysis, MapAnalysis};
+use super::analysis::{Analysis, EntryAnalysis, MapAnalysis, Origin};
 use super::measure::RunMeasure;
 use super::question::{Entry, Published, Role};
 use super::row::Row;
@@ -29,6 +32,7 @@ pub use ablation::components;
 pub use csv::{HEADER, csv, line};
 pub use file::{Reports, ResultFile};
 pub use latex::latex;
+pub use matrix::{csv as matrix_csv, latex as matrix_latex, markdown as matrix_markdown};
 pub use printed::markdown as summary_markdown;
 pub use table::{csv as summary_csv, json as summary_json};
 pub use tests::{tests, tests_csv};
@@ -58,11 +62,23 @@ fn head(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
 /// What numbers depend on beside the question: engine, seeds, budget.
 fn setting_of(comparison: &Comparison, analysis: &Analysis) -> String {
     let q = &comparison.question;
-    let runs: usize = analysis.instances.iter().flat_map(|map| &map.entries).map(|e| e.runs).sum();
+    let runs = analysis.counts.words();
     let last = q.seeds.from.saturating_add(q.seeds.count.saturating_sub(1));
-    let seeds = format!("seeds {} to {last} of every entry on every map, {runs} runs", q.seeds.from);
+    let seeds = format!("seeds {} to {last} of every entry on every map, {runs}", q.seeds.from);
     let budget = q.budget.map_or_else(String::new, |b| format!(", of each at most {} {} count", b.amount, b.axis.words()));
     format!("engine version {}: {seeds}{budget}.", env!("CARGO_PKG_VERSION"))
+}
+
+/// Which entries make what small, on each map where they differ in that.
+fn objectives_notes(analysis: &Analysis) -> impl Iterator<Item = String> {
+    analysis.instances.iter().filter(|map| map.mixed_objectives).map(|map| {
+        let of = |objective| {
+            let by: Vec<_> = map.entries.iter().filter(|e| e.objective == Some(objective)).map(|e| e.label.as_str()).collect();
+            format!("{} ({})", objective.words(), by.join(", "))
+        };
+        let all: Vec<String> = map.references.iter().map(|yardstick| of(yardstick.objective)).collect();
+        format!("{}, the entries make different things small, by which their gaps go: {}", map.name, all.join("; "))
+    })
 }
 
 /// What each entry runs.
@@ -74,7 +90,7 @@ fn entries(out: &mut String, comparison: &Comparison) {
             Role::Improved => "improved",
             Role::Other => "",
         };
-        let _ = writeln!(out, "| {} | {role} | {} |", cell(&e.label), cell(&recipe(e)));
+        let _ = writeln!(out, "| {} | {role} | {} |", cell(&asked_name(e)), cell(&recipe(e)));
     }
 }
 
@@ -102,7 +118,7 @@ fn map_table(out: &mut String, comparison: &Comparison, map: &Map, of: &MapAnaly
     );
     for (entry, asked) in of.entries.iter().zip(&comparison.question.entries) {
         let published = asked.published.get(&of.id).map_or_else(|| "–".into(), |row| published(of.measure, row));
-        let _ = writeln!(out, "| {} | {published} | {} |", cell(&entry.label), ours(entry));
+        let _ = writeln!(out, "| {} | {published} | {} |", cell(&name(entry)), ours(entry));
     }
     of.references.iter().for_each(|yardstick| reference(out, of, yardstick));
     impossible(out, of);
@@ -134,7 +150,8 @@ fn impossible(out: &mut String, map: &MapAnalysis) {
         }
         if e.impossible > 0 {
             let what = format!("{} of {} runs are impossible on this map under its rule", e.impossible, e.runs);
-            told.push(format!("{}: {what}: they are better than the exact optimum, or there is no path.", prose(&e.label)));
+            let why = "they are better than the exact optimum, or there is no path; so the entry is not ranked or tested";
+            told.push(format!("{}: {what}: {why}.", prose(&named(&e.label, e.origin == Origin::Results))));
         }
     }
     if !told.is_empty() {

@@ -58,6 +58,12 @@ impl<'a> Samples<'a> {
         self.runs.get(instance).and_then(|entries| entries.get(entry)).map_or(&[], Vec::as_slice)
     }
 
+    /// How many of them are impossible ([`Comparison::impossible`]). Where any is, the entry is compared with nobody on this map: its rules
+    /// were others.
+    pub fn impossible(&self, instance: usize, entry: usize) -> usize {
+        self.of(instance, entry).iter().filter(|seen| self.comparison.impossible(seen.row)).count()
+    }
+
     /// A measure of these runs by seed, infinite for those without a path; runs that do not tell it are left out.
     pub fn values(&self, instance: usize, entry: usize, measure: RunMeasure) -> Vec<(u32, f64)> {
         let value = |seen: &Seen| Some((seen.row.task.seed, self.comparison.value(seen.row, measure)?));

@@ -243,6 +243,13 @@ pub enum Family {
     Exact,
 }
 
+impl Family {
+    /// Whether its planners draw no random numbers and have no iterations: each of their runs is the same, whatever the seed.
+    pub const fn needs_no_seed(self) -> bool {
+        matches!(self, Self::Search | Self::Exact)
+    }
+}
+
 /// A named parameter set, e.g. a paper's.
 #[derive(Debug, Clone, Copy)]
 pub struct Preset {

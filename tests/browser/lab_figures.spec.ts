@@ -86,7 +86,9 @@ test.describe('figures of results', () => {
     }
     await expect.poll(counted).toBe(4 * SEEDS)
     // Imported results come without effort.
-    await expect(results.picture('convergence')).toContainText('Effort not known: Theirs *.')
+    await expect(results.picture('convergence')).toContainText(
+      'Effort not known: Theirs (from elsewhere).',
+    )
     await expect(results.picture('convergence').locator('.curves path')).toHaveCount(3)
   })
 

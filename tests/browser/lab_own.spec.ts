@@ -37,6 +37,7 @@ test('a table joins the planners, and a data file of IOHanalyzer the runs that a
   await expect(page.getByTestId('own-file-item')).toContainText('mine.csv')
   await comparison.run()
   await comparison.finished()
+  await page.getByTestId('results-tab-summary').click()
   await expect(row(page, 'Mine')).toContainText('29 of 30')
   await expect(row(page, 'Mine')).toContainText('41.00')
 
@@ -81,6 +82,7 @@ test('of several maps the one is asked for on which the runs are', async ({ page
   await comparison.seeds(2)
   await comparison.run()
   await comparison.finished()
+  await page.getByTestId('results-tab-summary').click()
   await page.getByTestId('results-map').selectOption({ index: 1 })
   await expect(row(page, 'Mine')).toContainText('29 of 30')
 })
@@ -127,6 +129,7 @@ test('it is told what was read, on which maps, and what was left out', async ({ 
   await comparison.seeds(1)
   await comparison.run()
   await comparison.finished()
+  await page.getByTestId('results-tab-summary').click()
   await page.getByTestId('results-map').selectOption({ index: 0 })
   await expect(row(page, 'Mine')).toContainText('1 of 1')
 })

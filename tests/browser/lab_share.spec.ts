@@ -91,6 +91,14 @@ test.describe('a comparison as a link', () => {
       /^Recorded with engine \d+\.\d+\.\d+: 8 runs\.$/,
     )
     await state(other).toHaveAttribute('data-state', 'none')
+    // All that the link carries is there at once.
+    const { recorded } = JSON.parse(await decodeFragment(address))
+    const carried = other.getByTestId('carried-runs')
+    for (const { count, digest } of recorded.runs[0]) {
+      await expect(carried).toContainText(`${count} runs`)
+      await expect(carried).toContainText(digest)
+    }
+    await expect(carried).toContainText('are not in the link')
     await expect(other.getByTestId('run-bar')).toContainText('Small')
     await expect(other.getByTestId('lab-progress')).toHaveAttribute('aria-valuemax', '8')
     await verifyAll(other)

@@ -5,6 +5,9 @@ import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './
 const FILES = {
   csv: 'rich-results.csv',
   json: 'rich-results.json',
+  'matrix-csv': 'rich-results.matrix.csv',
+  'matrix-markdown': 'rich-results.matrix.md',
+  'matrix-latex': 'rich-results.matrix.tex',
   'summary-csv': 'rich-results.summary.csv',
   'summary-json': 'rich-results.summary.json',
   'summary-markdown': 'rich-results.summary.md',
@@ -33,7 +36,7 @@ test.describe('tables of results', () => {
     }
     const failed = (await results.rows('small', 'weak')).filter(({ length }) => length === '')
     expect(failed.length).toBeGreaterThan(0)
-    await expect(page.getByTestId('summary-theirs')).toContainText('Theirs *')
+    await expect(page.getByTestId('summary-theirs')).toContainText('Theirs (from elsewhere)')
     await expect(page.getByTestId('summary-absent')).toContainText('no formulas are published')
     await expect(page.getByTestId('results')).toContainText('counts as worse than any')
   })
@@ -130,7 +133,7 @@ test.describe('tables of results', () => {
     await results.show(JSON.stringify(document))
     await results.tab('tests')
     await expect(page.getByTestId('test-sentences')).toContainText(
-      'Fewer than 20 runs, so there are no tests: Weak ants, Trail limits, A*, Theirs *',
+      'Fewer than 20 runs, so there are no tests: Weak ants, Trail limits, A*, Theirs (from elsewhere)',
     )
     await expect(page.getByTestId('results')).toContainText('Ranks need at least two maps')
   })
@@ -225,6 +228,8 @@ test.describe('tables of results', () => {
     await page.keyboard.press('End')
     await expect(tab('files')).toBeFocused()
     await page.keyboard.press('ArrowRight')
+    await expect(tab('matrix')).toBeFocused()
+    await page.keyboard.press('ArrowRight')
     await expect(tab('summary')).toBeFocused()
     await page.keyboard.press('Tab')
     await expect(page.getByTestId('results-map')).toBeFocused()
@@ -236,7 +241,7 @@ test.describe('tables of results', () => {
       await page.emulateMedia({ colorScheme: scheme })
       const results = new ResultsPage(page)
       await results.show()
-      for (const id of ['summary', 'figures', 'tests', 'reported', 'files'] as const) {
+      for (const id of ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const) {
         await results.tab(id)
         if (id === 'figures') await expect(results.picture('ranks')).toBeVisible()
         const { violations } = await new AxeBuilder({ page })
@@ -263,7 +268,7 @@ test.describe('tables of results', () => {
     const before = await name.boundingBox()
     await table.evaluate((one) => one.scrollTo({ left: 200 }))
     expect((await name.boundingBox())?.x).toBeCloseTo(before?.x ?? 0, 0)
-    for (const id of ['summary', 'figures', 'tests', 'reported', 'files'] as const) {
+    for (const id of ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const) {
       await results.tab(id)
       if (id === 'figures') await expect(results.picture('ranks')).toBeVisible()
       const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)

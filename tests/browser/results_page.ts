@@ -129,13 +129,14 @@ export class ResultsPage {
 
   /** Waits for the complete analysis of runs that are done, intervals included. */
   async told(): Promise<void> {
+    await this.tab('summary')
     const table = this.page.getByTestId('summary-table')
     await expect(table).toBeVisible()
     await expect(table).not.toContainText('planned')
     await expect(table).not.toContainText('…')
   }
 
-  async tab(id: 'summary' | 'figures' | 'tests' | 'reported' | 'files'): Promise<void> {
+  async tab(id: 'matrix' | 'summary' | 'figures' | 'tests' | 'reported' | 'files'): Promise<void> {
     await this.page.getByTestId(`results-tab-${id}`).click()
     await expect(this.page.getByTestId(`results-tab-${id}`)).toHaveAttribute(
       'aria-selected',

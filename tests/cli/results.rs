@@ -25,7 +25,9 @@ fn results_from_elsewhere_stand_beside_ours() {
         "{mine:?}"
     );
     let page = folder.read("out/q.md");
-    for wanted in ["| mine |  | results from mine.csv |", "--results mine.csv`", "| mine | – | 2 of 3 |"] {
+    for wanted in
+        ["| mine (from elsewhere) |  | results from mine.csv |", "--results mine.csv`", "| mine (from elsewhere) | – | 2 of 3 |"]
+    {
         assert!(page.contains(wanted), "`{wanted}` is not in\n{page}");
     }
     // The file that was written holds them, and ours come out of it again, bit for bit.
@@ -70,7 +72,7 @@ fn an_entry_may_take_its_runs_from_a_file_beside_the_question() {
     let csv = folder.read("out/q.csv");
     assert_eq!(csv.lines().filter(|l| l.contains(",mine,")).count(), 3, "{csv}");
     assert!(!csv.contains("bad-luck"));
-    assert!(folder.read("out/q.md").contains("| My planner |  | results from mine.csv |"));
+    assert!(folder.read("out/q.md").contains("| My planner (from elsewhere) |  | results from mine.csv |"));
     // Runs on a map that is not asked for are left out, not refused.
     let (code, said) = folder.compare(&["q.toml", "--out", "wall", "--seeds", "2", "--only", "wall"]);
     assert_eq!(code, 0, "{said}");
@@ -123,4 +125,58 @@ fn a_comparison_with_results_goes_on_where_it_was() {
     folder.write("on/q.partial", &journal);
     assert_eq!(folder.compare(&on).0, 0);
     assert!(!folder.read("on/q.csv").contains("stagnated"));
+}
+
+#[test]
+fn what_is_impossible_is_marked_in_every_file_and_preferred_in_none() {
+    let folder = Folder::with_question("impossible");
+    folder.write("mine.csv", MINE);
+    let files = "csv,markdown,tests,summary-csv,summary-markdown,latex,matrix-csv,matrix-markdown,matrix-latex";
+    let (code, said) = folder.compare(&["q.toml", "--out", "out", "--results", "mine.csv", "--files", files]);
+    assert_eq!(code, 0, "{said}");
+    // Two maps, two entries that run, 40 seeds; four runs from elsewhere.
+    let counts = "160 runs, 80 of them by searches that need no seeds, alike on each map, beside 4 runs from elsewhere";
+    for file in ["q.md", "q.tests.md", "q.summary.md", "q.tex", "q.matrix.md", "q.matrix.tex"] {
+        let text = folder.read(&format!("out/{file}"));
+        let mark = if file.ends_with("tex") { "\\textdagger{}" } else { "†" };
+        assert!(text.contains("impossible on this map"), "{file}: {text}");
+        assert!(text.contains("(from elsewhere)"), "{file}: {text}");
+        assert!(file == "q.md" || text.contains(mark), "{file}: {text}");
+        assert!(file == "q.tests.md" || text.contains(counts), "{file}: {text}");
+        let bold = |line: &&str| line.contains("Bad luck") && (line.contains("**") || line.contains("\\textbf"));
+        assert_eq!(text.lines().find(bold), None, "{file}");
+    }
+    assert!(said.contains(counts), "{said}");
+    assert!(!folder.read("out/q.tests.md").contains("| bad-luck"));
+}
+
+#[test]
+fn the_files_of_the_overview_agree() {
+    let folder = Folder::with_question("overview");
+    let args = ["q.toml", "--out", "out", "--files", "matrix-csv,matrix-markdown,matrix-latex,summary-csv"];
+    let (code, said) = folder.compare(&args);
+    assert_eq!(code, 0, "{said}");
+    let table = |file: &str| -> Vec<Vec<String>> {
+        folder.read(file).lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    };
+    let (overview, summary) = (table("out/q.matrix.csv"), table("out/q.summary.csv"));
+    let column = |of: &[Vec<String>], name: &str| -> Vec<String> {
+        let at = of[0].iter().position(|column| column == name).unwrap();
+        of[1..].iter().map(|line| line[at].clone()).collect()
+    };
+    // Two maps and all of them, three entries each; one is ranked, for the other has no runs.
+    assert_eq!(overview.len(), 1 + 3 * 3);
+    for (one, other) in [("median", "median"), ("gap", "median_gap"), ("runs", "runs"), ("objective", "objective")] {
+        assert_eq!(column(&overview, one)[..6], column(&summary, other), "{one}");
+    }
+    let ranks = column(&overview, "rank");
+    // Both medians are the optimum; on the wall nobody finds a path. So both share their rank.
+    assert_eq!(ranks, ["1.5", "1.5", "", "1.5", "1.5", "", "1.5", "1.5", ""]);
+    assert_eq!(column(&overview, "unranked")[8], "not-on-every-map");
+    let (page, tex) = (folder.read("out/q.matrix.md"), folder.read("out/q.matrix.tex"));
+    assert!(page.contains("| all maps | **rank 1.5** | **rank 1.5** | – |"), "{page}");
+    assert!(page.contains("| **no path; rank 1.5; path in 0.0 %** |"), "{page}");
+    assert!(tex.contains("\\label{tab:matrix}") && tex.contains("\\textbf{rank 1.5}"), "{tex}");
+    // Files of an earlier run are replaced.
+    assert_eq!(folder.compare(&args).0, 0);
 }

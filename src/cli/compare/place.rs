@@ -115,7 +115,9 @@ fn begins_as(file: ResultFile, text: &str) -> bool {
         ResultFile::Markdown => page("\nMade by `") && page(" How to read it: docs/methodology.md."),
         ResultFile::Tests => page("\nTwo-sided rank tests of every pair of entries"),
         ResultFile::SummaryMarkdown => page("\n\nengine version "),
-        ResultFile::Latex => text.starts_with("% Made by `"),
+        ResultFile::MatrixCsv => text.starts_with("instance,entry,measure,objective,runs,"),
+        ResultFile::MatrixMarkdown => page(": maps × entries\n\nengine version "),
+        ResultFile::Latex | ResultFile::MatrixLatex => text.starts_with("% Made by `"),
         ResultFile::Json | ResultFile::Link => is_json_of(text, "formicarium/comparison@"),
         ResultFile::SummaryJson => is_json_of(text, "formicarium/summary@"),
     }

@@ -27,6 +27,39 @@ pub enum Origin {
     Missing,
 }
 
+/// Why an entry has no running times on a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum NoRunningTime {
+    /// It has no runs here.
+    NoRuns,
+    /// No value is known that could be a target.
+    NoTarget,
+    /// Its planner makes something else small than what the targets are about.
+    OtherObjective,
+    /// Effort is counted in iterations, and its planner has none.
+    NoIterations,
+    /// A run does not tell its effort on the axis.
+    NoEffort,
+    /// Some of its runs are impossible: reaching a target would say nothing.
+    Impossible,
+}
+
+impl NoRunningTime {
+    /// In words, for tables.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::NoRuns => "not run",
+            Self::NoTarget => "no target known",
+            Self::OtherObjective => "other objective",
+            Self::NoIterations => "has no iterations",
+            Self::NoEffort => "effort not told",
+            Self::Impossible => "impossible runs",
+        }
+    }
+}
+
 /// What the runs of one entry on one map say. Numbers about paths are over the runs that found one; how many did stands beside them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -43,6 +76,8 @@ pub struct EntryAnalysis {
     pub origin: Origin,
     /// What its planner makes small here; null where nothing can be run.
     pub objective: Option<Objective>,
+    /// Whether it is a search that needs no seeds: all its runs on a map are the same, and it has no iterations.
+    pub needs_no_seed: bool,
     /// Runs that are done.
     pub runs: usize,
     /// Runs that are to be done, the done ones among them.
@@ -78,7 +113,7 @@ pub struct EntryAnalysis {
     pub gap_counts: Vec<u32>,
     /// Turns.
     pub turns: Option<Summary>,
-    /// The iteration that found the best path.
+    /// The iteration that found the best path; null of a planner without iterations.
     pub iteration_of_best: Option<Summary>,
     /// Constructed paths up to the end of that iteration.
     pub paths_to_best: Option<Summary>,
@@ -92,6 +127,8 @@ pub struct EntryAnalysis {
     pub ecdf: Vec<EcdfPoint>,
     /// What reaching each target takes.
     pub running_times: Vec<RunningTime>,
+    /// Why nothing is told of that; null where something is, if only that no run reaches the target.
+    pub no_running_time: Option<NoRunningTime>,
     /// What is published of it for this map.
     pub published: Option<PublishedAnalysis>,
 }
@@ -125,9 +162,13 @@ impl About<'_> {
         let with_path = runs.iter().filter(|seen| seen.row.found.is_some()).count();
         let name = format!("{instance}/{}", asked.id);
         let (mean, median) = intervals.map_or((None, None), |i| (i.mean(&known, &name), i.median(&known, &name)));
-        let of = |measure| summary(runs.iter().filter_map(|seen| finite(seen.row.value(measure))));
+        let of = |measure| summary(runs.iter().filter_map(|seen| finite(comparison.value(seen.row, measure))));
         let gaps: Vec<f64> = runs.iter().filter_map(|seen| comparison.gap(seen.row)).collect();
-        let Curves { band, ecdf, running_times } = self.curves(entry, runs);
+        let no_curves = self.why_no_curves(entry);
+        let Curves { band, ecdf, running_times } =
+            if no_curves.is_none() { self.told_curves(entry, runs) } else { Curves::default() };
+        let impossible = self.samples.impossible(self.map, entry);
+        let told = |effort: Option<Summary>| effort.filter(|_| no_curves != Some(NoRunningTime::NoIterations));
         EntryAnalysis {
             id: asked.id.clone(),
             label: asked.label.clone(),
@@ -135,6 +176,7 @@ impl About<'_> {
             ablation_role: self.roles.get(entry).cloned().flatten(),
             origin: origin(asked),
             objective: map.objective(entry),
+            needs_no_seed: comparison.needs_no_seed(entry),
             runs: runs.len(),
             expected: if asked.planner.is_some() { comparison.question.seeds.count as usize } else { runs.len() },
             with_path,
@@ -146,27 +188,45 @@ impl About<'_> {
             best: runs.iter().filter_map(|seen| Some(seen.row.found?.value)).reduce(f64::min),
             proven: map.reference(entry).is_proven(),
             optimal: runs.iter().filter(|seen| comparison.value(seen.row, RunMeasure::Optimal) == Some(1.0)).count(),
-            impossible: runs.iter().filter(|seen| comparison.impossible(seen.row)).count(),
+            impossible,
             gap_counts: counts(&gaps, self.gap_edges),
             gap: Summary::of(&gaps),
             turns: of(RunMeasure::Turns),
             iteration_of_best: of(RunMeasure::IterationOfBest),
             paths_to_best: of(RunMeasure::PathsToBest),
-            effort_to_best: summary(runs.iter().filter_map(|seen| curves::to_best(*seen, self.axis))),
-            total_effort: summary(runs.iter().filter_map(|seen| curves::end(*seen, self.axis))),
+            effort_to_best: told(summary(runs.iter().filter_map(|seen| curves::to_best(*seen, self.axis)))),
+            total_effort: told(summary(runs.iter().filter_map(|seen| curves::end(*seen, self.axis)))),
             published: asked.published.get(instance).map(|row| published::analyse(map, entry, row, &values)),
             values,
+            no_running_time: no_curves.or_else(|| self.why_no_times(&running_times, impossible)),
+            running_times: if impossible == 0 { running_times } else { Vec::new() },
             band,
             ecdf,
-            running_times,
         }
     }
 
-    /// The whole course of the runs, as far as it tells of what the curves are about.
-    fn curves(&self, entry: usize, runs: &[Seen]) -> Curves {
-        let objective = self.samples.comparison().maps[self.map].objective(entry);
-        let tells = objective.is_some_and(|o| RunMeasure::of(o) == self.curve_measure);
-        if tells { self.told_curves(entry, runs) } else { Curves::default() }
+    /// Why the course of the runs tells nothing of what the curves are about.
+    fn why_no_curves(&self, entry: usize) -> Option<NoRunningTime> {
+        let comparison = self.samples.comparison();
+        let objective = comparison.maps[self.map].objective(entry);
+        if self.samples.of(self.map, entry).is_empty() {
+            return Some(NoRunningTime::NoRuns);
+        }
+        if objective.is_none_or(|o| RunMeasure::of(o) != self.curve_measure) {
+            return Some(NoRunningTime::OtherObjective);
+        }
+        (self.axis == Axis::Iterations && comparison.needs_no_seed(entry)).then_some(NoRunningTime::NoIterations)
+    }
+
+    /// Why curves tell no running times.
+    fn why_no_times(&self, times: &[RunningTime], impossible: usize) -> Option<NoRunningTime> {
+        if impossible > 0 {
+            return Some(NoRunningTime::Impossible);
+        }
+        if self.targets.is_empty() {
+            return Some(NoRunningTime::NoTarget);
+        }
+        times.iter().any(|time| time.successes > 0 && time.expected.is_none()).then_some(NoRunningTime::NoEffort)
     }
 
     /// An imported value reaches a target within the digits it was printed with.

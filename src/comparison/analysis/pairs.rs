@@ -33,11 +33,12 @@ pub(super) fn indices(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |a| (a + 1..n).map(move |b| (a, b)))
 }
 
-/// Every two entries that have runs on a map.
+/// Every two entries that have runs on a map, of which none is impossible.
 pub(super) fn all(samples: &Samples, map: usize) -> Vec<Pair> {
     let comparison = samples.comparison();
     let measure = comparison.maps[map].measure();
-    let values: Vec<_> = (0..comparison.question.entries.len()).map(|entry| samples.values(map, entry, measure)).collect();
+    let possible = |entry| if samples.impossible(map, entry) == 0 { samples.values(map, entry, measure) } else { Vec::new() };
+    let values: Vec<_> = (0..comparison.question.entries.len()).map(possible).collect();
     let sample = |of: usize, pair: [usize; 2]| -> Vec<(u32, f64)> {
         values[of].iter().map(|&(seed, value)| (seed, comparison.in_common_digits(&pair, measure, value))).collect()
     };

@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 
+use super::matrix::Ranked;
 use super::pairs::indices;
 use crate::comparison::inference::{Friedman, friedman, holm};
-use crate::comparison::samples::{Samples, without_seeds};
-use crate::comparison::statistics::{quantile, sorted};
 
-/// Friedman's test over the medians of the maps: of the entries that have runs on every map.
+/// Friedman's test over the medians of the maps: of the entries that have runs on every map, none of them impossible.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Ranks {
@@ -44,18 +43,8 @@ pub struct RankPair {
 }
 
 /// None where nothing can be ranked.
-pub(super) fn over_maps(samples: &Samples) -> Option<Ranks> {
-    let comparison = samples.comparison();
-    let maps = comparison.maps.len();
-    let everywhere = |&entry: &usize| (0..maps).all(|map| !samples.of(map, entry).is_empty());
-    let entries: Vec<usize> = (0..comparison.question.entries.len()).filter(everywhere).collect();
-    let median = |map: usize, entry| {
-        let measure = comparison.maps[map].measure();
-        let values = without_seeds(&samples.values(map, entry, measure));
-        comparison.in_common_digits(&entries, measure, quantile(&sorted(values), 0.5).unwrap_or(f64::INFINITY))
-    };
-    let medians: Vec<Vec<f64>> = (0..maps).map(|map| entries.iter().map(|&entry| median(map, entry)).collect()).collect();
-    friedman(&medians).map(|result| ranks(result, entries))
+pub(super) fn over_maps(ranked: &Ranked) -> Option<Ranks> {
+    friedman(&ranked.medians).map(|result| ranks(result, ranked.entries.clone()))
 }
 
 fn ranks(result: Friedman, entries: Vec<usize>) -> Ranks {

@@ -204,3 +204,74 @@ fn what_crosses_to_the_page_has_numbers_or_null() {
     assert_eq!((&json["axis"], &json["verdicts"][0]["verdict"]), (&"constructed-paths".into(), &"opposite".into()));
     assert!(json["instances"][0]["entries"][0]["summary"].is_null() && json.get("comparisons").is_none());
 }
+
+#[test]
+fn the_matrix_has_a_row_a_map_and_one_ranking() {
+    let comparison = comparison(2);
+    let inf = f64::INFINITY;
+    // Two runs each. On the first map medians 11, 10.5 and 11 (of all runs ∞: one without a path); on the second one 10, 12 and 11.
+    let runs = [[[11.0, 11.0], [10.0, 11.0], [11.0, inf]], [[10.0, 10.0], [12.0, 12.0], [10.0, 12.0]]];
+    let of_map = |(map, of): (usize, &[[f64; 2]; 3])| {
+        of.iter().enumerate().flat_map(|(e, v)| [row(map, e, 1, v[0]), row(map, e, 2, v[1])]).collect::<Vec<_>>()
+    };
+    let rows: Vec<Row> = runs.iter().enumerate().flat_map(of_map).collect();
+    let analysis = analysed(&comparison, &rows);
+    let Matrix { rows: told, overall } = &analysis.matrix;
+    let column = |number: fn(&MatrixCell) -> Option<f64>| -> Vec<Vec<Option<f64>>> {
+        told.iter().map(|row| row.cells.iter().map(number).collect()).collect()
+    };
+    let some = |rows: [[f64; 3]; 2]| -> Vec<Vec<Option<f64>>> {
+        rows.iter().map(|row| row.iter().copied().map(Some).chain([None]).collect()).collect()
+    };
+    assert_eq!(column(|c| c.median), some([[11.0, 10.5, 11.0], [10.0, 12.0, 11.0]]));
+    // The optimum is 10.
+    let gaps = column(|c| c.gap.map(|gap| libm::round(gap * 1e9) / 1e9));
+    assert_eq!(gaps, some([[0.1, 0.05, 0.1], [0.0, 0.2, 0.1]]));
+    assert_eq!(column(|c| c.success), some([[1.0, 1.0, 0.5], [1.0, 1.0, 1.0]]));
+    assert_eq!(column(|c| c.rank), some([[2.0, 1.0, 3.0], [1.0, 3.0, 2.0]]));
+    let ranks: Vec<_> = overall.iter().map(|o| o.mean_rank).collect();
+    assert_eq!(ranks, [Some(1.5), Some(2.0), Some(2.5), None]);
+    // The test ranks alike.
+    assert_eq!(analysis.ranks.unwrap().mean_ranks, [1.5, 2.0, 2.5]);
+    let gaps: Vec<_> = overall.iter().map(|o| o.mean_gap.map(|gap| libm::round(gap * 1e9) / 1e9)).collect();
+    assert_eq!(gaps, [Some(0.05), Some(0.125), Some(0.1), None]);
+    assert_eq!((overall[2].success, overall[3].success), (Some(0.75), None));
+    assert_eq!(overall.iter().map(|o| o.unranked).collect::<Vec<_>>(), [None, None, None, Some(Unranked::NotOnEveryMap)]);
+}
+
+#[test]
+fn the_matrix_of_one_map_ranks_all_the_same() {
+    let comparison = comparison(1);
+    let rows = [row(0, 0, 1, 11.0), row(0, 1, 1, 11.0), row(0, 2, 1, 10.0)];
+    let analysis = analysed(&comparison, &rows);
+    assert!(analysis.ranks.is_none());
+    let ranks: Vec<_> = analysis.matrix.rows[0].cells.iter().map(|cell| cell.rank).collect();
+    assert_eq!(ranks, [Some(2.5), Some(2.5), Some(1.0), None]);
+    // Before anything is run there is a row as well.
+    let empty = analysed(&comparison, &[]).matrix;
+    assert_eq!((empty.rows.len(), empty.overall[0].unranked), (1, Some(Unranked::NotOnEveryMap)));
+}
+
+#[test]
+fn what_is_impossible_is_compared_with_nobody() {
+    let comparison = comparison(2);
+    // One of the 40 runs of `b` on the first map is shorter than the corridor.
+    let all = |map: usize, entry, length| (1..=40).map(move |seed| row(map, entry, seed, length));
+    let mut rows: Vec<Row> = (0..2).flat_map(|map| (0..3).flat_map(move |e| all(map, e, 11.0 + e as f64))).collect();
+    rows[40] = row(0, 1, 1, 9.0);
+    let analysis = analysed(&comparison, &rows);
+    let [first, second] = [0, 1].map(|map| &analysis.instances[map]);
+    assert_eq!(first.pairs.iter().map(|p| (p.first, p.second)).collect::<Vec<_>>(), [(0, 2)]);
+    assert_eq!(second.pairs.len(), 3);
+    assert_eq!((first.entries[1].impossible, first.entries[1].no_running_time), (1, Some(NoRunningTime::Impossible)));
+    assert!(first.entries[1].running_times.is_empty() && !second.entries[1].running_times.is_empty());
+    assert_eq!(analysis.ranks.as_ref().unwrap().entries, [0, 2]);
+    let matrix = &analysis.matrix;
+    assert_eq!((matrix.rows[0].cells[1].rank, matrix.rows[1].cells[1].rank, matrix.rows[0].cells[1].impossible), (None, None, 1));
+    assert_eq!((matrix.overall[1].unranked, matrix.overall[1].mean_gap), (Some(Unranked::Impossible), None));
+    assert_eq!(matrix.rows[0].cells.iter().map(|cell| cell.rank).collect::<Vec<_>>(), [Some(1.0), None, Some(2.0), None]);
+    // Of a claim about it nothing can be told, on that map.
+    let verdicts: Vec<_> = analysis.verdicts.iter().map(|line| (line.verdict, line.why.as_str())).collect();
+    assert_eq!(verdicts[0], (VerdictKind::CannotTell, "runs of one of the two are impossible on this map"));
+    assert_ne!(verdicts[1].0, VerdictKind::CannotTell);
+}

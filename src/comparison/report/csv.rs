@@ -27,7 +27,8 @@ pub fn line(comparison: &Comparison, row: &Row) -> String {
     let entry = question.entries.get(task.entry).map_or("", |e| &e.id);
     let path = row.found.map_or_else(|| ",,,".into(), path_fields);
     let best = row.found.and(row.trace.last()).map(|improvement| improvement.spent).unwrap_or_default();
-    let effort = [best.on(Axis::Iterations), best.on(Axis::ConstructedPaths), row.effort.on(Axis::AntMoves)].map(count).join(",");
+    let iteration = best.on(Axis::Iterations).filter(|_| !comparison.needs_no_seed(task.entry));
+    let effort = [iteration, best.on(Axis::ConstructedPaths), row.effort.on(Axis::AntMoves)].map(count).join(",");
     let map = comparison.maps.get(task.instance);
     let objective = map.and_then(|m| m.objective(task.entry)).map_or_else(String::new, id);
     let reference = map.map_or(Reference::Unknown, |m| m.reference(task.entry));

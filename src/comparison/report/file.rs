@@ -27,6 +27,12 @@ pub enum ResultFile {
     SummaryMarkdown,
     /// The same as LaTeX.
     Latex,
+    /// Maps × entries, one line each with median, gap, share of runs with a path and rank.
+    MatrixCsv,
+    /// The same as a table of Markdown.
+    MatrixMarkdown,
+    /// The same as LaTeX.
+    MatrixLatex,
     /// Question, maps and all runs: opens again.
     Json,
     /// Question, maps and digests of the runs, for a link.
@@ -35,7 +41,7 @@ pub enum ResultFile {
 
 impl ResultFile {
     /// All that the command line can write, with their ids and the endings of their names.
-    pub const NAMED: [(&'static str, &'static str, Self); 9] = [
+    pub const NAMED: [(&'static str, &'static str, Self); 12] = [
         ("csv", "csv", Self::Csv),
         ("markdown", "md", Self::Markdown),
         ("tests", "tests.md", Self::Tests),
@@ -44,6 +50,9 @@ impl ResultFile {
         ("summary-json", "summary.json", Self::SummaryJson),
         ("summary-markdown", "summary.md", Self::SummaryMarkdown),
         ("latex", "tex", Self::Latex),
+        ("matrix-csv", "matrix.csv", Self::MatrixCsv),
+        ("matrix-markdown", "matrix.md", Self::MatrixMarkdown),
+        ("matrix-latex", "matrix.tex", Self::MatrixLatex),
         ("json", "json", Self::Json),
     ];
 }
@@ -75,6 +84,9 @@ impl Reports<'_> {
             ResultFile::SummaryJson => super::summary_json(comparison, analysis),
             ResultFile::SummaryMarkdown => super::summary_markdown(comparison, analysis),
             ResultFile::Latex => super::latex(comparison, analysis, command),
+            ResultFile::MatrixCsv => super::matrix_csv(comparison, analysis),
+            ResultFile::MatrixMarkdown => super::matrix_markdown(comparison, analysis),
+            ResultFile::MatrixLatex => super::matrix_latex(comparison, analysis, command),
             ResultFile::Json => document(true),
             ResultFile::Link => document(false),
         }

@@ -1,6 +1,6 @@
 //! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
-use super::printed::{Cell, Printed, printed, sentence};
+use super::printed::{Cell, printed, sentence};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 
@@ -9,23 +9,45 @@ use crate::comparison::analysis::Analysis;
 pub fn latex(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
     let setting = super::setting_of(comparison, analysis);
     let title = &comparison.question.title;
-    let mut out = format!("% Made by `{}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n", super::escape::prose(command));
+    let mut out = head(command);
     for table in printed(comparison, analysis) {
         let rule = table.rule.replace('`', "");
         let caption = format!("{title}. {}: {rule}. {}. Formicarium, {setting}", table.name, sentence(&table.told));
-        out += &environment(&table, &caption);
+        out += &environment(&Table { id: &table.id, head: &table.head, rows: &table.rows, last_apart: false }, &caption);
     }
     out
+}
+
+/// How every such file begins.
+pub(super) fn head(command: &str) -> String {
+    format!("% Made by `{}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n", super::escape::prose(command))
+}
+
+/// What a table has.
+pub(super) struct Table<'a> {
+    /// The end of its label.
+    pub id: &'a str,
+    /// The columns.
+    pub head: &'a [String],
+    /// The fields.
+    pub rows: &'a [Vec<Cell>],
+    /// Whether a line stands before the last row.
+    pub last_apart: bool,
 }
 
 /// As wide as what follows, or as the text where that is less.
 const FIT: &str = "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}";
 
-fn environment(table: &Printed, caption: &str) -> String {
+/// A floating table with its caption.
+pub(super) fn environment(table: &Table, caption: &str) -> String {
     let columns = format!("l{}", "r".repeat(table.head.len().saturating_sub(1)));
     let row = |cells: Vec<String>| format!("    {} \\\\\n", cells.join(" & "));
     let head = row(table.head.iter().map(|name| in_two_lines(&escape(name))).collect());
-    let body: String = table.rows.iter().map(|cells| row(cells.iter().map(field).collect())).collect();
+    let mut rows: Vec<String> = table.rows.iter().map(|cells| row(cells.iter().map(field).collect())).collect();
+    if let Some(last) = rows.last_mut().filter(|_| table.last_apart) {
+        last.insert_str(0, "    \\midrule\n");
+    }
+    let body = rows.concat();
     format!(
         "\n\\begin{{table}}\n  \\centering\n  \\caption{{{}}}\n  \\label{{tab:{}}}\n  \\small\\setlength{{\\tabcolsep}}{{4pt}}%\n  {FIT}{{%\n  \
          \\begin{{tabular}}{{{columns}}}\n    \\toprule\n{head}    \\midrule\n{body}    \\bottomrule\n  \\end{{tabular}}}}\n\\end{{table}}\n",
@@ -97,6 +119,7 @@ fn escape(text: &str) -> String {
             '~' => out += "\\textasciitilde{}",
             '^' => out += "\\textasciicircum{}",
             '–' => out += "--",
+            '†' => out += "\\textdagger{}",
             '°' => out += "\\textdegree{}",
             _ if letter.is_control() => out.push(' '),
             _ => match MATHS.iter().find(|(known, _)| *known == letter) {

@@ -1,10 +1,12 @@
 //! The summary as papers print it: a table a map, for Markdown and LaTeX (`latex`).
 
 use super::escape::{cell, prose};
+use super::names::{impossible_note, name};
 use super::table::running_time;
 use super::{length, middle, moves, short};
 use crate::comparison::analysis::{Analysis, EntryAnalysis, MapAnalysis};
 use crate::comparison::budget::Axis;
+use crate::comparison::statistics::Summary;
 use crate::comparison::{Comparison, Map};
 
 /// The relative distance from the best known value whose running time the printed tables have.
@@ -46,16 +48,17 @@ impl From<String> for Cell {
 pub(super) fn printed(comparison: &Comparison, analysis: &Analysis) -> Vec<Printed> {
     let table = |(map, of): (&Map, &MapAnalysis)| {
         let grid = &map.scenario.grid;
-        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(cells).collect();
+        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(|e| cells(e, of.mixed_objectives)).collect();
         mark(&mut rows, of);
+        let objective = of.mixed_objectives.then_some("makes small");
         let head = [
-            "",
             "runs with a path",
             "best",
             "median (IQR)",
             "mean ± sd",
             "95 % of the mean",
-            "gap",
+            "median gap",
+            "mean gap",
             "turns",
             "iteration of best",
         ];
@@ -65,7 +68,7 @@ pub(super) fn printed(comparison: &Comparison, analysis: &Analysis) -> Vec<Print
             id: of.id.clone(),
             rule: format!("{} × {}, {}", grid.width(), grid.height(), moves(&map.scenario)),
             told: told(analysis.axis, of),
-            head: head.map(String::from).into_iter().chain([running_time]).collect(),
+            head: [""].into_iter().chain(objective).chain(head).map(String::from).chain([running_time]).collect(),
             rows,
         }
     };
@@ -78,35 +81,53 @@ fn told(axis: Axis, map: &MapAnalysis) -> String {
         .targets
         .last()
         .map_or_else(String::new, |best| format!(", to a {} within {:.0} % of {}", map.curve_name, 100.0 * NEAR, length(*best)));
+    let impossible = impossible_note(map);
     format!(
-        "{} over the runs with a path; gap: mean distance from the reference of the entry's objective; turns and iteration of best: medians; \
-         running time: expected, in {}{best_known}",
+        "{} over the runs with a path; gap of a run: value / reference − 1 by the entry's own objective, which makes the median gap the gap of the \
+         median; turns and iteration of best: medians; running time: expected, in {}{best_known}{}",
         map.measure_name,
-        axis.words()
+        axis.words(),
+        if impossible.is_empty() { impossible } else { format!("; {impossible}") },
     )
 }
 
-const COLUMNS: usize = 10;
-
-/// The fields of an entry.
-fn cells(e: &EntryAnalysis) -> Vec<Cell> {
-    let mut cells = vec![Cell::from("–".to_owned()); COLUMNS];
-    cells[0] = e.label.clone().into();
-    if e.runs > 0 {
-        cells[1] = format!("{} of {}", e.with_path, e.runs).into();
-    }
-    let Some(s) = &e.summary else { return cells };
-    let number = |value: f64, text: String| Cell { text, value: Some(value), best: false };
-    cells[2] = number(s.least, length(s.least));
-    cells[3] = number(s.median, format!("{} ({}–{})", length(s.median), length(s.lower), length(s.upper)));
-    cells[4] = number(s.mean, s.deviation.map_or_else(|| length(s.mean), |sd| format!("{} ± {}", length(s.mean), length(sd))));
+/// The fields of an entry; `mixed`: with what it makes small.
+fn cells(e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
     let dash = || "–".to_owned();
-    cells[5] = e.mean_interval.map_or_else(dash, |[low, high]| format!("{}–{}", length(low), length(high))).into();
-    cells[6] = e.gap.map_or_else(dash, |gap| format!("{:.1} %", 100.0 * gap.mean)).into();
-    cells[7] = e.turns.map_or_else(dash, |t| middle(&t)).into();
-    cells[8] = e.iteration_of_best.map_or_else(dash, |i| middle(&i)).into();
-    cells[9] = running_time(e, NEAR).map_or_else(dash, effort).into();
+    let number = |value: f64, text: String| Cell { text, value: Some(value), best: false };
+    let measured = |of: Option<f64>, text: fn(&Summary) -> String| match (&e.summary, of) {
+        (Some(s), Some(value)) => number(value, text(s)),
+        _ => dash().into(),
+    };
+    let s = e.summary;
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    let share = if e.runs > 0 { format!("{} of {}", e.with_path, e.runs) } else { dash() };
+    let mut cells = vec![Cell::from(name(e).into_owned())];
+    cells.extend(mixed.then(|| e.objective.map_or_else(dash, |o| o.words().into()).into()));
+    cells.extend([
+        share.into(),
+        measured(s.map(|s| s.least), |s| length(s.least)),
+        measured(s.map(|s| s.median), |s| format!("{} ({}–{})", length(s.median), length(s.lower), length(s.upper))),
+        measured(s.map(|s| s.mean), |s| {
+            s.deviation.map_or_else(|| length(s.mean), |sd| format!("{} ± {}", length(s.mean), length(sd)))
+        }),
+        e.mean_interval.map_or_else(dash, |[low, high]| format!("{}–{}", length(low), length(high))).into(),
+        e.gap.map_or_else(dash, |gap| percent(gap.median)).into(),
+        e.gap.map_or_else(dash, |gap| percent(gap.mean)).into(),
+        e.turns.map_or_else(dash, |t| middle(&t)).into(),
+        e.iteration_of_best.map_or_else(dash, |i| middle(&i)).into(),
+        time(e).into(),
+    ]);
     cells
+}
+
+/// The expected running time, or why there is none.
+fn time(e: &EntryAnalysis) -> String {
+    match (running_time(e, NEAR), e.no_running_time) {
+        (Some(time), _) => effort(time),
+        (None, Some(why)) => why.words().into(),
+        (None, None) => "no run reaches it".into(),
+    }
 }
 
 /// An effort, without decimals where they say nothing.
@@ -115,11 +136,12 @@ fn effort(v: f64) -> String {
 }
 
 /// Marks the best number of each column. Entries whose runs did not all find a path take part only where that is so of every one: a mean over
-/// the runs that happened to arrive would favour the entry that fails on the hard ones.
+/// the runs that happened to arrive would favour the entry that fails on the hard ones. What is impossible is never the best.
 fn mark(rows: &mut [Vec<Cell>], map: &MapAnalysis) {
-    let whole: Vec<bool> = map.entries.iter().map(|e| e.runs > 0 && e.with_path == e.runs).collect();
-    let counts = |row: usize| !whole.contains(&true) || whole[row];
-    for column in 0..COLUMNS {
+    let possible: Vec<bool> = map.entries.iter().map(|e| e.impossible == 0).collect();
+    let whole: Vec<bool> = map.entries.iter().map(|e| e.runs > 0 && e.with_path == e.runs && e.impossible == 0).collect();
+    let counts = |row: usize| possible[row] && (!whole.contains(&true) || whole[row]);
+    for column in 0..rows.first().map_or(0, Vec::len) {
         let rounded = |v: f64| length(v);
         let of = |row: &[Cell]| row.get(column).and_then(|cell| cell.value);
         let best = rows.iter().enumerate().filter(|(row, _)| counts(*row)).filter_map(|(_, row)| of(row)).reduce(f64::min);

@@ -3,10 +3,13 @@
 use serde::Serialize;
 
 use crate::comparison::Comparison;
-use crate::comparison::analysis::{Analysis, EntryAnalysis, MapAnalysis, Origin, Pair, Ranks, RunningTime, VerdictLine};
+use crate::comparison::analysis::{
+    Analysis, EntryAnalysis, MapAnalysis, NoRunningTime, Origin, Pair, Ranks, RunningTime, VerdictLine,
+};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::{Question, Role, Seeds};
+use crate::planner::Objective;
 
 /// What `format` says in JSON.
 const FORMAT: &str = "formicarium/summary@1";
@@ -54,6 +57,10 @@ pub struct Line<'a> {
     running_time_0: Option<f64>,
     published: Option<f64>,
     published_impossible: bool,
+    median_gap: Option<f64>,
+    objective: Option<Objective>,
+    needs_no_seed: bool,
+    no_running_time: Option<NoRunningTime>,
 }
 
 /// All lines, in the order of the question.
@@ -110,6 +117,10 @@ fn line<'a>(axis: Axis, map: &'a MapAnalysis, e: &'a EntryAnalysis) -> Line<'a> 
         running_time_0: running_time(e, 0.0),
         published: e.published.and_then(|p| p.value),
         published_impossible: e.published.is_some_and(|p| p.impossible),
+        median_gap: e.gap.map(|s| s.median),
+        objective: e.objective,
+        needs_no_seed: e.needs_no_seed,
+        no_running_time: e.no_running_time,
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::escape::prose;
+use super::names::{id, impossible_note, named};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::{Analysis, MapAnalysis, Pair, Ranks};
 use crate::comparison::inference::{MIN_RUNS, Test};
@@ -20,6 +21,10 @@ pub fn tests(comparison: &Comparison, analysis: &Analysis) -> String {
     for map in &analysis.instances {
         let _ = writeln!(out, "\n## {}, {}\n", map.id, map.measure_name);
         pairs_table(&mut out, map);
+        let impossible = impossible_note(map);
+        if !impossible.is_empty() {
+            let _ = writeln!(out, "\n{impossible}.");
+        }
     }
     if let Some(ranks) = &analysis.ranks {
         over_maps(&mut out, comparison, ranks);
@@ -45,8 +50,8 @@ fn pair_row(out: &mut String, map: &MapAnalysis, pair: &Pair) {
     let _ = writeln!(
         out,
         "| {} | {} | {} | {} | {:.3} | {} | {} | {} | {} | {} | {} |",
-        first.id,
-        second.id,
+        id(first),
+        id(second),
         median(first.median()),
         median(second.median()),
         pair.a12,
@@ -61,7 +66,10 @@ fn pair_row(out: &mut String, map: &MapAnalysis, pair: &Pair) {
 
 /// Friedman's test over the medians of all maps, and its post-hoc comparisons.
 fn over_maps(out: &mut String, comparison: &Comparison, ranks: &Ranks) {
-    let label = |entry: usize| &comparison.question.entries[entry].id;
+    let label = |entry: usize| {
+        let asked = &comparison.question.entries[entry];
+        named(&asked.id, asked.results.is_some())
+    };
     let (statistic, degrees, p) = (ranks.statistic, ranks.degrees, probability(ranks.p));
     let few = if ranks.maps < 10 { " So few maps can hardly show a difference." } else { "" };
     let _ = writeln!(

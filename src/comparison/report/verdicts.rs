@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::escape::{cell, prose};
+use super::names::asked_name;
 use super::{length, short};
 use crate::comparison::Comparison;
 use crate::comparison::claim::{Claim, Direction, Statistic};
@@ -31,7 +32,7 @@ pub(super) fn claims_table(out: &mut String, comparison: &Comparison, judged: &[
 
 /// Who is said to do what, against whom.
 fn in_words(comparison: &Comparison, claim: &Claim) -> String {
-    let label = |id: &str| comparison.question.entry(id).map_or_else(String::new, |e| e.label.clone());
+    let label = |id: &str| comparison.question.entry(id).map_or_else(String::new, |e| asked_name(e).into_owned());
     format!("{}: {} against {}", claim.says, label(&claim.improved), label(&claim.baseline))
 }
 

@@ -1,10 +1,11 @@
 /** `t` for the laboratory, whose words are fetched with it. */
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
 import { enLab } from './en/lab'
+import { enLabMatrix } from './en/lab_matrix'
 import { enLabResults } from './en/lab_results'
 import { enLabShare } from './en/lab_share'
 
-const english = { lab: { ...enLab, ...enLabResults, ...enLabShare } }
+const english = { lab: { ...enLab, ...enLabMatrix, ...enLabResults, ...enLabShare } }
 
 export type LabKey = TextKey | KeyOf<typeof english>
 
@@ -14,11 +15,16 @@ export const t = tOfPage as (key: LabKey, args?: Record<string, unknown>) => str
 export const addLabWords = () => addWords(english, fetchChinese)
 
 async function fetchChinese(): Promise<object> {
-  const [{ zhCNLab }, { zhCNLabResults }, { zhCNLabShare }, { zhCNQuestions }] = await Promise.all([
-    import('./zh_cn/lab'),
-    import('./zh_cn/lab_results'),
-    import('./zh_cn/lab_share'),
-    import('./zh_cn/questions'),
-  ])
-  return { lab: { ...zhCNLab, ...zhCNLabResults, ...zhCNLabShare }, texts: zhCNQuestions }
+  const [{ zhCNLab }, { zhCNLabMatrix }, { zhCNLabResults }, { zhCNLabShare }, { zhCNQuestions }] =
+    await Promise.all([
+      import('./zh_cn/lab'),
+      import('./zh_cn/lab_matrix'),
+      import('./zh_cn/lab_results'),
+      import('./zh_cn/lab_share'),
+      import('./zh_cn/questions'),
+    ])
+  return {
+    lab: { ...zhCNLab, ...zhCNLabMatrix, ...zhCNLabResults, ...zhCNLabShare },
+    texts: zhCNQuestions,
+  }
 }

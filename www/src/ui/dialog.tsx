@@ -4,7 +4,10 @@ import { useEffect, useId, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { dialogNotice, dismissInDialog } from '../state/dialog_notice'
 import { IconButton } from './buttons'
+import { holdPresses } from './held_press'
 import { Icon } from './icon'
+
+holdPresses()
 
 interface DialogProps {
   title: string

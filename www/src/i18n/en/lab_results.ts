@@ -126,7 +126,6 @@ export const enLabResults = {
     failures_other: '{{count}} of {{runs}} found no path',
     failuresNote:
       'Lengths, gaps, turns and effort to best are those of runs that found a path. In tests and curves a run without one counts as worse than any.',
-    imported: '* Imported results: compared, not run here.',
     noPath: 'No path',
     noPathShort: 'none',
     noPaths: 'No run has found a path yet.',

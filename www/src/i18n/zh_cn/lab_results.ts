@@ -125,7 +125,6 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
     failures_other: '{{runs}} 次中有 {{count}} 次未找到路径',
     failuresNote:
       '长度、差距、转弯和达到最优的工作量只统计找到路径的运行。在检验和曲线中，未找到路径的运行比任何运行都差。',
-    imported: '* 导入的结果：参与比较，不在此运行。',
     noPath: '无路径',
     noPathShort: '无',
     noPaths: '尚无运行找到路径。',

@@ -5,6 +5,7 @@ import { t } from '../../i18n/lab'
 import { limits } from '../../model/facts'
 import { NumberField, Select } from '../../ui/fields'
 import { FormError } from '../../ui/form_error'
+import { Reserved } from '../../ui/reserved'
 import { budget, change, seeds, untilBudget } from './draft'
 import { refusalOf } from './refusals'
 
@@ -40,11 +41,8 @@ export function BudgetFields() {
           step={1}
           nearest
           testId="seed-count"
-          onChange={(count) =>
-            change(() => {
-              seeds.value = { ...seeds.peek(), count }
-            })
-          }
+          onType={setSeeds}
+          onChange={setSeeds}
         />
         <NumberField
           label={t('lab.build.seedsFirst')}
@@ -62,7 +60,9 @@ export function BudgetFields() {
         />
       </div>
       <Refused field="seeds" />
-      {seeds.value.count < FEW_SEEDS && <p class="hint">{t('lab.build.fewSeeds')}</p>}
+      <Reserved shown={seeds.value.count < FEW_SEEDS} testId="seeds-hint">
+        {t('lab.build.fewSeeds')}
+      </Reserved>
       <div class="builder-row">
         <Select
           label={t('lab.build.budget')}
@@ -80,6 +80,15 @@ export function BudgetFields() {
       {budget.value && <UntilBudget />}
     </fieldset>
   )
+}
+
+/** Counts while it is typed, as far as it can be read, so that nothing else on the page waits for the field to be left. */
+function setSeeds(count: number): void {
+  if (!(count >= 1 && count <= limits.max_seeds && Number.isInteger(count))) return
+  if (count === seeds.peek().count) return
+  change(() => {
+    seeds.value = { ...seeds.peek(), count }
+  })
 }
 
 function choose(axis: Budget['axis'] | 'none'): void {

@@ -8,10 +8,11 @@ import { catalog, scenario, wholeEngine } from '../../state'
 import { Button } from '../../ui/buttons'
 import { FormError } from '../../ui/form_error'
 import { startComparison } from '../run/actions'
+import { alikeWords } from '../run/count_words'
 import { refusedFiles, withImportedFiles } from '../store/imported_files'
 import { BudgetFields } from './budget'
 import { compose } from './compose_document'
-import { entries, maps, refusal, runs, seeds, takeRace, title } from './draft'
+import { entries, maps, refusal, runs, runsAlike, seeds, takeRace, title } from './draft'
 import { Entries } from './entries'
 import { titleOf } from './labels'
 import { Maps } from './maps'
@@ -111,12 +112,13 @@ function StartBar() {
 }
 
 function sum(): string {
-  return t('lab.build.count', {
+  const all = t('lab.build.count', {
     maps: t('lab.build.mapCount', { count: maps.value.length }),
     planners: t('lab.build.plannerCount', { count: entries.value.length }),
     seeds: t('lab.build.seedCount', { count: seeds.value.count }),
     runs: runWords(),
   })
+  return [all, alikeWords(runsAlike.value)].filter((part) => part !== '').join(' · ')
 }
 
 /** i18next picks the plural by the number; what is shown is grouped. */

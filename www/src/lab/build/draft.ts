@@ -3,7 +3,7 @@ import type { Budget } from '@pkg/formicarium'
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
 import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
 import type { Scenario } from '../../model/session'
-import { caption, panels, scenario, view } from '../../state'
+import { caption, panels, plannerEntry, scenario, view } from '../../state'
 import { mapName } from '../../words/map_names'
 
 const USUAL_SEEDS = 30
@@ -158,6 +158,17 @@ export function change(how: () => void): void {
   })
 }
 
+/** Whether each run of a planner is the same, whatever the seed. */
+export const needsNoSeed = (planner: string) => plannerEntry(planner)?.needs_no_seed ?? false
+
 export const runs = computed(
   () => maps.value.length * entries.value.length * Math.max(0, seeds.value.count),
+)
+
+/** How many of them are of planners that need no seeds. */
+export const runsAlike = computed(
+  () =>
+    maps.value.length *
+    entries.value.filter(({ planner }) => needsNoSeed(planner)).length *
+    Math.max(0, seeds.value.count),
 )

@@ -1,6 +1,6 @@
 /** The maps on which every planner runs. */
 import { Map as MapIcon, Plus, Upload, X } from 'lucide'
-import { useEffect, useRef, useState } from 'preact/hooks'
+import { useState } from 'preact/hooks'
 import { gallery } from '../../gallery/gallery'
 import { t } from '../../i18n/lab'
 import type { DraftMap } from '../../model/draft'
@@ -14,6 +14,7 @@ import { Icon } from '../../ui/icon'
 import { Menu, MenuColumn, MenuHeading, MenuItem } from '../../ui/menu'
 import { galleryName, mapName } from '../../words/map_names'
 import { addCurrentMap, addMap, maps, removeMap } from './draft'
+import { Thumbnail } from './thumbnail'
 
 const GROUPS = [
   ['ready', 'maps.gallery'],
@@ -56,7 +57,7 @@ function MapItem({ map }: { map: DraftMap }) {
   const { width, height } = scenario.spec
   return (
     <li class="draft-map" data-testid="draft-map">
-      <Thumbnail map={map} />
+      <Thumbnail scenario={scenario} />
       <span class="draft-map-words">
         <strong>{name}</strong>
         <span class="hint">{t('lab.build.size', { width, height })}</span>
@@ -70,34 +71,6 @@ function MapItem({ map }: { map: DraftMap }) {
       />
     </li>
   )
-}
-
-/** A picture of the map, one pixel a cell. */
-function Thumbnail({ map: { scenario } }: { map: DraftMap }) {
-  const canvas = useRef<HTMLCanvasElement>(null)
-  const { spec, cells } = scenario
-  useEffect(() => {
-    const context = canvas.current?.getContext('2d')
-    if (!context) return
-    const picture = context.createImageData(spec.width, spec.height)
-    cells.forEach((cell, at) => {
-      picture.data.set(cell === 1 ? [60, 78, 71, 255] : [226, 232, 229, 255], at * 4)
-    })
-    context.putImageData(picture, 0, 0)
-    mark(context, spec.start, '#0b8f69')
-    for (const { at } of spec.goals) mark(context, at, '#c8342b')
-  }, [scenario])
-  return (
-    <span class="thumbnail" aria-hidden="true">
-      <canvas ref={canvas} width={spec.width} height={spec.height} />
-    </span>
-  )
-}
-
-function mark(context: CanvasRenderingContext2D, [x, y]: [number, number], colour: string): void {
-  const size = Math.max(1, Math.round(context.canvas.width / 16))
-  context.fillStyle = colour
-  context.fillRect(x - Math.floor(size / 2), y - Math.floor(size / 2), size, size)
 }
 
 function AddMap({ pick }: { pick: () => void }) {

@@ -1,8 +1,9 @@
 /** All figures, in the order in which they are shown. */
+import { t } from '../../i18n/lab'
 import { ablation } from './ablation'
 import { convergence } from './convergence'
 import { effort } from './effort'
-import { FIGURES, type Figure, type FigureId, type Scene } from './figure'
+import type { Figure, FigureId, Scene } from './figure'
 import { gaps } from './gaps'
 import { ranks } from './ranks'
 import { targets } from './targets'
@@ -18,9 +19,23 @@ const ALL: Record<FigureId, Figure> = {
   ranks,
 }
 
+/** What the mark behind a name means is said below every figure that shows such an entry. */
+function withMarkNote(figure: Figure): Figure {
+  const draw: Figure['draw'] = (plot, scene) => {
+    const drawing = figure.draw(plot, scene)
+    const shown = figure.overall ? scene.analysis.instances : [scene.map]
+    const marked = shown.some(({ entries }) => entries.some(({ impossible }) => impossible > 0))
+    const notes = marked ? [...drawing.notes, t('lab.matrix.markNote')] : drawing.notes
+    return { ...drawing, notes }
+  }
+  return { ...figure, draw }
+}
+
+const NOTED = Object.values(ALL).map(withMarkNote)
+
 /** In an ablation the figure of its effects comes first. */
 export function figuresOf(analysis: Scene['analysis']): Figure[] {
-  const all = FIGURES.map((id) => ALL[id]).filter((figure) => figure.suits(analysis))
+  const all = NOTED.filter((figure) => figure.suits(analysis))
   return [
     ...all.filter(({ id }) => id === 'ablation'),
     ...all.filter(({ id }) => id !== 'ablation'),

@@ -4,8 +4,8 @@ import { plotSymbol } from '../../figures/point_symbols'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inTurn, saying } from '../../i18n/lists'
-import type { Ranks } from '../../model/analysis'
-import { chance, significant } from '../words/numbers'
+import type { EntryAnalysis, Ranks } from '../../model/analysis'
+import { chance, labelOf, significant } from '../words/numbers'
 import { drawPlot, LOW, MARGIN } from './draw_plot'
 import { MIDDLE, rowScale, rowTexts } from './entry_rows'
 import type { Figure, Scene } from './figure'
@@ -31,12 +31,14 @@ export function ranked(analysis: Scene['analysis'], ranks: Ranks): Ranked[] {
   const entries = analysis.instances[0]?.entries ?? []
   const all = ranks.entries.map((entry, place) => ({
     entry,
-    label: entries[entry]?.label ?? '',
+    label: nameOf(entries[entry]),
     mean: ranks.mean_ranks[place] ?? 0,
     byMap: ranks.by_map.map((map) => map[place] ?? 0),
   }))
   return all.sort((a, b) => a.mean - b.mean)
 }
+
+const nameOf = (entry: EntryAnalysis | undefined) => (entry ? labelOf(entry) : '')
 
 export const ranks: Figure = {
   id: 'ranks',

@@ -5,7 +5,7 @@ import { plotSymbol } from '../../figures/point_symbols'
 import { t } from '../../i18n/lab'
 import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryAnalysis, Summary } from '../../model/analysis'
-import { amount, dash, type ExactOptimum, measureWords, optimaOf } from '../words/numbers'
+import { amount, dash, type ExactOptimum, labelOf, measureWords, optimaOf } from '../words/numbers'
 import { type Box, boxMarks } from './box_marks'
 import { DOTTED, drawPlot, gridX, MARGIN, POINT_RADIUS } from './draw_plot'
 import { failures, MIDDLE, ROW, rowScale, rowTexts } from './entry_rows'
@@ -66,7 +66,7 @@ function rowsOf(entries: EntryAnalysis[]): Shown[] {
   const runs = shownEntries({ entries } as Scene['map'])
   const published = entries.flatMap((entry, index) =>
     entry.runs === 0 && entry.published?.value != null
-      ? [{ index, entry, series: seriesOf(index, entry.label) }]
+      ? [{ index, entry, series: seriesOf(index, labelOf(entry)) }]
       : [],
   )
   return [...runs, ...published].sort((a, b) => a.index - b.index)
@@ -95,17 +95,12 @@ function draw(plot: Plot, scene: Scene): Drawing {
       publishedMarks(plot, scene, rows),
     ],
   })
-  const hasImported = rows.some(({ entry }) => entry.origin === 'results')
   const impossible = rows.some(({ entry }) => entry.published?.impossible)
   return {
     plot: picture,
     height,
     legend: legend(rows),
-    notes: [
-      t('lab.results.boxes'),
-      ...(hasImported ? [t('lab.results.imported')] : []),
-      ...(impossible ? [t('lab.results.impossibleNote')] : []),
-    ],
+    notes: [t('lab.results.boxes'), ...(impossible ? [t('lab.results.impossibleNote')] : [])],
   }
 }
 

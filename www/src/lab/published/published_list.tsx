@@ -7,6 +7,7 @@ import { t } from '../../i18n/lab'
 import { galleryId, notifyError } from '../../state'
 import { IconButton } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
+import { Reserved } from '../../ui/reserved'
 import { showCard } from '../../words/paper_cards'
 import { startComparison } from '../run/actions'
 import { documentFor, type PaperQuestion, questionOfMap, questions, secondsFor } from './questions'
@@ -92,9 +93,9 @@ function Published({ question, here }: { question: PaperQuestion; here: boolean 
           <span>{t('lab.published.run')}</span>
         </button>
       </div>
-      {seeds < LEAST_SEEDS && (
-        <p class="hint">{t('lab.published.fewer', { count: LEAST_SEEDS })}</p>
-      )}
+      <Reserved shown={seeds < LEAST_SEEDS}>
+        {t('lab.published.fewer', { count: LEAST_SEEDS })}
+      </Reserved>
     </li>
   )
 }

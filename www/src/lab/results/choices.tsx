@@ -15,6 +15,10 @@ export function shownMap({ instances }: Analysis): MapAnalysis | undefined {
   return instances.find(({ id }) => id === chosenMap.value) ?? instances[0]
 }
 
+export function chooseMap(id: string): void {
+  chosenMap.value = id
+}
+
 /** Not shown while there is only one. */
 export function MapChoice({ analysis }: { analysis: Analysis }) {
   if (analysis.instances.length < 2) return null
@@ -23,9 +27,7 @@ export function MapChoice({ analysis }: { analysis: Analysis }) {
       label={t('lab.results.map')}
       value={shownMap(analysis)?.id ?? ''}
       options={analysis.instances.map(({ id, name }) => ({ value: id, label: name || id }))}
-      onChange={(id) => {
-        chosenMap.value = id
-      }}
+      onChange={chooseMap}
       testId="results-map"
     />
   )

@@ -19,6 +19,9 @@ interface FileKind {
 const FILES: FileKind[] = [
   { kind: 'csv', ending: 'csv', type: 'text/csv' },
   { kind: 'json', ending: 'json', type: 'application/json' },
+  { kind: 'matrix-csv', ending: 'matrix.csv', type: 'text/csv' },
+  { kind: 'matrix-markdown', ending: 'matrix.md', type: 'text/markdown', copied: true },
+  { kind: 'matrix-latex', ending: 'matrix.tex', type: 'application/x-tex', copied: true },
   { kind: 'summary-csv', ending: 'summary.csv', type: 'text/csv' },
   { kind: 'summary-json', ending: 'summary.json', type: 'application/json' },
   { kind: 'summary-markdown', ending: 'summary.md', type: 'text/markdown', copied: true },
@@ -52,8 +55,8 @@ function FileRow({ file }: { file: FileKind }) {
   return (
     <li data-testid={`file-row-${kind}`}>
       <div class="file-words">
-        <strong>{t(`lab.results.files.${kind}`)}</strong>
-        <span class="hint">{t(`lab.results.filesAbout.${kind}`)}</span>
+        <strong>{nameOf(kind)}</strong>
+        <span class="hint">{aboutOf(kind)}</span>
         <code>{name}</code>
       </div>
       {file.copied && (
@@ -74,6 +77,16 @@ function FileRow({ file }: { file: FileKind }) {
     </li>
   )
 }
+
+type OfMatrix = Extract<FileKind['kind'], `matrix-${string}`>
+
+const isOfMatrix = (kind: FileKind['kind']): kind is OfMatrix => kind.startsWith('matrix-')
+
+const nameOf = (kind: FileKind['kind']) =>
+  isOfMatrix(kind) ? t(`lab.matrix.files.${kind}`) : t(`lab.results.files.${kind}`)
+
+const aboutOf = (kind: FileKind['kind']) =>
+  isOfMatrix(kind) ? t(`lab.matrix.filesAbout.${kind}`) : t(`lab.results.filesAbout.${kind}`)
 
 const contents = async (kind: FileKind['kind']) =>
   kind === 'times' ? timesFile() : resultFile(kind)

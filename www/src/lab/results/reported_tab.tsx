@@ -158,7 +158,7 @@ function Impossible({ rows, map }: { rows: Reported[]; map: MapAnalysis }) {
   const write = amount(map.measure)
   const all = rows.flatMap(({ entry, published: { value, optimum, impossible } }) =>
     impossible && value !== null && optimum !== null
-      ? [{ entry: entry.label, value: precise(value), optimum: write(optimum) }]
+      ? [{ entry: labelOf(entry), value: precise(value), optimum: write(optimum) }]
       : [],
   )
   const [first, ...others] = all
@@ -222,7 +222,10 @@ const inList = (words: string[]) =>
 
 function Verdict({ line, analysis }: { line: VerdictLine; analysis: Analysis }) {
   const map = analysis.instances.find(({ id }) => id === line.instance)
-  const label = (id: string) => map?.entries.find((entry) => entry.id === id)?.label ?? id
+  const label = (id: string) => {
+    const entry = map?.entries.find((one) => one.id === id)
+    return entry ? labelOf(entry) : id
+  }
   const { improved_value: to, baseline_value: from } = line
   const values = from === null && to === null ? '' : `${dash(from, number)} → ${dash(to, number)}`
   return (

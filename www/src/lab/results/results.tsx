@@ -9,17 +9,27 @@ import { shownTab } from '../store/shown_tab'
 import { analysisError, openComparison, progress } from '../store/signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
+import { MatrixTab } from './matrix_tab'
 import { hasReported, ReportedTab } from './reported_tab'
 import { SummaryTab } from './summary_tab'
 import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
 
-const TABS = ['summary', 'figures', 'tests', 'reported', 'files'] as const
+const TABS = ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const
+type Tab = (typeof TABS)[number]
+
 /** Whether there is a tab of this name. */
-export const isTab = (name: string): name is (typeof TABS)[number] =>
-  TABS.some((tab) => tab === name)
+export const isTab = (name: string): name is Tab => TABS.some((tab) => tab === name)
+
+/** From a map of the overview to all of its numbers. */
+const showSummary = () => {
+  shownTab.value = 'summary'
+}
 
 const BODIES = {
+  matrix: ({ analysis }: { analysis: Analysis }) => (
+    <MatrixTab analysis={analysis} onMap={showSummary} />
+  ),
   summary: SummaryTab,
   figures: FiguresTab,
   tests: TestsTab,
@@ -31,14 +41,14 @@ export function Results() {
   const now = shownAnalysis.value
   if (!openComparison.value) return null
   const tabs = TABS.filter((tab) => tab !== 'reported' || (now !== null && hasReported(now)))
-  const tab = tabs.find((each) => each === shownTab.value) ?? 'summary'
+  const tab = tabs.find((each) => each === shownTab.value) ?? 'matrix'
   const Body = BODIES[tab]
   return (
     <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
       <Tabs
         label={t('lab.results.title')}
         name="results"
-        tabs={tabs.map((id) => ({ id, label: t(`lab.results.tabs.${id}`) }))}
+        tabs={tabs.map((id) => ({ id, label: nameOf(id) }))}
         chosen={tab}
         onChoose={(id) => {
           shownTab.value = id
@@ -50,6 +60,10 @@ export function Results() {
     </section>
   )
 }
+
+/** What a tab is called. */
+export const nameOf = (tab: Tab) =>
+  tab === 'matrix' ? t('lab.matrix.tab') : t(`lab.results.tabs.${tab}`)
 
 /** Whether any run is done. The number of them changes more often than anything here should be drawn. */
 const begun = computed(() => progress.value.done > 0)

@@ -5,7 +5,7 @@ import { t } from '../../i18n/lab'
 import type { EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { seriesOf } from '../figures/figure_style'
 import { jitter } from '../figures/whiskers_and_jitter'
-import { type ExactOptimum, optimaOf } from '../words/numbers'
+import { type ExactOptimum, labelOf, optimaOf } from '../words/numbers'
 
 const [WIDTH, HEIGHT, EDGE] = [220, 34, 8]
 
@@ -36,7 +36,7 @@ export function Strip({ entry, index, scale, optima }: StripProps) {
     <svg
       class="strip"
       role="img"
-      aria-label={t('lab.results.stripOf', { entry: entry.label, count: entry.with_path })}
+      aria-label={t('lab.results.stripOf', { entry: labelOf(entry), count: entry.with_path })}
       viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
       width={WIDTH}
       height={HEIGHT}

@@ -114,6 +114,7 @@ function gap(): Column {
     better: 'lower',
     value: ({ gap }) => gap?.median ?? null,
     text: ({ gap }) => dash(gap?.median, gapShown),
+    note: ({ gap }) => gap && t('lab.matrix.meanGap', { value: gapShown(gap.mean) }),
   }
 }
 
@@ -135,9 +136,9 @@ function runningTime(target: number, spent: Write): Column {
     text: (e) => dash(at(e)?.expected, spent),
     note: (e) => {
       const time = at(e)
-      return time && e.runs > 0
-        ? t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
-        : null
+      if (time?.expected == null)
+        return t(`lab.matrix.noTime.${e.no_running_time ?? 'not-reached'}`)
+      return t('lab.results.hitsShort', { part: time.successes, whole: e.runs })
     },
   }
 }

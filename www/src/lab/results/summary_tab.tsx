@@ -81,7 +81,7 @@ function SummaryTable({ table }: { table: Table }) {
   const columns = columnsOf(table)
   const { entries } = table.map
   const rows = inOrder(entries, columns)
-  const best = columns.map((column) => bestOf(entries.map(column.value), column.better))
+  const best = columns.map((column) => bestOf(entries.map(possible(column)), column.better))
   const caption = t('lab.results.tableOf', { what: table.map.name || table.map.id })
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
@@ -101,7 +101,14 @@ function SummaryTable({ table }: { table: Table }) {
             const entry = entries[index]
             return (
               entry && (
-                <Row key={entry.id} entry={entry} index={index} columns={columns} best={best} />
+                <Row
+                  key={entry.id}
+                  entry={entry}
+                  index={index}
+                  columns={columns}
+                  best={best}
+                  mixed={table.map.mixed_objectives}
+                />
               )
             )
           })}
@@ -110,6 +117,10 @@ function SummaryTable({ table }: { table: Table }) {
     </section>
   )
 }
+
+/** What is impossible is never the best. */
+const possible = (column: Column) => (entry: EntryAnalysis) =>
+  entry.impossible > 0 ? null : column.value(entry)
 
 function Head({ column, table }: { column: Column; table: Table }) {
   const { id } = column
@@ -162,14 +173,21 @@ interface RowProps {
   index: number
   columns: Column[]
   best: Set<number>[]
+  /** Whether entries make different things small. */
+  mixed: boolean
 }
 
-function Row({ entry, index, columns, best }: RowProps) {
+function Row({ entry, index, columns, best, mixed }: RowProps) {
   return (
     <tr data-testid={`summary-${entry.id}`}>
       <th scope="row" style={{ '--panel-colour': dotColour(entry, index) }}>
         <span class="panel-dot" aria-hidden="true" />
         {labelOf(entry)}
+        {mixed && entry.objective && (
+          <span class="cell-small">
+            {t('lab.matrix.makesSmall', { objective: t(`objective.${entry.objective}`) })}
+          </span>
+        )}
       </th>
       {entry.origin === 'missing' ? (
         <td class="not-run" colSpan={columns.length}>
@@ -218,7 +236,6 @@ function Cell({
 }
 
 function Footnotes({ map }: { map: MapAnalysis }) {
-  const hasImported = map.entries.some(({ origin }) => origin === 'results')
   const failed = map.entries.some(({ runs, with_path }) => with_path < runs)
   const wrong = map.entries.filter(({ impossible }) => impossible > 0)
   const shared = map.targets.length > 0 && optimaOf(map, map.curve_measure).length > 1
@@ -227,13 +244,16 @@ function Footnotes({ map }: { map: MapAnalysis }) {
       {wrong.map((entry) => (
         <Alert
           key={entry.id}
-          words={t('lab.results.impossibleRuns', { entry: entry.label, count: entry.impossible })}
+          words={t('lab.results.impossibleRuns', {
+            entry: labelOf(entry),
+            count: entry.impossible,
+          })}
         />
       ))}
       <ul class="footnotes">
         {failed && <li>{t('lab.results.failuresNote')}</li>}
         {shared && <li>{t('lab.results.targetsShared')}</li>}
-        {hasImported && <li>{t('lab.results.imported')}</li>}
+        {wrong.length > 0 && <li>{t('lab.matrix.markNote')}</li>}
       </ul>
     </>
   )

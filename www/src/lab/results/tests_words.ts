@@ -16,14 +16,18 @@ export function sentences(map: MapAnalysis, kind: Kind): string[] {
     const pair = pairTest(map, first, second, kind)
     return a && b && pair ? [{ a, b, pair }] : []
   })
-  if (all.length === 0) return [t('lab.results.onePlanner')]
   const certain = all.filter(({ pair }) => differ(pair))
   const open = all.filter(({ pair }) => pair.p !== null && !differ(pair))
   const unpaired = all.filter(
     ({ a, b, pair }) => pair.p === null && !pair.paired && enough(a) && enough(b),
   )
   const few = map.entries.filter((entry) => entry.runs > 0 && !enough(entry))
+  const wrong = map.entries.filter(({ impossible }) => impossible > 0)
+  const untested =
+    wrong.length > 0 ? [t('lab.matrix.untested', { entries: wrong.map(labelOf).join(', ') })] : []
+  if (all.length === 0) return untested.length > 0 ? untested : [t('lab.results.onePlanner')]
   return [
+    ...untested,
     ...certain.sort((x, y) => (x.pair.p ?? 1) - (y.pair.p ?? 1)).map(ahead),
     ...(open.length > 0 ? [t('lab.results.noDifference', { pairs: listOf(open) })] : []),
     ...(kind === 'wilcoxon' && unpaired.length > 0

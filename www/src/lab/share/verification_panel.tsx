@@ -7,6 +7,7 @@ import { notifyError } from '../../state'
 import { Button } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
 import { goOn, openComparison, phase, verification } from '../run/actions'
+import { CarriedRuns } from './carried_runs'
 import { Deviations } from './deviations'
 import { forgetVerifying, stopVerifying, verifyAgain, verifying } from './verifier'
 
@@ -33,6 +34,9 @@ export function VerificationPanel() {
         {told && recordedWords(told, now.recorded as Recorded | null)}
       </p>
       {told && <Differences told={told} />}
+      {now.runs !== 'file' && told?.runs === 0 && now.recorded && (
+        <CarriedRuns recorded={now.recorded as Recorded} />
+      )}
       {told && (now.runs === 'file' ? <FileActions of={told.of} /> : <LinkActions told={told} />)}
     </section>
   )

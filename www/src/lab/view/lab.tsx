@@ -3,10 +3,13 @@ import { LoaderCircle } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import { fetchWholeEngine } from '../../state'
+import { holdPresses } from '../../ui/held_press'
 import { Icon } from '../../ui/icon'
 import { openComparison, phase } from '../run/actions'
 import { ComparisonView } from './comparison_view'
 import { Start } from './start'
+
+holdPresses()
 
 export function Lab() {
   useEffect(() => {

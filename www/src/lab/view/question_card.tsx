@@ -89,7 +89,7 @@ function Question() {
         <ul>
           {entries.map(({ id, label, planner, preset, set, missing, results }) => (
             <li key={id}>
-              <strong>{label}</strong>{' '}
+              <strong>{results ? t('lab.matrix.fromElsewhere', { name: label }) : label}</strong>{' '}
               <span class="hint">
                 {planner ? labelOfPlanner(planner, preset ?? null, set ?? {}) : missing || results}
               </span>

@@ -8,6 +8,7 @@ import { announce, notifyError } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
 import {
+  analysis,
   analysisError,
   cancel,
   closeComparison,
@@ -19,6 +20,7 @@ import {
   phase,
   progress,
 } from '../run/actions'
+import { countWords } from '../run/count_words'
 import { ShareComparison } from '../share/share_comparison'
 
 export function RunBar() {
@@ -110,6 +112,7 @@ function words(): string[] {
       ? t('lab.run.complete', { count: total })
       : t('lab.run.progress', { done, total }),
   ]
+  if (analysis.value) said.push(...countWords(analysis.value.counts))
   if (finishing.value > 0) said.push(t('lab.run.finishing', { count: finishing.value }))
   else if (phase.value === 'paused') said.push(t('lab.run.paused'))
   if (phase.value === 'running' && secondsLeft !== null) said.push(timeLeft(secondsLeft))

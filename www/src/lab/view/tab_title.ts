@@ -2,7 +2,7 @@
 import { effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { view } from '../../state'
-import { isTab } from '../results/results'
+import { isTab, nameOf } from '../results/results'
 import { shownComparison } from '../store/shown_comparison'
 import { shownTab } from '../store/shown_tab'
 import { phase, progress } from '../store/signals'
@@ -24,6 +24,6 @@ function titleNow(): string {
   if (view.value === 'race') return t('app.title')
   const tab = shownTab.value
   const parts = name ? [name, SITE] : [t('header.views.lab'), SITE]
-  if (name && tab !== null && isTab(tab)) parts.unshift(t(`lab.results.tabs.${tab}`))
+  if (name && tab !== null && isTab(tab)) parts.unshift(nameOf(tab))
   return parts.join(' · ')
 }

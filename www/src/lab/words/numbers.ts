@@ -85,6 +85,10 @@ export function optimaOf(
   })
 }
 
-/** Imported results are marked wherever they are named. */
-export const labelOf = ({ label, origin }: Pick<EntryAnalysis, 'label' | 'origin'>) =>
-  origin === 'results' ? `${label}\u00a0*` : label
+type Named = Pick<EntryAnalysis, 'label' | 'origin' | 'impossible'>
+
+/** That results are from elsewhere, and that some of them cannot be, stays with the name wherever it stands. */
+export function labelOf({ label, origin, impossible }: Named): string {
+  const name = origin === 'results' ? t('lab.matrix.fromElsewhere', { name: label }) : label
+  return impossible > 0 ? t('lab.matrix.marked', { name }) : name
+}

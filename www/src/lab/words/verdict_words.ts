@@ -9,7 +9,11 @@ const WHYS = {
   "nearly all of the baseline's runs are optimal already": 'noRoom',
 } as const
 
+/** Said since results from elsewhere may be impossible. */
+const IMPOSSIBLE = 'runs of one of the two are impossible on this map'
+
 export function whyWords(why: string): string {
+  if (why === IMPOSSIBLE) return t('lab.matrix.whyImpossible')
   const known = why in WHYS ? WHYS[why as keyof typeof WHYS] : null
   return known ? t(`lab.results.whys.${known}`) : why
 }
