@@ -5,7 +5,7 @@ import { describeError } from '../i18n/errors'
 import { Dock } from '../panels/dock'
 import { PanelGrid } from '../panels/panel_grid'
 import { RaceStrip } from '../panels/race_strip'
-import { catalog, showView, startError, startPage, view } from '../state'
+import { catalog, lesson, showView, startError, startPage, view } from '../state'
 import { ScrubberPlace } from '../toolbar/scrubber_place'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
@@ -18,6 +18,8 @@ import { Welcome } from './welcome'
 
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
+
+const TargetStrip = lazily(async () => (await import('../lesson')).fetchTargetStrip())
 
 /** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {
@@ -56,6 +58,7 @@ function Race({ hidden }: { hidden: boolean }) {
       <div class="content">
         <Welcome />
         <RaceStrip />
+        {lesson.value?.target && <TargetStrip />}
         <ScrubberPlace />
         <PanelGrid />
         <Dock />

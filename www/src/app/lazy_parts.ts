@@ -5,5 +5,7 @@ nameLazyParts({
   opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
+  lesson: async () => (await import('../lesson')).fetchOnMap(),
+  targetField: async () => (await import('../lesson')).fetchTargetField(),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

@@ -22,7 +22,7 @@ import {
   panels,
   pause,
   phase,
-  runToEnd,
+  runOn,
   scenario,
   stepIteration,
 } from '../state'
@@ -129,7 +129,7 @@ function results(): PanelResult[] {
 
 async function finishAll(): Promise<void> {
   await until(() => panels.peek().every(settled))
-  runToEnd()
+  runOn(true)
   await until(() => phase.peek() === 'finished' || panels.peek().every(ended))
 }
 

@@ -17,19 +17,31 @@ const TOO_LARGE = 'too large'
 /** An address, the mark that there can be none, or null while it is being made. */
 export type Link = string | typeof TOO_LARGE | null
 
-/** An address made once, as runs may go on behind the dialog. `make` is null while there is nothing to share. */
-export function useLink(prefix: string, make: (() => Promise<string>) | null): Link {
+/**
+ * An address made once, as runs may go on behind the dialog, and anew when `of` is something else. `make` is null while there is
+ * nothing to share.
+ */
+export function useLink(
+  prefix: string,
+  make: (() => Promise<string>) | null,
+  of: unknown = null,
+): Link {
   const [link, setLink] = useState<Link>(null)
   useEffect(() => {
     const page = location.href.replace(/#.*$/, '')
+    let wanted = true
     make?.().then(
-      (text) => setLink(`${page}${prefix}${text}`),
+      (text) => wanted && setLink(`${page}${prefix}${text}`),
       (error) => {
+        if (!wanted) return
         if (error instanceof LinkError) setLink(TOO_LARGE)
         else notifyError(error)
       },
     )
-  }, [])
+    return () => {
+      wanted = false
+    }
+  }, [of])
   return link
 }
 

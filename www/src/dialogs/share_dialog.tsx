@@ -1,18 +1,25 @@
 import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
+import type { Lesson } from '../model/lesson'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
-import { currentSession, latest, panels, plannerEntry } from '../state'
+import { currentSession, latest, lesson, panels, plannerEntry } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { download, exportSession, fileStem } from '../state/export_files'
+import { lazyParts } from '../state/lazy_parts'
+import { lazily } from '../ui/lazily'
 import { isSearch, plannerName } from '../words/planner_words'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
+const TargetField = lazily(() => lazyParts.targetField())
+
 export function ShareDialog() {
   // Runs may go on behind the dialog, so both its words and the link are of the moment it was opened.
-  const [session] = useState(currentSession)
+  const [opened] = useState(currentSession)
   const [expanded] = useState(expandedCells)
-  const link = useLink(PREFIX, session && (() => encodeSession(session)))
+  // What it sets for a lesson may be changed here.
+  const session = opened && withLesson(opened, lesson.value)
+  const link = useLink(PREFIX, session && (() => encodeSession(session)), lesson.value)
   return (
     <SendDialog
       title={t('share.title')}
@@ -26,8 +33,13 @@ export function ShareDialog() {
       testId="share"
     >
       {session && <Contents session={session} expanded={expanded} />}
+      <TargetField />
     </SendDialog>
   )
+}
+
+function withLesson({ lesson: _, ...session }: Session, now: Lesson | null): Session {
+  return now ? { ...session, lesson: now } : session
 }
 
 /** What the link holds, so that nothing is shared unseen. */

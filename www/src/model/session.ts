@@ -1,6 +1,7 @@
 /** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
 import type { Generator, Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
 import { layers } from './facts'
+import type { Lesson } from './lesson'
 import type { ParamValues } from './messages'
 
 /** How the panels keep step while they play. */
@@ -56,6 +57,8 @@ export interface Session {
   /** Index into SPEEDS. */
   speed: number
   layer: LayerChoice
+  /** Absent where it carries nothing for a lesson. */
+  lesson?: Lesson
 }
 
 /** What may lie under ants and paths. */

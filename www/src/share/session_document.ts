@@ -36,6 +36,7 @@ import {
   real,
   text,
 } from './field_checks'
+import { readLesson } from './lesson_fields'
 import { LinkError } from './link_error'
 
 export const FORMAT = 'formicarium/experiment@1'
@@ -60,7 +61,7 @@ const CORNER_RULES = everyOf<CornerRule>({ always: true, 'one-free': true, 'both
 export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin: Origin | null }
 
 export function documentOf(session: Session, engine: string): Fields {
-  const { scenario, panels, seed, sync, speed, layer } = session
+  const { scenario, panels, seed, sync, speed, layer, lesson } = session
   return {
     format: FORMAT,
     engine,
@@ -70,6 +71,7 @@ export function documentOf(session: Session, engine: string): Fields {
     sync,
     speed: SPEEDS[speed]?.id ?? 'move',
     layer,
+    ...(lesson && { lesson }),
   }
 }
 
@@ -99,6 +101,9 @@ export function readDocument(value: unknown, known = FACTS): Described {
         ),
     ),
     layer: oneOf(fields.layer, 'layer', layerChoices(known.layers)),
+    ...(fields.lesson != null && {
+      lesson: readLesson(fieldsOf(fields.lesson, 'lesson'), known.limits),
+    }),
   }
 }
 

@@ -1,10 +1,12 @@
 /** One panel's map: mounts the worker's canvas, tells it what to show, and turns pointer and keys into edits. */
-import { useComputed, useSignal } from '@preact/signals'
+import { computed, useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
-import { scenario, tool } from '../state'
+import { lesson, lessonMode, scenario, stopsMet, tool } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { inRelief, relief } from '../state/relief'
+import { lazily } from '../ui/lazily'
 import { CellReadout } from './cell_readout'
 import { watchSize } from './element_size'
 import { Inspector, inspector, isInspected } from './inspected'
@@ -13,6 +15,10 @@ import { sendOnceAFrame } from './once_a_frame'
 import { type CanvasSize, type Cursor, lookAt } from './panel_view'
 import { pointedCell } from './pointed_places'
 import { PointerInput } from './pointer'
+
+const LessonOnMap = lazily(() => lazyParts.lesson())
+/** Whether there is something of a lesson to be seen. */
+const onMap = computed(() => lessonMode.value ?? lesson.value?.drawn ?? stopsMet.value[0])
 
 export function Stage({ panelId }: { panelId: number }) {
   const Relief = inRelief.value ? relief.value?.ReliefStage : null
@@ -66,6 +72,7 @@ function FlatStage({ panelId }: { panelId: number }) {
       />
       <CellReadout cursor={cursor} />
       {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
+      {onMap.value && <LessonOnMap panelId={panelId} size={size} cursor={cursor} />}
     </>
   )
 }

@@ -1,6 +1,7 @@
 /** The page's one store: what components may read and every action they may call. */
 export * from './appearance'
 export * from './files'
+export * from './lesson'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
 export { changeLevel, type Rules, setRules } from './movement_rules'
@@ -30,6 +31,7 @@ export {
   play,
   reset,
   restart,
+  runOn,
   runToEnd,
   stepIteration,
   stepMove,
@@ -37,7 +39,7 @@ export {
 } from './runs'
 export * from './scenarios'
 export { currentSession, loadSession, openFragment, startOver } from './sessions'
-export { slotColour } from './slot_colours'
+export { HAND_SLOT, slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'
 export { startPage } from './start_page'
 export * from './store'

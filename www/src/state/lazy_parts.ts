@@ -38,6 +38,11 @@ export interface LazyParts {
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
+  /** What a lesson puts on a panel's map (lesson/); its properties are the stage's. */
+  // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
+  lesson(): Promise<ComponentType<any>>
+  /** The target that a link sets (lesson/). */
+  targetField(): Promise<ComponentType>
 }
 
 const missing = () => Promise.reject(new Error('the parts of the page have not been named yet'))
@@ -48,6 +53,8 @@ export const lazyParts: LazyParts = {
   lab: missing,
   relief: missing,
   inspector: missing,
+  lesson: missing,
+  targetField: missing,
 }
 
 /** Called once, before the page is drawn. */

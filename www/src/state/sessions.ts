@@ -6,6 +6,7 @@ import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
+import { lesson, lessonMode } from './lesson'
 import { latest, setVerified } from './live_reports'
 import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
@@ -42,6 +43,7 @@ export function currentSession(): Session | null {
     sync: sync.peek(),
     speed: speed.peek(),
     layer: layer.peek(),
+    ...(lesson.peek() && { lesson: lesson.peek() ?? {} }),
   }
 }
 
@@ -54,6 +56,8 @@ export function loadSession(session: Session): void {
     sync.value = session.sync
     setSpeedOfSession(session.speed)
     layer.value = session.layer
+    lesson.value = session.lesson ?? null
+    lessonMode.value = null
     panels.value = []
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)

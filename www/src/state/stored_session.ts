@@ -5,6 +5,7 @@
 import { effect } from '@preact/signals'
 import { gallery } from '../gallery/gallery'
 import type { Session } from '../model/session'
+import { lesson } from './lesson'
 import { fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession } from './sessions'
 import { galleryId, layer, panels, scenario, seed, speed, sync } from './store'
@@ -24,6 +25,7 @@ export function storeSessionChanges(): void {
     sync.value
     speed.value
     layer.value
+    lesson.value
     clearTimeout(timer)
     timer = window.setTimeout(storeSession, SETTLE_MS)
   })

@@ -4,6 +4,7 @@ import { panels, phase, reset, runToEnd, stepIteration, stepMove, toggle } from 
 import { IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { SpeedField } from './speed_field'
+import { Stops } from './stops'
 
 export function Transport() {
   const idle = panels.value.length === 0
@@ -43,6 +44,7 @@ export function Transport() {
         disabled={idle || finished}
         onClick={runToEnd}
       />
+      <Stops />
       <SpeedField />
     </div>
   )
