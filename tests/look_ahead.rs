@@ -22,8 +22,7 @@ fn planner(id: &str, scenario: &Arc<Scenario>) -> Box<dyn Planner> {
     let few = [("ants", 6.0), ("iterations", 8.0)];
     let entry = catalog::find(id).expect("in the catalog");
     let keys: Vec<_> = (entry.specs)().iter().map(|spec| spec.key).collect();
-    let values: Values =
-        few.iter().filter(|(k, _)| keys.contains(k)).map(|&(k, v)| (k.to_string(), Value::Number(v))).collect();
+    let values: Values = few.iter().filter(|(k, _)| keys.contains(k)).map(|&(k, v)| (k.to_string(), Value::Number(v))).collect();
     catalog::build(scenario, id, None, &values, 5).expect("valid parameters")
 }
 

@@ -53,7 +53,12 @@ function valid(): Record<string, unknown[]> {
     'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
     'OrderRun.advance': [1],
     'HandPath.constructor': [on, cells, heights],
-    'HandPath.measure': [[[0, 0], [1, 1]]],
+    'HandPath.measure': [
+      [
+        [0, 0],
+        [1, 1],
+      ],
+    ],
     'HandPath.towards': [0, 0, 3, 2],
     'LookAhead.ant': [0],
     'LookAhead.go_to': [2],

@@ -61,11 +61,7 @@ const REFUSED: [string, unknown, string][] = [
   ['an unknown objective', { target: { objective: 'beauty', beat: 3 } }, 'lesson.target.objective'],
   ['a target of 0', { target: { objective: 'length', beat: 0 } }, 'lesson.target.beat'],
   ['a target in words', { target: { objective: 'length', beat: 'best' } }, 'lesson.target.beat'],
-  [
-    'a seventh panel',
-    { questions: { panel: 6, ant: 0, iteration: 0 } },
-    'lesson.questions.panel',
-  ],
+  ['a seventh panel', { questions: { panel: 6, ant: 0, iteration: 0 } }, 'lesson.questions.panel'],
   ['a list', [], 'lesson'],
 ]
 

@@ -98,7 +98,13 @@ function Known({ now }: { now: Seen }) {
   const { whole } = numbers.value
   return (
     <>
-      <p class="hint" data-testid="ant-where" data-moves={at.moves} data-iteration={at.iteration}>
+      <p
+        class="hint"
+        data-testid="ant-where"
+        data-moves={at.moves}
+        data-iteration={at.iteration}
+        data-at={turn?.way.at(-1)?.join()}
+      >
         {t('lesson.ant.where', {
           planner: panelTitle(panelId),
           iteration: whole.format(at.iteration + 1),
