@@ -50,13 +50,14 @@ test.describe('stops', () => {
 
     const found: unknown[] = []
     for (const speed of [8, 7, 6]) {
-      await page.getByTestId('reset').click()
       await race.setSpeed(speed)
       await page.getByTestId('play').click()
       await expect(page.getByTestId('play')).toHaveAttribute('data-phase', /paused|finished/)
       await expect(page.locator('.stop-chip').first()).toContainText('iteration 7')
       await expect(page.locator('.toasts')).toContainText('Ant System: iteration 7')
       found.push(await stands(race))
+      await page.getByTestId('reset').click()
+      await race.ready()
     }
     expect((found[0] as unknown[][])[0]?.[0]).toBe(7)
     expect(found[1]).toEqual(found[0])

@@ -57,6 +57,8 @@ export function StopsMenu() {
         class="menu lesson-box"
         data-testid="stops-box"
         onToggle={toggled}
+        // Space and Enter are the box's own while the focus is in it, not the page's.
+        onKeyDown={(event) => event.stopPropagation()}
       >
         <header class="lesson-box-head">
           <h3>{t('lesson.stops.title')}</h3>

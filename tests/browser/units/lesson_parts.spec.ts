@@ -4,7 +4,6 @@ import { type Answer, scoreOf } from '../../../www/src/lesson/score'
 import type { Lesson, Stop } from '../../../www/src/model/lesson'
 import type { Session } from '../../../www/src/model/session'
 import { packBits, unpack } from '../../../www/src/share/codec'
-import { sessionFromFile, sessionToFile } from '../../../www/src/share/link'
 import { documentOf, readDocument } from '../../../www/src/share/session_document'
 import type { Steppable } from '../../../www/src/worker/stepper'
 import { StopWatch } from '../../../www/src/worker/stop_watch'
@@ -26,10 +25,11 @@ const whole: Lesson = {
 const withLesson = (lesson: Lesson): Session => ({ ...sessionOf(6, 5), lesson })
 const document = (lesson: unknown) => ({ ...documentOf(sessionOf(6, 5), '0'), lesson })
 
-test('a lesson comes back from a link and from a file', async () => {
+test('a lesson comes back from a link and from a document', async () => {
   const session = withLesson(whole)
   expect((await unpack(packBits(session, '0'), generate)).lesson).toEqual(whole)
-  expect((await sessionFromFile(sessionToFile(session, '0'))).lesson).toEqual(whole)
+  const text = JSON.stringify(documentOf(session, '0'))
+  expect(readDocument(JSON.parse(text)).lesson).toEqual(whole)
 })
 
 test('a session without a lesson says nothing of one: its links keep their bytes', () => {
