@@ -117,8 +117,9 @@ function Known({ now }: { now: Seen }) {
           {t('lesson.ant.last', { x: last.to[0], y: last.to[1], share: percent(last.probability) })}
         </p>
       )}
-      {turn ? <Turn turn={turn} /> : <p data-testid="ant-none">{whyNone(panelId)}</p>}
       <Actions now={now} />
+      {turn ? <Turn turn={turn} /> : <p data-testid="ant-none">{whyNone(panelId)}</p>}
+      <p class="hint">{t('lesson.ant.stepHint')}</p>
     </>
   )
 }
@@ -194,9 +195,8 @@ function Actions({ now }: { now: Seen }) {
           onClick={() => startGuessing(panelId, ant)}
         />
       </div>
-      <p class="hint" role="status" data-testid="ant-ahead" data-ahead={now.ahead}>
-        {now.ahead > 0 && <strong>{t('lesson.ant.ahead', { count: now.ahead })}. </strong>}
-        {t('lesson.ant.stepHint')}
+      <p role="status" data-testid="ant-ahead" data-ahead={now.ahead}>
+        {now.ahead > 0 && <strong>{t('lesson.ant.ahead', { count: now.ahead })}</strong>}
       </p>
     </>
   )

@@ -1,7 +1,7 @@
 /** The followed ant on the map: its way so far, and the moves that it weighs. */
 import { MoveArrows } from '../playback/move_arrows'
 import type { CanvasSize } from '../stage/panel_view'
-import { lessonMode, panelColour } from '../state'
+import { lessonMode } from '../state'
 import { seen } from './follow'
 import { optionsOf, question } from './guess'
 import { cellSize, lineOn, pointOn } from './map_lines'
@@ -26,7 +26,7 @@ export function AntTrail({ size }: { size: CanvasSize }) {
           panelId={panelId}
         />
       )}
-      <Overlay size={size} class="ant-trail" testId="ant-trail" colour={panelColour(panelId)}>
+      <Overlay size={size} class="ant-trail" testId="ant-trail">
         <polyline class="halo" points={lineOn(size, turn.way)} />
         <polyline class="line" points={lineOn(size, turn.way)} />
         <circle class="ring" cx={x} cy={y} r={Math.max(6, 0.42 * cellSize(size))} />

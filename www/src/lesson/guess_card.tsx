@@ -107,7 +107,6 @@ function Told({ answer }: { answer: Answer }) {
         })}{' '}
         {t('lesson.guess.likeliest', { share: percent(best) })}
       </p>
-      <MoveTable moves={rows} cell={at} level={turn?.level ?? 0} marked={marked ?? null} />
       <div class="card-actions">
         <Button
           label={t('lesson.guess.next')}
@@ -116,6 +115,7 @@ function Told({ answer }: { answer: Answer }) {
           onClick={nextQuestion}
         />
       </div>
+      <MoveTable moves={rows} cell={at} level={turn?.level ?? 0} marked={marked ?? null} />
     </>
   )
 }

@@ -23,7 +23,7 @@ export const enLesson = {
     names: {
       'first-path': 'a first path is found',
       'better-path': 'a better path is found',
-      stagnation: 'no better path for so many iterations',
+      stagnation: 'no better path for',
       iteration: 'an iteration is done',
       'panel-ends': 'a planner has ended',
     },
