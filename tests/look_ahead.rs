@@ -71,7 +71,7 @@ fn follow_an_iteration(what: &str, run: &mut dyn Planner) -> u32 {
 }
 
 fn with_ants() -> impl Iterator<Item = &'static formicarium::planner::PlannerEntry> {
-    catalog::CATALOG.iter().filter(|entry| entry.family == Family::AntColony)
+    catalog::CATALOG.iter().copied().filter(|entry| entry.family == Family::AntColony)
 }
 
 #[test]

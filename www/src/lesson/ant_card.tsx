@@ -110,7 +110,6 @@ function Known({ now }: { now: Seen }) {
           iteration: whole.format(at.iteration + 1),
           moves: whole.format(at.moves),
         })}
-        <Agreement now={now} />
       </p>
       {last && (
         <p data-testid="ant-last" data-to={last.to.join()}>
@@ -119,7 +118,10 @@ function Known({ now }: { now: Seen }) {
       )}
       <Actions now={now} />
       {turn ? <Turn turn={turn} /> : <p data-testid="ant-none">{whyNone(panelId)}</p>}
-      <p class="hint">{t('lesson.ant.stepHint')}</p>
+      <p class="hint">
+        {t('lesson.ant.stepHint')}
+        <Agreement now={now} />
+      </p>
     </>
   )
 }
