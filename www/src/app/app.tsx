@@ -6,6 +6,7 @@ import { Dock } from '../panels/dock'
 import { PanelGrid } from '../panels/panel_grid'
 import { RaceStrip } from '../panels/race_strip'
 import { catalog, lesson, showView, startError, startPage, view } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { ScrubberPlace } from '../toolbar/scrubber_place'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
@@ -19,7 +20,7 @@ import { Welcome } from './welcome'
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
-const TargetStrip = lazily(async () => (await import('../lesson')).fetchTargetStrip())
+const TargetStrip = lazily(() => lazyParts.lesson('target'))
 
 /** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {

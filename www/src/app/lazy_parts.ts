@@ -5,7 +5,6 @@ nameLazyParts({
   opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
-  lesson: async () => (await import('../lesson')).fetchOnMap(),
-  targetField: async () => (await import('../lesson')).fetchTargetField(),
+  lesson: async (piece) => (await import('../lesson')).fetchPiece(piece),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

@@ -11,7 +11,7 @@ import { lazily } from '../ui/lazily'
 import { isSearch, plannerName } from '../words/planner_words'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
-const TargetField = lazily(() => lazyParts.targetField())
+const TargetField = lazily(() => lazyParts.lesson('field'))
 
 export function ShareDialog() {
   // Runs may go on behind the dialog, so both its words and the link are of the moment it was opened.

@@ -35,10 +35,6 @@ export interface Conductor {
 
 type Mode = 'idle' | 'play' | 'step' | 'to-end'
 
-/** In one frame, where stops keep rounds small: as many as fit. */
-const MOST_ROUNDS = 1 << 14
-const FRAME_MS = 12
-
 const FULL_SPEED: Speed = { id: 'max', unit: 'max', count: 1, everyFrames: 1 }
 
 export function createConductor(host: ConductorHost): Conductor {
@@ -57,9 +53,8 @@ class FrameLoop implements Conductor {
   /** Stops do not count. */
   private through = false
   private met: MetStop[] = []
-  /** Rounds that may follow in the same frame, and until when. */
+  /** Rounds that may follow in the same frame. */
   private more = 0
-  private frameEnds = 0
 
   constructor(private readonly host: ConductorHost) {
     listen((panelId, reply) => this.receive(panelId, reply))
@@ -118,8 +113,8 @@ class FrameLoop implements Conductor {
     if (this.mode === 'idle') return
     this.request()
     const { unit, count } = this.speed()
-    this.more = this.stops() ? (unit === 'max' ? MOST_ROUNDS : count) : 0
-    this.frameEnds = performance.now() + FRAME_MS
+    // Where stops keep rounds small: as many as the speed counts, or as fit.
+    this.more = this.stops() ? (unit === 'max' ? 1e9 : count) : 0
     this.goOn()
   }
 
@@ -185,13 +180,12 @@ class FrameLoop implements Conductor {
     if (reply.kind === 'frame') {
       this.slowestMs = Math.max(this.slowestMs, reply.workMs)
       if (reply.reached) this.round.delete(panelId)
-      const { iteration } = reply.summary
-      for (const stop of reply.met ?? []) this.met.push({ panelId, stop, iteration })
+      for (const stop of reply.met ?? []) this.met.push({ panelId, stop })
     } else if (reply.kind !== 'ready') this.round.delete(panelId)
     this.host.onReply(panelId, reply)
     // What a pause has overtaken is said all the same.
     if (this.mode === 'idle' && this.met.length > 0) this.stop()
-    if (this.round.size === 0 && --this.more > 0 && performance.now() < this.frameEnds) this.goOn()
+    if (this.round.size === 0 && --this.more > 0) this.goOn()
   }
 
   private stop(): false {

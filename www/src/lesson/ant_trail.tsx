@@ -1,5 +1,5 @@
 /** The followed ant on the map: its way so far, and the moves that it weighs. */
-import { MoveArrows } from '../playback/move_arrows'
+import { MoveArrows } from '../playback'
 import type { CanvasSize } from '../stage/panel_view'
 import { lessonMode } from '../state'
 import { seen } from './follow'

@@ -1,9 +1,9 @@
 /** Beside the map while a path is drawn: what it is worth so far, and what is missing. */
-import { Redo2, Trash2, Undo2 } from 'lucide'
+import { Eraser, Redo2, Undo2 } from 'lucide'
 import { useId } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/lesson'
-import { LONGEST_LABEL } from '../share/lesson_fields'
+import { LONGEST_LABEL } from '../model/lesson'
 import type { CanvasSize } from '../stage/panel_view'
 import { lesson, objectives, references, scenario } from '../state'
 import { Button, IconButton } from '../ui/buttons'
@@ -64,7 +64,7 @@ export function DrawCard({ size }: { size: CanvasSize }) {
           onClick={redoPiece}
         />
         <IconButton
-          icon={Trash2}
+          icon={Eraser}
           label={t('lesson.draw.clear')}
           testId="draw-clear"
           disabled={!drawn}

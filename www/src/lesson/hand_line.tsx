@@ -1,8 +1,8 @@
 /** The path by hand on the map. */
 import type { DrawnPath } from '../model/lesson'
 import type { CanvasSize } from '../stage/panel_view'
-import { HAND_SLOT, lessonMode, slotColour } from '../state'
-import { measured } from './hand_panel'
+import { lessonMode, slotColour } from '../state'
+import { HAND_SLOT, measured } from './hand_panel'
 import { lineOn, pointOn } from './map_lines'
 import { Overlay } from './overlay'
 

@@ -4,8 +4,8 @@ import { computed, effect, signal } from '@preact/signals'
 import { describeError } from '../i18n/errors'
 import type { DrawnPath } from '../model/lesson'
 import type { Scenario } from '../model/session'
-import { blankLive, byHand, HAND_SLOT, lesson, objectives, type Panel, scenario } from '../state'
-import { mapBox } from './drawing'
+import { blankLive, byHand, lesson, objectives, type Panel, panelById, scenario } from '../state'
+import { drawingOn, mapBox, stopDrawing } from './drawing'
 
 /** What the engine says of the path, or why it cannot say anything. */
 export interface Measured {
@@ -13,6 +13,9 @@ export interface Measured {
   found: Drawn | null
   refused: string
 }
+
+/** No panel has it: the colour is the hand's own. */
+export const HAND_SLOT = -1
 
 export const measured = signal<Measured | null>(null)
 
@@ -27,6 +30,10 @@ export function keepMeasuring(): void {
       return
     }
     if (measured.peek()?.drawn !== drawn || measuredOn !== now) void measure(now, drawn)
+  })
+  // Its panel has left the page.
+  effect(() => {
+    if (drawingOn.value !== null && !panelById(drawingOn.value)) stopDrawing()
   })
   effect(() => {
     byHand.value = contestant.value ? [contestant.value] : []

@@ -1,9 +1,8 @@
 /** At the transport: stops, and the menu of what a lesson can do. */
 import { CircleHelp, GraduationCap, PencilLine, Pointer, Target } from 'lucide'
 import { t } from '../i18n/lesson'
-import { panels, plannerEntry } from '../state'
+import { inRelief, panels, plannerEntry } from '../state'
 import { show } from '../state/dialogs'
-import { inRelief } from '../state/relief'
 import { Icon } from '../ui/icon'
 import { Menu, MenuItem } from '../ui/menu'
 import { startDrawing } from './drawing'

@@ -3,7 +3,7 @@ import { effect } from '@preact/signals'
 import { numbers } from '../i18n'
 import { t } from '../i18n/lesson'
 import type { MetStop, Stop } from '../model/lesson'
-import { notify, phase, stopsMet } from '../state'
+import { latest, notify, phase, stopsMet } from '../state'
 import { panelTitle } from '../words/planner_words'
 
 export function stopWords(stop: Stop): string {
@@ -28,7 +28,8 @@ function tell(met: MetStop[]): void {
   const all = panels
     .map((id) => `${panelTitle(id)}: ${metBy(id).map(stopWords).join(', ')}`)
     .join('; ')
-  const iteration = numbers.peek().whole.format(Math.max(...met.map((each) => each.iteration)))
+  const reached = panels.map((id) => latest(id).summary?.iteration ?? 0)
+  const iteration = numbers.peek().whole.format(Math.max(...reached))
   const hint = t(phase.peek() === 'finished' ? 'lesson.stops.nextEnded' : 'lesson.stops.next')
   notify('info', t('lesson.stops.stoppedAt', { iteration, all }), { hint })
 }

@@ -2,6 +2,12 @@
 import type { Objective } from '@pkg/formicarium'
 import type { Cell } from './cell'
 
+/** A path drawn by hand may be so long, in cells. */
+export const MOST_CELLS_DRAWN = 20_000
+export const LONGEST_LABEL = 40
+/** As many iterations as a planner may be given. */
+export const MOST_ITERATIONS = 1e7
+
 /** When a race stops by itself. Each is met by one panel, at the move where it happens. */
 export type Stop =
   /** It has its first path · a better one than before · it has ended. */
@@ -27,8 +33,6 @@ export const COUNTED: readonly StopId[] = ['stagnation', 'iteration']
 export interface MetStop {
   panelId: number
   stop: Stop
-  /** Its finished iterations then. */
-  iteration: number
 }
 
 /** A contestant without a planner: cells from the start on, as far as the hand has come. */

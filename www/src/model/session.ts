@@ -58,7 +58,7 @@ export interface Session {
   speed: number
   layer: LayerChoice
   /** Absent where it carries nothing for a lesson. */
-  lesson?: Lesson
+  lesson?: Lesson | undefined
 }
 
 /** What may lie under ants and paths. */

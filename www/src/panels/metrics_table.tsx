@@ -2,7 +2,6 @@ import { numbers, t } from '../i18n'
 import { goalName } from '../model/goals'
 import {
   byHand,
-  HAND_SLOT,
   type Panel,
   panels,
   plannerEntry,
@@ -30,7 +29,7 @@ export function MetricsTable() {
             {all.map((panel) => (
               <th key={panel.id} scope="col" style={{ '--panel-colour': slotColour(panel.slot) }}>
                 <span class="panel-dot" aria-hidden="true" />
-                {panel.slot === HAND_SLOT ? panel.setup.planner : panelTitle(panel.id)}
+                {panelTitle(panel.id) || panel.setup.planner}
               </th>
             ))}
           </tr>

@@ -4,6 +4,9 @@ import {
   COUNTED,
   type DrawnPath,
   type Lesson,
+  LONGEST_LABEL,
+  MOST_CELLS_DRAWN,
+  MOST_ITERATIONS,
   type Questions,
   STOP_IDS,
   type Stop,
@@ -22,12 +25,6 @@ import {
   real,
   text,
 } from './field_checks'
-
-/** A path drawn by hand may be so long, in cells. */
-export const MOST_CELLS_DRAWN = 20_000
-export const LONGEST_LABEL = 40
-/** As many iterations as a planner may be given. */
-export const MOST_ITERATIONS = 1e7
 
 const EVERY_OBJECTIVE: Record<Objective, true> = {
   length: true,

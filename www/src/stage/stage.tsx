@@ -1,5 +1,5 @@
 /** One panel's map: mounts the worker's canvas, tells it what to show, and turns pointer and keys into edits. */
-import { computed, useComputed, useSignal } from '@preact/signals'
+import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
@@ -16,9 +16,7 @@ import { type CanvasSize, type Cursor, lookAt } from './panel_view'
 import { pointedCell } from './pointed_places'
 import { PointerInput } from './pointer'
 
-const LessonOnMap = lazily(() => lazyParts.lesson())
-/** Whether there is something of a lesson to be seen. */
-const onMap = computed(() => lessonMode.value ?? lesson.value?.drawn ?? stopsMet.value[0])
+const LessonOnMap = lazily(() => lazyParts.lesson('map'))
 
 export function Stage({ panelId }: { panelId: number }) {
   const Relief = inRelief.value ? relief.value?.ReliefStage : null
@@ -72,7 +70,9 @@ function FlatStage({ panelId }: { panelId: number }) {
       />
       <CellReadout cursor={cursor} />
       {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
-      {onMap.value && <LessonOnMap panelId={panelId} size={size} cursor={cursor} />}
+      {(lessonMode.value ?? lesson.value?.drawn ?? stopsMet.value[0]) && (
+        <LessonOnMap panelId={panelId} size={size} cursor={cursor} />
+      )}
     </>
   )
 }

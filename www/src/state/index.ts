@@ -26,6 +26,7 @@ export {
   setPreset,
   setSeed,
 } from './panels'
+export { inRelief } from './relief'
 export {
   pause,
   play,
@@ -39,7 +40,7 @@ export {
 } from './runs'
 export * from './scenarios'
 export { currentSession, loadSession, openFragment, startOver } from './sessions'
-export { HAND_SLOT, slotColour } from './slot_colours'
+export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'
 export { startPage } from './start_page'
 export * from './store'

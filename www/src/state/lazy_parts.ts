@@ -31,6 +31,9 @@ export interface OpenerPart {
   openDropped(files: File[], entries: FileSystemEntry[]): Promise<boolean>
 }
 
+/** At the transport · on a panel's map · the target in one line · its field in the share dialog. */
+export type LessonPiece = 'tools' | 'map' | 'target' | 'field'
+
 export interface LazyParts {
   opener(): Promise<OpenerPart>
   lab(): Promise<LabPart>
@@ -38,11 +41,9 @@ export interface LazyParts {
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
-  /** What a lesson puts on a panel's map (lesson/); its properties are the stage's. */
-  // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
-  lesson(): Promise<ComponentType<any>>
-  /** The target that a link sets (lesson/). */
-  targetField(): Promise<ComponentType>
+  /** A piece of a lesson (lesson/), with the properties that its place gives it. */
+  // biome-ignore lint/suspicious/noExplicitAny: whoever mounts it knows them
+  lesson(piece: LessonPiece): Promise<ComponentType<any>>
 }
 
 const missing = () => Promise.reject(new Error('the parts of the page have not been named yet'))
@@ -54,7 +55,6 @@ export const lazyParts: LazyParts = {
   relief: missing,
   inspector: missing,
   lesson: missing,
-  targetField: missing,
 }
 
 /** Called once, before the page is drawn. */

@@ -6,7 +6,7 @@ import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
-import { lesson, lessonMode } from './lesson'
+import { lesson } from './lesson'
 import { latest, setVerified } from './live_reports'
 import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
@@ -43,7 +43,7 @@ export function currentSession(): Session | null {
     sync: sync.peek(),
     speed: speed.peek(),
     layer: layer.peek(),
-    ...(lesson.peek() && { lesson: lesson.peek() ?? {} }),
+    lesson: lesson.peek() ?? undefined,
   }
 }
 
@@ -57,7 +57,6 @@ export function loadSession(session: Session): void {
     setSpeedOfSession(session.speed)
     layer.value = session.layer
     lesson.value = session.lesson ?? null
-    lessonMode.value = null
     panels.value = []
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)

@@ -4,8 +4,7 @@
  */
 export const COLOURS = ['#d5580a', '#2f7ec7', '#0b8f69', '#b0508c', '#8a6d00', '#5b5fc7'] as const
 
-/** Of the path by hand, which has no panel. */
-export const HAND_SLOT = -1
+/** Of what has no slot: the path by hand. */
 const HAND_COLOUR = '#d1305a'
 
 export function slotColour(slot: number): string {

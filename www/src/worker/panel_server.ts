@@ -97,9 +97,9 @@ function tick({ runId, target, sliceMs }: Tick, advance?: Advance): void {
   reply({ ...answer, met })
 }
 
-/** What stops a run is fetched with the first stop. */
+/** What stops a run is fetched with the first stop or question. */
 async function tickWithStops(request: Tick, stops: Stop[]): Promise<void> {
-  const { StopWatch } = await import('./stop_watch')
+  const { StopWatch } = await import('./panel_answers')
   tick(request, (running, target) => {
     running.watch ??= new StopWatch(running.run, () => performance.now())
     return running.watch.advance(target, request.sliceMs, stops)
@@ -176,7 +176,8 @@ function reply(message: PanelReply): void {
   self.postMessage(message)
 }
 
-function handle(request: PanelRequest): void {
+/** A promise where a part of the worker has to be fetched first. */
+function handle(request: PanelRequest): Promise<void> | undefined {
   switch (request.kind) {
     case 'init':
       init(request)
@@ -188,8 +189,8 @@ function handle(request: PanelRequest): void {
       painter?.setView(request.view)
       break
     case 'tick':
-      if (request.stops) tickWithStops(request, request.stops).catch((e) => fail(request, e))
-      else tick(request)
+      if (request.stops) return tickWithStops(request, request.stops)
+      tick(request)
       break
     case 'raster':
       raster()
@@ -200,19 +201,15 @@ function handle(request: PanelRequest): void {
   }
 }
 
-function answer(request: PanelRequest): void {
+async function answer(request: PanelRequest): Promise<void> {
   try {
-    handle(request)
+    await handle(request)
   } catch (thrown) {
-    fail(request, thrown)
-  }
-}
-
-function fail(request: PanelRequest, thrown: unknown): void {
-  if (isEngineError(thrown) && 'runId' in request) {
-    if (request.kind === 'load') refuse(request.setup)
-    reply({ kind: 'refused', runId: request.runId, error: thrown })
-  } else {
-    reply({ kind: 'crashed', message: thrown instanceof Error ? thrown.message : String(thrown) })
+    if (isEngineError(thrown) && 'runId' in request) {
+      if (request.kind === 'load') refuse(request.setup)
+      reply({ kind: 'refused', runId: request.runId, error: thrown })
+    } else {
+      reply({ kind: 'crashed', message: thrown instanceof Error ? thrown.message : String(thrown) })
+    }
   }
 }
