@@ -2,6 +2,7 @@
 import { Eraser, Redo2, Undo2 } from 'lucide'
 import { useId } from 'preact/hooks'
 import { numbers } from '../i18n'
+import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/lesson'
 import { LONGEST_LABEL } from '../model/lesson'
 import type { CanvasSize } from '../stage/panel_view'
@@ -107,7 +108,7 @@ function standingWords(): string {
   const { found, refused, drawn } = now
   const { length, whole } = numbers.value
   if (!found) return t('lesson.draw.notHere', { why: refused })
-  if (found.flaw) return t('lesson.draw.flaw', { why: found.flaw.message })
+  if (found.flaw) return t('lesson.draw.flaw', { why: describeNotice(found.flaw) })
   const { metrics, missing } = found
   const steps = t('lesson.draw.steps', { count: drawn.path.length - 1 })
   if (!metrics || missing) {

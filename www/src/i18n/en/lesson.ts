@@ -109,7 +109,7 @@ export const enLesson = {
     complete: 'Complete: length {{length}}, {{turns}} turns, least clearance {{clearance}}.',
     gap: '{{gap}} above the reference.',
     best: 'As good as the reference.',
-    flaw: 'No path on this map: {{why}}. Clear it, or take pieces back.',
+    flaw: 'No path on this map. {{why}} Clear it, or take pieces back.',
     tooLong: 'A path by hand has at most {{most}} cells. Take pieces back.',
     notHere: 'Nothing is measured: {{why}}',
   },

@@ -108,7 +108,7 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     complete: '已完成：长度 {{length}}，转弯 {{turns}} 次，最小间隙 {{clearance}}。',
     gap: '比参考值高 {{gap}}。',
     best: '与参考值一样好。',
-    flaw: '在此地图上不是路径：{{why}}。请清除，或撤销几段。',
+    flaw: '在此地图上不是路径。{{why}}请清除，或撤销几段。',
     tooLong: '手绘路径最多 {{most}} 格。请撤销几段。',
     notHere: '无法度量：{{why}}',
   },
