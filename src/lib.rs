@@ -27,7 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`]; [`planner`]; [`exact`]
+//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`] and [`drawn`]; [`planner`]; [`exact`]
 //! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
@@ -41,6 +41,7 @@ pub mod aco;
 pub mod catalog;
 pub mod comparison;
 pub mod digest;
+pub mod drawn;
 pub mod error;
 pub mod exact;
 pub mod formats;

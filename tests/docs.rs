@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-const DOCUMENTS: [&str; 9] = [
+const DOCUMENTS: [&str; 10] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/architecture.md",
@@ -11,6 +11,7 @@ const DOCUMENTS: [&str; 9] = [
     "docs/formats.md",
     "docs/glossary.md",
     "docs/hosting.md",
+    "docs/lessons.md",
     "docs/methodology.md",
     "tests/fixtures/links/README.md",
 ];

@@ -11,7 +11,7 @@ const LAYERS: [&[&str]; 13] = [
     &["map"],
     &["scenario"],
     &["path"],
-    &["metrics"],
+    &["metrics", "drawn"],
     &["planner"],
     &["exact", "swarm"],
     &["aco"],

@@ -1,7 +1,7 @@
 //! One ant: where it is, how it came there, which cells it has visited, and its own random stream.
 
 use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, counted_length, is_diagonal, opposite};
-use crate::planner::held;
+use crate::planner::{Fate, held};
 use crate::rng::Stream;
 
 use super::dead_end::DeadEnd;
@@ -50,17 +50,6 @@ impl Tabu {
         let below = self.three(position + self.stride - 1);
         (above | (beside & 1) << 3 | (beside >> 2) << 4 | below << 5) as u8
     }
-}
-
-/// What became of an ant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
-    /// Still under way.
-    Walking,
-    /// At the goal.
-    Arrived,
-    /// Lost at a dead end, or at the cap on its moves.
-    Lost,
 }
 
 /// An ant of a colony.

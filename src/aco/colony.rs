@@ -1,24 +1,27 @@
 //! The one skeleton of every colony: construct solutions, update trails, daemon actions.
 
+mod moves;
+
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::map::Cell;
 use crate::metrics::obstacle_density;
 use crate::path::{Refinement, refine};
 use crate::planner::{
-    Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, advance,
-    held,
+    Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
+    Walked, advance, held,
 };
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
-use super::ant::{Ant, Fate, Walk};
+use super::ant::{Ant, Walk};
 use super::lanes;
-use super::on_demand::{self, OnDemand};
+use super::on_demand::OnDemand;
 use super::selection::without;
 use super::trails::Trails;
 use super::variant::{Iteration, Settings, Step, Variant};
-use super::weights::{self, Eta, WeightTable, Weights, weigh};
+use super::weights::{Eta, WeightTable, Weights};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
 #[derive(Clone)]
@@ -103,33 +106,28 @@ impl<V: Variant + 'static> Colony<V> {
         trails
     }
 
-    /// The variant as the ants of the iteration at work have it or, between two, those of the next; of the last once the budget is spent.
-    fn variant_now(&self) -> V {
-        let mut variant = self.variant.clone();
-        if self.tables.is_none() {
-            variant.prepare(&self.scenario);
+    /// One move of the walking ones among these ants, in index order; true when none of them is left.
+    #[inline(always)]
+    fn move_ants(&mut self, which: Range<usize>) -> bool {
+        let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return true };
+        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
+        let mut done = true;
+        for ant in ants[which].iter_mut().filter(|a| a.fate() == Fate::Walking) {
+            let from = ant.cell();
+            let step = if V::TIMED {
+                move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
+            } else {
+                move_one(&self.variant, &mut &*weights, &walk, ant)
+            };
+            if let Some(direction) = step
+                && V::LOCK_STEP
+            {
+                self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
+                take_in_trails::<V>(weights, on_demand, trails);
+            }
+            done &= ant.fate() != Fate::Walking;
         }
-        if !self.constructing {
-            variant.begin_iteration((self.progress.effort.iterations + 1).min(self.settings.iterations));
-        }
-        variant
-    }
-
-    /// [`Planner::moves_from`] for a cell of the map; the weights and the rule are those of the walk.
-    fn odds_at(&self, variant: &V, trails: &Trails, cell: Cell) -> Vec<MoveOdds> {
-        let (scenario, settings) = (&*self.scenario, &self.settings);
-        let eta = |d, to| variant.heuristic(scenario, cell, d, to);
-        let seen = if V::TIMED {
-            on_demand::visibility(scenario, variant, settings.beta, cell)
-        } else {
-            weights::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
-        };
-        let odds = variant.odds(&weigh(&trails.relative(cell), settings.alpha, &seen));
-        let step = |d| {
-            let to = scenario.moves.step(cell, d);
-            MoveOdds { colony: 0, to, trail: trails.get(cell, d), heuristic: eta(d, to), probability: odds[d as usize] }
-        };
-        scenario.moves.directions(cell).map(step).collect()
+        done
     }
 }
 
@@ -169,25 +167,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
 
     /// One move of every walking ant, in index order; true when none is left.
     fn move_all(&mut self) -> bool {
-        let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return true };
-        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
-        let mut done = true;
-        for ant in ants.iter_mut().filter(|a| a.fate() == Fate::Walking) {
-            let from = ant.cell();
-            let step = if V::TIMED {
-                move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
-            } else {
-                move_one(&self.variant, &mut &*weights, &walk, ant)
-            };
-            if let Some(direction) = step
-                && V::LOCK_STEP
-            {
-                self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
-                take_in_trails::<V>(weights, on_demand, trails);
-            }
-            done &= ant.fate() != Fate::Walking;
-        }
-        done
+        self.move_ants(0..self.settings.ants as usize)
     }
 
     /// Lets every ant walk to its end. Same walks as by [`Iterations::move_all`], in whatever order is fastest.
@@ -275,6 +255,11 @@ fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
     std::iter::once(scenario.start).chain(rest).collect()
 }
 
+/// How far an ant has come.
+fn walked(scenario: &Scenario, ant: &Ant) -> Walked {
+    Walked { way: cells(scenario, ant), fate: ant.fate() }
+}
+
 /// The iteration's record.
 #[inline(never)]
 fn record(iteration: &Iteration) -> Record {
@@ -297,9 +282,18 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         }
         let variant = self.variant_now();
         match &self.tables {
-            Some(tables) => self.odds_at(&variant, &tables.trails, cell),
-            None => self.odds_at(&variant, &self.initial_trails(), cell),
+            Some(tables) => self.odds_at(&variant, &tables.trails, cell, 0),
+            None => self.odds_at(&variant, &self.initial_trails(), cell, 0),
         }
+    }
+
+    fn ant(&self, number: u32) -> Option<Walked> {
+        let ants = self.tables.as_ref().filter(|_| cfg!(feature = "whole")).map(|tables| &tables.ants)?;
+        ants.get(number as usize).map(|ant| walked(&self.scenario, ant))
+    }
+
+    fn turn_of(&self, number: u32) -> Option<Turn> {
+        (cfg!(feature = "whole") && number < self.settings.ants).then(|| self.clone().take_turn(number as usize))?
     }
 
     fn progress(&self) -> &Progress {

@@ -6,7 +6,9 @@
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::planner::{Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status};
+use crate::planner::{
+    Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked,
+};
 use crate::scenario::Scenario;
 
 use super::colony::{self, Colony};
@@ -113,6 +115,14 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
     /// Those of the colony; none while the first stage runs, which has no ants.
     fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
         self.colony.as_ref().map_or_else(Vec::new, |colony| colony.moves_from(cell))
+    }
+
+    fn ant(&self, number: u32) -> Option<Walked> {
+        self.colony.as_ref()?.ant(number)
+    }
+
+    fn turn_of(&self, number: u32) -> Option<Turn> {
+        self.colony.as_ref()?.turn_of(number)
     }
 
     fn objective(&self) -> Objective {

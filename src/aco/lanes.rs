@@ -8,11 +8,12 @@
 use rand::Rng;
 use wide::f32x4;
 
-use super::ant::{Ant, Fate, Walk};
+use super::ant::{Ant, Walk};
 use super::selection::{random_proportional, without};
 use super::trails::Row;
 use super::weights::Weights;
 use crate::map::{DIRECTIONS, Direction};
+use crate::planner::Fate;
 use crate::rng::{Stream, unit_f32};
 
 const LANES: usize = 4;

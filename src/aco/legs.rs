@@ -11,7 +11,9 @@ use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
 use crate::map::Cell;
-use crate::planner::{Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, nested};
+use crate::planner::{
+    Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, nested,
+};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -164,6 +166,12 @@ impl<V: Variant + 'static> Legs<V> {
         self.progress.status = self.progress.after_iteration(settings.iterations, settings.stagnation);
     }
 
+    /// The leg to which an ant belongs, and its number there.
+    fn leg_of(&self, number: u32) -> Option<(u32, &Colony<V>, u32)> {
+        let leg = number / self.colony_size();
+        self.legs.get(leg as usize).map(|colony| (leg, colony, number % self.colony_size()))
+    }
+
     /// Joins the legs' best paths, once every leg has one. Legs stay paths of steps, whether or not the variant refines.
     fn take_best(&mut self, number: u32) {
         let Some(best) = self.legs.iter().map(Colony::best).collect::<Option<Vec<_>>>() else { return };
@@ -236,6 +244,20 @@ impl<V: Variant + 'static> Planner for Legs<V> {
         let of_leg =
             |(leg, colony): (u32, &Colony<V>)| colony.moves_from(cell).into_iter().map(move |m| MoveOdds { colony: leg, ..m });
         (0..).zip(&self.legs).flat_map(of_leg).collect()
+    }
+
+    fn ant(&self, number: u32) -> Option<Walked> {
+        let (_, colony, ant) = self.leg_of(number)?;
+        colony.ant(ant)
+    }
+
+    /// An ant of a leg that has ended its iteration waits for the others.
+    fn turn_of(&self, number: u32) -> Option<Turn> {
+        let (leg, colony, ant) = self.leg_of(number).filter(|_| !self.status().is_finished())?;
+        let waits = colony.status().is_finished() || colony.effort().iterations > self.effort().iterations;
+        let mut turn = if waits { Turn::over(colony.ant(ant)?) } else { colony.turn_of(ant)? };
+        turn.odds.iter_mut().for_each(|odds| odds.colony = leg);
+        Some(turn)
     }
 
     /// Ants of each leg.

@@ -1,8 +1,10 @@
 //! What an operation answers when its input cannot be used: what is wrong, where, what is allowed, and what to do next.
 //!
-//! One enum per operation ([`ParamError`], [`ScenarioError`], [`FormatError`], [`QuestionError`]); [`Error`] is their sum. Every variant can
+//! One enum per operation ([`ParamError`], [`ScenarioError`], [`FormatError`], [`QuestionError`]); [`Error`] is their sum, without
+//! [`DrawnError`], which concerns nobody but a hand that draws. Every variant can
 //! be turned into an [`ErrorReport`], the flat form that crosses into the page, where `kind` is the key of a translated message.
 
+mod drawn;
 mod format;
 mod param;
 mod question;
@@ -13,6 +15,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use thiserror::Error;
 
+pub use drawn::DrawnError;
 pub use format::FormatError;
 pub use param::ParamError;
 pub use question::QuestionError;

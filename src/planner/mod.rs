@@ -1,5 +1,6 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
+pub mod ahead;
 mod ground;
 mod layer;
 mod memory;
@@ -7,6 +8,7 @@ mod moves;
 pub mod playback;
 mod progress;
 mod reading;
+mod turn;
 
 use std::sync::Arc;
 
@@ -25,8 +27,9 @@ pub use layer::{Layer, extent};
 pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
-pub(crate) use progress::{Iterations, advance};
+pub(crate) use progress::{Iterations, advance, stand_ready};
 pub use reading::Reading;
+pub use turn::{Fate, Turn, Walked};
 
 /// How far one call of [`Planner::advance`] goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -86,6 +89,10 @@ pub enum Objective {
 }
 
 impl Objective {
+    /// Every objective.
+    pub const ALL: [Self; 6] =
+        [Self::Length, Self::PolylineLength, Self::SliceCost, Self::TurnIndex, Self::TourLength, Self::TourWeight];
+
     /// What it is, in words.
     pub const fn words(self) -> &'static str {
         match self {
@@ -95,6 +102,15 @@ impl Objective {
             Self::TurnIndex => "turn index V",
             Self::TourLength => "length by all goals",
             Self::TourWeight => "weight R by all goals",
+        }
+    }
+
+    /// The value of a path of steps from start to goal that no planner has found; none where more than the path decides.
+    pub fn of_steps(self, metrics: &Metrics) -> Option<f64> {
+        match self {
+            Self::Length | Self::PolylineLength | Self::TourLength => Some(metrics.length),
+            Self::TurnIndex => Some(metrics.turn_index),
+            Self::SliceCost | Self::TourWeight => None,
         }
     }
 
@@ -151,6 +167,18 @@ pub trait Planner: Snapshot + Send {
     /// iteration at work or, between two of them, of the next. Empty where no ant goes on: at a goal, on a wall, in a planner without ants.
     fn moves_from(&self, _cell: Cell) -> Vec<MoveOdds> {
         Vec::new()
+    }
+
+    /// How far an ant has come in the iteration at work or, between two of them, in the one that has ended. Ants count from 0, with several
+    /// goals those of the first leg first. None where there is no such ant, and before the first iteration.
+    fn ant(&self, _number: u32) -> Option<Walked> {
+        None
+    }
+
+    /// The next move of an ant, found on a copy, so that this planner stays as it is. Between two iterations it is the first move of the next
+    /// one. None where there is no such ant, and once the planner has ended.
+    fn turn_of(&self, _number: u32) -> Option<Turn> {
+        None
     }
 
     /// What its result is measured by.

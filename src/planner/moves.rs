@@ -14,6 +14,8 @@ pub struct MoveOdds {
     pub trail: f64,
     /// η, above 0.
     pub heuristic: f64,
+    /// τ^α·η^β as the ants weigh it: τ and η each divided by the largest of the moves first. 0 for a move to what an ant has visited.
+    pub weight: f64,
     /// From 0 to 1, by the planner's own rule of selection, what it takes greedily (q0, r0) included.
     pub probability: f64,
 }

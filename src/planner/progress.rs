@@ -238,10 +238,9 @@ pub(crate) trait Iterations {
     fn end_iteration(&mut self);
 }
 
-/// One step further, for every planner that works in iterations: tables are made at the first one, so that a planner that is only shown
-/// costs nothing, and not at all where no search is needed.
+/// Gets ready to move: with its tables made, and an iteration begun.
 #[inline(always)]
-pub(crate) fn advance<P: Iterations>(planner: &mut P, by: Granularity) -> Status {
+pub(crate) fn stand_ready<P: Iterations>(planner: &mut P) -> Status {
     let is_prepared = planner.is_prepared();
     let (progress, scenario) = planner.parts();
     if !is_prepared && !progress.status.is_finished() {
@@ -254,6 +253,16 @@ pub(crate) fn advance<P: Iterations>(planner: &mut P, by: Granularity) -> Status
         planner.prepare();
     }
     planner.begin_iteration();
+    Status::Running
+}
+
+/// One step further, for every planner that works in iterations: tables are made at the first one, so that a planner that is only shown
+/// costs nothing, and not at all where no search is needed.
+#[inline(always)]
+pub(crate) fn advance<P: Iterations>(planner: &mut P, by: Granularity) -> Status {
+    if stand_ready(planner).is_finished() {
+        return planner.parts().0.status;
+    }
     let done = match by {
         Granularity::Move => planner.move_all(),
         Granularity::Iteration => {

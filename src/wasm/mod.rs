@@ -3,9 +3,13 @@
 //! Nothing is decided here. Every function throws an `EngineError` object (see [`crate::error::ErrorReport`]) for what it cannot use; nothing
 //! panics on what a script may send (see [`arguments`]).
 
+#[cfg(feature = "whole")]
+mod ahead;
 mod arguments;
 #[cfg(feature = "whole")]
 mod comparison;
+#[cfg(feature = "whole")]
+mod drawn;
 #[cfg(feature = "whole")]
 mod figure;
 #[cfg(feature = "whole")]
@@ -34,7 +38,11 @@ use crate::planner::Objective;
 use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
+pub use ahead::LookAhead;
+#[cfg(feature = "whole")]
 pub use comparison::{Comparison, ablation, formats};
+#[cfg(feature = "whole")]
+pub use drawn::HandPath;
 #[cfg(feature = "whole")]
 pub use figure::{figure_map, find_figure, read_figure, show_picture};
 #[cfg(feature = "whole")]

@@ -48,8 +48,8 @@ impl Run {
         Ok(arrived)
     }
 
-    /// The moves among which an ant on the cell (x, y) chooses that has visited nothing else, seven numbers each: the colony (the leg of a
-    /// tour, from 0; of two teams 1 is the one from the goal), x, y, the level by slices (else 0), τ, η and the probability, by which
+    /// The moves among which an ant on the cell (x, y) chooses that has visited nothing else, eight numbers each: the colony (the leg of a
+    /// tour, from 0; of two teams 1 is the one from the goal), x, y, the level by slices (else 0), τ, η, τ^α·η^β as it is weighed, and the probability, by which
     /// those of each colony add up to 1. By slices at a level of the cell, counted from 1. Empty where no ant goes on, and beyond the map.
     pub fn moves_from(&self, x: &Number, y: &Number, level: &Number) -> Answer<Vec<f64>> {
         let (x, y, level) = (x.whole("x")?, y.whole("y")?, level.whole("level")?);
@@ -63,7 +63,7 @@ impl Run {
         for m in self.shown().moves_from(place) {
             let (cell, level) = (m.to % area, m.to / area);
             rows.extend([m.colony, cell % width, cell / width, level].map(f64::from));
-            rows.extend([m.trail, m.heuristic, m.probability]);
+            rows.extend([m.trail, m.heuristic, m.weight, m.probability]);
         }
         Ok(rows)
     }

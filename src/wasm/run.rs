@@ -50,6 +50,8 @@ pub struct RunSummary {
     pub arrived: u32,
     /// Ants per iteration; 0 for a search.
     pub ants: u32,
+    /// Moves made of the iteration at work; 0 between two, and of the past.
+    pub moves: u32,
     /// 16 hexadecimal digits over best path, length and history of the finished iterations.
     pub digest: String,
 }
@@ -65,6 +67,8 @@ pub struct Run {
     pub(super) replay: Option<Replay>,
     /// How the planner stood at the iteration that is looked at.
     pub(super) past: Option<Box<dyn Planner>>,
+    /// Moves made since the last iteration ended.
+    moves: u32,
     layers: &'static [Layer],
     canvas: RefCell<Canvas>,
     /// Metrics of the best path and the iteration that found it: measured once per improvement, not once per frame.
@@ -90,14 +94,16 @@ impl Run {
         let planner = crate::catalog::build(&scenario, &planner, None, &values, seed).map_err(throw)?;
         let (canvas, measured) = Default::default();
         let playback = Playback::new(&*planner, 0);
-        Ok(Run { scenario, planner, playback, replay: None, past: None, layers, canvas, measured })
+        Ok(Run { scenario, planner, playback, replay: None, past: None, moves: 0, layers, canvas, measured })
     }
 
     /// Advances by up to `count` moves or iterations; stops early when finished.
     pub fn advance(&mut self, by: Ts<Granularity>, count: &Number) -> Answer<Ts<Status>> {
         let by = arguments::word(&by.js_value(), "by")?;
         for _ in 0..count.whole("count")? {
+            let iteration = self.iteration();
             let finished = self.planner.advance(by).is_finished();
+            self.moves = if self.iteration() == iteration { self.moves + 1 } else { 0 };
             self.playback.note(&*self.planner, by);
             if finished {
                 break;
@@ -133,6 +139,7 @@ impl Run {
             effort: planner.effort(),
             arrived: last.map_or(0, |r| r.arrived),
             ants: planner.colony_size(),
+            moves: if self.past.is_none() { self.moves } else { 0 },
             digest: planner.digest().hex(),
         })
     }

@@ -52,6 +52,16 @@ function valid(): Record<string, unknown[]> {
     'Comparison.seed_by_seed': [1],
     'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
     'OrderRun.advance': [1],
+    'HandPath.constructor': [on, cells, heights],
+    'HandPath.measure': [
+      [
+        [0, 0],
+        [1, 1],
+      ],
+    ],
+    'HandPath.towards': [0, 0, 3, 2],
+    'LookAhead.ant': [0],
+    'LookAhead.go_to': [2],
     'ContourLines.constructor': [3, new Float32Array([1, 2, 3, 2, 3, 4, 3, 4, 9]), 1],
     ablation: ['fire', null, {}],
     check_scenario: [on, cells, heights],
@@ -246,7 +256,9 @@ for (const build of ['', 'core']) {
       ) => Record<string, Call>
     >
     const kept: Record<string, Record<string, Call>> = {}
-    const made = (name: string) => {
+    const made = (name: string): Record<string, Call> => {
+      // A look ahead is made by a run.
+      if (name === 'LookAhead') kept[name] ??= made('Run').look_ahead?.() as Record<string, Call>
       kept[name] ??= new (
         classes[name] as never as new (
           ...args: unknown[]

@@ -4,7 +4,8 @@ import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { NotePlace } from '../panels/note_place'
 import { PanelGrid } from '../panels/panel_grid'
-import { catalog, focused, showView, startError, startPage, view } from '../state'
+import { catalog, focused, lesson, showView, startError, startPage, view } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { PlayBar } from '../toolbar/play_bar'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
@@ -17,6 +18,8 @@ import { Header } from './header'
 
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
+
+const TargetStrip = lazily(() => lazyParts.lesson('target'))
 
 /** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
 function leaveLab(error: unknown): never {
@@ -53,6 +56,7 @@ function Race({ hidden }: { hidden: boolean }) {
     <main class="page" hidden={hidden}>
       <Toolbar />
       <NotePlace />
+      {lesson.value?.target && <TargetStrip />}
       <div class="workbench">
         <PanelGrid />
         <ColumnPlace />

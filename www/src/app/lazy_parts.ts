@@ -8,5 +8,6 @@ nameLazyParts({
   relief: () => import('../relief/relief_stage'),
   names: async () => (await import('../panels/names')).namesPart(),
   editor: async () => (await import('../editor')).fetchEditor(),
+  lesson: async (piece) => (await import('../lesson')).fetchPiece(piece),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })

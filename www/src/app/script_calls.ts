@@ -9,7 +9,7 @@ import {
   panels,
   pause,
   phase,
-  runToEnd,
+  runOn,
   setScenario,
   showView,
   stepIteration,
@@ -121,7 +121,7 @@ export const resultFile = (kind: ResultFile): Promise<string> =>
 
 async function finishAll(): Promise<void> {
   await until(() => panels.peek().every(settled))
-  runToEnd()
+  runOn(true)
   await until(() => phase.peek() !== 'running' || panels.peek().every(ended))
   if (panels.peek().every(ended)) return
   const hint = 'Call run again to go on.'

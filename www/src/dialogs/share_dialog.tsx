@@ -2,25 +2,31 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
+import type { Lesson } from '../model/lesson'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
-import { caption, currentSession, latest, panels, scenario } from '../state'
+import { caption, currentSession, latest, lesson, panels, scenario } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { download, exportSession, fileStem } from '../state/export_files'
+import { lazyParts } from '../state/lazy_parts'
+import { lazily } from '../ui/lazily'
 import { mapName } from '../words/map_names'
 import { isSearch, labelsOf } from '../words/planner_words'
 import { useNamesWords } from './names_dialog'
 import { NamesFields } from './names_fields'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
+const TargetField = lazily(() => lazyParts.lesson('field'))
+
 export function ShareDialog() {
   // Runs may go on behind the dialog, so both its words and the link are of the moment it was opened.
   const [shared] = useState(currentSession)
   const [expanded] = useState(expandedCells)
   const ready = useNamesWords()
-  const session = shared && named(shared)
-  const names = JSON.stringify([caption.value, session?.scenario.spec.name])
-  const link = useLink(PREFIX, session && (() => encodeSession(session)), names)
+  // What it is called, and what it sets for a lesson, may be changed here.
+  const session = shared && withLesson(named(shared), lesson.value)
+  const about = JSON.stringify([caption.value, session?.scenario.spec.name, lesson.value])
+  const link = useLink(PREFIX, session && (() => encodeSession(session)), about)
   return (
     <SendDialog
       title={t('share.title')}
@@ -34,6 +40,7 @@ export function ShareDialog() {
       testId="share"
     >
       {session && <Contents session={session} expanded={expanded} />}
+      <TargetField />
       {ready && <Names />}
     </SendDialog>
   )
@@ -48,6 +55,10 @@ function named(session: Session): Session {
     ...caption.value,
     scenario: { ...session.scenario, spec: { ...spec, name } },
   }
+}
+
+function withLesson({ lesson: _, ...session }: Session, now: Lesson | null): Session {
+  return now ? { ...session, lesson: now } : session
 }
 
 function Names() {

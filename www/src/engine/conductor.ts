@@ -1,4 +1,5 @@
 /** The animation-frame loop: posts each panel's next tick when all have answered the last. The work is done in the workers. */
+import type { MetStop, Stop } from '../model/lesson'
 import type { PanelReply, RunSetup, Target } from '../model/messages'
 import { SPEEDS, type Speed, type Sync } from '../model/session'
 import type { PanelClient } from './panel_client'
@@ -11,7 +12,11 @@ export interface ConductorHost {
   /** Index into SPEEDS. */
   speed(): number
   sync(): Sync
+  /** Where the runs stop by themselves. */
+  stops(): Stop[] | undefined
   onReply(panelId: number, reply: PanelReply): void
+  /** Panels have met stops, and all stand still; none when something begins. */
+  onMet(met: MetStop[]): void
   /** Every panel has ended or failed. Called once each time playing or stepping gets there. */
   onAllFinished(): void
 }
@@ -24,8 +29,8 @@ export interface Conductor {
   play(): void
   pause(): void
   step(by: 'move' | 'iteration'): void
-  /** As fast as possible, each panel for itself. */
-  runToEnd(): void
+  /** As fast as possible: in step to the first stop or, without stops or through all of them, each panel for itself. */
+  runToEnd(through: boolean): void
 }
 
 type Mode = 'idle' | 'play' | 'step' | 'to-end'
@@ -45,6 +50,11 @@ class FrameLoop implements Conductor {
   private slowestMs = 0
   private pace = new Pace()
   private steps: ('move' | 'iteration')[] = []
+  /** Stops do not count. */
+  private through = false
+  private met: MetStop[] = []
+  /** Rounds that may follow in the same frame. */
+  private more = 0
 
   constructor(private readonly host: ConductorHost) {
     listen((panelId, reply) => this.receive(panelId, reply))
@@ -64,14 +74,15 @@ class FrameLoop implements Conductor {
     this.begin('play')
   }
 
-  runToEnd(): void {
-    this.begin('to-end')
+  runToEnd(through: boolean): void {
+    this.begin('to-end', through)
   }
 
   /** Ticks under way end with their slice and are still answered. */
   pause(): void {
     this.mode = 'idle'
     this.steps = []
+    this.more = 0
     this.round.clear()
     cancelAnimationFrame(this.requested)
   }
@@ -82,8 +93,11 @@ class FrameLoop implements Conductor {
     if (this.mode !== 'step') this.begin('step')
   }
 
-  private begin(mode: Mode): void {
+  private begin(mode: Mode, through = false): void {
     this.mode = mode
+    this.through = through
+    this.met = []
+    this.host.onMet([])
     this.frames = 0
     this.round.clear()
     this.pace = new Pace()
@@ -98,6 +112,14 @@ class FrameLoop implements Conductor {
   private onFrame(): void {
     if (this.mode === 'idle') return
     this.request()
+    const { unit, count } = this.speed()
+    // Where stops keep rounds small: as many as the speed counts, or as fit.
+    this.more = this.stops() ? (unit === 'max' ? 1e9 : count) : 0
+    this.goOn()
+  }
+
+  /** Ticks what has not reached its target, or plans the next round. */
+  private goOn(): void {
     const panels = this.panels()
     if (panels.some((panel) => panel.client.state === 'loading')) return
     const running = panels.filter(({ client }) => client.state !== 'failed' && !client.finished)
@@ -115,6 +137,7 @@ class FrameLoop implements Conductor {
   /** Plans the next round when it is due; false when this frame has none. */
   private nextRound(running: { id: number; client: PanelClient }[]): boolean {
     if (running.some(({ client }) => client.state === 'ticking')) return false
+    if (this.met.length > 0) return this.stop()
     const standings = running.flatMap(({ id, client }) =>
       client.frame ? [standing(id, client.frame)] : [],
     )
@@ -124,7 +147,9 @@ class FrameLoop implements Conductor {
       this.round = planRound(standings, { ...FULL_SPEED, unit: by }, 'moves', 1)
       return true
     }
-    if (this.mode === 'to-end') {
+    // Wherever they stop, all panels are to stand at the same move or iteration: so rounds are the smallest there are.
+    const stops = this.stops()
+    if (this.mode === 'to-end' && !stops) {
       this.round = planRound(standings, FULL_SPEED, 'time', 1)
       return true
     }
@@ -132,25 +157,43 @@ class FrameLoop implements Conductor {
     if (this.frames++ % speed.everyFrames !== 0) return false
     this.pace.finish(this.slowestMs)
     this.slowestMs = 0
-    this.round = planRound(standings, speed, this.host.sync(), this.pace.batch)
+    const pace = stops ? { ...speed, count: 1 } : speed
+    this.round = planRound(standings, pace, this.host.sync(), stops ? 1 : this.pace.batch)
     return true
   }
 
   private tick(): void {
     const sliceMs = this.mode === 'play' ? sliceFor(this.speed(), this.host.sync()) : SLICE_MS
-    for (const [id, target] of this.round) client(id)?.tick(target, sliceMs)
+    const stops = this.stops()
+    for (const [id, target] of this.round) client(id)?.tick(target, sliceMs, stops)
+  }
+
+  private stops(): Stop[] | undefined {
+    return this.through ? undefined : this.host.stops()
   }
 
   private speed(): Speed {
-    return SPEEDS[this.host.speed()] ?? FULL_SPEED
+    return (this.mode === 'play' && SPEEDS[this.host.speed()]) || FULL_SPEED
   }
 
   private receive(panelId: number, reply: PanelReply): void {
     if (reply.kind === 'frame') {
       this.slowestMs = Math.max(this.slowestMs, reply.workMs)
       if (reply.reached) this.round.delete(panelId)
+      for (const stop of reply.met ?? []) this.met.push({ panelId, stop })
     } else if (reply.kind !== 'ready') this.round.delete(panelId)
     this.host.onReply(panelId, reply)
+    // What a pause has overtaken is said all the same.
+    if (this.mode === 'idle' && this.met.length > 0) this.stop()
+    if (this.round.size === 0 && --this.more > 0) this.goOn()
+  }
+
+  private stop(): false {
+    const { met } = this
+    this.met = []
+    this.pause()
+    this.host.onMet(met)
+    return false
   }
 
   private rest(): false {
@@ -159,7 +202,7 @@ class FrameLoop implements Conductor {
   }
 
   private finish(): void {
-    this.pause()
+    this.stop()
     this.host.onAllFinished()
   }
 }

@@ -4,6 +4,7 @@
  */
 
 import { toEngineError } from '../model/errors'
+import type { Stop } from '../model/lesson'
 import type {
   Frame,
   LayerScale,
@@ -132,10 +133,10 @@ export class PanelClient {
     })
   }
 
-  tick(target: Target, sliceMs: number): void {
+  tick(target: Target, sliceMs: number, stops?: Stop[]): void {
     if (this.state !== 'idle' || this.current === null) return
     this.state = 'ticking'
-    this.post({ kind: 'tick', runId: this.current.runId, target, sliceMs })
+    this.post({ kind: 'tick', runId: this.current.runId, target, sliceMs, stops })
   }
 
   get finished(): boolean {

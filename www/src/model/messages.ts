@@ -5,6 +5,7 @@
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
 import type { EngineError, Layer, RunSummary, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { Stop } from './lesson'
 
 /** Parameter values by key, as the catalog names them; what is absent takes the catalog's default. */
 export type ParamValues = Record<string, number | string | boolean>
@@ -72,8 +73,8 @@ export type PanelRequest =
   /** Replaces the run. The map is shown at once; the planner allocates at its first step. */
   | { kind: 'load'; runId: number; setup: RunSetup }
   | { kind: 'view'; view: PanelView }
-  /** Advance towards `target`, at most `sliceMs`, draw once, answer with a `frame`. */
-  | { kind: 'tick'; runId: number; target: Target; sliceMs: number }
+  /** Advance towards `target`, at most `sliceMs` and no further than to a stop, draw once, answer with a `frame`. */
+  | { kind: 'tick'; runId: number; target: Target; sliceMs: number; stops?: Stop[] | undefined }
   /** Answer with a `raster` of how things stand. */
   | { kind: 'raster' }
   /** Answered by an `answer` with the same `id`. */
@@ -101,7 +102,7 @@ export interface PanelAnswers {
   moves: {
     /** By slices the level of the place, else 0. */
     level: number
-    /** Seven numbers each, as `Run.moves_from` gives them. */
+    /** Eight numbers each, as `Run.moves_from` gives them. */
     rows: Float64Array
   }
   layer: Float32Array
@@ -135,8 +136,10 @@ export interface Frame {
   summary: RunSummary
   /** New rows of the history since the last frame: iteration, best so far, iteration best, mean, worst, arrived (6 numbers each; NaN = none). */
   history: Float64Array
-  /** True when the target was reached (or the run has finished); false when the slice ended first. */
+  /** True when the target was reached (or the run has finished, or met a stop); false when the slice ended first. */
   reached: boolean
+  /** The stops that were met; absent where none was asked for. */
+  met?: Stop[] | undefined
   /** Best path as x0, y0, x1, y1, … when it changed since the last frame. */
   bestPath: Uint32Array | null
   /** Altitude in metres of each place of `bestPath`, empty on a plane; null when the path is. */

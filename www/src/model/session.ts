@@ -2,6 +2,7 @@
 import type { Generator, Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
 import type { Cell } from './cell'
 import { layers } from './facts'
+import type { Lesson } from './lesson'
 import type { ParamValues } from './messages'
 
 /** How the panels keep step while they play. */
@@ -80,6 +81,8 @@ export interface Session extends Caption, Look {
   /** Index into SPEEDS. */
   speed: number
   layer: LayerChoice
+  /** Absent where it carries nothing for a lesson. */
+  lesson?: Lesson | undefined
 }
 
 /** What may lie under ants and paths. */

@@ -1,6 +1,7 @@
 import { numbers, t } from '../i18n'
 import { goalName } from '../model/goals'
 import {
+  byHand,
   type Panel,
   panels,
   plannerEntry,
@@ -16,7 +17,7 @@ import { panelTitle } from '../words/planner_words'
 
 /** Every panel's numbers side by side; the better one of a row stands out. */
 export function MetricsTable() {
-  const all = panels.value
+  const all = [...panels.value, ...byHand.value]
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
     <section class="table-scroll" tabIndex={0} aria-label={t('metrics.title')}>
@@ -28,7 +29,7 @@ export function MetricsTable() {
             {all.map((panel) => (
               <th key={panel.id} scope="col" style={{ '--panel-colour': slotColour(panel.slot) }}>
                 <span class="panel-dot" aria-hidden="true" />
-                {panelTitle(panel.id)}
+                {panelTitle(panel.id) || panel.setup.planner}
               </th>
             ))}
           </tr>

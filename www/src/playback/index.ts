@@ -6,6 +6,10 @@ import { DifferencePanel } from './difference_panel'
 import { Inspector } from './inspector'
 import { PastChip, Scrubber } from './scrubber'
 
+export { MoveArrows } from './move_arrows'
+export { MoveTable, percent } from './move_table'
+export { byDirection, type Move } from './moves'
+
 const ready = addPlaybackWords()
 
 export const fetchScrubber = () => ready.then(() => Scrubber)

@@ -9,9 +9,11 @@ interface MoveTableProps {
   cell: Cell
   /** By slices where they begin, else 0. */
   level: number
+  /** The move that is marked, e.g. as taken. */
+  marked?: Move | null
 }
 
-export function MoveTable({ moves, cell, level }: MoveTableProps) {
+export function MoveTable({ moves, cell, level, marked }: MoveTableProps) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
     <section class="moves-scroll" tabIndex={0} aria-label={t('playback.moves.caption')}>
@@ -25,6 +27,9 @@ export function MoveTable({ moves, cell, level }: MoveTableProps) {
             <th scope="col" title={t('playback.moves.heuristicHint')}>
               {t('playback.moves.heuristic')}
             </th>
+            <th scope="col" title={t('playback.moves.weightHint')}>
+              {t('playback.moves.weight')}
+            </th>
             <th scope="col" title={t('playback.moves.probabilityHint')}>
               {t('playback.moves.probability')}
             </th>
@@ -32,7 +37,13 @@ export function MoveTable({ moves, cell, level }: MoveTableProps) {
         </thead>
         <tbody>
           {moves.map((move) => (
-            <Row key={`${move.x},${move.y},${move.level}`} move={move} cell={cell} level={level} />
+            <Row
+              key={`${move.x},${move.y},${move.level}`}
+              move={move}
+              cell={cell}
+              level={level}
+              marked={move === marked}
+            />
           ))}
         </tbody>
       </table>
@@ -40,10 +51,22 @@ export function MoveTable({ moves, cell, level }: MoveTableProps) {
   )
 }
 
-function Row({ move, cell, level }: { move: Move; cell: Cell; level: number }) {
-  const { x, y, trail, heuristic, probability } = move
+interface RowProps {
+  move: Move
+  cell: Cell
+  level: number
+  marked: boolean
+}
+
+function Row({ move, cell, level, marked }: RowProps) {
+  const { x, y, trail, heuristic, weight, probability } = move
   return (
-    <tr data-testid="move" data-to={`${x},${y}`} data-probability={probability}>
+    <tr
+      data-testid="move"
+      data-marked={marked}
+      data-to={`${x},${y}`}
+      data-probability={probability}
+    >
       <th scope="row">
         <span
           class="heading"
@@ -57,6 +80,7 @@ function Row({ move, cell, level }: { move: Move; cell: Cell; level: number }) {
       </th>
       <td>{quantity(trail)}</td>
       <td>{quantity(heuristic)}</td>
+      <td>{weight > 0 ? quantity(weight) : '–'}</td>
       <td class="probability">
         <span class="bar" aria-hidden="true" style={{ transform: `scaleX(${probability})` }} />
         <span>{percent(probability)}</span>
@@ -77,7 +101,7 @@ function quantity(value: number): string {
 }
 
 /** What is possible is never shown as 0. */
-function percent(share: number): string {
+export function percent(share: number): string {
   const format = new Intl.NumberFormat(language.value, {
     style: 'percent',
     minimumFractionDigits: 1,

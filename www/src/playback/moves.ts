@@ -9,17 +9,19 @@ export interface Move {
   level: number
   trail: number
   heuristic: number
+  /** τ^α·η^β as ants weigh it; 0 for what an ant has visited. */
+  weight: number
   probability: number
 }
 
 /** Numbers in a row of `Run.moves_from`. */
-const ROW = 7
+const ROW = 8
 
 export function movesOf({ rows }: PanelAnswers['moves']): Move[] {
   return Array.from({ length: rows.length / ROW }, (_, row) => {
-    const [colony = 0, x = 0, y = 0, level = 0, trail = 0, heuristic = 0, probability = 0] =
-      rows.subarray(row * ROW, (row + 1) * ROW)
-    return { colony, x, y, level, trail, heuristic, probability }
+    const [colony = 0, x = 0, y = 0, level = 0] = rows.subarray(row * ROW)
+    const [trail = 0, heuristic = 0, weight = 0, probability = 0] = rows.subarray(row * ROW + 4)
+    return { colony, x, y, level, trail, heuristic, weight, probability }
   })
 }
 

@@ -36,6 +36,7 @@ import {
   real,
   text,
 } from './field_checks'
+import { readLesson } from './lesson_fields'
 import { LinkError } from './link_error'
 import {
   MOST_ITERATIONS,
@@ -68,7 +69,7 @@ const CORNER_RULES = everyOf<CornerRule>({ always: true, 'one-free': true, 'both
 export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin: Origin | null }
 
 export function documentOf(session: Session, engine: string): Fields {
-  const { scenario, panels, seed, sync, speed, layer } = session
+  const { scenario, panels, seed, sync, speed, layer, lesson } = session
   return {
     format: FORMAT,
     engine,
@@ -79,6 +80,7 @@ export function documentOf(session: Session, engine: string): Fields {
     speed: SPEEDS[speed]?.id ?? 'move',
     layer,
     ...wordsOf(session),
+    ...(lesson && { lesson }),
   }
 }
 
@@ -112,6 +114,9 @@ export function readDocument(value: unknown, known = FACTS): Described {
     layer: oneOf(fields.layer, 'layer', layerChoices(known.layers)),
     ...readCaption(fields),
     ...readLook(fields, { spec, panels }),
+    ...(fields.lesson != null && {
+      lesson: readLesson(fieldsOf(fields.lesson, 'lesson'), known.limits),
+    }),
   }
 }
 

@@ -3,7 +3,8 @@ import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
 import { attach } from '../engine/panel_clients'
 import { t } from '../i18n'
-import { editor, scenario, tool, wholeEngine } from '../state'
+import { editor, lesson, lessonMode, scenario, stopsMet, tool, wholeEngine } from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { inRelief, relief } from '../state/relief'
 import { lazily } from '../ui/lazily'
 import { mapName } from '../words/map_names'
@@ -15,6 +16,8 @@ import { sendOnceAFrame } from './once_a_frame'
 import { type CanvasSize, type Cursor, lookAt } from './panel_view'
 import { pointedCell } from './pointed_places'
 import { PointerInput } from './pointer'
+
+const LessonOnMap = lazily(() => lazyParts.lesson('map'))
 
 export function Stage({ panelId }: { panelId: number }) {
   const Relief = inRelief.value ? relief.value?.ReliefStage : null
@@ -78,6 +81,9 @@ function FlatStage({ panelId }: { panelId: number }) {
       {EditPreview && <EditPreview size={size} cursor={cursor} />}
       <CellReadout cursor={cursor} />
       {isInspected(panelId) && <Inspector panelId={panelId} size={size} />}
+      {(lessonMode.value ?? lesson.value?.drawn ?? stopsMet.value[0]) && (
+        <LessonOnMap panelId={panelId} size={size} cursor={cursor} />
+      )}
     </>
   )
 }

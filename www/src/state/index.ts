@@ -5,6 +5,7 @@ export { editor, withEditor } from './editor'
 export * from './files'
 export * from './focus'
 export * from './layer_scale'
+export * from './lesson'
 export { changeLevel } from './levels'
 export { flushLive, historyOf, latest, onReply } from './live_reports'
 export { comparing, inspected, leavePast, lookedAt, shownOf } from './looking'
@@ -32,11 +33,13 @@ export {
   setPreset,
   setSeed,
 } from './panels'
+export { inRelief } from './relief'
 export {
   pause,
   play,
   reset,
   restart,
+  runOn,
   runToEnd,
   stepIteration,
   stepMove,

@@ -75,6 +75,8 @@ export type Named = Pick<PanelSetup, 'planner' | 'preset' | 'params' | 'label'>
 export interface LeftSessionsPart {
   changeSession(arrival: Arrival): Promise<void>
 }
+/** At the transport · on a panel's map · the target in one line · its field in the share dialog. */
+export type LessonPiece = 'tools' | 'map' | 'target' | 'field'
 
 export interface LazyParts {
   opener(): Promise<OpenerPart>
@@ -86,6 +88,9 @@ export interface LazyParts {
   /** What a cell tells about the moves of an ant (playback/); its properties are the stage's. */
   // biome-ignore lint/suspicious/noExplicitAny: the stage that mounts it knows them
   inspector(): Promise<ComponentType<any>>
+  /** A piece of a lesson (lesson/), with the properties that its place gives it. */
+  // biome-ignore lint/suspicious/noExplicitAny: whoever mounts it knows them
+  lesson(piece: LessonPiece): Promise<ComponentType<any>>
 }
 
 const missing = () => Promise.reject(new Error('the parts of the page have not been named yet'))
@@ -99,6 +104,7 @@ export const lazyParts: LazyParts = {
   names: missing,
   editor: missing,
   inspector: missing,
+  lesson: missing,
 }
 
 /** Called once, before the page is drawn. */

@@ -3,6 +3,7 @@ import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
 import type { Scenario } from '../model/session'
+import { askToEnd, lesson, stopsMet } from './lesson'
 import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
 import { allowed } from './memory'
@@ -23,7 +24,14 @@ const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
   speed: () => speed.peek(),
   sync: () => sync.peek(),
+  stops: () => lesson.peek()?.stops,
   onReply,
+  onMet(met) {
+    stopsMet.value = met
+    if (met.length === 0) return
+    flushLive()
+    phase.value = 'paused'
+  },
   onAllFinished: () => {
     flushLive()
     phase.value = 'finished'
@@ -59,12 +67,19 @@ export function stepIteration(): void {
   step(() => conductor.step('iteration'))
 }
 
+/** Where there are stops, somebody has to say whether they count. */
 export function runToEnd(): void {
+  if (lesson.peek()?.stops) askToEnd.value = true
+  else runOn(true)
+}
+
+/** To the end of all runs, or to the first stop. */
+export function runOn(through: boolean): void {
   if (!scenario.peek() || panels.peek().length === 0 || phase.peek() === 'finished') return
   if (!allowed()) return
   leavePast()
   phase.value = 'running'
-  conductor.runToEnd()
+  conductor.runToEnd(through)
 }
 
 /** The picture of a map that is being drawn: runs rest, and all else on the page still tells of the map before. */
@@ -76,6 +91,7 @@ export function showDrawn(map: Scenario): void {
 /** Every run back to its beginning, on the same map with the same seed. */
 export function reset(): void {
   conductor.pause()
+  stopsMet.value = []
   leavePast()
   const now = scenario.peek()
   if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchWholeEngine()

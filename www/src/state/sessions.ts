@@ -9,6 +9,7 @@ import { goTo } from './address'
 import { reducedMotion } from './appearance'
 import { exchange } from './history'
 import { fetchNames } from './lazy_parts'
+import { lesson } from './lesson'
 import { latest, setVerified } from './live_reports'
 import { awaited, awaitLook, currentLook } from './looking'
 import { held, holdIfLarge, tellHeld } from './memory'
@@ -49,6 +50,7 @@ export function currentSession(): Session | null {
     layer: layer.peek(),
     ...caption.peek(),
     ...currentLook(),
+    lesson: lesson.peek() ?? undefined,
   }
 }
 
@@ -61,6 +63,7 @@ export function loadSession(session: Session): void {
     sync.value = session.sync
     setSpeedOfSession(session.speed)
     layer.value = session.layer
+    lesson.value = session.lesson ?? null
     panels.value = []
     const swap = exchange(caption, { title: session.title, note: session.note })
     setScenario(session.scenario, { undoable: scenario.peek() !== null, swap })

@@ -4,6 +4,9 @@
  */
 export const COLOURS = ['#d5580a', '#2f7ec7', '#0b8f69', '#b0508c', '#8a6d00', '#5b5fc7'] as const
 
+/** Of what has no slot: the path by hand. */
+const HAND_COLOUR = '#d1305a'
+
 export function slotColour(slot: number): string {
-  return COLOURS[slot % COLOURS.length] ?? COLOURS[0]
+  return COLOURS[slot % COLOURS.length] ?? HAND_COLOUR
 }

@@ -6,6 +6,7 @@ import { effect } from '@preact/signals'
 import { gallery } from '../gallery/gallery'
 import type { Session } from '../model/session'
 import { askBeforeLeaving } from './leaving'
+import { lesson } from './lesson'
 import { inspected, lookedAt } from './looking'
 import { canUndo, fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession } from './sessions'
@@ -29,6 +30,7 @@ export function storeSessionChanges(): void {
     caption.value
     lookedAt.value
     inspected.value
+    lesson.value
     clearTimeout(timer)
     timer = window.setTimeout(storeSession, SETTLE_MS)
   })

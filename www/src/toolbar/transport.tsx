@@ -3,6 +3,7 @@ import { t } from '../i18n'
 import { panels, phase, reset, runToEnd, stepIteration, stepMove, toggle } from '../state'
 import { IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
+import { Stops } from './stops'
 
 export function Transport() {
   const idle = panels.value.length === 0
@@ -42,6 +43,7 @@ export function Transport() {
         disabled={idle || finished}
         onClick={runToEnd}
       />
+      <Stops />
     </div>
   )
 }

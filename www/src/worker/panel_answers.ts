@@ -4,6 +4,9 @@ import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
 import { paintLayer } from './shown_layer'
 
+/** Fetched together: neither is needed before somebody asks or stops. */
+export { StopWatch } from './stop_watch'
+
 /** A run of either build of the engine. */
 type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
 

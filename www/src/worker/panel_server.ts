@@ -5,6 +5,7 @@
 import type * as core from '@pkg/core/formicarium'
 import { isEngineError } from '../model/errors'
 import { KEPT_BYTES } from '../model/kept_bytes'
+import type { Stop } from '../model/lesson'
 import type {
   Frame,
   PanelAnswers,
@@ -17,16 +18,21 @@ import type {
 import type { ContourLayer } from './contours'
 import { Painter } from './painter'
 import { Stepper } from './stepper'
+import type { StopWatch } from './stop_watch'
 
 /** What a panel needs of a build. */
 export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
 /** What a terrain has besides its raster; null on a plane. */
 export type GroundOf = (setup: RunSetup) => ContourLayer | null
 
+type Tick = Extract<PanelRequest, { kind: 'tick' }>
+
 export interface Running {
   id: number
   run: core.Run
   stepper: Stepper
+  /** With the first stops. */
+  watch?: StopWatch
   rowsSent: number
   /** The best path's fingerprint at the last frame: it is sent again only when it has changed. */
   pathSent: string
@@ -75,15 +81,29 @@ function refuse(setup: RunSetup): void {
   current = null
 }
 
-function tick(runId: number, target: Target, sliceMs: number): void {
+/** How a run is taken towards a target. */
+type Advance = (running: Running, target: Target) => { reached: boolean; met?: Stop[] }
+
+function tick({ runId, target, sliceMs }: Tick, advance?: Advance): void {
   if (current?.id !== runId) return
   leavePast(current)
   const began = performance.now()
-  const reached = current.stepper.advance(target, sliceMs)
+  const { reached, met } = advance?.(current, target) ?? {
+    reached: current.stepper.advance(target, sliceMs),
+  }
   const workMs = performance.now() - began
   const answer = frame(current, reached, workMs)
   painter?.refresh(target.kind === 'moves' && target.count === 1)
-  reply(answer)
+  reply({ ...answer, met })
+}
+
+/** What stops a run is fetched with the first stop or question. */
+async function tickWithStops(request: Tick, stops: Stop[]): Promise<void> {
+  const { StopWatch } = await import('./panel_answers')
+  tick(request, (running, target) => {
+    running.watch ??= new StopWatch(running.run, () => performance.now())
+    return running.watch.advance(target, request.sliceMs, stops)
+  })
 }
 
 /** What has changed since the last frame; the painter shares the best path rather than asking for it twice. */
@@ -156,7 +176,8 @@ function reply(message: PanelReply): void {
   self.postMessage(message)
 }
 
-function handle(request: PanelRequest): void {
+/** A promise where a part of the worker has to be fetched first. */
+function handle(request: PanelRequest): Promise<void> | undefined {
   switch (request.kind) {
     case 'init':
       init(request)
@@ -168,7 +189,8 @@ function handle(request: PanelRequest): void {
       painter?.setView(request.view)
       break
     case 'tick':
-      tick(request.runId, request.target, request.sliceMs)
+      if (request.stops) return tickWithStops(request, request.stops)
+      tick(request)
       break
     case 'raster':
       raster()
@@ -179,9 +201,9 @@ function handle(request: PanelRequest): void {
   }
 }
 
-function answer(request: PanelRequest): void {
+async function answer(request: PanelRequest): Promise<void> {
   try {
-    handle(request)
+    await handle(request)
   } catch (thrown) {
     if (isEngineError(thrown) && 'runId' in request) {
       if (request.kind === 'load') refuse(request.setup)

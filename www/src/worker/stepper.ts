@@ -1,9 +1,12 @@
 /** Takes a run towards targets, a time slice at a time. */
-import type { Run } from '@pkg/formicarium'
+import type { Run, Status } from '@pkg/formicarium'
 import type { Target } from '../model/messages'
 
-/** The part of a Run that stepping needs. */
-export type Steppable = Pick<Run, 'advance' | 'status' | 'iteration' | 'summary'>
+/** The part of a Run that stepping needs; it may stand still before its end. */
+export interface Steppable extends Pick<Run, 'iteration' | 'summary'> {
+  advance(by: 'move' | 'iteration', count: number): Status | 'stopped'
+  status(): Status | 'stopped'
+}
 
 /** Moves between two looks at the clock: about 20 µs of work for a colony of fifty. */
 const MOVES_PER_LOOK = 16

@@ -1,15 +1,18 @@
 /** Panels and tools on the whole engine; only it has file formats and generators. */
 import * as engine from '@pkg/formicarium'
+import type { LessonCalls } from '../model/lesson_calls'
 import type { OrderCalls } from '../model/order_calls'
 import type { MapCalls, ToolCalls } from '../model/tool_calls'
 import { toolCalls } from './engine_calls'
+import { lessonCalls } from './lesson_calls'
 import { orderCalls } from './order_calls'
 import { serve } from './serve_worker'
 import { contoursOf } from './terrain_contours'
 
-const calls: ToolCalls & MapCalls & OrderCalls = {
+const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   ...toolCalls(engine),
   ...orderCalls(engine),
+  ...lessonCalls(engine),
   importMap: (bytes, name, options, image) => engine.import_map(bytes, name, options, image),
   importScen: (bytes) => engine.import_scen(bytes),
   recognise: (bytes, name) => engine.recognise(bytes, name),

@@ -2,6 +2,7 @@
 //!
 //! All ants move in lock step, one move each in index order, the forward team first: they change trails as they go, and they meet.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::params::EpfParams;
@@ -9,10 +10,11 @@ use super::sight::force_weight;
 use super::space::Space;
 use super::team::{Tables, check_memory};
 use super::walk::Walker;
-use crate::aco::ant::Fate;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Solution, Status, Tally, advance};
+use crate::planner::{
+    Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Solution, Status, Tally, Turn, Walked, advance,
+};
 use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
@@ -73,6 +75,26 @@ impl<S: Space> FieldColony<S> {
     }
 }
 
+impl<S: Space> FieldColony<S> {
+    /// One move of the walking ones among these ants, in index order; true when none of them is left.
+    #[inline(always)]
+    pub(super) fn move_ants(&mut self, which: Range<usize>) -> bool {
+        let Some(tables) = &mut self.tables else { return true };
+        let mut done = true;
+        for k in which {
+            if !tables.ants[k].is_walking() {
+                continue;
+            }
+            tables.move_one(&self.space, &self.params, k);
+            if tables.ants[k].is_walking() && tables.ants[k].moves() >= self.max_moves {
+                tables.give_up(k);
+            }
+            done &= !tables.ants[k].is_walking();
+        }
+        done
+    }
+}
+
 impl<S: Space> Iterations for FieldColony<S> {
     fn parts(&mut self) -> (&mut Progress, &Scenario) {
         (&mut self.progress, &self.scenario)
@@ -106,19 +128,7 @@ impl<S: Space> Iterations for FieldColony<S> {
 
     /// One move of every walking ant, in index order; true when none is left.
     fn move_all(&mut self) -> bool {
-        let Some(tables) = &mut self.tables else { return true };
-        let mut done = true;
-        for k in 0..tables.ants.len() {
-            if !tables.ants[k].is_walking() {
-                continue;
-            }
-            tables.move_one(&self.space, &self.params, k);
-            if tables.ants[k].is_walking() && tables.ants[k].moves() >= self.max_moves {
-                tables.give_up(k);
-            }
-            done &= !tables.ants[k].is_walking();
-        }
-        done
+        self.move_ants(0..self.params.common.ants as usize)
     }
 
     fn end_iteration(&mut self) {
@@ -167,6 +177,14 @@ impl<S: Space + 'static> Planner for FieldColony<S> {
 
     fn moves_from(&self, place: Cell) -> Vec<MoveOdds> {
         self.odds_at(place)
+    }
+
+    fn ant(&self, number: u32) -> Option<Walked> {
+        self.tables.as_ref()?.ants.get(number as usize).filter(|_| cfg!(feature = "whole")).map(Walker::walked)
+    }
+
+    fn turn_of(&self, number: u32) -> Option<Turn> {
+        (cfg!(feature = "whole") && number < self.params.common.ants).then(|| self.clone().take_turn(number as usize))?
     }
 
     fn objective(&self) -> Objective {

@@ -4,10 +4,9 @@ use rand::Rng;
 
 use super::space::Place;
 use super::trails::PlaceTrails;
-use crate::aco::ant::Fate;
 use crate::aco::weights::{FLOOR, power};
 use crate::map::Way;
-use crate::planner::held;
+use crate::planner::{Fate, Walked, held};
 use crate::rng::{Stream, unit_f32};
 
 /// An ant of one team.
@@ -69,6 +68,11 @@ impl Walker {
     /// The places that it has visited, in order, without those that it took back.
     pub fn list(&self) -> &[Place] {
         &self.list
+    }
+
+    /// How far it has come.
+    pub fn walked(&self) -> Walked {
+        Walked { way: self.list.clone(), fate: self.fate }
     }
 
     /// Moves so far: steps, steps back, and the one in which it finds itself lost.

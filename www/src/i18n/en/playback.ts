@@ -23,12 +23,16 @@ export const enPlayback = {
     ofHint: 'For an ant that has visited this cell alone.',
     atIteration: 'after iteration {{iteration}}',
     before: 'before its first iteration',
-    caption: 'Moves from the cell, clockwise from the north: pheromone, heuristic, probability',
+    caption:
+      'Moves from the cell, clockwise from the north: pheromone, heuristic, weight, probability',
     to: 'To',
     trail: 'τ',
     trailHint: 'Pheromone on the move',
     heuristic: 'η',
     heuristicHint: 'Heuristic: how good the move looks',
+    weight: 'τ^α·η^β',
+    weightHint:
+      'What the rule weighs: τ and η are divided by the largest of the cell first; – where the ant has been',
     probability: 'p',
     probabilityHint:
       'Probability that an ant takes it, by the planner’s own rule; what it takes greedily (q0) is in it',

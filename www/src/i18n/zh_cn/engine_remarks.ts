@@ -1,6 +1,7 @@
 /** What the engine says of files, maps and runs: its notices and errors. */
 export const zhCNRemarks = {
   notices: {
+    'drawn-flaw': '它不从起点出发、穿过障碍，或有一步不被移动规则允许',
     unreachable: '在此移动规则下，起点与终点之间没有通路。',
     'start-is-goal': '起点与终点是同一格：路径长度为 0。',
     'results-columns': '未使用的列：{{columns}}。',
@@ -239,6 +240,22 @@ export const zhCNRemarks = {
     'goal-below-ground': {
       message: '终点位于第 {{level}} 层，在地面之下',
       hint: '该处最低为第 {{lowest}} 层',
+    },
+    'drawn-outside': {
+      message: '({{x}}, {{y}}) 在地图之外',
+      hint: '请留在地图的行列之内',
+    },
+    'drawn-blocked': {
+      message: '({{x}}, {{y}}) 是障碍',
+      hint: '请绕开墙，或撤销最后一段',
+    },
+    'drawn-no-way': {
+      message: '从 ({{x}}, {{y}}) 没有允许的一步能更接近 ({{to_x}}, {{to_y}})',
+      hint: '请逐格绕过障碍：移动规则可能不允许切角',
+    },
+    'drawn-slices': {
+      message: '分层路径不能手绘',
+      hint: '请沿地表移动，或在没有高程的地图上绘制',
     },
     'goal-count': { message: '不能使用 {{value}} 个目标', hint: '请设置 1 到 {{max}} 个目标' },
     'goal-twice': {

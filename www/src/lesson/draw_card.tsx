@@ -1,0 +1,132 @@
+/** Beside the map while a path is drawn: what it is worth so far, and what is missing. */
+import { Eraser, Redo2, Undo2 } from 'lucide'
+import { useId } from 'preact/hooks'
+import { numbers } from '../i18n'
+import { describeNotice } from '../i18n/errors'
+import { t } from '../i18n/lesson'
+import { LONGEST_LABEL } from '../model/lesson'
+import type { CanvasSize } from '../stage/panel_view'
+import { lesson, objectives, references, scenario } from '../state'
+import { Button, IconButton } from '../ui/buttons'
+import { gapOf } from '../words/gap_words'
+import { Card } from './card'
+import { drawKey } from './draw_input'
+import {
+  canRedo,
+  canTakeBack,
+  clearDrawn,
+  drawingOn,
+  redoPiece,
+  refusal,
+  rename,
+  stopDrawing,
+  takeBack,
+} from './drawing'
+import { handValue, measured } from './hand_panel'
+
+export function DrawCard({ size }: { size: CanvasSize }) {
+  const drawn = lesson.value?.drawn
+  const cell = drawn?.path.at(-1) ?? scenario.value?.spec.start ?? [0, 0]
+  return (
+    <Card
+      title={t('lesson.draw.title')}
+      cell={cell}
+      size={size}
+      panelId={drawingOn.value ?? 0}
+      testId="draw-card"
+      onClose={stopDrawing}
+      onKey={drawKey}
+    >
+      <p class="hint">{t('lesson.draw.how')}</p>
+      {drawn && <Label label={drawn.label} />}
+      <p role="status" data-testid="draw-standing">
+        {standingWords()}
+      </p>
+      {refusal.value !== '' && (
+        <p class="draw-refusal" role="alert" data-testid="draw-refusal">
+          {refusal.value}
+        </p>
+      )}
+      <div class="card-actions">
+        <IconButton
+          icon={Undo2}
+          label={t('lesson.draw.undo')}
+          keys="Ctrl+Z"
+          testId="draw-undo"
+          disabled={!canTakeBack.value}
+          onClick={takeBack}
+        />
+        <IconButton
+          icon={Redo2}
+          label={t('lesson.draw.redo')}
+          keys="Ctrl+Shift+Z"
+          testId="draw-redo"
+          disabled={!canRedo.value}
+          onClick={redoPiece}
+        />
+        <IconButton
+          icon={Eraser}
+          label={t('lesson.draw.clear')}
+          testId="draw-clear"
+          disabled={!drawn}
+          onClick={clearDrawn}
+        />
+        <span class="spacer" />
+        <Button
+          label={t('lesson.draw.done')}
+          tone="primary"
+          testId="draw-done"
+          onClick={stopDrawing}
+        />
+      </div>
+    </Card>
+  )
+}
+
+function Label({ label }: { label: string }) {
+  const id = useId()
+  return (
+    <span class="field">
+      <label for={id} class="field-label">
+        {t('lesson.draw.label')}
+      </label>
+      <input
+        id={id}
+        class="input"
+        maxLength={LONGEST_LABEL}
+        value={label}
+        data-testid="draw-label"
+        onChange={(event) => rename(event.currentTarget.value.trim() || t('lesson.draw.byHand'))}
+      />
+    </span>
+  )
+}
+
+function standingWords(): string {
+  const now = measured.value
+  if (!now) return ''
+  const { found, refused, drawn } = now
+  const { length, whole } = numbers.value
+  if (!found) return t('lesson.draw.notHere', { why: refused })
+  if (found.flaw) return t('lesson.draw.flaw', { why: describeNotice(found.flaw) })
+  const { metrics, missing } = found
+  const steps = t('lesson.draw.steps', { count: drawn.path.length - 1 })
+  if (!metrics || missing) {
+    const [x, y] = missing ?? [0, 0]
+    return `${steps}. ${t('lesson.draw.missing', { x, y })}`
+  }
+  const told = t('lesson.draw.complete', {
+    length: length.format(metrics.length),
+    turns: whole.format(metrics.turns),
+    clearance: length.format(metrics.min_clearance),
+  })
+  return `${told} ${gapWords()}`
+}
+
+function gapWords(): string {
+  const objective = objectives.value.find((each) => handValue(each) !== null)
+  const gap = objective ? gapOf(handValue(objective), references.value[objective] ?? null) : null
+  if (gap === null) return ''
+  if (gap <= 0) return t('lesson.draw.best')
+  return t('lesson.draw.gap', { gap: numbers.value.percent.format(gap).replace('+', '') })
+}

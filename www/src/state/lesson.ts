@@ -1,0 +1,19 @@
+/** What the session carries for a lesson, and what the lesson does now. The code for it is fetched when it is first wanted (lesson/). */
+import { signal } from '@preact/signals'
+import type { Lesson, MetStop } from '../model/lesson'
+import type { Panel } from './store'
+
+/** Null where the session carries nothing. */
+export const lesson = signal<Lesson | null>(null)
+
+/** Why the runs stand still; empty while they have another reason. */
+export const stopsMet = signal<MetStop[]>([])
+
+/** Somebody wants to run to the end though there are stops, and is to be asked. */
+export const askToEnd = signal(false)
+
+/** What the maps are used for instead of their tool: to follow an ant, to guess its moves, to draw a path. */
+export const lessonMode = signal<'follow' | 'guess' | 'draw' | null>(null)
+
+/** The path by hand as a contestant of the comparison table: a panel that is nowhere on the page, once there is something to compare. */
+export const byHand = signal<Panel[]>([])
