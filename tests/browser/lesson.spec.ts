@@ -13,7 +13,14 @@ function small(lesson?: Lesson): Session {
   const cells = new Uint8Array(48)
   for (const y of [1, 2, 3]) cells[8 * y + 4] = 1
   const { result: _, ...ants } = sessionOf(8, 6, cells).panels[0] ?? {}
-  const colony = { ...ants, planner: 'ant-system', preset: null, params: { ants: 6 }, result: null }
+  const colony = {
+    ...ants,
+    planner: 'ant-system',
+    preset: null,
+    params: { ants: 6 },
+    label: null,
+    result: null,
+  }
   const search = { planner: 'astar', preset: null, params: {}, label: null, result: null }
   const session = { ...sessionOf(8, 6, cells), panels: [colony, search], seed: 5, speed: 8 }
   return lesson ? { ...session, lesson } : session
