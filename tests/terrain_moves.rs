@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use formicarium::aco::ant::{Ant, Fate, Walk};
+use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::map::{ALL_DIRECTIONS, CornerRule, DIRECTIONS, Grid, Movement, Moves, Point, offset, opposite};
 use formicarium::metrics::Metrics;
+use formicarium::planner::Fate;
 use formicarium::rng::{Streams, unit_f32};
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use proptest::prelude::*;

@@ -52,7 +52,7 @@ test.describe('with the mouse', () => {
     )
     expect(await walls(race)).toEqual(listed(border))
 
-    await page.keyboard.press('f')
+    await page.keyboard.press('d')
     await race.drag([[12, 10]])
     expect(await walls(race)).toEqual(listed(block(10, 9, 5, 4)))
     await page.getByTestId('undo').click()
@@ -288,7 +288,7 @@ test.describe('with keys', () => {
     await expect(said).toHaveText(/3 cells/i)
     await stage.press('Enter')
     expect(await race.walls()).toBe(9)
-    await stage.press('f')
+    await stage.press('d')
     await stage.press('x')
     expect(await race.walls()).toBe(0)
   })

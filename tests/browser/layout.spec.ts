@@ -111,7 +111,7 @@ test('the column is dragged, moved by keys, closed, and comes back as it was', a
 test('a part of the column can be folded away, and stays so', async ({ page }) => {
   const race = new RacePage(page)
   await race.openAtRest()
-  const legend = page.getByTestId('chart-optimum')
+  const legend = page.locator('.convergence .plot')
   await expect(legend).toBeVisible()
   await page.getByTestId('fold-convergence').click()
   await expect(legend).toBeHidden()

@@ -57,7 +57,7 @@ const KEYS: Record<string, () => void> = {
   },
 }
 
-for (const key of 'lbnfmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
+for (const key of 'lbndmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
 
 export function listenForKeys(): void {
   noteHowFocusMoves()

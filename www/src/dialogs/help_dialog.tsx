@@ -46,7 +46,7 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['undo', ['Ctrl Z']],
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
-  ['shapes', ['L', 'B', 'N', 'F']],
+  ['shapes', ['L', 'B', 'N', 'D']],
   ['width', ['J', 'K']],
   ['select', ['M']],
   ['fit', ['0']],

@@ -25,7 +25,7 @@ const TOOL_KEYS: Record<string, FurtherTool> = {
   l: 'line',
   b: 'rectangle',
   n: 'block',
-  f: 'fill',
+  d: 'fill',
   m: 'select',
 }
 

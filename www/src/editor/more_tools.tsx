@@ -56,7 +56,7 @@ const KEYS: Record<WallTool, string> = {
   line: 'L',
   rectangle: 'B',
   block: 'N',
-  fill: 'F',
+  fill: 'D',
 }
 
 /** What the button for walls shows. */
