@@ -5,9 +5,6 @@ import { ENTRIES, lengths, quantile, ResultsPage, richDocument, SEEDS } from './
 const FILES = {
   csv: 'rich-results.csv',
   json: 'rich-results.json',
-  'matrix-csv': 'rich-results.matrix.csv',
-  'matrix-markdown': 'rich-results.matrix.md',
-  'matrix-latex': 'rich-results.matrix.tex',
   'summary-csv': 'rich-results.summary.csv',
   'summary-json': 'rich-results.summary.json',
   'summary-markdown': 'rich-results.summary.md',
