@@ -79,7 +79,7 @@ test.describe('the planners of the whole engine', () => {
     await planner.selectOption(LATER)
     await race.ready()
     await expect(page.getByTestId('panel-waiting')).toBeHidden()
-    await expect(page.getByTestId('panel-1').locator('canvas')).toHaveCount(1)
+    await expect(page.getByTestId('panel-1').locator('.stage canvas')).toHaveCount(1)
     await race.seesMotion(1, () => page.getByTestId('play').click())
     expect((await race.result(1)).planner).toBe(LATER)
     await planner.selectOption('ant-system')

@@ -111,10 +111,11 @@ export class ChartCursor {
   }
 
   private moved(plot: uPlot): void {
-    const { left = -1 } = plot.cursor
-    if (left >= 0) this.at.value = this.places.nearest(plot.posToVal(left, 'x'))
-    else if (!this.byKeys) this.at.value = null
-    if (plot.cursor.event) this.byKeys = false
+    const { left = -1, event } = plot.cursor
+    if (event) this.byKeys = false
+    // What keys have chosen is known; its pixel may be one of an axis that has grown since.
+    if (!this.byKeys)
+      this.at.value = left < 0 ? null : this.places.nearest(plot.posToVal(left, 'x'))
     this.mark()
   }
 

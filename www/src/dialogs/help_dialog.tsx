@@ -74,7 +74,7 @@ const MAP_KEYS: [StageKeyName, string[]][] = [
 
 export function HelpDialog() {
   return (
-    <Dialog title={t('help.title')} onClose={closeDialog} testId="help-dialog" wide>
+    <Dialog title={t('help.title')} onClose={closeDialog} testId="help-dialog" wide prose>
       <p>{t('help.about')}</p>
       <ol class="help-steps">
         <li>{t('help.step1')}</li>

@@ -16,12 +16,15 @@ interface DialogProps {
   actions?: ComponentChildren
   wide?: boolean
   testId?: string
+  /** Whether there is nothing in it that takes the focus, so that keys could not scroll it. */
+  prose?: boolean
   /** What Enter does while no control has the focus. */
   onEnter?: () => void
 }
 
 /** A modal dialog: the browser keeps the focus inside, closes on Esc and gives the focus back. */
-export function Dialog({ title, onClose, children, actions, wide, testId, onEnter }: DialogProps) {
+export function Dialog(props: DialogProps) {
+  const { title, onClose, children, actions, wide, testId, prose, onEnter } = props
   const dialog = useRef<HTMLDialogElement>(null)
   const titleId = useId()
   useEffect(() => {
@@ -49,7 +52,9 @@ export function Dialog({ title, onClose, children, actions, wide, testId, onEnte
           <h2 id={titleId}>{title}</h2>
           <IconButton icon={X} label={t('common.close')} tone="quiet" onClick={onClose} />
         </header>
-        <div class="dialog-content">{children}</div>
+        <div class="dialog-content" tabIndex={prose ? 0 : undefined}>
+          {children}
+        </div>
         {actions && <footer class="dialog-actions">{actions}</footer>}
       </div>
       <Notice />
