@@ -171,9 +171,10 @@ test.describe('rasters of heights', () => {
     expect(await scenarioOf(race)).toEqual(before)
   })
 
-  test('scripts get the raster without being asked about it', async ({ page }) => {
+  test('scripts say which part of the raster they want, and are not asked', async ({ page }) => {
     const race = new RacePage(page)
-    expect(await page.evaluate((text) => window.formicarium.load(text), ASC)).toBe(true)
+    const opened = await page.evaluate((text) => window.formicarium.load(text, { part: {} }), ASC)
+    expect(opened.kind).toBe('map')
     await expectHeights(race, KNOWN)
   })
 })

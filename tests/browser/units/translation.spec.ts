@@ -141,7 +141,8 @@ test.describe('on a Chinese page', () => {
   test('parameters, their options and what is wrong with them are told in Chinese', async ({
     page,
   }) => {
-    await new RacePage(page).open()
+    const race = new RacePage(page)
+    await race.open()
     const control = (key: string) =>
       page.locator('.parameter', { has: page.getByTestId(`param-${key}`) })
     await expect(control('alpha').locator('label')).toHaveText('α信息素因子')
@@ -151,9 +152,9 @@ test.describe('on a Chinese page', () => {
     await expect(error).toHaveText(
       /^信息素因子 = 999 超出范围 0 至 \d+。请选择 0 与 \d+ 之间的值。$/,
     )
-    await page.getByTestId('param-heuristic').selectOption('goal')
+    await (await race.param('heuristic')).selectOption('goal')
     const back = control('heuristic').getByRole('button')
-    await expect(back).toHaveText('恢复为“绕行量”')
+    await expect(back).toHaveAccessibleName(/恢复为“绕行量”$/)
   })
 
   test('what is wrong with a file is told in Chinese', async ({ page }) => {

@@ -58,8 +58,8 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     ended: '运行已结束；请回看以跟随蚂蚁。',
     arrived: '它已到达，走了 {{moves}} 步。',
     lost: '它迷路了，走了 {{moves}} 步。',
-    deadEnd: '死路：没有可选的格子。它退回一步。',
-    gaveUp: '死路：没有可选的格子。它放弃了。',
+    deadEnd: '死胡同：没有可选的格子。它退回一步。',
+    gaveUp: '死胡同：没有可选的格子。它放弃了。',
     last: '它的上一步：走到 ({{x}}, {{y}})，概率为 {{share}}。',
     step: '让这只蚂蚁走一步',
     stepHint:
