@@ -257,6 +257,7 @@ test.describe('a path by hand', () => {
   }) => {
     const race = await open(page)
     await race.menu('lesson-menu', 'lesson-draw')
+    await expect(page.getByTestId('draw-card')).toBeVisible()
     await race.stage().focus()
     await page.keyboard.press('ArrowRight')
     for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight')

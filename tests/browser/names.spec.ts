@@ -217,6 +217,7 @@ test.describe('title, note and the name of the map', () => {
     await page.getByTestId('share-names').click()
     await page.getByTestId('map-name-field').fill('我的地图')
     await expect(lines.first()).toHaveText('地图“我的地图”，20 × 20')
+    await expect(page.getByTestId('share-link')).toHaveValue(/#x=/)
     const link = await page.getByTestId('share-link').inputValue()
     await race.leaveDialog()
     await expect(menu).toContainText('我的地图')
@@ -255,7 +256,8 @@ test.describe('a link', () => {
     const bare = await link.inputValue()
     await page.getByTestId('session-title').fill('Why evaporation matters')
     await page.getByTestId('session-note').fill('Look at the corridor.')
-    await expect(link).not.toHaveValue(bare)
+    await expect(link).toHaveValue(/#x=/)
+    expect(await link.inputValue()).not.toBe(bare)
     const words = { title: 'Why evaporation matters', note: 'Look at the corridor.' }
 
     const other = await freshRace(browser, await link.inputValue())

@@ -275,6 +275,7 @@ export class RacePage {
 
   /** Waits until an open dialog is gone: until then keys do not reach the page. */
   async leaveDialog(): Promise<void> {
+    await expect(this.page.locator('dialog')).toBeVisible()
     await this.page.keyboard.press('Escape')
     await expect(this.page.locator('dialog')).toHaveCount(0)
   }

@@ -18,20 +18,20 @@ const TOO_LARGE = 'too large'
 export type Link = string | typeof TOO_LARGE | null
 
 /**
- * An address made once, as runs may go on behind the dialog; made again when `about` is another. `make` is null while there is nothing
- * to share.
+ * An address made once, as runs may go on behind the dialog; made again when `about` is another, and null until then, so that nobody
+ * copies what no longer holds. `make` is null while there is nothing to share.
  */
 export function useLink(
   prefix: string,
   make: (() => Promise<string>) | null,
   about?: unknown,
 ): Link {
-  const [link, setLink] = useState<Link>(null)
+  const [made, setMade] = useState<{ link: Link; of: unknown } | null>(null)
   useEffect(() => {
     const page = location.href.replace(/#.*$/, '')
     let wanted = true
-    const take = (made: Link) => {
-      if (wanted) setLink(made)
+    const take = (link: Link) => {
+      if (wanted) setMade({ link, of: about })
     }
     make?.().then(
       (text) => take(`${page}${prefix}${text}`),
@@ -44,7 +44,7 @@ export function useLink(
       wanted = false
     }
   }, [about])
-  return link
+  return made?.of === about ? (made?.link ?? null) : null
 }
 
 /** Whether there is no link, or one so long that many programs would cut it. */

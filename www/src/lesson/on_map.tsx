@@ -1,6 +1,6 @@
 /** What a lesson puts on one panel's map: the path by hand, the followed ant, the stop that was met; and the cards beside them. */
 import type { ReadonlySignal } from '@preact/signals'
-import { useEffect, useRef } from 'preact/hooks'
+import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { lesson, lessonMode } from '../state'
 import { AntCard } from './ant_card'
@@ -24,7 +24,8 @@ interface OnMapProps {
 
 export function OnMap({ panelId, size, cursor }: OnMapProps) {
   const anchor = useRef<HTMLSpanElement>(null)
-  useEffect(() => {
+  // At once: keys that are pressed as a card appears are the lesson's.
+  useLayoutEffect(() => {
     const holder = anchor.current?.parentElement
     if (!holder) return
     return listenToMap(holder, size, cursor, () => handlersOf(panelId))

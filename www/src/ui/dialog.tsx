@@ -1,6 +1,6 @@
 import { TriangleAlert, X } from 'lucide'
 import type { ComponentChildren } from 'preact'
-import { useEffect, useId, useRef } from 'preact/hooks'
+import { useEffect, useId, useLayoutEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { dialogNotice, dismissInDialog } from '../state/dialog_notice'
 import { IconButton } from './buttons'
@@ -27,7 +27,8 @@ export function Dialog(props: DialogProps) {
   const { title, onClose, children, actions, wide, testId, prose, onEnter } = props
   const dialog = useRef<HTMLDialogElement>(null)
   const titleId = useId()
-  useEffect(() => {
+  // At once: a key that is pressed as it appears is the dialog's.
+  useLayoutEffect(() => {
     dialog.current?.showModal()
     // The dialog itself gets the focus: the hint of its first button would cover its text.
     dialog.current?.focus()
