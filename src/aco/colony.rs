@@ -1,5 +1,8 @@
 //! The one skeleton of every colony: construct solutions, update trails, daemon actions.
 
+#[cfg(feature = "whole")]
+mod adapt;
+
 use std::sync::Arc;
 
 use crate::map::Cell;
@@ -10,6 +13,8 @@ use crate::planner::{
     held,
 };
 use crate::rng::Streams;
+#[cfg(feature = "whole")]
+use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Fate, Walk};
@@ -312,6 +317,16 @@ impl<V: Variant + 'static> Planner for Colony<V> {
 
     fn colony_size(&self) -> u32 {
         self.settings.ants
+    }
+
+    #[cfg(feature = "whole")]
+    fn adapts(&self) -> bool {
+        true
+    }
+
+    #[cfg(feature = "whole")]
+    fn adapt(&mut self, change: &Change, to: &Arc<Scenario>) {
+        self.go_on(change, to);
     }
 
     fn objective(&self) -> Objective {

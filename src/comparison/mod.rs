@@ -72,6 +72,12 @@ impl Comparison {
     /// [`QuestionError`] with the field that does not fit.
     pub fn new(question: Question, scenarios: Vec<Arc<Scenario>>) -> Result<Self, QuestionError> {
         question.check()?;
+        let moving = question.instances.iter().zip(&scenarios).find(|(_, scenario)| !scenario.spec.changes.is_empty());
+        if let Some((instance, scenario)) = moving {
+            let field = format!("instances.{}.map", instance.id);
+            let found = format!("a map with {} changes of its walls", scenario.spec.changes.len());
+            return Err(QuestionError::field(field, found, "a map whose walls stay: `plan` runs the other kind"));
+        }
         let map = |scenario| Map::new(scenario, &question);
         let maps = scenarios.into_iter().map(map).collect::<Result<_, _>>()?;
         let half_units = vec![0.0; question.entries.len()];

@@ -5,6 +5,8 @@
 
 mod arguments;
 #[cfg(feature = "whole")]
+mod changes;
+#[cfg(feature = "whole")]
 mod comparison;
 #[cfg(feature = "whole")]
 mod figure;
