@@ -176,7 +176,20 @@ fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, Format
 /// The scenario as a file: one line for each field and for each row of the map.
 pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     // Taken apart, so that a new field cannot be forgotten.
-    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle, terrain, world, changes } = spec;
+    let ScenarioSpec {
+        name,
+        width,
+        height,
+        resolution,
+        movement,
+        start,
+        goals,
+        vehicle,
+        terrain,
+        world,
+        #[cfg(feature = "whole")]
+        changes,
+    } = spec;
     let fields = [
         ("format", text(&FORMAT)),
         ("name", text(name)),
@@ -190,8 +203,9 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     ];
     let terrain = terrain.iter().map(|terrain| ("terrain", text(terrain)));
     let world = world.iter().map(|world| ("world", text(world)));
-    let changes = (!changes.is_empty()).then(|| ("changes", text(changes)));
-    let fields = fields.into_iter().chain(terrain).chain(world).chain(changes);
+    let fields = fields.into_iter().chain(terrain).chain(world);
+    #[cfg(feature = "whole")]
+    let fields = fields.chain((!changes.is_empty()).then(|| ("changes", text(changes))));
     let fields: String = fields.map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
     format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))

@@ -1,9 +1,15 @@
 /** Where the parts of the page are that lower layers ask for (state/lazy_parts.ts). */
-import { nameLazyParts } from '../state/lazy_parts'
+import { notifyError, recall } from '../state'
+import { lazyParts, nameLazyParts } from '../state/lazy_parts'
+import { whenAntsWalk } from './when_ants_walk'
 
 nameLazyParts({
+  walls: async () => (await import('../state/changing_walls')).startChangingWalls(),
   opener: () => import('../state/open_files'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })
+
+// Who has chosen to keep the trails finds it so.
+if (recall('formicarium.keepTrails')) whenAntsWalk(() => void lazyParts.walls().catch(notifyError))

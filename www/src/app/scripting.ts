@@ -22,6 +22,7 @@ import {
   panels,
   pause,
   phase,
+  readied,
   runToEnd,
   scenario,
   stepIteration,
@@ -81,7 +82,7 @@ export function offerScripting(): void {
       }
       // Scripts older than terrains have no heights.
       const heights = source.scenario.heights ?? null
-      loadSession({ ...source, scenario: { ...source.scenario, heights } })
+      loadSession(await readied({ ...source, scenario: { ...source.scenario, heights } }))
       return true
     },
     async run(options = {}) {

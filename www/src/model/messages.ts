@@ -4,7 +4,7 @@
  * Each panel owns one worker, one wasm instance and one OffscreenCanvas. Requests that concern a run carry its `runId`; replies
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
-import type { EngineError, Layer, RunSummary, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { EngineError, Layer, RunSummary, ScenarioSpec, Status, Walls } from '@pkg/formicarium'
 
 /** Parameter values by key, as the catalog names them; what is absent takes the catalog's default. */
 export type ParamValues = Record<string, number | string | boolean>
@@ -19,6 +19,8 @@ export interface RunSetup {
   planner: string
   params: ParamValues
   seed: number
+  /** Iterations to be run at once. */
+  ahead?: number
 }
 
 /** How a panel looks at the map. Place and zoom are the same in every panel, so that maps can be compared cell by cell. */
@@ -84,6 +86,10 @@ export type PanelQuestion =
   | { about: 'layer'; layer: Layer }
   /** What is kept to look back. */
   | { about: 'kept' }
+  /** Change walls at the end of the iteration at work. */
+  | { about: 'walls'; walls: Walls }
+  /** Paint the map as it would be with these walls. */
+  | { about: 'show-walls'; walls: Walls }
 
 /** What is answered to each question; null where there is no answer, e.g. because the run has been replaced meanwhile. */
 export interface PanelAnswers {
@@ -101,6 +107,13 @@ export interface PanelAnswers {
     /** Most iterations that a look back computes again. */
     mostRepeated: number
   }
+  walls: {
+    /** The iteration at whose end they change; null where this build of the engine cannot change walls. */
+    at: number | null
+    /** Whether the planner goes on with what it has learnt; null where `at` is. */
+    adapts: boolean | null
+  } & PanelAnswers['look']
+  'show-walls': null
 }
 
 /** What a tick or a load did. */

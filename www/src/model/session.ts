@@ -1,5 +1,6 @@
 /** What a session is: a race as it is shared. A link, a session file and undo bring all of it back. */
 import type { Generator, Goal, Layer, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { Cell } from './cell'
 import { layers } from './facts'
 import type { ParamValues } from './messages'
 
@@ -47,8 +48,21 @@ export interface PanelSetup {
   result: RecordedResult | null
 }
 
+/** Walls that changed while the runs went on. */
+export interface WallChange {
+  blocked: Cell[]
+  freed: Cell[]
+  /** The iteration at whose end it was made, for each panel's run; 0 = before the first. */
+  at: number[]
+}
+
 export interface Session {
+  /** On the map as the changes have left it. */
   scenario: Scenario
+  /** In their order; absent where the walls stayed as they were. */
+  changes?: WallChange[]
+  /** Whether further changes of walls keep the trails; absent where runs start anew. */
+  keepTrails?: true
   panels: PanelSetup[]
   /** One seed for every panel: paired runs. */
   seed: number

@@ -5,6 +5,7 @@ import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/playback'
 import { leavePast, lookedAt, panels, phase } from '../state'
+import { madeChanges } from '../state/changing_walls'
 import { Button, IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { lastIteration, lookBy, lookTo, recomputing } from './look_back'
@@ -42,9 +43,11 @@ export function Scrubber() {
         aria-label={t('playback.slider')}
         aria-valuetext={words()}
         title={note}
+        list="changes-of-walls"
         data-testid="scrubber"
         onInput={(event) => lookTo(event.currentTarget.valueAsNumber)}
       />
+      <Marks />
       <IconButton
         icon={ChevronRight}
         label={t('playback.later')}
@@ -56,6 +59,18 @@ export function Scrubber() {
       />
       <Where />
     </section>
+  )
+}
+
+/** Ticks at the iterations after which walls changed, in any panel. */
+function Marks() {
+  const iterations = new Set(madeChanges.value.flatMap(({ at }) => [...at.values()]))
+  return (
+    <datalist id="changes-of-walls" data-testid="changes-of-walls">
+      {[...iterations].map((iteration) => (
+        <option key={iteration} value={iteration} />
+      ))}
+    </datalist>
   )
 }
 

@@ -32,6 +32,8 @@ export interface OpenerPart {
 }
 
 export interface LazyParts {
+  /** Has walls change while planners run (state/changing_walls.ts). */
+  walls(): Promise<unknown>
   opener(): Promise<OpenerPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
@@ -44,6 +46,7 @@ const missing = () => Promise.reject(new Error('the parts of the page have not b
 
 /** Where to fetch them. */
 export const lazyParts: LazyParts = {
+  walls: missing,
   opener: missing,
   lab: missing,
   relief: missing,

@@ -2,7 +2,7 @@
 import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
-import type { Scenario } from '../model/session'
+import type { Scenario, Session } from '../model/session'
 import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
 import { allowed } from './memory'
@@ -18,6 +18,24 @@ import {
   sync,
 } from './store'
 import { fetchWholeEngine } from './whole_engine'
+
+/** What changes of walls in a run need of it (state/changing_walls.ts, fetched when somebody wants it). */
+export interface WallsPart {
+  /** An edit that is about to be shown: taken as a change of the runs, refused, or runs are to start anew. */
+  take(before: Scenario, after: Scenario, gesture?: number): 'taken' | 'refused' | 'anew'
+  /** The setup with the changes of the panel's run. */
+  setup(panel: Panel, bare: RunSetup): RunSetup
+  /** The session whose runs begin next, in these panels. */
+  next(session: Session, panelIds: number[]): void
+  /** All runs begin. */
+  begin(): void
+  inSession(): Pick<Session, 'changes' | 'keepTrails'>
+  /** Changes of the runs on show: the map of the page has had all of them. */
+  made(): number
+}
+
+/** Empty until it has been fetched. */
+export const walls: Partial<WallsPart> = {}
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
@@ -71,6 +89,7 @@ export function runToEnd(): void {
 export function reset(): void {
   conductor.pause()
   leavePast()
+  walls.begin?.()
   const now = scenario.peek()
   if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchWholeEngine()
   batch(() => {
@@ -93,7 +112,15 @@ export function restart(): void {
 export function runSetup(panel: Panel, on: Scenario): RunSetup {
   const { planner, params } = panel.setup
   const { spec, cells, heights } = on
-  return { spec, cells, heights, planner, params, seed: seed.peek() }
+  const bare = { spec, cells, heights, planner, params, seed: seed.peek() }
+  return walls.setup?.(panel, bare) ?? bare
+}
+
+/** Repeats a panel's run up to an iteration, with the changes of its walls. */
+export function reload(panel: Panel, ahead: number): void {
+  const now = scenario.peek()
+  clearLive(panel.id)
+  if (now) conductor.load(panel.id, ++lastRunId, { ...runSetup(panel, now), ahead })
 }
 
 /** Ends the worker of a panel that is leaving the page. */

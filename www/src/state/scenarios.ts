@@ -18,7 +18,7 @@ import { createHistory } from './history'
 import { lazyParts } from './lazy_parts'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
-import { pause, play, reset, restart } from './runs'
+import { pause, play, reset, restart, walls } from './runs'
 import { suitSpeed } from './speed'
 import {
   activeGoal,
@@ -60,8 +60,10 @@ export function applyEdit(edit: Edit, gesture?: number): void {
 export function commit(after: Scenario, gesture?: number): void {
   const before = scenario.peek()
   if (!before || after === before) return
+  const taken = walls.take?.(before, after, gesture)
+  if (taken === 'refused') return
   history.record(before, after, gesture)
-  if (asksSame(before, after)) rename(after)
+  if (taken === 'taken' || asksSame(before, after)) rename(after)
   else {
     pauseForEdit()
     replace(after)
@@ -212,25 +214,27 @@ export async function generateMap(
 }
 
 export function undo(): void {
-  travel(history.undo.bind(history), 'notices.undone')
+  travel('undo', 'redo')
 }
 
 export function redo(): void {
-  travel(history.redo.bind(history), 'notices.redone')
+  travel('redo', 'undo')
 }
 
-function travel(
-  step: (current: Scenario) => Scenario | null,
-  said: 'notices.undone' | 'notices.redone',
-): void {
+function travel(step: 'undo' | 'redo', back: 'undo' | 'redo'): void {
   const now = scenario.peek()
-  const next = now && step(now)
+  const next = now && history[step](now)
   if (!now || !next) return
+  const taken = walls.take?.(now, next)
+  if (taken === 'refused') {
+    history[back](next)
+    return
+  }
   suitSpeed(next)
-  if (asksSame(now, next)) rename(next)
+  if (taken === 'taken' || asksSame(now, next)) rename(next)
   else replace(next)
   if (now.spec.width !== next.spec.width || now.spec.height !== next.spec.height) fitView()
-  announce(t(said))
+  announce(t(step === 'undo' ? 'notices.undone' : 'notices.redone'))
 }
 
 /** The runs on the old map are obsolete; what they have shown stays visible no longer than the map. */

@@ -6,12 +6,13 @@ import { firstScenario } from '../gallery/gallery'
 import { t } from '../i18n'
 import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '../model/session'
 import { reducedMotion } from './appearance'
+import { lazyParts } from './lazy_parts'
 import { latest, setVerified } from './live_reports'
 import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
-import { dropRun, pause, play, reset, restart, runSetup } from './runs'
+import { dropRun, pause, play, reset, restart, runSetup, walls } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -42,7 +43,14 @@ export function currentSession(): Session | null {
     sync: sync.peek(),
     speed: speed.peek(),
     layer: layer.peek(),
+    ...walls.inSession?.(),
   }
+}
+
+/** With what it takes to load it. */
+export async function readied(session: Session): Promise<Session> {
+  if (session.changes || session.keepTrails) await lazyParts.walls()
+  return session
 }
 
 export function loadSession(session: Session): void {
@@ -58,7 +66,9 @@ export function loadSession(session: Session): void {
     setScenario(session.scenario, { undoable: scenario.peek() !== null })
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
+    const ids = panels.value.map(({ id }) => id)
     if (wholeEngine.peek() === 'here') dropUnknown(panels.value)
+    walls.next?.(session, ids)
     reset()
   })
   for (const panel of panels.peek()) void verify(panel)
@@ -83,7 +93,7 @@ export async function openFragment(hash: string): Promise<boolean> {
   if (!hash.startsWith('#x=')) return false
   try {
     const { decodeFragment } = await import('../share/link')
-    loadSession(await decodeFragment(hash))
+    loadSession(await readied(await decodeFragment(hash)))
     return true
   } catch (error) {
     notifyError(error)
