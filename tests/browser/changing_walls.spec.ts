@@ -66,6 +66,42 @@ test.describe('walls that change during a run', () => {
     await other.page.context().close()
   })
 
+  test('a stroke while everything plays is one change, made by colonies and swarms alike', async ({
+    page,
+    browser,
+  }) => {
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await page.getByTestId('keep-trails').selectOption('keep')
+    for (const planner of ['max-min-ant-system', 'pso'])
+      await race.menu('add-panel', `add-${planner}`)
+    await race.ready()
+    await page.getByTestId('play').click()
+    await expect.poll(() => iteration(race)).toBeGreaterThan(2)
+    const before = await iteration(race)
+    await race.drag([
+      [1, 1],
+      [6, 1],
+    ])
+    await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'running')
+    const made = async () => (await race.results()).map(({ summary }) => summary?.changes ?? 0)
+    await expect.poll(made).toEqual([1, 1, 1, 1])
+    await expect.poll(() => iteration(race)).toBeGreaterThan(before)
+    await page.getByTestId('play').click()
+    const [change, ...more] = await changes(race)
+    expect(more).toEqual([])
+    expect(change?.at.length).toBe(4)
+    expect((change?.blocked.length ?? 0) + (change?.freed.length ?? 0)).toBeGreaterThan(2)
+
+    const other = await freshRace(browser, await race.shareLink())
+    for (const place of [1, 2, 3, 4])
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
+    await other.page.context().close()
+  })
+
   test('without the choice runs start anew, as ever', async ({ page }) => {
     const race = new RacePage(page)
     await race.openAtRest()
