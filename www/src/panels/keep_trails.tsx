@@ -15,10 +15,9 @@ export async function fetchKeepTrails(): Promise<typeof KeepTrails> {
 function KeepTrails() {
   const made = madeChanges.value.length
   return (
-    <fieldset class="run-settings" aria-label={t('walls.label')}>
+    <fieldset class="keep-trails" aria-label={t('walls.label')}>
       <Select
         label={t('walls.label')}
-        class="sync-field"
         value={keepTrails.value ? 'keep' : 'anew'}
         testId="keep-trails"
         note={t(keepTrails.value ? 'walls.keepNote' : 'walls.anewNote')}
@@ -29,8 +28,8 @@ function KeepTrails() {
         onChange={(value) => setKeepTrails(value === 'keep')}
       />
       {made > 0 && (
-        <p class="walls-made" role="status">
-          {t('walls.made', { count: made })}{' '}
+        <p role="status">
+          {t('walls.made', { count: made })}
           <Button label={t('walls.begin')} testId="begin-on-this-map" onClick={reset} />
         </p>
       )}
