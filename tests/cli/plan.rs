@@ -72,7 +72,7 @@ fn plan_takes_walls_that_change_and_other_commands_refuse_them() {
     assert_eq!(result["changes"], 2);
 
     folder.write("path.json", "[[0,0],[1,0],[2,0],[3,0],[4,0]]");
-    folder.run(&["check", "moving.json", "path.json"]).ends(2).says(&["change 2 times", "`plan`"]);
+    folder.run(&["check", "path.json", "--map", "moving.json"]).ends(2).says(&["change 2 times", "`plan`"]);
     folder.run(&["convert", "moving.json", "out.map"]).ends(0).says(&["before its walls change"]);
     folder.run(&["convert", "moving.json", "again.json"]).ends(0);
     assert!(folder.read("again.json").contains(r#""changes": [{"at":3,"blocked":[[2,0],[2,1]],"freed":[]}"#));
