@@ -17,6 +17,13 @@ fn changing(entry: &PlannerEntry, scenario: &Arc<Scenario>, seed: u32) -> Box<dy
     catalog::build_changing(scenario, entry.id, None, &short(entry), seed).expect("valid parameters")
 }
 
+/// Goes on by so many iterations.
+fn iterate(planner: &mut dyn Planner, count: u32) {
+    for _ in 0..count {
+        planner.advance(Granularity::Iteration);
+    }
+}
+
 /// What a run comes to.
 fn end(planner: &dyn Planner) -> (String, String, Status) {
     (planner.digest().hex(), format!("{:?}", planner.history()), planner.status())
@@ -167,7 +174,7 @@ fn colony(id: &str) -> Box<dyn Planner> {
     let scenario = common::random(12, 0.15, 3, Movement::default());
     let entry = catalog::find(id).expect("in the catalog");
     let mut colony = changing(entry, &scenario, 2);
-    (0..5).for_each(|_| drop(colony.advance(Granularity::Iteration)));
+    iterate(&mut *colony, 5);
     colony
 }
 
@@ -222,7 +229,7 @@ fn the_best_of_the_new_map_begins_with_its_first_iteration() {
 fn a_goal_that_is_walled_off_ends_a_colony_and_an_opening_lets_it_go_on() {
     let scenario = common::drawn(&["S....", ".....", "....G"], Movement::default());
     let mut colony = changing(catalog::find("ant-system").expect("in the catalog"), &scenario, 1);
-    (0..3).for_each(|_| drop(colony.advance(Granularity::Iteration)));
+    iterate(&mut *colony, 3);
     let wall: Vec<Point> = (0..3).map(|y| Point::new(2, y)).collect();
     schedule(&mut *colony, wall.clone(), Vec::new());
     assert_eq!((colony.status(), colony.best()), (Status::NoPath, None));
@@ -272,7 +279,7 @@ fn what_cannot_be_changed_is_refused_by_name() {
         assert_eq!((report.kind.as_str(), report.field.as_str()), ("change", field), "{changes:?}: {}", report.message);
     }
     let mut colony = changing(catalog::find("ant-system").expect("in the catalog"), &scenario, 1);
-    (0..3).for_each(|_| drop(colony.advance(Granularity::Iteration)));
+    iterate(&mut *colony, 3);
     let late = colony.changing_mut().expect("it takes changes").schedule(change(2, &[(1, 0)], &[]));
     assert_eq!(late.expect_err("the iteration is past").report().field, "changes[0].at");
 }
@@ -286,7 +293,7 @@ fn seen(planner: &dyn Planner, cell: Cell) -> Vec<(Cell, u64)> {
 fn a_wall_is_felt_two_cells_away_and_no_farther() {
     everywhere(|entry, what, scenario| {
         let mut run = changing(entry, scenario, 1);
-        (0..2).for_each(|_| drop(run.advance(Granularity::Iteration)));
+        iterate(&mut *run, 2);
         let blocked = blockable(&*run);
         if !run.adapts() || blocked.is_empty() {
             return;
