@@ -12,6 +12,8 @@ use crate::map::Generator;
 use crate::map::{MAX_DENSITY, MAX_LEVELS, MAX_REACH, MAX_SIDE};
 use crate::params::{ParamSpec, Values};
 #[cfg(feature = "whole")]
+use crate::planner::Changing;
+#[cfg(feature = "whole")]
 use crate::planner::GroundRule;
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 #[cfg(feature = "whole")]
@@ -122,6 +124,58 @@ pub fn build(
     values: &Values,
     seed: u32,
 ) -> Result<Box<dyn Planner>, ParamError> {
+    #[cfg(feature = "whole")]
+    if !scenario.spec.changes.is_empty() {
+        return build_changing(scenario, id, preset, values, seed);
+    }
+    let (entry, all) = recipe(scenario, id, preset, values)?;
+    let planner = (entry.build)(scenario, &all, seed)?;
+    check_memory(scenario, planner.colony_size())?;
+    Ok(planner)
+}
+
+/// The same for a planner that takes the scenario's changes, and others while it is at work ([`Changing::schedule`]).
+///
+/// ```
+/// # use std::sync::Arc;
+/// use formicarium::map::{Grid, Movement, Point};
+/// use formicarium::planner::Granularity;
+/// use formicarium::scenario::{Change, Scenario};
+/// use formicarium::{catalog, params::Values};
+///
+/// let scenario = Arc::new(Scenario::on(Grid::open(8, 8)?, Movement::default(), Point::new(0, 0), Point::new(7, 7))?);
+/// let mut planner = catalog::build_changing(&scenario, "ant-system", None, &Values::new(), 7)?;
+/// planner.advance(Granularity::Iteration);
+/// let changing = planner.changing_mut().expect("it takes changes");
+/// let at = changing.next_end();
+/// changing.schedule(Change { at, blocked: vec![Point::new(3, 3)], freed: vec![] })?;
+/// assert_eq!((at, changing.made()), (1, 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`build`].
+#[cfg(feature = "whole")]
+pub fn build_changing(
+    scenario: &Arc<Scenario>,
+    id: &str,
+    preset: Option<&str>,
+    values: &Values,
+    seed: u32,
+) -> Result<Box<dyn Planner>, ParamError> {
+    let (entry, all) = recipe(scenario, id, preset, values)?;
+    let planner = Changing::new(scenario, entry.build, all, seed)?;
+    check_memory(scenario, planner.colony_size())?;
+    Ok(Box::new(planner))
+}
+
+/// A planner's entry and its values, where it takes the scenario's goals and ground.
+fn recipe(
+    scenario: &Scenario,
+    id: &str,
+    preset: Option<&str>,
+    values: &Values,
+) -> Result<(&'static PlannerEntry, Values), ParamError> {
     let entry = find(id)?;
     if scenario.goals.len() > entry.max_goals as usize {
         return Err(too_many_goals(entry, scenario.goals.len()));
@@ -129,9 +183,7 @@ pub fn build(
     check_ground(entry, scenario)?;
     let mut all = preset.map_or(Ok(Values::new()), |name| preset_values(entry, name))?;
     all.extend(values.clone());
-    let planner = (entry.build)(scenario, &all, seed)?;
-    check_memory(scenario, planner.colony_size())?;
-    Ok(planner)
+    Ok((entry, all))
 }
 
 /// Every parameter's value: the entry's defaults, then the preset's values, then `values`.

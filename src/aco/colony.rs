@@ -1,5 +1,7 @@
 //! The one skeleton of every colony: construct solutions, update trails, daemon actions.
 
+#[cfg(feature = "whole")]
+mod adapt;
 mod moves;
 
 use std::ops::Range;
@@ -13,6 +15,8 @@ use crate::planner::{
     Walked, advance, held,
 };
 use crate::rng::Streams;
+#[cfg(feature = "whole")]
+use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
@@ -306,6 +310,16 @@ impl<V: Variant + 'static> Planner for Colony<V> {
 
     fn colony_size(&self) -> u32 {
         self.settings.ants
+    }
+
+    #[cfg(feature = "whole")]
+    fn adapts(&self) -> bool {
+        true
+    }
+
+    #[cfg(feature = "whole")]
+    fn adapt(&mut self, change: &Change, to: &Arc<Scenario>) {
+        self.go_on(change, to);
     }
 
     fn objective(&self) -> Objective {

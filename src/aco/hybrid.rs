@@ -61,12 +61,7 @@ impl<V: Variant + 'static> Hybrid<V> {
 /// Takes the stage at work into the progress of both: `before` is what the stage before it has spent.
 fn take_in(progress: &mut Progress, stage: &dyn Planner, before: Effort) {
     let (now, done) = (stage.effort(), progress.effort.iterations);
-    progress.effort = Effort {
-        iterations: before.iterations + now.iterations,
-        constructed_paths: before.constructed_paths + now.constructed_paths,
-        ant_moves: before.ant_moves + now.ant_moves,
-        cell_expansions: before.cell_expansions + now.cell_expansions,
-    };
+    progress.effort = before.plus(now);
     if let Some(best) = stage.best()
         && progress.best.as_ref().is_none_or(|b| best.length < b.length)
     {

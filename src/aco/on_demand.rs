@@ -52,6 +52,12 @@ impl OnDemand {
         trails.take_changes(|_, c| state[c as usize] = state[c as usize].min(OUTDATED));
     }
 
+    /// What is known of these cells no longer holds.
+    #[cfg(feature = "whole")]
+    pub fn forget(&mut self, cells: &[Cell]) {
+        cells.iter().for_each(|&c| self.state[c as usize] = UNKNOWN);
+    }
+
     /// What it holds, in bytes.
     pub fn bytes(&self) -> usize {
         held(&self.fixed) + held(&self.timed) + held(&self.weights) + held(&self.state)

@@ -151,6 +151,12 @@ impl Trails {
         self.stored[c as usize] = [self.background; DIRECTIONS];
     }
 
+    /// The weights of a cell are to be computed anew, because its η or its steps have changed; its trails stay.
+    #[cfg(feature = "whole")]
+    pub fn look_again(&mut self, c: Cell) {
+        self.touch(c);
+    }
+
     /// What it holds, in bytes.
     pub fn bytes(&self) -> usize {
         held(&self.stored) + held(&self.dirty) + held(&self.touched) + held(&self.active) + held(&self.is_active)

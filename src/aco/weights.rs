@@ -58,6 +58,13 @@ impl WeightTable {
         rows.zip(0..).for_each(|(row, c)| *row = visibility(scenario, eta, beta, c));
     }
 
+    /// The same for these cells alone.
+    #[cfg(feature = "whole")]
+    pub fn see_again(&mut self, scenario: &Scenario, eta: &Eta, cells: &[Cell]) {
+        let rows = Arc::make_mut(&mut self.visibility);
+        cells.iter().for_each(|&c| rows[c as usize] = visibility(scenario, eta, self.beta, c));
+    }
+
     /// Recomputes the weights whose trail has changed.
     #[inline(never)]
     pub fn refresh(&mut self, trails: &mut Trails) {

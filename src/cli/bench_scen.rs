@@ -64,7 +64,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = exact(&args.planner)?;
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
-    let map = ReadingArgs::default().import(&map_path)?;
+    let map = ReadingArgs::default().import_still(&map_path)?;
     text::notes(&scen.notices);
     let mut spec = map.spec;
     spec.movement.corner_rule = args.corner_rule;

@@ -64,7 +64,7 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let mut map = args.reading.import(&args.map)?;
+    let mut map = args.reading.import_still(&args.map)?;
     args.movement.apply(&mut map);
     let spec = &map.spec;
     let read = |bytes: &[u8], _: &str| Ok((places(bytes, spec)?, path_kind(bytes), names_columns(bytes)?));

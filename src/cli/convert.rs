@@ -197,6 +197,9 @@ fn tell_of_losses(format: Format, map: &Imported) {
     if is_terrain && !format.is_raster() && format != Format::Scenario {
         say("note: this format holds no heights; .asc, .tif and .json do");
     }
+    if !map.spec.changes.is_empty() && format != Format::Scenario {
+        say("note: this format holds the map before its walls change; a .json keeps the changes");
+    }
     let is_impossible = |h: &f32| f64::from(h.abs()) > formats::FARTHEST;
     let impossible = || map.grid.heights().is_some_and(|heights| heights.iter().any(is_impossible));
     if format.is_raster() && impossible() {

@@ -79,6 +79,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let scenario = args.scenario.load()?;
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     let status = planner.run();
+    // Results are those of the map as the last change has left it.
+    let changing = planner.changing();
+    let scenario = changing.map_or(scenario, |changing| Arc::clone(changing.scenario()));
     let best = planner.best();
     let metrics = best.map(|b| Metrics::of(&scenario, b.result().0));
     let value = metrics.as_ref().and_then(|m| planner.value(m));
@@ -123,6 +126,9 @@ struct PlanResult<'a> {
     gap: Option<f64>,
     tour: Option<&'a Tour>,
     effort: Effort,
+    /// Where walls changed: how often.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    changes: Option<u32>,
     digest: String,
     path: Vec<Point>,
     /// By slices: the level of each place of the path.
@@ -168,6 +174,7 @@ impl Report<'_> {
             gap: self.gap,
             tour: self.planner.tour(),
             effort: self.planner.effort(),
+            changes: self.planner.changing().map(|changing| changing.made()),
             digest: self.planner.digest().hex(),
             path: points(self.scenario, path),
             levels: self.scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect()),
@@ -272,6 +279,10 @@ impl Report<'_> {
         let effort = self.planner.effort();
         if let Some((best, _)) = self.planner.best().zip(self.planner.budget()) {
             row(out, "found in", format!("iteration {} of {}", best.iteration, effort.iterations));
+        }
+        if let Some(changing) = self.planner.changing() {
+            let how = if changing.adapts() { "trails were kept" } else { "it began anew each time" };
+            row(out, "walls", format!("{}; {how}", text::count(changing.made().into(), "change", "changes")));
         }
         row(out, "effort", effort_text(&effort));
         row(out, "seed", self.args.seed);

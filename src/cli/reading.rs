@@ -119,6 +119,16 @@ impl ReadingArgs {
         self.import_window(path, None)
     }
 
+    /// The same, for a command that knows one map alone: walls that change are refused.
+    pub fn import_still(&self, path: &Path) -> Result<Imported, CliError> {
+        let map = self.import(path)?;
+        if map.spec.changes.is_empty() {
+            return Ok(map);
+        }
+        let message = format!("the walls of this map change {} times; this command knows one map alone", map.spec.changes.len());
+        Err(CliError::usage(message, "run it with `plan`, or leave `changes` out of the file"))
+    }
+
     /// The same; of a picture only a window of its pixels.
     pub fn import_window(&self, path: &Path, crop: Option<Window>) -> Result<Imported, CliError> {
         let options = self.options(crop);

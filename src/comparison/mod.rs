@@ -72,6 +72,8 @@ impl Comparison {
     /// [`QuestionError`] with the field that does not fit.
     pub fn new(question: Question, scenarios: Vec<Arc<Scenario>>) -> Result<Self, QuestionError> {
         question.check()?;
+        #[cfg(feature = "whole")]
+        check_walls(&question, &scenarios)?;
         let map = |scenario| Map::new(scenario, &question);
         let maps = scenarios.into_iter().map(map).collect::<Result<_, _>>()?;
         let half_units = vec![0.0; question.entries.len()];
@@ -124,4 +126,17 @@ impl Comparison {
         rows.sort_by_key(|row| row.task);
         rows
     }
+}
+
+/// Refuses maps whose walls change: all entries of a comparison are measured on one map.
+#[cfg(feature = "whole")]
+fn check_walls(question: &Question, scenarios: &[Arc<Scenario>]) -> Result<(), QuestionError> {
+    let moving = question.instances.iter().zip(scenarios).find(|(_, scenario)| !scenario.spec.changes.is_empty());
+    let Some((instance, scenario)) = moving else { return Ok(()) };
+    let found = format!("a map with {} changes of its walls", scenario.spec.changes.len());
+    Err(QuestionError::field(
+        format!("instances.{}.map", instance.id),
+        found,
+        "a map whose walls stay: `plan` runs the other kind",
+    ))
 }

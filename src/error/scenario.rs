@@ -83,6 +83,17 @@ pub enum ScenarioError {
         /// The lowest level that is not below the ground there.
         lowest: u32,
     },
+    /// A change of walls that cannot be made.
+    #[cfg(feature = "whole")]
+    #[error("{field} = {value} cannot be used: it must be {allowed}")]
+    Change {
+        /// The field, such as `changes[2].blocked[0]`.
+        field: String,
+        /// The refused value.
+        value: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A physical quantity is not a positive, finite number (or not in its set).
     #[error("{field} = {value} cannot be used: it must be {allowed}")]
     Quantity {
@@ -142,6 +153,10 @@ impl ScenarioError {
                 ErrorReport::new(&format!("{role}-below-ground"), *role, message, hint)
                     .with("level", level)
                     .with("lowest", lowest)
+            }
+            #[cfg(feature = "whole")]
+            Self::Change { field, value, allowed } => {
+                ErrorReport::new("change", field, message, format!("give {allowed}")).with("value", value)
             }
             Self::Quantity { field, value, allowed } => {
                 ErrorReport::new("quantity", *field, message, format!("give {allowed}")).with("value", value)

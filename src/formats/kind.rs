@@ -39,7 +39,7 @@ pub enum Kind {
     Path,
     /// A scenario with its map, as JSON.
     Scenario,
-    /// A race as it is shared (`formicarium/experiment@1`), as JSON.
+    /// A race as it is shared (`formicarium/experiment@1` or `@2`), as JSON.
     Session,
     /// Many runs with their question and maps, as JSON.
     Comparison,

@@ -1,5 +1,5 @@
 //! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`,
-//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data.
+//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; with `"changes"` where walls change.
 //!
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
 
@@ -72,6 +72,12 @@ fn complete(object: &mut Object) {
     fill(object, "resolution", json!(1.0));
     fill(object, "movement", json_value(&Movement::default()));
     fill(object, "vehicle", json_value(&Vehicle::default()));
+    if object.get("changes").and_then(Value::as_array).is_some_and(Vec::is_empty) {
+        object.remove("changes");
+    }
+    for change in object.get_mut("changes").and_then(Value::as_array_mut).into_iter().flatten().filter_map(Value::as_object_mut) {
+        ["blocked", "freed"].into_iter().for_each(|key| fill(change, key, json!([])));
+    }
     if let Some(Value::Object(movement)) = object.get_mut("movement") {
         fill(movement, "corner_rule", json_value(&CornerRule::default()));
     }
@@ -170,7 +176,20 @@ fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, Format
 /// The scenario as a file: one line for each field and for each row of the map.
 pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     // Taken apart, so that a new field cannot be forgotten.
-    let ScenarioSpec { name, width, height, resolution, movement, start, goals, vehicle, terrain, world } = spec;
+    let ScenarioSpec {
+        name,
+        width,
+        height,
+        resolution,
+        movement,
+        start,
+        goals,
+        vehicle,
+        terrain,
+        world,
+        #[cfg(feature = "whole")]
+        changes,
+    } = spec;
     let fields = [
         ("format", text(&FORMAT)),
         ("name", text(name)),
@@ -184,8 +203,10 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     ];
     let terrain = terrain.iter().map(|terrain| ("terrain", text(terrain)));
     let world = world.iter().map(|world| ("world", text(world)));
-    let fields: String =
-        fields.into_iter().chain(terrain).chain(world).map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
+    let fields = fields.into_iter().chain(terrain).chain(world);
+    #[cfg(feature = "whole")]
+    let fields = fields.chain((!changes.is_empty()).then(|| ("changes", text(changes))));
+    let fields: String = fields.map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
     format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))
 }

@@ -1,6 +1,8 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 pub mod ahead;
+#[cfg(feature = "whole")]
+mod changing;
 mod ground;
 mod layer;
 mod memory;
@@ -20,8 +22,12 @@ use crate::map::Cell;
 use crate::metrics::Metrics;
 use crate::params::{ParamSpec, Value, Values};
 use crate::path::PathKind;
+#[cfg(feature = "whole")]
+use crate::scenario::Change;
 use crate::scenario::Scenario;
 
+#[cfg(feature = "whole")]
+pub use changing::Changing;
 pub use ground::{Ground, GroundRule};
 pub use layer::{Layer, extent};
 pub(crate) use memory::{held, nested};
@@ -195,6 +201,28 @@ pub trait Planner: Snapshot + Send {
             Objective::TurnIndex => Some(metrics.turn_index),
             Objective::TourWeight => self.tour().and_then(|t| t.walked_weight),
         }
+    }
+
+    /// Whether it can go on with what it has learnt on a map whose walls have changed; otherwise it begins anew there ([`Changing`]).
+    #[cfg(feature = "whole")]
+    fn adapts(&self) -> bool {
+        false
+    }
+
+    /// Goes on from the map that `change` has led to, between two iterations; only where it [adapts](Planner::adapts).
+    #[cfg(feature = "whole")]
+    fn adapt(&mut self, _change: &Change, _to: &Arc<Scenario>) {}
+
+    /// The changes of the map that it has had, of a planner that takes them while it is at work.
+    #[cfg(feature = "whole")]
+    fn changing(&self) -> Option<&Changing> {
+        None
+    }
+
+    /// The same, to take another one.
+    #[cfg(feature = "whole")]
+    fn changing_mut(&mut self) -> Option<&mut Changing> {
+        None
     }
 
     /// Whether and how it has ended.

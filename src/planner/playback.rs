@@ -7,6 +7,8 @@
 //! alone exceeds the budget: then the beginning is all, and every look back is a repetition from there.
 
 use super::{Effort, Granularity, Planner};
+#[cfg(feature = "whole")]
+use crate::scenario::Change;
 
 /// Moves of ants, or cells expanded, for each byte of a snapshot, before the next one is due. Copying fresh memory takes 0.5 to 2 ns a
 /// byte, a move 20 to 50 ns.
@@ -70,6 +72,20 @@ impl Playback {
             // A move of a search that ends a contour has begun the next one: it stands at no end.
             if by == Granularity::Iteration || planner.budget().is_some() {
                 self.end_iteration(planner, iteration);
+            }
+        }
+    }
+
+    /// Takes note of a change that the run has just taken ([`super::Changing::schedule`]): what is kept has it to come.
+    #[cfg(feature = "whole")]
+    pub fn change(&mut self, run: &dyn Planner, change: &Change) {
+        let made = run.changing().is_some_and(|changing| changing.to_come() == 0);
+        for kept in &mut self.kept {
+            if made && kept.iteration() == run.effort().iterations {
+                *kept = Snapshot::of(run);
+            } else if let Some(changing) = kept.planner.changing_mut() {
+                changing.schedule(change.clone()).expect("the run has taken it");
+                kept.bytes = kept.planner.bytes();
             }
         }
     }

@@ -5,6 +5,8 @@ use serde::Serialize;
 use super::{Granularity, Status, held};
 use crate::digest::Digest;
 use crate::path::Path;
+#[cfg(feature = "whole")]
+use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 /// The fair-budget axes: what has been spent so far.
@@ -20,6 +22,19 @@ pub struct Effort {
     pub ant_moves: u64,
     /// Cells taken from the open list of a search.
     pub cell_expansions: u64,
+}
+
+impl Effort {
+    /// Both together.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self {
+            iterations: self.iterations + other.iterations,
+            constructed_paths: self.constructed_paths + other.constructed_paths,
+            ant_moves: self.ant_moves + other.ant_moves,
+            cell_expansions: self.cell_expansions + other.cell_expansions,
+        }
+    }
 }
 
 /// One finished iteration. Lengths in cells; `None` where no ant has arrived.
@@ -151,14 +166,16 @@ pub struct Progress {
     /// The order of the goals, of planners that choose one.
     pub tour: Option<Tour>,
     pub(super) history: Vec<Record>,
-    /// Over the history, kept up to date so that a long one is not hashed again for every question.
+    /// The iteration after which the map has changed last; 0 = never.
+    changed: u32,
+    /// Over the history and the changes of the map, kept up to date so that a long one is not hashed again for every question.
     digest: Digest,
 }
 
 impl Default for Progress {
     fn default() -> Self {
         let (effort, history, digest) = (Effort::default(), Vec::new(), Digest::default());
-        Self { status: Status::Running, best: None, effort, tour: None, history, digest }
+        Self { status: Status::Running, best: None, effort, tour: None, history, changed: 0, digest }
     }
 }
 
@@ -174,14 +191,58 @@ impl Progress {
         }
     }
 
-    /// Whether a planner with a budget of iterations goes on after one of them; `stagnation` iterations without improvement end it, 0 = never.
+    /// Whether a planner with a budget of iterations goes on after one of them; `stagnation` iterations without improvement on the same map
+    /// end it, 0 = never.
     pub fn after_iteration(&self, budget: u32, stagnation: u32) -> Status {
         let done = self.effort.iterations;
         match &self.best {
-            Some(best) if stagnation > 0 && done - best.iteration >= stagnation => Status::Stagnated,
+            Some(best) if stagnation > 0 && done - best.iteration.max(self.changed) >= stagnation => Status::Stagnated,
             _ if done >= budget => Status::BudgetSpent,
             _ => Status::Running,
         }
+    }
+
+    /// Goes on from a map that has changed, for a planner with a budget of iterations: there may be a way where there was none, or none where
+    /// there was one, and who had waited long enough waits again.
+    #[cfg(feature = "whole")]
+    pub(crate) fn go_on(&mut self, change: &Change, scenario: &Scenario, budget: u32) {
+        self.note(change);
+        self.status = match self.status {
+            Status::Optimal => Status::Optimal,
+            _ if !scenario.connected() => Status::NoPath,
+            _ if self.effort.iterations >= budget => Status::BudgetSpent,
+            _ => Status::Running,
+        };
+    }
+
+    /// Begins anew on a map that has changed: effort and history stay.
+    #[cfg(feature = "whole")]
+    pub(super) fn begin_anew(&mut self, change: &Change) {
+        // A move of a search may have closed contours behind the change.
+        self.effort.iterations = self.history.last().map_or(0, |last| last.iteration).min(self.effort.iterations);
+        self.note(change);
+        (self.status, self.best, self.tour) = (Status::Running, None, None);
+    }
+
+    /// Takes a change of the map into the digest, whatever order its cells are listed in.
+    #[cfg(feature = "whole")]
+    fn note(&mut self, change: &Change) {
+        self.changed = self.effort.iterations;
+        self.digest.u32(self.changed);
+        for cells in [&change.blocked, &change.freed] {
+            let mut places: Vec<[u32; 2]> = cells.iter().map(|p| [p.y, p.x]).collect();
+            places.sort_unstable();
+            self.digest.u32(places.len() as u32);
+            places.as_flattened().iter().for_each(|&v| self.digest.u32(v));
+        }
+    }
+
+    /// With those of the records that are of this iteration or one before.
+    #[cfg(feature = "whole")]
+    pub(super) fn up_to(iteration: u32, records: &[Record], effort: Effort) -> Self {
+        let mut progress = Self { effort, ..Self::default() };
+        records.iter().filter(|r| r.iteration <= iteration).for_each(|&record| progress.record(record));
+        progress
     }
 
     /// What it holds in bytes, its own size not counted.
@@ -201,7 +262,7 @@ impl Progress {
         self.history.push(r);
     }
 
-    /// Digest over the history, the best path and its length, the refined path and its length, and the order of the goals.
+    /// Digest over the history with the changes of the map, the best path and its length, the refined path and its length, and the order of the goals.
     pub(super) fn digest(&self) -> Digest {
         let mut digest = self.digest;
         let paths = self

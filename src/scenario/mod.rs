@@ -1,5 +1,7 @@
 //! A scenario: a map and the question asked on it. [`ScenarioSpec`] is what people write, [`Scenario`] what planners may rely on.
 
+#[cfg(feature = "whole")]
+mod changes;
 mod terrain;
 mod world;
 
@@ -10,6 +12,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::{Notice, ScenarioError};
 use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
 
+#[cfg(feature = "whole")]
+pub use changes::{Change, MAX_CHANGES};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
 pub use world::World;
@@ -105,6 +109,11 @@ pub struct ScenarioSpec {
     #[cfg_attr(not(feature = "whole"), serde(skip))]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub world: Option<World>,
+    /// How walls change while planners are at work, in the order of their iterations; empty where they stay. The opening build knows none.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub changes: Vec<Change>,
 }
 
 impl Generated {
@@ -130,10 +139,12 @@ impl ScenarioSpec {
             vehicle: Vehicle::default(),
             terrain: grid.heights().map(|_| TerrainSpec::default()),
             world: None,
+            #[cfg(feature = "whole")]
+            changes: Vec::new(),
         }
     }
 
-    /// Checks all that does not depend on start and goals: sizes, quantities, the terrain.
+    /// Checks all but start and goals: sizes, quantities, the terrain, the changes of the walls.
     ///
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.
@@ -146,7 +157,10 @@ impl ScenarioSpec {
         let turn = self.vehicle.seconds_per_turn;
         quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
         self.world.as_ref().map_or(Ok(()), World::check)?;
-        check_terrain(grid, self)
+        check_terrain(grid, self)?;
+        #[cfg(feature = "whole")]
+        changes::check_changes(grid, self)?;
+        Ok(())
     }
 
     /// The allowed steps on a map.

@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Bytes, Heights, Number, Text};
 use super::{Answer, grid, object, plain, scenario, throw};
-use crate::error::{ErrorReport, FormatError, Notice};
+use crate::error::{ErrorReport, FormatError, Notice, ScenarioError};
 use crate::formats::{
     self, BinaryExport, Companion, Export, Kind, MatrixInfo, NamedFile, ReadOptions, Recognition, ScenFile, TerrainOptions,
 };
@@ -155,7 +155,16 @@ pub fn import_map(bytes: &Bytes, name: &Text, options: Option<Ts<ReadOptions>>, 
     let options = options.map(|options| arguments::value(&options, "options")).transpose()?.unwrap_or_default();
     let image = image.map(|image| image.read("image")).transpose()?;
     let beside = image.as_ref().map(|bytes| Companion { name: "", bytes });
-    Ok(imported(formats::import_with(&bytes, &name, &options, beside).map_err(throw)?))
+    let map = formats::import_with(&bytes, &name, &options, beside).map_err(throw)?;
+    if !map.spec.changes.is_empty() {
+        let (field, value) = ("changes".into(), format!("a list of {}", map.spec.changes.len()));
+        return Err(throw(ScenarioError::Change {
+            field,
+            value,
+            allowed: "absent: the page opens changes with a session; `plan` runs this file",
+        }));
+    }
+    Ok(imported(map))
 }
 
 /// Which matrices a text holds.

@@ -7,6 +7,8 @@
 mod ahead;
 mod arguments;
 #[cfg(feature = "whole")]
+mod changes;
+#[cfg(feature = "whole")]
 mod comparison;
 #[cfg(feature = "whole")]
 mod drawn;

@@ -73,7 +73,7 @@ impl Run {
     #[cfg(feature = "whole")]
     pub fn level_at(&self, x: &Number, y: &Number) -> Answer<u32> {
         let (x, y) = (x.whole("x")?, y.whole("y")?);
-        let Some(slices) = &self.scenario.slices else { return Ok(0) };
+        let Some(slices) = &self.map().slices else { return Ok(0) };
         let cell = y.saturating_mul(self.scenario.grid.width()).saturating_add(x);
         let passed = self.shown().best().and_then(|best| best.path.iter().find(|&&place| slices.cell(place) == cell));
         let lowest =

@@ -15,6 +15,11 @@ use crate::planner::playback::{Playback, Replay};
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, Record, Status, Tour};
 use crate::scenario::{Scenario, ScenarioSpec};
 
+#[cfg(not(feature = "whole"))]
+use crate::catalog::build;
+#[cfg(feature = "whole")]
+use crate::catalog::build_changing as build;
+
 /// What the types of the package call parameter values by key.
 #[wasm_bindgen(typescript_custom_section)]
 const PARAM_INPUT: &str = r#"
@@ -52,6 +57,10 @@ pub struct RunSummary {
     pub ants: u32,
     /// Moves made of the iteration at work; 0 between two, and of the past.
     pub moves: u32,
+    /// How many changes of the walls have been made; the opening build knows none.
+    #[cfg(feature = "whole")]
+    #[tsify(optional)]
+    pub changes: u32,
     /// 16 hexadecimal digits over best path, length and history of the finished iterations.
     pub digest: String,
 }
@@ -67,12 +76,15 @@ pub struct Run {
     pub(super) replay: Option<Replay>,
     /// How the planner stood at the iteration that is looked at.
     pub(super) past: Option<Box<dyn Planner>>,
+    /// Painted in place of the map, for as long as a change is to come.
+    #[cfg(feature = "whole")]
+    pub(super) drawn: Option<super::changes::Drawn>,
     /// Moves made since the last iteration ended.
     moves: u32,
     layers: &'static [Layer],
     canvas: RefCell<Canvas>,
-    /// Metrics of the best path and the iteration that found it: measured once per improvement, not once per frame.
-    measured: RefCell<Option<(u32, Metrics)>>,
+    /// Metrics of the best path, the iteration that found it, and the changes of the map so far: measured once per improvement, not per frame.
+    measured: RefCell<Option<(u32, u32, Metrics)>>,
 }
 
 #[wasm_bindgen]
@@ -91,10 +103,22 @@ impl Run {
         let (planner, seed) = (planner.read("planner")?, seed.whole("seed")?);
         let values = params.read("params")?;
         let layers = crate::catalog::find(&planner).map_err(throw)?.layers;
-        let planner = crate::catalog::build(&scenario, &planner, None, &values, seed).map_err(throw)?;
+        let planner = build(&scenario, &planner, None, &values, seed).map_err(throw)?;
         let (canvas, measured) = Default::default();
         let playback = Playback::new(&*planner, 0);
-        Ok(Run { scenario, planner, playback, replay: None, past: None, moves: 0, layers, canvas, measured })
+        Ok(Run {
+            scenario,
+            planner,
+            playback,
+            replay: None,
+            past: None,
+            #[cfg(feature = "whole")]
+            drawn: None,
+            moves: 0,
+            layers,
+            canvas,
+            measured,
+        })
     }
 
     /// Advances by up to `count` moves or iterations; stops early when finished.
@@ -140,6 +164,8 @@ impl Run {
             arrived: last.map_or(0, |r| r.arrived),
             ants: planner.colony_size(),
             moves: if self.past.is_none() { self.moves } else { 0 },
+            #[cfg(feature = "whole")]
+            changes: self.changes(),
             digest: planner.digest().hex(),
         })
     }
@@ -199,7 +225,7 @@ impl Run {
         let layer = layer_of(layer)?;
         let style = Style::of(theme, cells_per_unit(&self.scenario.spec), shaded)?;
         let ends = ends.map(|ends| ends_of(&ends)).transpose()?;
-        let own = self.canvas.borrow_mut().paint(context, &self.scenario.grid, self.shown(), layer, style, ends)?;
+        let own = self.canvas.borrow_mut().paint(context, self.grid(), self.shown(), layer, style, ends)?;
         Ok(own.map_or_else(Vec::new, |own| own.to_vec()))
     }
 }
@@ -238,6 +264,34 @@ impl Run {
         self.past.as_deref().unwrap_or(&*self.planner)
     }
 
+    /// The map that it is on, as changes have left it.
+    #[cfg(feature = "whole")]
+    pub(super) fn map(&self) -> &Scenario {
+        self.shown().changing().map_or(&self.scenario, |changing| changing.scenario())
+    }
+
+    /// How often the map has changed.
+    #[cfg(feature = "whole")]
+    fn changes(&self) -> u32 {
+        self.shown().changing().map_or(0, |changing| changing.made())
+    }
+
+    /// The opening build knows no changes.
+    #[cfg(not(feature = "whole"))]
+    pub(super) fn map(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    #[cfg(not(feature = "whole"))]
+    fn grid(&self) -> &crate::map::Grid {
+        &self.scenario.grid
+    }
+
+    #[cfg(not(feature = "whole"))]
+    fn changes(&self) -> u32 {
+        0
+    }
+
     fn points(&self, cells: &[u32]) -> Vec<u32> {
         let width = self.scenario.grid.width();
         self.scenario.cells_of(cells).iter().flat_map(|&c| [c % width, c / width]).collect()
@@ -246,9 +300,10 @@ impl Run {
     fn metrics(&self) -> Option<Metrics> {
         let best = self.shown().best()?;
         let mut measured = self.measured.borrow_mut();
-        if measured.is_none_or(|(iteration, _)| iteration != best.iteration) {
-            *measured = Some((best.iteration, Metrics::of(&self.scenario, best.result().0)));
+        let changes = self.changes();
+        if measured.is_none_or(|(iteration, made, _)| (iteration, made) != (best.iteration, changes)) {
+            *measured = Some((best.iteration, changes, Metrics::of(self.map(), best.result().0)));
         }
-        measured.map(|(_, metrics)| metrics)
+        measured.map(|(.., metrics)| metrics)
     }
 }

@@ -54,6 +54,33 @@ fn plan_shows_what_refinement_saves_and_what_no_polyline_can_beat() {
 }
 
 #[test]
+fn plan_takes_walls_that_change_and_other_commands_refuse_them() {
+    let folder = Folder::with_map("changes");
+    let changes = r#"[{"at":3,"blocked":[[2,0],[2,1]]},{"at":5,"freed":[[2,0]]}]"#;
+    let scenario = |changes: &str| {
+        format!(
+            r#"{{"format":"formicarium/scenario@1","width":5,"height":3,"start":[0,0],"goals":[{{"at":[4,0]}}],
+            "changes":{changes},"map":{{"rows":[".....",".....","....."]}}}}"#
+        )
+    };
+    folder.write("moving.json", &scenario(changes));
+    let plan = |planner, more: &[&str]| folder.run(&[&["plan", "moving.json", "--planner", planner], more].concat());
+    plan("ant-system", &["--set", "iterations=9"]).ends(0).says(&["2 changes; trails were kept", "4.0000 cells"]);
+    plan("astar", &[]).ends(0).says(&["2 changes; it began anew each time"]);
+    let result = plan("ant-system", &["--format", "json"]).ends(0).json();
+    assert_eq!(schema::violations(&schema::load("result"), &result), Vec::<String>::new());
+    assert_eq!(result["changes"], 2);
+
+    folder.write("path.json", "[[0,0],[1,0],[2,0],[3,0],[4,0]]");
+    folder.run(&["check", "path.json", "--map", "moving.json"]).ends(2).says(&["change 2 times", "`plan`"]);
+    folder.run(&["convert", "moving.json", "out.map"]).ends(0).says(&["before its walls change"]);
+    folder.run(&["convert", "moving.json", "again.json"]).ends(0);
+    assert!(folder.read("again.json").contains(r#""changes": [{"at":3,"blocked":[[2,0],[2,1]],"freed":[]}"#));
+    folder.write("moving.json", &scenario(r#"[{"at":3,"blocked":[[4,0]]}]"#));
+    plan("astar", &[]).ends(2).says(&["changes[0].blocked[0]", "neither the start nor a goal"]);
+}
+
+#[test]
 fn plan_visits_several_goals_and_tells_their_order() {
     let folder = Folder::with_map("goals");
     folder.write("open.csv", &"0,0,0,0,0,0,0,0\n".repeat(4));

@@ -2,6 +2,7 @@
 //!
 //! A change of a digest is a change of results: it needs an entry under "Results" in CHANGELOG.md that says why.
 
+mod changes;
 mod terrains;
 
 use std::sync::Arc;
@@ -331,6 +332,6 @@ pub fn check_all() {
     };
     let runs = GOLDENS.iter().enumerate().filter_map(differs);
     let tours = TOURS.iter().enumerate().filter_map(tour_differs);
-    let wrong: Vec<String> = runs.chain(tours).chain(terrains::differences()).collect();
+    let wrong: Vec<String> = runs.chain(tours).chain(terrains::differences()).chain(changes::differences()).collect();
     assert!(wrong.is_empty(), "results have changed:\n{}", wrong.join("\n"));
 }

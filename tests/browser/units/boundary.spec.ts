@@ -36,6 +36,7 @@ function valid(): Record<string, unknown[]> {
   return {
     'Run.constructor': [on, cells, heights, 'ant-system', { ants: 4, iterations: 6 }, 7],
     'Run.advance': ['iteration', 1],
+    'Run.change_walls': [{ blocked: [[4, 4]], freed: [] }],
     'Run.history': [0],
     'Run.keep_snapshots': [1 << 20],
     'Run.layer': ['trail'],
@@ -43,6 +44,7 @@ function valid(): Record<string, unknown[]> {
     'Run.moves_from': [1, 1, 0],
     'Run.paint': [{}, 'trail', 'light', true, null],
     'Run.show_iteration': [1, 10],
+    'Run.show_walls': [{ blocked: [[4, 5]], freed: [] }],
     'Comparison.constructor': [DOCUMENT],
     'Comparison.analysis': ['ant-moves', false],
     'Comparison.check': [ROW],

@@ -1,7 +1,10 @@
 /** Where the parts of the page are that lower layers ask for (state/lazy_parts.ts). */
-import { nameLazyParts } from '../state/lazy_parts'
+import { notifyError, recall } from '../state'
+import { lazyParts, nameLazyParts } from '../state/lazy_parts'
+import { whenAntsWalk } from './when_ants_walk'
 
 nameLazyParts({
+  walls: async () => (await import('../state/changing_walls')).startChangingWalls(),
   opener: () => import('../state/open_files'),
   leftSessions: () => import('../state/left_sessions'),
   lab: () => import('../lab'),
@@ -11,3 +14,6 @@ nameLazyParts({
   lesson: async (piece) => (await import('../lesson')).fetchPiece(piece),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })
+
+// Who has chosen to keep the trails finds it so.
+if (recall('formicarium.keepTrails')) whenAntsWalk(() => void lazyParts.walls().catch(notifyError))

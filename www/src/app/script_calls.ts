@@ -9,6 +9,7 @@ import {
   panels,
   pause,
   phase,
+  readied,
   runOn,
   setScenario,
   showView,
@@ -44,8 +45,10 @@ const nameOf = (source: unknown) => (source instanceof File ? source.name : 'scr
 async function show(content: Content, turn: Turn): Promise<Opened> {
   const { kind, name, notices } = content
   if (kind === 'session') {
+    const session = await readied(content.session)
+    turn.check()
     showView('race')
-    loadSession(content.session)
+    loadSession(session)
   } else if (kind === 'comparison') {
     const { openComparisonDocument } = await lazyParts.lab()
     turn.check()

@@ -14,6 +14,7 @@ import { Section } from '../ui/section'
 import { ColumnEdge } from './column_edge'
 import { Welcome } from './welcome'
 
+const KeepTrails = lazily(async () => (await import('../panels/keep_trails')).fetchKeepTrails())
 const PastChip = lazily(async () => (await import('../playback')).fetchPastChip())
 
 export function Column() {
@@ -26,6 +27,7 @@ export function Column() {
         <Charts />
         <Parameters />
         <Goals />
+        <KeepTrails />
         <Comparison />
       </div>
     </aside>

@@ -3,6 +3,7 @@
  * every planner, file formats and generators. A run gives the same digest in both.
  */
 import type { Catalog } from '@pkg/formicarium'
+import type { RunSetup } from '../model/messages'
 
 export type Build = 'core' | 'whole'
 
@@ -12,6 +13,10 @@ const coreIds = new Set<string>()
 export function noteCore({ planners }: Pick<Catalog, 'planners'>): void {
   for (const { id } of planners) coreIds.add(id)
 }
+
+/** The build for a run: the core knows no terrains, and no walls that change. */
+export const buildForRun = ({ planner, heights, spec }: RunSetup): Build =>
+  buildFor({ planner, onTerrain: heights !== null || spec.changes !== undefined })
 
 /** The smallest build that can run the planner, if any can. The core draws no terrains. */
 export function buildFor({ planner, onTerrain }: { planner: string; onTerrain: boolean }): Build {

@@ -17,7 +17,7 @@ import type {
   RunSetup,
   Target,
 } from '../model/messages'
-import { type Build, buildFor } from './builds'
+import { type Build, buildForRun } from './builds'
 import { modules } from './load'
 import { newWorker } from './new_worker'
 
@@ -102,7 +102,7 @@ export class PanelClient {
     this.frame = null
     this.state = 'loading'
     this.loadWaiting = this.current
-    this.use(buildFor({ planner: setup.planner, onTerrain: setup.heights !== null }))
+    this.use(buildForRun(setup))
     if (this.started) this.postLoad()
     else if (this.worker === null) void this.start()
   }

@@ -13,7 +13,7 @@ import { crash, toEngineError } from '../model/errors'
 import type { ParamValues, RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
 import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
-import { type Build, buildFor, noteCore } from './builds'
+import { type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
 import { newWorker } from './new_worker'
 
@@ -169,7 +169,7 @@ export const tools = {
       : wholeSearchBox().call('reference', spec, cells, heights, objective),
   /** Repeats a recorded run as far as it went, in a worker of its own, so that no other call has to wait. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
-    const own = newBox(buildFor({ planner: setup.planner, onTerrain: setup.heights !== null }))
+    const own = newBox(buildForRun(setup))
     try {
       return await own.call('repeat', setup, recorded.iterations)
     } finally {

@@ -4,7 +4,7 @@
  * Each panel owns one worker, one wasm instance and one OffscreenCanvas. Requests that concern a run carry its `runId`; replies
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
-import type { EngineError, Layer, RunSummary, ScenarioSpec, Status } from '@pkg/formicarium'
+import type { EngineError, Layer, RunSummary, ScenarioSpec, Status, Walls } from '@pkg/formicarium'
 import type { Stop } from './lesson'
 
 /** Parameter values by key, as the catalog names them; what is absent takes the catalog's default. */
@@ -20,6 +20,8 @@ export interface RunSetup {
   planner: string
   params: ParamValues
   seed: number
+  /** Iterations to be run at once. */
+  ahead?: number
 }
 
 /** The values that the first and the last colour of a layer stand for. */
@@ -95,6 +97,10 @@ export type PanelQuestion =
       PanelView,
       'layer' | 'ends' | 'theme'
     >)
+  /** Change walls at the end of the iteration at work. */
+  | { about: 'walls'; walls: Walls }
+  /** Paint the map as it would be with these walls. */
+  | { about: 'show-walls'; walls: Walls }
 
 /** What is answered to each question; null where there is no answer, e.g. because the run has been replaced meanwhile. */
 export interface PanelAnswers {
@@ -113,6 +119,13 @@ export interface PanelAnswers {
     mostRepeated: number
   }
   picture: MapPicture
+  walls: {
+    /** The iteration at whose end they change; null where this build of the engine cannot change walls. */
+    at: number | null
+    /** Whether the planner goes on with what it has learnt; null where `at` is. */
+    adapts: boolean | null
+  } & PanelAnswers['look']
+  'show-walls': null
 }
 
 /** A map and a layer over it, one pixel a cell. */

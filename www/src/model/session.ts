@@ -72,8 +72,21 @@ export interface Caption {
   note: string
 }
 
+/** Walls that changed while the runs went on. */
+export interface WallChange {
+  blocked: Cell[]
+  freed: Cell[]
+  /** The iteration at whose end it was made, for each panel's run; 0 = before the first. */
+  at: number[]
+}
+
 export interface Session extends Caption, Look {
+  /** On the map as the changes have left it. */
   scenario: Scenario
+  /** In their order; absent where the walls stayed as they were. */
+  changes?: WallChange[]
+  /** Whether further changes of walls keep the trails; absent where runs start anew. */
+  keepTrails?: true
   panels: PanelSetup[]
   /** One seed for every panel: paired runs. */
   seed: number

@@ -5,6 +5,7 @@ import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/playback'
 import { leavePast, lookedAt, panels, phase } from '../state'
+import { madeChanges } from '../state/changing_walls'
 import { Button, IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { lastIteration, lookBy, lookTo, recomputing } from './look_back'
@@ -31,20 +32,23 @@ export function Scrubber() {
         disabled={idle || at === 0}
         onClick={() => lookBy(-1)}
       />
-      <input
-        class="slider"
-        type="range"
-        min={0}
-        max={Math.max(1, last)}
-        step={1}
-        value={last === 0 ? 1 : at}
-        disabled={idle}
-        aria-label={t('playback.slider')}
-        aria-valuetext={words()}
-        title={note}
-        data-testid="scrubber"
-        onInput={(event) => lookTo(event.currentTarget.valueAsNumber)}
-      />
+      <div class="track">
+        <input
+          class="slider"
+          type="range"
+          min={0}
+          max={Math.max(1, last)}
+          step={1}
+          value={last === 0 ? 1 : at}
+          disabled={idle}
+          aria-label={t('playback.slider')}
+          aria-valuetext={words()}
+          title={note}
+          data-testid="scrubber"
+          onInput={(event) => lookTo(event.currentTarget.valueAsNumber)}
+        />
+        <Marks last={last} />
+      </div>
       <IconButton
         icon={ChevronRight}
         label={t('playback.later')}
@@ -56,6 +60,19 @@ export function Scrubber() {
       />
       <Where />
     </section>
+  )
+}
+
+/** Ticks at the iterations after which walls changed, in any panel; the card of the choice says it in words. */
+function Marks({ last }: { last: number }) {
+  const iterations = new Set(madeChanges.value.flatMap(({ at }) => [...at.values()]))
+  const made = [...iterations].filter((iteration) => iteration <= last)
+  return (
+    <span class="wall-marks" aria-hidden="true" data-testid="changes-of-walls">
+      {made.map((iteration) => (
+        <span key={iteration} style={{ '--at': iteration / Math.max(1, last) }} />
+      ))}
+    </span>
   )
 }
 

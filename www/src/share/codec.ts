@@ -14,10 +14,12 @@
  */
 import { limits } from '../model/facts'
 import type { Origin, Scenario, Session } from '../model/session'
+import { scenarioBefore } from '../model/wall_changes'
 import { bitsOf, joined, Reader, readBits, varint } from './byte_stream'
 import { fieldsOf, invalid, oneOf } from './field_checks'
 import { packHeights, unpackHeights } from './heights'
 import { damaged, LinkError } from './link_error'
+import { afterChanges } from './session_changes'
 import { type Described, documentOf, readDocument } from './session_document'
 
 /** What a map consists of, whoever made it. */
@@ -35,8 +37,9 @@ const MAX_HEIGHTS = 1 << 20
 /** No honest container is larger: a full map of bits, four bytes a height, and a generous document. */
 export const MAX_BYTES = MAX_CELLS / 8 + 4 * MAX_HEIGHTS + (1 << 18)
 
-/** The session with its map as bits. */
-export function packBits(session: Session, engine: string): Uint8Array<ArrayBuffer> {
+/** The session with its map as bits: the one before all changes. */
+export function packBits(now: Session, engine: string): Uint8Array<ArrayBuffer> {
+  const session = { ...now, scenario: scenarioBefore(now) }
   const { cells, heights } = session.scenario
   if (heights) checkHeights(heights.length)
   const tail = [bitsOf(cells), ...(heights ? [packHeights(heights)] : [])]
@@ -45,10 +48,11 @@ export function packBits(session: Session, engine: string): Uint8Array<ArrayBuff
 
 /** The session with its map as a generator call and edits; null when no generator made the map. */
 export async function packEdits(
-  session: Session,
+  now: Session,
   engine: string,
   generate: Generate,
 ): Promise<Uint8Array<ArrayBuffer> | null> {
+  const session = { ...now, scenario: scenarioBefore(now) }
   const { origin, spec, cells, heights } = session.scenario
   if (origin === null) return null
   const generated = await generate(origin, spec.width, spec.height)
@@ -72,12 +76,14 @@ export async function unpack(bytes: Uint8Array, generate: Generate): Promise<Ses
   const json = parse(reader.take(reader.varint()))
   const described = readDocument(json)
   const { spec, origin, ...rest } = described
+  const { changes } = rest
   if ((spec.terrain !== undefined) !== (version === TERRAIN))
     throw invalid('scenario.terrain', 'and heights must come together')
   const map = oneOf(fieldsOf(json, 'document').map, 'map', ['bits', 'edits'] as const)
   const ground =
     map === 'bits' ? readOwn(reader, described) : readEdits(reader, described, generate)
-  return { ...rest, scenario: { spec, ...(await ground), origin } }
+  const scenario = { spec, ...(await ground), origin }
+  return { ...rest, scenario: changes ? afterChanges(scenario, changes) : scenario }
 }
 
 function container(

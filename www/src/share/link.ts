@@ -3,6 +3,7 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { heightsOf } from '../model/height_bytes'
 import type { Session } from '../model/session'
+import { scenarioBefore } from '../model/wall_changes'
 import {
   blockedWithoutData,
   type Generate,
@@ -14,6 +15,7 @@ import {
 import { open, seal } from './envelope'
 import { type Fields, fieldsOf, invalid, list, real, text } from './field_checks'
 import { LinkError } from './link_error'
+import { afterChanges } from './session_changes'
 import { documentOf, readDocument } from './session_document'
 
 export { LinkError } from './link_error'
@@ -44,7 +46,8 @@ export async function decodeFragment(hash: string): Promise<Session> {
 }
 
 /** The session file (`.experiment.json`): readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */
-export function sessionToFile(session: Session, engine: string): string {
+export function sessionToFile(now: Session, engine: string): string {
+  const session = { ...now, scenario: scenarioBefore(now) }
   const { cells, heights, spec } = session.scenario
   const map = rowsOf(cells, spec.width, (row) =>
     Array.from(row, (cell) => (cell === 1 ? BLOCKED : FREE)).join(''),
@@ -84,7 +87,8 @@ function shortest(height: number): number | null {
 export async function sessionFromFile(content: string): Promise<Session> {
   const fields = fieldsOf(parse(content), 'document')
   const { spec, origin, ...rest } = readDocument(fields)
-  return { ...rest, scenario: { spec, ...readGround(fields, spec), origin } }
+  const scenario = { spec, ...readGround(fields, spec), origin }
+  return { ...rest, scenario: rest.changes ? afterChanges(scenario, rest.changes) : scenario }
 }
 
 function readGround(fields: Fields, { width, height, terrain }: ScenarioSpec): Ground {

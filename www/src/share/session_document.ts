@@ -38,6 +38,7 @@ import {
 } from './field_checks'
 import { readLesson } from './lesson_fields'
 import { LinkError } from './link_error'
+import { readChanges } from './session_changes'
 import {
   MOST_ITERATIONS,
   panelFields,
@@ -48,6 +49,8 @@ import {
 } from './session_words'
 
 export const FORMAT = 'formicarium/experiment@1'
+/** With changes of walls, which a reader of version 1 would leave out. */
+export const CHANGING = 'formicarium/experiment@2'
 
 const SEED_MAX = 2 ** 32 - 1
 /** Every value of a type, by the type check. */
@@ -68,12 +71,17 @@ const CORNER_RULES = everyOf<CornerRule>({ always: true, 'one-free': true, 'both
 /** A session whose cells travel beside it. */
 export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin: Origin | null }
 
+/** The scenario of `session` is on the map that travels with the document: the one before all changes. */
 export function documentOf(session: Session, engine: string): Fields {
-  const { scenario, panels, seed, sync, speed, layer, lesson } = session
+  const { scenario, panels, seed, sync, speed, layer, lesson, changes, keepTrails } = session
   return {
-    format: FORMAT,
+    format: changes ? CHANGING : FORMAT,
     engine,
-    scenario: { ...scenario.spec, ...(scenario.origin && { origin: scenario.origin }) },
+    scenario: {
+      ...scenario.spec,
+      ...(scenario.origin && { origin: scenario.origin }),
+      ...(changes && { changes }),
+    },
     panels: panels.map(panelFields),
     seed,
     sync,
@@ -81,6 +89,7 @@ export function documentOf(session: Session, engine: string): Fields {
     layer,
     ...wordsOf(session),
     ...(lesson && { lesson }),
+    ...(keepTrails && { keep_trails: true }),
   }
 }
 
@@ -88,11 +97,13 @@ export function documentOf(session: Session, engine: string): Fields {
 export function readDocument(value: unknown, known = FACTS): Described {
   const fields = fieldsOf(value, 'document')
   checkFormat(fields.format)
-  const { origin, ...given } = fieldsOf(fields.scenario, 'scenario')
+  const { origin, changes, ...given } = fieldsOf(fields.scenario, 'scenario')
   const spec = readSpec(given, known.limits)
   const panels = list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
     readPanel(panel, `panels[${i}]`),
   )
+  if ((changes !== undefined) !== (fields.format === CHANGING))
+    throw invalid('scenario.changes', `and ${CHANGING} must come together`)
   return {
     spec,
     origin:
@@ -100,6 +111,8 @@ export function readDocument(value: unknown, known = FACTS): Described {
         ? null
         : readOrigin(fieldsOf(origin, 'scenario.origin'), known),
     panels,
+    ...(changes !== undefined && { changes: readChanges(changes, spec, panels.length) }),
+    ...(readKeepTrails(fields.keep_trails) && { keepTrails: true as const }),
     seed: integer(fields.seed, 'seed', 0, SEED_MAX),
     sync: oneOf(fields.sync, 'sync', SYNCS),
     speed: SPEEDS.findIndex(
@@ -120,13 +133,18 @@ export function readDocument(value: unknown, known = FACTS): Described {
   }
 }
 
+function readKeepTrails(value: unknown): boolean {
+  if (value === undefined || typeof value === 'boolean') return value ?? false
+  throw invalid('keep_trails', 'must be true or false')
+}
+
 function checkFormat(format: unknown): void {
-  if (format === FORMAT) return
+  if (format === FORMAT || format === CHANGING) return
   const name = typeof format === 'string' ? format.slice(0, 60) : 'no format'
   if (name.startsWith('formicarium/experiment@')) {
     throw new LinkError(
       'link-newer',
-      `This session says ${name}; this page reads ${FORMAT}.`,
+      `This session says ${name}; this page reads ${FORMAT} and ${CHANGING}.`,
       'format',
     )
   }

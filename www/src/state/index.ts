@@ -47,7 +47,7 @@ export {
 } from './runs'
 export * from './scenarios'
 export { compact } from './screen'
-export { currentSession, loadSession, openFragment, startOver } from './sessions'
+export { currentSession, loadSession, openFragment, readied, startOver } from './sessions'
 export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'
 export { startPage } from './start_page'

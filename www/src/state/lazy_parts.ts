@@ -79,6 +79,8 @@ export interface LeftSessionsPart {
 export type LessonPiece = 'tools' | 'map' | 'target' | 'field'
 
 export interface LazyParts {
+  /** Has walls change while planners run (state/changing_walls.ts). */
+  walls(): Promise<unknown>
   opener(): Promise<OpenerPart>
   leftSessions(): Promise<LeftSessionsPart>
   lab(): Promise<LabPart>
@@ -97,6 +99,7 @@ const missing = () => Promise.reject(new Error('the parts of the page have not b
 
 /** Where to fetch them. */
 export const lazyParts: LazyParts = {
+  walls: missing,
   opener: missing,
   leftSessions: missing,
   lab: missing,

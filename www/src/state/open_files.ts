@@ -7,7 +7,7 @@ import { describeError, describeNotice } from '../i18n/errors'
 import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
-import { loadSession, notify, scenario, setScenario, showView } from '.'
+import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
@@ -57,7 +57,8 @@ async function openTextIn(turn: Turn, text: string, opening: Opening): Promise<v
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
     await openComparisonText(turn, await decodeFragment(fragment))
-  } else if (fragment) replay(turn, await (await sessionFormat()).decodeFragment(fragment))
+  } else if (fragment)
+    replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
   else await openTogether(turn, [{ name: t('maps.pastedName'), bytes: encoded(text) }], opening)
 }
 
@@ -338,7 +339,7 @@ export function withEnds(now: Scenario, line: ScenLine): Scenario {
 
 async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
   const { sessionFromFile } = await sessionFormat()
-  replay(turn, await sessionFromFile(new TextDecoder().decode(bytes)))
+  replay(turn, await readied(await sessionFromFile(new TextDecoder().decode(bytes))))
 }
 
 /** Opens a comparison in the laboratory. */

@@ -6,6 +6,7 @@ import { toEngineError } from '../model/errors'
 import { question } from '../model/goals'
 import type { Scenario } from '../model/session'
 import { held } from './memory'
+import { walls } from './runs'
 import {
   type Panel,
   panels,
@@ -39,8 +40,9 @@ export const objectives = computed((): Objective[] => {
 
 /** The reference of a panel's result; null while it is being computed, or the panel's objective is not known yet. */
 export function referenceOf({ live }: Panel): Reference | null {
-  const { objective } = live.value
-  if (!objective) return null
+  const { objective, summary } = live.value
+  // The panel's run may still be on the map before a change.
+  if (!objective || (summary?.changes ?? 0) !== (walls.made?.() ?? 0)) return null
   const reference = references.value[objective] ?? null
   return reference?.kind === 'unknown' ? (bestOfPanels(objective) ?? reference) : reference
 }

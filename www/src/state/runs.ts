@@ -2,7 +2,7 @@
 import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
-import type { Scenario } from '../model/session'
+import type { Scenario, Session } from '../model/session'
 import { askToEnd, lesson, stopsMet } from './lesson'
 import { clearLive, flushLive, forget, onReply } from './live_reports'
 import { leavePast } from './looking'
@@ -19,6 +19,26 @@ import {
   sync,
 } from './store'
 import { fetchWholeEngine } from './whole_engine'
+
+/** What changes of walls in a run need of it (state/changing_walls.ts, fetched when somebody wants it). */
+export interface WallsPart {
+  /** A change that is being drawn: shown over the runs while they go on. False where they are to start anew. */
+  show(before: Scenario, after: Scenario): boolean
+  /** An edit that is about to be made: taken as a change of the runs, refused, or runs are to start anew. */
+  take(before: Scenario, after: Scenario): 'taken' | 'refused' | 'anew'
+  /** The setup with the changes of the panel's run. */
+  setup(panel: Panel, bare: RunSetup): RunSetup
+  /** The session whose runs begin next, in these panels. */
+  next(session: Session, panelIds: number[]): void
+  /** All runs begin. */
+  begin(): void
+  inSession(): Pick<Session, 'changes' | 'keepTrails'>
+  /** Changes of the runs on show: the map of the page has had all of them. */
+  made(): number
+}
+
+/** Empty until it has been fetched. */
+export const walls: Partial<WallsPart> = {}
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
@@ -93,6 +113,7 @@ export function reset(): void {
   conductor.pause()
   stopsMet.value = []
   leavePast()
+  walls.begin?.()
   const now = scenario.peek()
   if (panels.peek().some(({ setup }) => !plannerEntry(setup.planner))) void fetchWholeEngine()
   batch(() => {
@@ -117,7 +138,15 @@ export function restart(): void {
 export function runSetup(panel: Panel, on: Scenario): RunSetup {
   const { planner, params } = panel.setup
   const { spec, cells, heights } = on
-  return { spec, cells, heights, planner, params, seed: seed.peek() }
+  const bare = { spec, cells, heights, planner, params, seed: seed.peek() }
+  return walls.setup?.(panel, bare) ?? bare
+}
+
+/** Repeats a panel's run up to an iteration, with the changes of its walls. */
+export function reload(panel: Panel, ahead: number): void {
+  const now = scenario.peek()
+  clearLive(panel.id)
+  if (now) conductor.load(panel.id, ++lastRunId, { ...runSetup(panel, now), ahead })
 }
 
 /** Ends the worker of a panel that is leaving the page. */

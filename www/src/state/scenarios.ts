@@ -9,12 +9,12 @@ import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
 import type { Scenario } from '../model/session'
 import { fitView } from '../model/viewpoint'
-import { createHistory, type Step, type Swap } from './history'
+import { createHistory, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
 import { flushLive } from './live_reports'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
-import { pause, play, reset, restart, showDrawn } from './runs'
+import { pause, play, reset, restart, showDrawn, walls } from './runs'
 import { suitSpeed } from './speed'
 import {
   activeGoal,
@@ -61,11 +61,13 @@ export function commit(after: Scenario, gesture?: number): void {
   if (!before || after === before) return
   if (pressed.peek()) {
     drawn = { map: after, gesture }
-    showDrawn(after)
+    if (!showsOnRuns(after)) showDrawn(after)
     return
   }
+  const taken = walls.take?.(before, after)
+  if (taken === 'refused') return
   history.record(before, after, gesture)
-  if (asksSame(before, after)) rename(after)
+  if (taken === 'taken' || asksSame(before, after)) rename(after)
   else {
     pauseForEdit()
     replace(after)
@@ -87,9 +89,16 @@ export function endPress(): void {
   pressed.value = false
   const made = drawn
   drawn = null
-  if (made?.map === scenario.peek()) restart()
-  else if (made) commit(made.map, made.gesture)
+  if (made?.map === scenario.peek()) {
+    if (!showsOnRuns(made.map)) restart()
+  } else if (made) commit(made.map, made.gesture)
   flushLive()
+}
+
+/** Whether what is drawn is shown over runs that go on: its walls are to change while they do. */
+function showsOnRuns(map: Scenario): boolean {
+  const before = scenario.peek()
+  return (before && walls.show?.(before, map)) ?? false
 }
 
 /** Says why the ground refuses an edit: the map itself does not show it. */
@@ -203,27 +212,29 @@ export function fromGallery(id: string, built: Scenario): Scenario {
 }
 
 export function undo(): void {
-  travel(history.undo.bind(history), 'notices.undone')
+  travel('undo', 'redo')
 }
 
 export function redo(): void {
-  travel(history.redo.bind(history), 'notices.redone')
+  travel('redo', 'undo')
 }
 
-function travel(
-  take: (current: Scenario) => Step | null,
-  said: 'notices.undone' | 'notices.redone',
-): void {
+function travel(step: 'undo' | 'redo', back: 'undo' | 'redo'): void {
   const now = scenario.peek()
-  const step = now && take(now)
-  if (!now || !step) return
-  const next = step.scenario
-  step.swap?.()
+  const target = now && history[step](now)
+  if (!now || !target) return
+  const next = target.scenario
+  const taken = walls.take?.(now, next)
+  if (taken === 'refused') {
+    history[back](next)
+    return
+  }
+  target.swap?.()
   suitSpeed(next)
-  if (asksSame(now, next)) rename(next)
+  if (taken === 'taken' || asksSame(now, next)) rename(next)
   else replace(next)
   if (now.spec.width !== next.spec.width || now.spec.height !== next.spec.height) fitView()
-  announce(t(said))
+  announce(t(step === 'undo' ? 'notices.undone' : 'notices.redone'))
 }
 
 /** The runs on the old map are obsolete; what they have shown stays visible no longer than the map. */

@@ -8,7 +8,7 @@ import { DEFAULT_SPEED, MAX_PANELS, type RecordedResult, type Session } from '..
 import { goTo } from './address'
 import { reducedMotion } from './appearance'
 import { exchange } from './history'
-import { fetchNames } from './lazy_parts'
+import { fetchNames, lazyParts } from './lazy_parts'
 import { lesson } from './lesson'
 import { latest, setVerified } from './live_reports'
 import { awaited, awaitLook, currentLook } from './looking'
@@ -16,7 +16,7 @@ import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
-import { dropRun, pause, play, reset, restart, runSetup } from './runs'
+import { dropRun, pause, play, reset, restart, runSetup, walls } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -51,7 +51,14 @@ export function currentSession(): Session | null {
     ...caption.peek(),
     ...currentLook(),
     lesson: lesson.peek() ?? undefined,
+    ...walls.inSession?.(),
   }
+}
+
+/** With what it takes to load it. */
+export async function readied(session: Session): Promise<Session> {
+  if (session.changes || session.keepTrails) await lazyParts.walls()
+  return session
 }
 
 export function loadSession(session: Session): void {
@@ -70,7 +77,9 @@ export function loadSession(session: Session): void {
     panels.value = session.panels.slice(0, MAX_PANELS).map(makePanel)
     selectedPanel.value = panels.value[0]?.id ?? null
     awaitLook(session)
+    const ids = panels.value.map(({ id }) => id)
     if (wholeEngine.peek() === 'here') dropUnknown(panels.value)
+    walls.next?.(session, ids)
     reset()
   })
   if (awaited.peek() || session.title || session.note) fetchNames().catch(notifyError)
@@ -96,7 +105,7 @@ export async function openFragment(hash: string): Promise<boolean> {
   if (!hash.startsWith('#x=')) return false
   try {
     const { decodeFragment } = await import('../share/link')
-    loadSession(await decodeFragment(hash))
+    loadSession(await readied(await decodeFragment(hash)))
     return true
   } catch (error) {
     notifyError(error)

@@ -9,7 +9,7 @@ import { askBeforeLeaving } from './leaving'
 import { lesson } from './lesson'
 import { inspected, lookedAt } from './looking'
 import { canUndo, fromGallery } from './scenarios'
-import { currentSession, firstSession, loadSession } from './sessions'
+import { currentSession, firstSession, loadSession, readied } from './sessions'
 import { caption, galleryId, layer, panels, scenario, seed, speed, sync } from './store'
 
 const KEY = 'formicarium.session'
@@ -45,7 +45,7 @@ export async function openStoredSession(): Promise<boolean> {
     const session = await decodeFragment(kept)
     const [id] = kept.split('#')
     if (gallery.some((entry) => entry.id === id)) fromGallery(id ?? '', session.scenario)
-    loadSession(session)
+    loadSession(await readied(session))
     return true
   } catch {
     write(null)
@@ -75,9 +75,11 @@ async function packed(session: Session): Promise<string | null> {
   return `${id}#x=${await encodeSession(session)}`
 }
 
-/** Without results: after a reload the runs begin again, and nothing is to be verified. */
+/** On the map as it is, without results: after a reload the runs begin again, and nothing is to be verified. */
 function unrun(session: Session | null): Session | null {
-  return session && { ...session, panels: session.panels.map((p) => ({ ...p, result: null })) }
+  if (!session) return null
+  const { changes: _, ...still } = session
+  return { ...still, panels: session.panels.map((p) => ({ ...p, result: null })) }
 }
 
 function isFirst(session: Session): boolean {

@@ -8,7 +8,7 @@ import { paintLayer } from './shown_layer'
 export { StopWatch } from './stop_watch'
 
 /** A run of either build of the engine. */
-type Run = CoreRun & Partial<Pick<WholeRun, 'level_at'>>
+type Run = CoreRun & Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_walls' | 'adapts'>>
 
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
@@ -39,6 +39,14 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return keptOf(run)
     case 'picture':
       return pictureOf(question, run)
+    case 'walls': {
+      const at = run.change_walls?.(question.walls) ?? null
+      return { at, adapts: run.adapts?.() ?? null, ...shown(run, asked) }
+    }
+    case 'show-walls':
+      run.show_walls?.(question.walls)
+      shown(run, asked)
+      return null
   }
 }
 
@@ -56,7 +64,11 @@ function keptOf(run: Run): PanelAnswers['kept'] {
 }
 
 async function look(iteration: number | null, run: Run, asked: Asked): Promise<Answer> {
-  if (!(await goBack(iteration, run, asked))) return null
+  return (await goBack(iteration, run, asked)) ? shown(run, asked) : null
+}
+
+/** What the run answers now, drawn as well. */
+function shown(run: Run, asked: Asked): PanelAnswers['look'] {
   const look = {
     summary: run.summary(),
     bestPath: run.best_path(),

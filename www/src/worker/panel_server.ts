@@ -60,9 +60,10 @@ function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
 
 /** The old run goes only when the new one stands. */
 function load(runId: number, setup: RunSetup): void {
-  const { spec, cells, heights, planner, params, seed } = setup
+  const { spec, cells, heights, planner, params, seed, ahead } = setup
   const run = new engine.Run(spec, cells, heights, planner, params, seed)
   run.keep_snapshots(KEPT_BYTES)
+  if (ahead) run.advance('iteration', ahead)
   const old = current
   const stepper = new Stepper(run, () => performance.now())
   current = { id: runId, run, stepper, rowsSent: 0, pathSent: '', looks: 0 }

@@ -265,6 +265,10 @@ export const zhCNRemarks = {
     'goal-on-start': { message: '起点位于 ({{x}}, {{y}})', hint: '请选择另一格' },
     place: { message: '“{{value}}”不是位置', hint: '请写列与行，例如 11, 4' },
     quantity: { message: '不能使用 {{field}} = {{value}}', hint: '请输入正数' },
+    change: {
+      message: '不能按 {{field}} = {{value}} 改动墙体',
+      hint: '请检查格子与迭代次数',
+    },
     memory: {
       message: '需要 {{megabytes}} MB 内存，超过可用的 {{max}} MB',
       hint: '请减少数量，或裁剪、缩小地图',

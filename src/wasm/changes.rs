@@ -1,0 +1,83 @@
+//! Walls that change while a run goes on. Only the whole engine knows of it.
+
+use serde::Deserialize;
+use tsify::{Ts, Tsify};
+use wasm_bindgen::prelude::*;
+
+use super::arguments;
+use super::run::Run;
+use super::{Answer, throw};
+use crate::map::{Grid, Point};
+use crate::planner::Changing;
+use crate::scenario::Change;
+
+/// Cells to block and to free.
+#[derive(Deserialize, Tsify)]
+pub struct Walls {
+    /// Free cells that become blocked.
+    #[tsify(type = "[number, number][]")]
+    pub blocked: Vec<Point>,
+    /// Blocked cells that become free.
+    #[tsify(type = "[number, number][]")]
+    pub freed: Vec<Point>,
+}
+
+/// A map that is painted before a run is on it.
+pub(super) struct Drawn {
+    grid: Grid,
+    /// Until the run has had this many changes.
+    until: u32,
+}
+
+#[wasm_bindgen]
+impl Run {
+    /// Changes walls at the end of the iteration at work, at once where none is. Returns its number; 0 = before the first. A planner that
+    /// [adapts](Run::adapts) goes on with what it has learnt, any other begins anew. The map is painted with the change from now on.
+    /// Looking back ends; what is kept to look back has the change.
+    pub fn change_walls(&mut self, walls: Ts<Walls>) -> Answer<u32> {
+        let Walls { blocked, freed } = arguments::value(&walls, "walls")?;
+        let Some(changing) = self.planner.changing_mut() else { return Ok(0) };
+        let change = Change { at: changing.next_end(), blocked, freed };
+        changing.schedule(change.clone()).map_err(throw)?;
+        let until = changing.made() + changing.to_come();
+        self.drawn = drawn(changing, &change, until)?;
+        (self.replay, self.past) = (None, None);
+        self.playback.change(&*self.planner, &change);
+        Ok(change.at)
+    }
+
+    /// Paints the map as it would be with these walls, until they are changed or others are shown; the run stays as it is.
+    pub fn show_walls(&mut self, walls: Ts<Walls>) -> Answer<()> {
+        let Walls { blocked, freed } = arguments::value(&walls, "walls")?;
+        if let Some(changing) = self.planner.changing() {
+            self.drawn = drawn(changing, &Change { at: 0, blocked, freed }, u32::MAX)?;
+        }
+        Ok(())
+    }
+
+    /// Whether its planner goes on with what it has learnt when walls change, instead of beginning anew.
+    pub fn adapts(&self) -> bool {
+        self.planner.adapts()
+    }
+}
+
+/// The map with a change that is still to come; none where it has been made already.
+fn drawn(changing: &Changing, change: &Change, until: u32) -> Answer<Option<Drawn>> {
+    if changing.made() >= until {
+        return Ok(None);
+    }
+    let mut grid = changing.scenario().grid.clone();
+    change.make(&mut grid, &changing.scenario().spec, 0).map_err(throw)?;
+    Ok(Some(Drawn { grid, until }))
+}
+
+impl Run {
+    /// The map that is to be painted.
+    pub(super) fn grid(&self) -> &Grid {
+        let made = self.shown().changing().map_or(0, Changing::made);
+        match &self.drawn {
+            Some(drawn) if self.past.is_none() && made < drawn.until => &drawn.grid,
+            _ => &self.map().grid,
+        }
+    }
+}
