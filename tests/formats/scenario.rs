@@ -37,6 +37,7 @@ const TERRAIN: &str = r#"{
   "vehicle": {"speed":1.0,"seconds_per_turn":0.0},
   "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
   "world": {"x":-10.0,"y":2.5,"yaw":0.5,"frame":"map"},
+  "changes": [{"at":12,"blocked":[[1,0]],"freed":[]}],
   "map": {"rows": [
     "...",
     "@.."
@@ -195,4 +196,5 @@ fn the_schema_names_every_field() {
     assert_eq!(keys(&schema["properties"]["map"]["properties"]), keys(&full["map"]));
     let rules = &schema["properties"]["terrain"]["properties"]["slices"]["properties"];
     assert_eq!(keys(rules), keys(&full["terrain"]["slices"]));
+    assert_eq!(keys(&schema["properties"]["changes"]["items"]["properties"]), keys(&full["changes"][0]));
 }
