@@ -2,6 +2,7 @@
 import { readFile } from 'node:fs/promises'
 import { expect, type Page, test } from '@playwright/test'
 import { RacePage } from './race_page'
+import { openTerrain } from './terrain_page'
 import { sessionOf } from './units/sessions'
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
@@ -114,6 +115,43 @@ test('names stay text', async ({ page }) => {
   expect(found.fault).toBeNull()
   expect([found.scripts, found.images]).toEqual([0, 0])
   expect(found.texts.join('')).toContain('<script>alert(1)</script>')
+})
+
+test('a terrain has its contour lines while the page shows them, and hatching where there is no data', async ({
+  page,
+}) => {
+  const race = await openTerrain(page, 'terrain-hills')
+  const found = async () => {
+    await openPictures(race)
+    const text = (await saved(page, 'picture-svg')).bytes.toString()
+    await race.leaveDialog()
+    return page.evaluate((source) => {
+      const svg = new DOMParser().parseFromString(source, 'image/svg+xml')
+      const strengths = [...svg.querySelectorAll('.contours path')]
+      return {
+        fault: svg.querySelector('parsererror')?.textContent ?? null,
+        lines: strengths.map((path) => (path.getAttribute('d') ?? '').split('M').length - 1),
+        hatched: svg.querySelectorAll('.no-data pattern').length,
+        said: svg.documentElement.textContent?.includes('Contour lines every') ?? false,
+      }
+    }, text)
+  }
+  const shown = await found()
+  expect(shown).toMatchObject({ fault: null, hatched: 0, said: true })
+  expect(shown.lines).toHaveLength(2)
+  expect(Math.min(...shown.lines)).toBeGreaterThan(0)
+  await page.getByTestId('show-contours').click()
+  expect(await found()).toEqual({ fault: null, lines: [], hatched: 0, said: false })
+  await page.evaluate(async () => {
+    const session = window.formicarium.session()
+    if (!session?.scenario.heights) return
+    const { spec, heights } = session.scenario
+    for (const cell of [5, 6, 7]) heights[spec.width * 3 + cell] = Number.NaN
+    for (const cell of [5, 6, 7]) session.scenario.cells[spec.width * 3 + cell] = 1
+    await window.formicarium.load(session)
+  })
+  await race.ready()
+  expect((await found()).hatched).toBe(1)
 })
 
 test('the cells of a large map are a picture inside the picture, which says so', async ({

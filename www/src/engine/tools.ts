@@ -128,6 +128,7 @@ export const tools = {
   surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
   importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
     wholeBox().call('importTerrain', bytes, name, part),
+  contours: (...ground: Parameters<MapCalls['contours']>) => wholeBox().call('contours', ...ground),
   /** What the colours of maps and layers are; see `MapCalls.mapColours`. */
   mapColours: (...look: Parameters<MapCalls['mapColours']>) =>
     wholeBox().call('mapColours', ...look),

@@ -24,6 +24,7 @@ import {
   WIDTH,
 } from './race_parts'
 import { element } from './svg'
+import { contourLines, hatching } from './terrain_lines'
 
 /** Pixels. */
 const TALLEST = 720
@@ -56,12 +57,12 @@ async function pictureOf(
   painted: MapPicture,
   ramps: Ramp[],
   shown: Runner[],
-  ground: Ground,
+  colours: Ground,
 ): Promise<Picture> {
   const { width, height } = now.spec
   const scale = Math.min(WIDTH / width, TALLEST / height)
-  const theme = themeOf(ground)
-  const look = lookOf(ground)
+  const theme = themeOf(colours)
+  const look = lookOf(colours)
   const vectors = cellPaths(painted.pixels, width, MOST_RECTANGLES)
   const cells = element('g', { class: 'cells', transform: `scale(${scale})` })
   if (vectors) drawCells(cells, vectors, width, height)
@@ -69,8 +70,11 @@ async function pictureOf(
   const paths = element('g', { class: 'paths', transform: `scale(${scale})` })
   for (const runner of shown) paths.append(...pathOf(runner, scale, theme))
   const order = shown.length === 1 && shown[0] ? shownOf(shown[0].panel).summary?.tour?.order : []
+  const contours = await contourLines(now, scale, theme)
   const frame = { width: width * scale, height: height * scale, fill: 'none', stroke: look.line }
-  const plot = element('g', {}, cells, element('rect', frame), paths)
+  const under = hatching(now, scale, theme)
+  const ground = [under, cells, contours?.lines ?? null].filter((each) => each !== null)
+  const plot = element('g', {}, ...ground, element('rect', frame), paths)
   plot.append(...endsOf(now, scale, theme, order ?? []))
   const keys = keysOf(ramps, hasMetres(now) ? now.spec.resolution / scale : null, look)
   const tall = Math.ceil(height * scale) + 12
@@ -81,12 +85,20 @@ async function pictureOf(
       plot,
       height: tall + (keys ? KEYS_HEIGHT : 0),
       legend: shown.map(({ label, colour }) => ({ kind: 'line', label, colour, width: 3 })),
-      notes: vectors ? [] : [t('pictures.cellsArePicture')],
+      notes: notesOf(vectors !== null, contours?.interval ?? null, under !== null),
     },
     heading: headingOf(what),
     words: `${what}. ${shown.map(({ label }) => label).join('; ')}`,
     look,
   }
+}
+
+function notesOf(isVectors: boolean, interval: number | null, hasHoles: boolean): string[] {
+  const notes = isVectors ? [] : [t('pictures.cellsArePicture')]
+  const value = interval === null ? '' : numbers.peek().metres.format(interval)
+  if (value) notes.push(t('pictures.contours', { interval: t('pictures.metres', { value }) }))
+  if (hasHoles) notes.push(t('pictures.noData'))
+  return notes
 }
 
 function drawCells(onto: SVGElement, { base, paths }: CellPaths, width: number, height: number) {

@@ -5,6 +5,18 @@ import { grounds } from './facts'
 import type { Scenario } from './session'
 
 /** The ends of a path by slices. */
+/** The contour lines of a terrain. */
+export interface ContourData {
+  /** Metres between a line and the next. */
+  interval: number
+  /** x0, y0, x1, y1, … in cells. */
+  points: Float32Array
+  /** For each line the number of points up to its end. */
+  ends: Uint32Array
+  /** For each line its height in intervals. */
+  levels: Int32Array
+}
+
 export type End = 'start' | 'goal'
 
 /** How one moves, as far as planners differ in what they know: by the first rule that holds. */

@@ -29,6 +29,7 @@ import type {
   Window,
 } from '@pkg/formicarium'
 import type { PanelView, ParamValues, RunSetup } from './messages'
+import type { ContourData } from './terrain'
 
 /** What of a raster of heights is to be opened, and in how many cells; all of it as it is where nothing is said. */
 export interface TerrainPart {
@@ -51,6 +52,8 @@ export interface MapCalls {
   figureMap(classes: Uint8Array, columns: number, name: string): Imported
   surveyTerrain(bytes: Uint8Array, name: string): Survey
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
+  /** The contour lines of heights, of which `unit` are a metre each. */
+  contours(width: number, heights: Float32Array, unit: number): ContourData
   /** Red, green, blue: of a free cell, a blocked one, and 256 of a layer from its least value to its greatest. */
   mapColours(layer: Layer | 'none', theme: PanelView['theme']): Uint8Array
   exportMap(

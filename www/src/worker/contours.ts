@@ -4,19 +4,9 @@
  * stretched; a moment later there is a crisp one. Lives in the worker.
  */
 import type { PanelView } from '../model/messages'
+import type { ContourData } from '../model/terrain'
 
 type Context = OffscreenCanvasRenderingContext2D
-
-export interface ContourData {
-  /** Metres between a line and the next. */
-  interval: number
-  /** x0, y0, x1, y1, … in cells. */
-  points: Float32Array
-  /** For each line the number of points up to its end. */
-  ends: Uint32Array
-  /** For each line its height in intervals. */
-  levels: Int32Array
-}
 
 const COLOURS = {
   light: { line: 'rgba(78, 58, 34, 0.34)', main: 'rgba(78, 58, 34, 0.62)', text: '#55402a' },

@@ -1,6 +1,7 @@
 /** The contour lines of a panel's terrain. Only the whole engine has them, to keep the core small. */
 import { ContourLines } from '@pkg/formicarium'
-import { type ContourData, ContourLayer } from './contours'
+import type { ContourData } from '../model/terrain'
+import { ContourLayer } from './contours'
 import type { GroundOf } from './panel_server'
 
 /** Found once for a terrain: walls, start and goal leave them as they are. */
@@ -12,19 +13,22 @@ export const contoursOf: GroundOf = ({ spec, heights }) => {
   if (!heights || unit === undefined) return null
   if (contours && contours.unit === unit && sameNumbers(contours.heights, heights))
     return contours.layer
-  const trace = (): ContourData => {
-    const found = new ContourLines(spec.width, heights, unit)
-    const data = {
-      interval: found.interval(),
-      points: found.points(),
-      ends: found.ends(),
-      levels: found.levels(),
-    }
-    found.free()
-    return data
-  }
+  const trace = () => traceContours(spec.width, heights, unit)
   contours = { heights, unit, layer: new ContourLayer(trace, heights.some(Number.isNaN)) }
   return contours.layer
+}
+
+/** `unit`: metres per unit of the heights. */
+export function traceContours(width: number, heights: Float32Array, unit: number): ContourData {
+  const found = new ContourLines(width, heights, unit)
+  const data = {
+    interval: found.interval(),
+    points: found.points(),
+    ends: found.ends(),
+    levels: found.levels(),
+  }
+  found.free()
+  return data
 }
 
 function sameNumbers(a: Float32Array, b: Float32Array): boolean {

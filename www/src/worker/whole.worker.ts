@@ -7,7 +7,7 @@ import { toolCalls } from './engine_calls'
 import { lessonCalls } from './lesson_calls'
 import { orderCalls } from './order_calls'
 import { serve } from './serve_worker'
-import { contoursOf } from './terrain_contours'
+import { contoursOf, traceContours } from './terrain_contours'
 
 const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   ...toolCalls(engine),
@@ -34,6 +34,7 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
     engine.join_results(document, bytes, name, instance, leaveOut),
   matchResults: (document, bytes, name) => engine.match_results(document, bytes, name),
   resultsTemplate: (document) => engine.results_template(document),
+  contours: traceContours,
   mapColours: (layer, theme) => engine.map_colors(layer, theme),
   exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
   generate: (kind, width, height, seed, density) =>

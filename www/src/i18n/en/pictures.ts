@@ -21,6 +21,8 @@ export const enPictures = {
     withGap: '{{name}}: {{length}} ({{gap}})',
     metres: '{{value}} m',
     kilometres: '{{value}} km',
+    contours: 'Contour lines every {{interval}}.',
+    noData: 'Hatched: no data.',
     cellsArePicture:
       'The cells are a PNG picture inside this file: as single shapes they would be too many.',
   },
