@@ -16,9 +16,9 @@ use crate::planner::Changing;
 #[cfg(feature = "whole")]
 use crate::planner::GroundRule;
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
-#[cfg(feature = "whole")]
-use crate::scenario::MAX_GOALS;
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::scenario::{MAX_CHANGES, MAX_GOALS};
 use crate::{aco, exact, swarm};
 
 /// In every build: what a first visit to the page needs.
@@ -274,6 +274,8 @@ pub struct Limits {
     pub max_density: f64,
     /// Seeds of a comparison: runs of one entry on one map.
     pub max_seeds: u32,
+    /// Changes of walls of a scenario.
+    pub max_changes: u32,
 }
 
 /// One generator of maps as data.
@@ -358,6 +360,7 @@ const LIMITS: Limits = Limits {
     max_reach: MAX_REACH,
     max_density: MAX_DENSITY,
     max_seeds: MAX_SEEDS,
+    max_changes: MAX_CHANGES as u32,
 };
 
 /// The whole catalog as data.

@@ -12,10 +12,10 @@ use std::sync::Arc;
 
 use super::{Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, held};
 use crate::error::{ParamError, ScenarioError};
-use crate::map::Cell;
+use crate::map::{Cell, Grid};
 use crate::metrics::Metrics;
 use crate::params::Values;
-use crate::scenario::{Change, Scenario};
+use crate::scenario::{Change, MAX_CHANGES, Scenario};
 
 /// What a planner is made of, to make it once more.
 struct Recipe {
@@ -80,6 +80,14 @@ impl Changing {
         self.due.len() as u32
     }
 
+    /// The map as the changes to come will leave it.
+    pub fn coming(&self) -> Grid {
+        let mut grid = self.now.grid.clone();
+        let make = |due: &Change| due.make(&mut grid, &self.now.spec, 0);
+        self.due.iter().try_for_each(make).expect("a change is checked when it is taken");
+        grid
+    }
+
     /// The end of the iteration at work, where a change can be made next: the number of the last finished one if none is at work.
     pub fn next_end(&self) -> u32 {
         self.effort().iterations + u32::from(!self.between)
@@ -88,9 +96,13 @@ impl Changing {
     /// Takes a change that follows all others; it is made at once where the planner stands between two iterations and is that far.
     ///
     /// # Errors
-    /// [`ScenarioError::Change`]: the cells cannot be blocked or freed then, or the iteration is past.
+    /// [`ScenarioError::Change`]: the cells cannot be blocked or freed then, the iteration is past, or there are [`MAX_CHANGES`] already.
     pub fn schedule(&mut self, change: Change) -> Result<(), ScenarioError> {
         let index = self.made as usize + self.due.len();
+        if index >= MAX_CHANGES {
+            let (field, value) = ("changes".into(), (index + 1).to_string());
+            return Err(ScenarioError::Change { field, value, allowed: "a list of at most 1000" });
+        }
         let earliest = self.due.last().map_or_else(|| self.next_end(), |last| last.at);
         if change.at < earliest {
             let (field, value) = (format!("changes[{index}].at"), change.at.to_string());
@@ -100,9 +112,7 @@ impl Changing {
                 allowed: "the iteration at work or a later one, after all other changes",
             });
         }
-        let mut grid = self.now.grid.clone();
-        self.due.iter().try_for_each(|due| due.make(&mut grid, &self.now.spec, index))?;
-        change.make(&mut grid, &self.now.spec, index)?;
+        change.make(&mut self.coming(), &self.now.spec, index)?;
         self.due.push(change);
         self.make_due();
         Ok(())

@@ -39,19 +39,24 @@ impl Run {
         let Some(changing) = self.planner.changing_mut() else { return Ok(0) };
         let change = Change { at: changing.next_end(), blocked, freed };
         changing.schedule(change.clone()).map_err(throw)?;
-        let until = changing.made() + changing.to_come();
-        self.drawn = drawn(changing, &change, until)?;
+        self.drawn = coming(changing);
         (self.replay, self.past) = (None, None);
         self.playback.change(&*self.planner, &change);
         Ok(change.at)
     }
 
-    /// Paints the map as it would be with these walls, until they are changed or others are shown; the run stays as it is.
+    /// Paints the map as it would be with these walls after all changes to come, until they are changed or others are shown; with none of
+    /// them as it will be anyway. The run stays as it is.
     pub fn show_walls(&mut self, walls: Ts<Walls>) -> Answer<()> {
         let Walls { blocked, freed } = arguments::value(&walls, "walls")?;
-        if let Some(changing) = self.planner.changing() {
-            self.drawn = drawn(changing, &Change { at: 0, blocked, freed }, u32::MAX)?;
-        }
+        let Some(changing) = self.planner.changing() else { return Ok(()) };
+        self.drawn = if blocked.is_empty() && freed.is_empty() {
+            coming(changing)
+        } else {
+            let mut grid = changing.coming();
+            Change { at: 0, blocked, freed }.make(&mut grid, &changing.scenario().spec, 0).map_err(throw)?;
+            Some(Drawn { grid, until: u32::MAX })
+        };
         Ok(())
     }
 
@@ -61,14 +66,10 @@ impl Run {
     }
 }
 
-/// The map with a change that is still to come; none where it has been made already.
-fn drawn(changing: &Changing, change: &Change, until: u32) -> Answer<Option<Drawn>> {
-    if changing.made() >= until {
-        return Ok(None);
-    }
-    let mut grid = changing.scenario().grid.clone();
-    change.make(&mut grid, &changing.scenario().spec, 0).map_err(throw)?;
-    Ok(Some(Drawn { grid, until }))
+/// The map with the changes that are still to come; none where there are none.
+fn coming(changing: &Changing) -> Option<Drawn> {
+    let until = changing.made() + changing.to_come();
+    (changing.to_come() > 0).then(|| Drawn { grid: changing.coming(), until })
 }
 
 impl Run {

@@ -254,6 +254,37 @@ fn the_order_of_a_changes_cells_is_none_of_the_digests_business() {
 }
 
 #[test]
+fn a_wall_may_come_and_go_within_one_iteration() {
+    for entry in ["ant-system", "astar"].map(|id| catalog::find(id).expect("a planner")) {
+        let scenario = common::drawn(&["S......", ".......", "......G"], Movement::default());
+        let mut run = changing(entry, &scenario, 5);
+        let mut playback = Playback::new(&*run, 1 << 20);
+        let mut list = Vec::new();
+        for _ in 0..3 {
+            run.advance(Granularity::Move);
+            playback.note(&*run, Granularity::Move);
+        }
+        let wall = vec![Point::new(3, 1)];
+        for (blocked, freed) in [(wall.clone(), vec![]), (vec![], wall.clone()), (wall, vec![])] {
+            let change = schedule(&mut *run, blocked, freed);
+            playback.change(&*run, &change);
+            list.push(change);
+        }
+        let coming = run.changing().expect("it takes changes").coming();
+        assert!(coming.is_blocked(coming.cell(Point::new(3, 1))), "{}", entry.id);
+        iterate(&mut *run, 8);
+        let mut spec = scenario.spec.clone();
+        spec.changes = list;
+        let listed = Arc::new(Scenario::new(scenario.grid.clone(), spec).expect("changes that can be made"));
+        let mut again = changing(entry, &listed, 5);
+        while again.effort().iterations < run.effort().iterations && !again.status().is_finished() {
+            again.advance(Granularity::Iteration);
+        }
+        assert_eq!(end(&*again), end(&*run), "{}", entry.id);
+    }
+}
+
+#[test]
 fn what_cannot_be_changed_is_refused_by_name() {
     let scenario = common::drawn(&["S.#.", "...G"], Movement::default());
     let refused = |changes: Vec<Change>| {

@@ -158,7 +158,7 @@ function plotStyle(): PlotStyle {
     colours: panels.value.map(({ slot }) => slotColour(slot)),
     showIterationBest: showIterationBest.value,
     showMean: showMean.value,
-    levels: levels().map(({ length }) => length),
+    levels: levels(),
     axisLabels: { x: t('chart.iteration'), y: t(showsCost() ? 'chart.cost' : 'chart.length') },
     marker: () => lookedAt.peek(),
   }

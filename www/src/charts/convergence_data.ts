@@ -1,12 +1,11 @@
 /** The histories of all panels on one axis of iterations, thinned to what a screen can show. */
 
 import { historyOf, type Panel } from '../state'
-import type { HistoryRows } from '../state/history_rows'
+import { BEST_SO_FAR, type HistoryRows } from '../state/history_rows'
 import { isSearch } from '../words/planner_words'
 
 /** Columns of a history row (see messages.ts). */
 const ITERATION = 0
-const BEST_SO_FAR = 1
 const ITERATION_BEST = 2
 const MEAN = 3
 const MOST_POINTS = 1200

@@ -11,8 +11,8 @@ export interface PlotStyle {
   colours: string[]
   showIterationBest: boolean
   showMean: boolean
-  /** References, drawn as lines. */
-  levels: number[]
+  /** References, drawn as lines from an iteration on. */
+  levels: { length: number; from: number }[]
   axisLabels: { x: string; y: string }
   /** The iteration being looked back at, read at every drawing; null for none. */
   marker: () => number | null
@@ -23,7 +23,9 @@ export function makePlot(host: HTMLElement, style: PlotStyle, cursor: ChartCurso
 }
 
 export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
-  const levels = style.levels.map((level) => curves.iterations.map(() => level))
+  const levels = style.levels.map(({ length, from }) =>
+    curves.iterations.map((iteration) => (iteration < from ? null : length)),
+  )
   const panels = curves.panels.flatMap(({ best, iterationBest, mean }) => [
     mean,
     iterationBest,

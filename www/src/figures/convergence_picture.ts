@@ -61,7 +61,7 @@ export function convergencePicture(ground: Ground): Picture {
     1,
   )
   const plot = element('g', {}, made.drawn)
-  for (const { length } of references) plot.append(level(length, made, look))
+  for (const each of references) plot.append(level(each, made, look))
   for (const line of lines) plot.append(curveOf(line, iterations, made))
   const looked = lookedAt.peek()
   if (looked !== null && looked >= across[0]) plot.append(mark(looked, made, look))
@@ -103,9 +103,9 @@ function curveOf({ curve, colour, kind }: Line, iterations: number[], { x, y }: 
   })
 }
 
-const level = (length: number, { y }: Axes, look: Look) =>
+const level = ({ length, from }: { length: number; from: number }, { x, y }: Axes, look: Look) =>
   element('path', {
-    d: `M${BOX.left} ${px(y(length))}H${BOX.right}`,
+    d: `M${px(Math.max(BOX.left, x(from)))} ${px(y(length))}H${BOX.right}`,
     stroke: look.text,
     'stroke-width': 1.5,
     'stroke-dasharray': LEVEL_DASH,

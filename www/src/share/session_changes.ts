@@ -1,19 +1,18 @@
 /** The changes of walls in a session document: read by name, and made on the map that comes with it. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import type { Cell } from '../model/cell'
+import { limits } from '../model/facts'
 import { takenCells } from '../model/goals'
 import type { Scenario, WallChange } from '../model/session'
 import { changed } from '../model/wall_changes'
 import { cell, fieldsOf, integer, invalid, list } from './field_checks'
 
-/** As many as the engine takes. */
-const MOST_CHANGES = 1000
 const MOST_ITERATIONS = 1e7
 
 /** `at` has a number for each of the panels, and none of them goes back. */
 export function readChanges(value: unknown, spec: ScenarioSpec, panels: number): WallChange[] {
   const field = 'scenario.changes'
-  const changes = list(value, field, MOST_CHANGES).map((change, i) =>
+  const changes = list(value, field, limits.max_changes).map((change, i) =>
     readChange(change, `${field}[${i}]`, spec, panels),
   )
   if (changes.length === 0) throw invalid(field, 'must name a change')
@@ -26,7 +25,9 @@ export function readChanges(value: unknown, spec: ScenarioSpec, panels: number):
 }
 
 function readChange(value: unknown, field: string, spec: ScenarioSpec, panels: number): WallChange {
-  const { blocked, freed, at } = fieldsOf(value, field)
+  const { blocked, freed, at, ...others } = fieldsOf(value, field)
+  for (const other of Object.keys(others))
+    throw invalid(`${field}.${other}`, 'is no part of a change')
   const cells = (given: unknown, key: string): Cell[] =>
     list(given, `${field}.${key}`, spec.width * spec.height).map((each, i) =>
       cell(each, `${field}.${key}[${i}]`, spec.width, spec.height),

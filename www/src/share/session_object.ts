@@ -1,7 +1,16 @@
 /** A session that a script passes as an object: read as a session file is, so that every way in has the same checks. */
-import { type Caption, type Look, type PanelSetup, type Session, SPEEDS } from '../model/session'
-import { fieldsOf, integer, invalid } from './field_checks'
+import type { ScenarioSpec } from '@pkg/formicarium'
+import {
+  type Caption,
+  type Look,
+  MAX_PANELS,
+  type PanelSetup,
+  type Session,
+  SPEEDS,
+} from '../model/session'
+import { type Fields, fieldsOf, integer, invalid, list } from './field_checks'
 import { sessionFromFile, sessionToFile } from './link'
+import { readChanges } from './session_changes'
 
 /** A session without what older scripts do not know of: title, note, labels, what was looked at. */
 export type GivenSession = Omit<Session, 'panels' | keyof (Caption & Look)> &
@@ -26,8 +35,27 @@ export async function sessionFromObject(value: unknown): Promise<Session> {
     ? Float32Array.from(numbersOf(scenario.heights, 'session.scenario.heights', area))
     : null
   const whole = { ...scenario, cells: Uint8Array.from(cells), heights }
-  return sessionFromFile(sessionToFile({ ...session, scenario: whole } as Session, ''))
+  checkShapes(session, spec as unknown as ScenarioSpec)
+  const read = await sessionFromFile(sessionToFile({ ...session, scenario: whole } as Session, ''))
+  if (read.changes && !sameCells(read.scenario.cells, whole.cells))
+    throw invalid('session.changes', 'must lead to the cells of the session')
+  return read
 }
+
+/** What the file would be written from, as far as its reader would not find it wrong by name. */
+function checkShapes(session: Fields, spec: ScenarioSpec): void {
+  const panels = list(session.panels, 'session.panels', MAX_PANELS)
+  for (const [i, panel] of panels.entries()) fieldsOf(panel, `session.panels[${i}]`)
+  for (const part of ['inspected', 'lesson'] as const)
+    if (session[part] !== undefined && session[part] !== null)
+      fieldsOf(session[part], `session.${part}`)
+  if (session.keepTrails !== undefined && typeof session.keepTrails !== 'boolean')
+    throw invalid('session.keepTrails', 'must be true or false')
+  if (session.changes !== undefined) readChanges(session.changes, spec, panels.length)
+}
+
+const sameCells = (a: Uint8Array, b: Uint8Array) =>
+  a.length === b.length && a.every((cell, i) => cell === b[i])
 
 function numbersOf(value: unknown, field: string, count: number): number[] {
   const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && 'length' in value)

@@ -6,6 +6,7 @@
 import { batch, signal } from '@preact/signals'
 import { client } from '../engine/panel_clients'
 import { addWallsWords, t } from '../i18n/walls'
+import { limits } from '../model/facts'
 import type { Frame, PanelAnswers } from '../model/messages'
 import type { Scenario, WallChange } from '../model/session'
 import { cellsBefore, wallsBetween } from '../model/wall_changes'
@@ -15,7 +16,7 @@ import { leavePast } from './looking'
 import { notify, notifyError } from './notices'
 import { dropResults } from './panels'
 import { reload, reset, type WallsPart, walls } from './runs'
-import { type Panel, panels, phase, plannerEntry } from './store'
+import { type Panel, panelById, panels, phase, plannerEntry } from './store'
 
 type Walls = Pick<WallChange, 'blocked' | 'freed'>
 
@@ -56,7 +57,8 @@ export function startChangingWalls(): Promise<void> {
 async function start(): Promise<void> {
   await addWallsWords()
   const made = () => madeChanges.value.length
-  Object.assign(walls, { show, take, setup, begin, next, inSession, made } satisfies WallsPart)
+  const part = { show, take, setup, begin, next, inSession, made, since } satisfies WallsPart
+  Object.assign(walls, part)
 }
 
 /** Whether runs are at work, and an edit of their map changes nothing but its walls. */
@@ -77,19 +79,24 @@ const show: WallsPart['show'] = (before, after) => {
 
 const take: WallsPart['take'] = (before, after) => {
   if (before.cells === after.cells || !goesOn(before, after)) return 'anew'
+  const action = { label: t('walls.begin'), run: reset }
   if (isAhead()) {
-    const action = { label: t('walls.begin'), run: reset }
     notify('warning', t('walls.ahead'), { hint: t('walls.aheadHint'), action })
     return 'refused'
   }
+  if (madeChanges.peek().length >= limits.max_changes) {
+    const hint = t('walls.aheadHint')
+    notify('warning', t('walls.most', { most: limits.max_changes }), { hint, action })
+    return 'refused'
+  }
   leavePast()
-  void make(wallsOf(before, after)).catch(notifyError)
+  void make(wallsOf(before, after)).catch(failed)
   return 'taken'
 }
 
 /** Whether a panel has changes of its session still to come. */
 function isAhead(): boolean {
-  return panels.peek().some(({ id }) => (latest(id).summary?.changes ?? ofSession) < ofSession)
+  return panels.peek().some(({ id }) => (latest(id).summary?.changes ?? 0) < ofSession)
 }
 
 const wallsOf = (before: Scenario, after: Scenario): Walls =>
@@ -111,23 +118,40 @@ async function make(drawn: Walls): Promise<void> {
   })
 }
 
+/** A change that cannot be made would leave runs and map apart. */
+function failed(error: unknown): void {
+  notifyError(error)
+  notify('warning', t('walls.failed'))
+  reset()
+}
+
 /** The name of the panel's planner where it begins anew. */
 async function makeIn(panel: Panel, made: Made): Promise<string | null> {
   const { blocked, freed } = made
-  const answer = await client(panel.id)?.ask({ about: 'walls', walls: { blocked, freed } })
-  // The run has been replaced meanwhile, or there is none.
-  if (!answer || !madeChanges.peek().includes(made)) return null
-  if (answer.at === null) repeatOnWhole(panel, made)
-  else takeIn(panel.id, made, answer.at, answer)
+  const isLoaded = latest(panel.id).summary !== null
+  const answer = isLoaded
+    ? await client(panel.id)?.ask({ about: 'walls', walls: { blocked, freed } })
+    : null
+  // All runs have begun anew meanwhile, or the panel has left.
+  if (!madeChanges.peek().includes(made) || !panelById(panel.id)) return null
+  if (typeof answer?.at === 'number') takeIn(panel.id, made, answer.at, answer)
+  else repeat(panel, made)
   const entry = plannerEntry(panel.setup.planner)
   // The colony of the opening build goes on, its searches begin anew.
-  const adapts = answer.adapts ?? entry?.family === 'ant-colony'
+  const adapts = answer?.adapts ?? entry?.family === 'ant-colony'
   return adapts ? null : (entry?.name ?? panel.setup.planner)
 }
 
-/** The opening build cannot change walls: the whole one repeats the run up to here, which takes a moment, and goes on. */
-function repeatOnWhole(panel: Panel, made: Made): void {
-  const iteration = latest(panel.id).summary?.iteration ?? 0
+/** Up to which iteration a run is being repeated that has not answered yet. */
+const repeating = new Map<number, number>()
+
+/**
+ * A run that cannot take the change as it stands, because the opening build knows none or the run is only being loaded: the whole build
+ * repeats it up to here, which takes a moment, and goes on with the change.
+ */
+function repeat(panel: Panel, made: Made): void {
+  const iteration = latest(panel.id).summary?.iteration ?? repeating.get(panel.id) ?? 0
+  repeating.set(panel.id, iteration)
   made.at.set(panel.id, iteration)
   reload(panel, iteration)
 }
@@ -174,10 +198,14 @@ const next: WallsPart['next'] = ({ changes = [], keepTrails: keep = false }, ids
 
 /** Every run begins: what has changed is the map now, unless a session brings changes of its own. */
 const begin: WallsPart['begin'] = () => {
+  repeating.clear()
   madeChanges.value = coming
   ofSession = coming.length
   coming = []
 }
+
+const since: WallsPart['since'] = () =>
+  Math.max(0, ...(madeChanges.value.at(-1)?.at.values() ?? []))
 
 /** What a session of the runs as they stand has of it. A panel that has not answered will have the change later than it stands now. */
 const inSession: WallsPart['inSession'] = () => {

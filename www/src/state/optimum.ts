@@ -5,6 +5,7 @@ import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { question } from '../model/goals'
 import type { Scenario } from '../model/session'
+import { shownOf } from './looking'
 import { held } from './memory'
 import { walls } from './runs'
 import {
@@ -39,9 +40,9 @@ export const objectives = computed((): Objective[] => {
 })
 
 /** The reference of a panel's result; null while it is being computed, or the panel's objective is not known yet. */
-export function referenceOf({ live }: Panel): Reference | null {
-  const { objective, summary } = live.value
-  // The panel's run may still be on the map before a change.
+export function referenceOf(panel: Panel): Reference | null {
+  const { objective, summary } = shownOf(panel)
+  // What is shown may be of the map before a change.
   if (!objective || (summary?.changes ?? 0) !== (walls.made?.() ?? 0)) return null
   const reference = references.value[objective] ?? null
   return reference?.kind === 'unknown' ? (bestOfPanels(objective) ?? reference) : reference

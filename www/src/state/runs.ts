@@ -35,6 +35,8 @@ export interface WallsPart {
   inSession(): Pick<Session, 'changes' | 'keepTrails'>
   /** Changes of the runs on show: the map of the page has had all of them. */
   made(): number
+  /** The iteration at whose end the last one was made in every panel; 0 where there was none. */
+  since(): number
 }
 
 /** Empty until it has been fetched. */
@@ -105,7 +107,7 @@ export function runOn(through: boolean): void {
 /** The picture of a map that is being drawn: runs rest, and all else on the page still tells of the map before. */
 export function showDrawn(map: Scenario): void {
   conductor.pause()
-  loadAll(map)
+  loadAll(map, bareSetup)
 }
 
 /** Every run back to its beginning, on the same map with the same seed. */
@@ -119,13 +121,13 @@ export function reset(): void {
   batch(() => {
     phase.value = 'editing'
     for (const { id } of panels.peek()) clearLive(id)
-    if (now) loadAll(now)
+    if (now) loadAll(now, runSetup)
     liveTick.value = liveTick.peek() + 1
   })
 }
 
-function loadAll(map: Scenario): void {
-  for (const panel of panels.peek()) conductor.load(panel.id, ++lastRunId, runSetup(panel, map))
+function loadAll(map: Scenario, setupOf: typeof runSetup): void {
+  for (const panel of panels.peek()) conductor.load(panel.id, ++lastRunId, setupOf(panel, map))
 }
 
 /** After a change that makes the runs obsolete: begin again, and go on playing if they played. */
@@ -136,10 +138,14 @@ export function restart(): void {
 }
 
 export function runSetup(panel: Panel, on: Scenario): RunSetup {
-  const { planner, params } = panel.setup
-  const { spec, cells, heights } = on
-  const bare = { spec, cells, heights, planner, params, seed: seed.peek() }
+  const bare = bareSetup(panel, on)
   return walls.setup?.(panel, bare) ?? bare
+}
+
+/** A run on this very map, whatever has changed in the runs on show. */
+function bareSetup({ setup: { planner, params } }: Panel, on: Scenario): RunSetup {
+  const { spec, cells, heights } = on
+  return { spec, cells, heights, planner, params, seed: seed.peek() }
 }
 
 /** Repeats a panel's run up to an iteration, with the changes of its walls. */

@@ -230,6 +230,8 @@ function travel(step: 'undo' | 'redo', back: 'undo' | 'redo'): void {
     return
   }
   target.swap?.()
+  // Undone in mid-press: what was drawn before is left out.
+  drawn = null
   suitSpeed(next)
   if (taken === 'taken' || asksSame(now, next)) rename(next)
   else replace(next)

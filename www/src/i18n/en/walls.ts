@@ -8,6 +8,7 @@ export const enWalls = {
   anewNote: 'Every planner begins anew on the new map.',
   changed: 'Walls change at the end of the iteration; trails stay.',
   beginAnew: 'Begins anew on the new map: {{planners}}',
+  most: 'Walls can change {{most}} times in a run: the map was left as it was.',
   ahead: 'Changes of this session’s walls are still ahead: the map was left as it was.',
   aheadHint: 'Let it run until they have been made, or begin anew on the map as it ends.',
   replayed_one: 'Walls of this session change once as it runs.',

@@ -10,6 +10,7 @@ export const zhCNWalls: DictionaryShape<typeof enWalls> = {
   anewNote: '所有规划器都在新地图上重新开始。',
   changed: '墙体在本次迭代结束时改动，信息素保留。',
   beginAnew: '在新地图上重新开始：{{planners}}',
+  most: '一次运行中墙体最多改变 {{most}} 次：地图保持原样。',
   ahead: '此会话中还有尚未发生的墙体改动，地图保持原样。',
   aheadHint: '请运行到改动全部完成，或在最终的地图上重新开始。',
   replayed_other: '此会话运行时墙体会改动 {{count}} 次。',
