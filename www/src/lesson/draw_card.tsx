@@ -5,8 +5,7 @@ import { numbers } from '../i18n'
 import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/lesson'
 import { LONGEST_LABEL } from '../model/lesson'
-import type { CanvasSize } from '../stage/panel_view'
-import { lesson, objectives, references, scenario } from '../state'
+import { lesson, objectives, references } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { gapOf } from '../words/gap_words'
 import { Card } from './card'
@@ -24,21 +23,19 @@ import {
 } from './drawing'
 import { handValue, measured } from './hand_panel'
 
-export function DrawCard({ size }: { size: CanvasSize }) {
+export function DrawCard() {
   const drawn = lesson.value?.drawn
-  const cell = drawn?.path.at(-1) ?? scenario.value?.spec.start ?? [0, 0]
   return (
     <Card
       title={t('lesson.draw.title')}
-      cell={cell}
-      size={size}
+      line={refusal.value || standingWords() || t('lesson.draw.how')}
       panelId={drawingOn.value ?? 0}
       testId="draw-card"
       onClose={stopDrawing}
       onKey={drawKey}
     >
-      <p class="hint">{t('lesson.draw.how')}</p>
-      {drawn && <Label label={drawn.label} />}
+      <Actions />
+      <Label label={drawn?.label ?? null} />
       <p role="status" data-testid="draw-standing">
         {standingWords()}
       </p>
@@ -47,43 +44,50 @@ export function DrawCard({ size }: { size: CanvasSize }) {
           {refusal.value}
         </p>
       )}
-      <div class="card-actions">
-        <IconButton
-          icon={Undo2}
-          label={t('lesson.draw.undo')}
-          keys="Ctrl+Z"
-          testId="draw-undo"
-          disabled={!canTakeBack.value}
-          onClick={takeBack}
-        />
-        <IconButton
-          icon={Redo2}
-          label={t('lesson.draw.redo')}
-          keys="Ctrl+Shift+Z"
-          testId="draw-redo"
-          disabled={!canRedo.value}
-          onClick={redoPiece}
-        />
-        <IconButton
-          icon={Eraser}
-          label={t('lesson.draw.clear')}
-          testId="draw-clear"
-          disabled={!drawn}
-          onClick={clearDrawn}
-        />
-        <span class="spacer" />
-        <Button
-          label={t('lesson.draw.done')}
-          tone="primary"
-          testId="draw-done"
-          onClick={stopDrawing}
-        />
-      </div>
+      <p class="hint">{t('lesson.draw.how')}</p>
     </Card>
   )
 }
 
-function Label({ label }: { label: string }) {
+function Actions() {
+  return (
+    <div class="card-actions">
+      <IconButton
+        icon={Undo2}
+        label={t('lesson.draw.undo')}
+        keys="Ctrl+Z"
+        testId="draw-undo"
+        disabled={!canTakeBack.value}
+        onClick={takeBack}
+      />
+      <IconButton
+        icon={Redo2}
+        label={t('lesson.draw.redo')}
+        keys="Ctrl+Shift+Z"
+        testId="draw-redo"
+        disabled={!canRedo.value}
+        onClick={redoPiece}
+      />
+      <IconButton
+        icon={Eraser}
+        label={t('lesson.draw.clear')}
+        testId="draw-clear"
+        disabled={!lesson.value?.drawn}
+        onClick={clearDrawn}
+      />
+      <span class="spacer" />
+      <Button
+        label={t('lesson.draw.done')}
+        tone="primary"
+        testId="draw-done"
+        onClick={stopDrawing}
+      />
+    </div>
+  )
+}
+
+/** Null while there is no path to be called anything. */
+function Label({ label }: { label: string | null }) {
   const id = useId()
   return (
     <span class="field">
@@ -94,7 +98,8 @@ function Label({ label }: { label: string }) {
         id={id}
         class="input"
         maxLength={LONGEST_LABEL}
-        value={label}
+        value={label ?? t('lesson.draw.byHand')}
+        disabled={label === null}
         data-testid="draw-label"
         onChange={(event) => rename(event.currentTarget.value.trim() || t('lesson.draw.byHand'))}
       />

@@ -15,6 +15,8 @@ export const enLesson = {
     needsPanel: 'Add a planner first',
   },
   close: 'Close',
+  fold: 'Fold to one line',
+  unfold: 'Unfold',
   stops: {
     title: 'Stop when',
     some_one: 'Stops when: {{count}} stop',

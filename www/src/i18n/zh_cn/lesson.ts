@@ -17,6 +17,8 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     needsPanel: '请先添加规划器',
   },
   close: '关闭',
+  fold: '收成一行',
+  unfold: '展开',
   stops: {
     title: '何时停下',
     some_other: '何时停下：已设 {{count}} 项',
