@@ -1,12 +1,13 @@
 /** Beside the map while a path is drawn: what it is worth so far, and what is missing. */
-import { Eraser, Redo2, Undo2 } from 'lucide'
-import { useId } from 'preact/hooks'
+import { Eraser } from 'lucide'
+import { useEffect, useId } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/lesson'
 import { LONGEST_LABEL } from '../model/lesson'
-import { lesson, objectives, references } from '../state'
+import { handUndoing, lesson, objectives, references, type Undoing } from '../state'
 import { Button, IconButton } from '../ui/buttons'
+import { UndoButtons } from '../ui/undo_buttons'
 import { gapOf } from '../words/gap_words'
 import { Card } from './card'
 import { drawKey } from './draw_input'
@@ -23,8 +24,22 @@ import {
 } from './drawing'
 import { handValue, measured } from './hand_panel'
 
+const UNDOING: Undoing = {
+  canUndo: canTakeBack,
+  canRedo,
+  undo: takeBack,
+  redo: redoPiece,
+  words: () => ({ undo: t('lesson.draw.undo'), redo: t('lesson.draw.redo') }),
+}
+
 export function DrawCard() {
   const drawn = lesson.value?.drawn
+  useEffect(() => {
+    handUndoing.value = UNDOING
+    return () => {
+      handUndoing.value = null
+    }
+  }, [])
   return (
     <Card
       title={t('lesson.draw.title')}
@@ -44,7 +59,9 @@ export function DrawCard() {
           {refusal.value}
         </p>
       )}
-      <p class="hint">{t('lesson.draw.how')}</p>
+      <p class="hint">
+        {t('lesson.draw.how')} {t('lesson.draw.undoing')}
+      </p>
     </Card>
   )
 }
@@ -52,22 +69,7 @@ export function DrawCard() {
 function Actions() {
   return (
     <div class="card-actions">
-      <IconButton
-        icon={Undo2}
-        label={t('lesson.draw.undo')}
-        keys="Ctrl+Z"
-        testId="draw-undo"
-        disabled={!canTakeBack.value}
-        onClick={takeBack}
-      />
-      <IconButton
-        icon={Redo2}
-        label={t('lesson.draw.redo')}
-        keys="Ctrl+Shift+Z"
-        testId="draw-redo"
-        disabled={!canRedo.value}
-        onClick={redoPiece}
-      />
+      <UndoButtons of={UNDOING} testId="draw-" />
       <IconButton
         icon={Eraser}
         label={t('lesson.draw.clear')}
