@@ -3,13 +3,13 @@
  * the focus back to the map. Its height does not depend on what it says: nothing moves while it changes.
  */
 import { signal } from '@preact/signals'
-import { ChevronDown, ChevronUp, X } from 'lucide'
+import { ChevronDown, ChevronUp } from 'lucide'
 import type { ComponentChildren } from 'preact'
 import { useEffect, useLayoutEffect } from 'preact/hooks'
 import { t } from '../i18n/lesson'
 import { lessonMode, panelColour } from '../state'
 import { openDialog } from '../state/dialogs'
-import { IconButton } from '../ui/buttons'
+import { CloseButton, IconButton } from '../ui/buttons'
 
 interface CardProps {
   title: string
@@ -70,12 +70,9 @@ export function Card({ title, line, panelId, testId, onClose, onKey, children }:
             folded.value = !isFolded
           }}
         />
-        <IconButton
-          icon={X}
+        <CloseButton
           label={t('lesson.close')}
           keys="Esc"
-          tone="quiet"
-          size={16}
           testId={`${testId}-close`}
           onClick={close}
         />

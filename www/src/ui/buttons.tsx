@@ -1,4 +1,4 @@
-import type { IconNode } from 'lucide'
+import { type IconNode, X } from 'lucide'
 import { Icon } from './icon'
 
 interface IconButtonProps {
@@ -38,6 +38,11 @@ export function IconButton(props: IconButtonProps) {
     </button>
   )
 }
+
+/** In the corner of what it closes or takes away. */
+export const CloseButton = (
+  props: Pick<IconButtonProps, 'label' | 'keys' | 'testId' | 'onClick'>,
+) => <IconButton icon={X} tone="quiet" size={16} {...props} />
 
 interface ButtonProps {
   label: string
