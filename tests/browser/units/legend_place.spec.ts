@@ -64,3 +64,18 @@ test('it stays where it is while nothing better is far better', () => {
   expect(placed(AWAY, corner(27, 18, 11, 2), before)?.side).toBe('right-bottom')
   expect(placed([[0, 0], ...AWAY], [], before)?.side).toBe('right-bottom')
 })
+
+test('on a narrow stage it is no wider than that', () => {
+  const { scenario } = sessionOf(WIDTH, HEIGHT, new Uint8Array(WIDTH * HEIGHT))
+  const on = (width: number) =>
+    legendPlace(
+      { width, height: 300 },
+      { left: 10, top: 80, cell: 6 },
+      { ...scenario, spec: { ...scenario.spec, start: [20, 10] } },
+      SIZES,
+      null,
+    )
+  expect(on(262)).toEqual({ shape: 'full', side: 'right-bottom' })
+  expect(on(190)?.shape).toBe('bar')
+  expect(on(140)).toBeNull()
+})

@@ -59,9 +59,8 @@ export function DrawCard() {
           {refusal.value}
         </p>
       )}
-      <p class="hint">
-        {t('lesson.draw.how')} {t('lesson.draw.undoing')}
-      </p>
+      <p class="hint">{t('lesson.draw.how')}</p>
+      <p class="hint">{t('lesson.draw.undoing')}</p>
     </Card>
   )
 }

@@ -48,7 +48,9 @@ export function legendPlace(
   const covers = ({ shape, side }: LegendPlace) =>
     coveredBy(boxAt(side, sizes[shape], stage), map, now)
   const places = (shapes: LegendShape[]) =>
-    shapes.flatMap((shape) => SIDES.map((side) => ({ shape, side })))
+    shapes
+      .filter((shape) => sizes[shape].width + 2 * EDGE <= stage.width)
+      .flatMap((shape) => SIDES.map((side) => ({ shape, side })))
   const clear = places(['full', 'line', 'bar']).find((place) => covers(place) === 0)
   if (clear) return clear
   const shape = 2 * sizes.line.width <= stage.width ? 'line' : 'bar'

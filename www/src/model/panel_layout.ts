@@ -17,7 +17,7 @@ export interface PanelLayout {
 /** A smaller map would be of no use. */
 const LEAST: Size = { width: 250, height: 130 }
 /** Where single cells are pressed: rather scrolled than too small for a finger. */
-const LEAST_PRESSED: Size = { width: 250, height: 200 }
+const LEAST_PRESSED: Size = { width: 300, height: 200 }
 /** Panels that are scrolled are at least so wide. */
 const SCROLLED_WIDTH = 320
 const LEAST_SCROLLED = 160
