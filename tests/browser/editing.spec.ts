@@ -181,6 +181,38 @@ test.describe('editing with the mouse', () => {
   })
 })
 
+test('a size counts as it is typed: with one press on Apply, and with Enter', async ({ page }) => {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  const size = async () => {
+    const { spec } = (await race.session()).scenario
+    return [spec.width, spec.height]
+  }
+  await race.menu('map-menu', 'open-resize')
+  const [width, apply] = [page.getByTestId('resize-width'), page.getByTestId('resize')]
+  const type = async (text: string) => {
+    await width.click()
+    await page.keyboard.press('Control+a')
+    await page.keyboard.type(text)
+  }
+  await type('1')
+  await expect(apply).toBeDisabled()
+  await page.keyboard.press('Enter')
+  await expect(page.getByTestId('resize-dialog')).toBeVisible()
+  await type('24')
+  await expect(apply).toBeEnabled()
+  // Where the finger comes down is where it goes up: nothing has moved between.
+  const box = await apply.boundingBox()
+  await page.mouse.click((box?.x ?? 0) + 10, (box?.y ?? 0) + 10)
+  await expect(page.locator('dialog')).toHaveCount(0)
+  expect(await size()).toEqual([24, 22])
+  await race.menu('map-menu', 'open-resize')
+  await type('30')
+  await page.keyboard.press('Enter')
+  await expect(page.locator('dialog')).toHaveCount(0)
+  expect(await size()).toEqual([30, 22])
+})
+
 test.describe('editing with keys', () => {
   test('the cell cursor moves, draws, places, and says what is there', async ({ page }) => {
     const race = new RacePage(page)

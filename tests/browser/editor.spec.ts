@@ -355,6 +355,22 @@ test.describe('with fingers', () => {
     await swipe([12, 10], [12, 10])
     expect(await walls(race)).toEqual(listed(block(10, 8, 6, 5)))
 
+    // Without a Shift key lines are kept straight by a switch beside the tool, which takes up the line.
+    await page.getByTestId('tool-wall').tap()
+    await page.getByTestId('shape-straight').tap()
+    await swipe([20, 4], [26, 5])
+    await swipe([20, 6], [24, 9])
+    const slanted: Cell[] = [0, 1, 2, 3, 4].map((i) => [20 + i, 6 + i])
+    const straight = [...block(20, 4, 7, 1), ...slanted]
+    expect(await walls(race)).toEqual(listed([...block(10, 8, 6, 5), ...straight]))
+    for (let i = 0; i < 2; i++) await page.getByTestId('undo').tap()
+    await page.getByTestId('tool-wall').tap()
+    await expect(page.getByTestId('shape-straight')).toHaveAttribute('aria-checked', 'true')
+    await page.getByTestId('shape-straight').tap()
+    await swipe([20, 4], [26, 6])
+    expect(await walls(race)).not.toContainEqual('26,4')
+    await page.getByTestId('undo').tap()
+
     const centre = await race.pointOf([20, 11])
     const apart = (distance: number) => [
       { x: centre.x - distance, y: centre.y },

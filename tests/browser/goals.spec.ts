@@ -300,6 +300,7 @@ test.describe('tours', () => {
     if (!tour) throw new Error('no tour')
     expect([...tour.order].sort()).toEqual([0, 1, 2, 3])
     const names = ['A', 'B', 'C', 'D']
+    await page.getByTestId('all-metrics').click()
     await expect(page.getByTestId('metric-order-1')).toHaveText(
       tour.order.map((goal) => names[goal]).join(' → '),
     )

@@ -56,6 +56,38 @@ test.describe('a comparison that is being put together', () => {
     ])
   })
 
+  test('is there again however soon after a change it is left', async ({ page }) => {
+    const comparison = new ComparisonPage(page)
+    await comparison.open()
+    await comparison.compare('ant-system', 'astar')
+    await expect.poll(() => drafts(page)).toMatchObject([{ seeds: { count: 30 } }])
+    for (const [leave, count] of [
+      ['page', '7'],
+      ['view', '9'],
+    ] as const) {
+      // All in one turn of the page: no timer comes between.
+      await page.evaluate(
+        ([leave, count]) => {
+          const find = <T extends HTMLElement>(id: string) =>
+            document.querySelector<T>(`[data-testid="${id}"]`)
+          const field = find<HTMLInputElement>('seed-count')
+          if (!field) throw new Error('there is no field for seeds')
+          field.value = count
+          for (const kind of ['input', 'change'])
+            field.dispatchEvent(new Event(kind, { bubbles: true }))
+          if (leave === 'view') find('view-race')?.click()
+          location.reload()
+        },
+        [leave, count] as const,
+      )
+      await page.waitForLoadState()
+      if (leave === 'view') await page.getByTestId('view-lab').click()
+      await comparison.ready()
+      await expect(page.getByTestId('seed-count')).toHaveValue(count)
+      await expect(comparison.entries).toHaveCount(2)
+    }
+  })
+
   test('keeps planners that the page does not know until the whole engine is there', async ({
     page,
   }) => {

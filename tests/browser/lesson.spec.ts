@@ -230,7 +230,7 @@ test.describe('a path by hand', () => {
     await expectClean(page, 'the card of a path by hand')
     await expect(page.getByTestId('hand-line').first()).toBeVisible()
     const table = page.locator('table.metrics')
-    await expect(table.locator('thead')).toContainText('Class 5b')
+    await expect(table).toContainText('Class 5b')
     const length = Number(await page.getByTestId('metric-length-3').getAttribute('data-value'))
     expect(length).toBeGreaterThanOrEqual(9)
     await expect(page.getByTestId('metric-gap-3')).toHaveAttribute('data-value', /\d/)
@@ -246,7 +246,7 @@ test.describe('a path by hand', () => {
     const link = await race.shareLink()
     await race.openAtRest(link)
     expect((await lessonOf(race))?.drawn).toEqual({ label: 'Class 5b', path })
-    await expect(table.locator('thead')).toContainText('Class 5b')
+    await expect(table).toContainText('Class 5b')
     await page.reload()
     await race.ready()
     expect((await lessonOf(race))?.drawn).toEqual({ label: 'Class 5b', path })
@@ -276,6 +276,39 @@ test.describe('a path by hand', () => {
     await race.menu('lesson-menu', 'lesson-draw')
     await expect(page.getByTestId('draw-standing')).toContainText('is blocked')
   })
+})
+
+test('while a path is drawn, undo everywhere is the path’s; afterwards it is the map’s', async ({
+  page,
+}) => {
+  const race = await open(page)
+  await race.drag([[2, 2]])
+  expect(await race.isWall([2, 2])).toBe(true)
+  const undo = page.getByTestId('undo')
+  await expect(undo).toHaveAccessibleName('Undo')
+  await race.menu('lesson-menu', 'lesson-draw')
+  await expect(page.getByTestId('draw-card')).toBeVisible()
+  await expect(undo).toHaveAccessibleName('Take the last piece of the path back')
+  // Nothing is drawn yet: the wall is not at stake.
+  await expect(undo).toBeDisabled()
+  await page.locator('body').press('Control+z')
+  const steps = page.getByTestId('draw-standing')
+  for (const to of [3, 5]) {
+    await race.drag([[to, 0]])
+    await expect(steps).toContainText(`${to} steps`)
+  }
+  await undo.click()
+  await expect(steps).toContainText('3 steps')
+  await page.locator('body').press('Control+z')
+  await expect(steps).toBeEmpty()
+  await page.getByTestId('redo').click()
+  await expect(steps).toContainText('3 steps')
+  expect(await race.isWall([2, 2])).toBe(true)
+  await page.getByTestId('draw-done').click()
+  await expect(undo).toHaveAccessibleName('Undo')
+  await undo.click()
+  expect(await race.isWall([2, 2])).toBe(false)
+  expect((await lessonOf(race))?.drawn?.path.length).toBe(4)
 })
 
 test('a target is set in the share dialog, and the page says who has beaten it', async ({

@@ -96,7 +96,8 @@ test.describe('the name of a planner', () => {
     const names = ['Ant System · m 50, β 5, …', 'The exact one', 'Ant System · m 7, β 7, …']
     for (const name of names) {
       await expect(page.locator('.convergence li').filter({ hasText: name })).toBeVisible()
-      await expect(page.getByRole('columnheader', { name }).first()).toBeVisible()
+      const row = page.locator('.comparison').getByRole('rowheader', { name })
+      await expect(row.first()).toBeVisible()
     }
     await page.getByTestId('share').click()
     for (const name of names)

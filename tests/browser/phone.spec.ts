@@ -26,6 +26,27 @@ test('targets are large enough for fingers @phone', async ({ page }) => {
   expect(await smallTargets(page), 'in a dialog').toEqual([])
 })
 
+test('the cards of lessons and their buttons are large enough as well @phone', async ({ page }) => {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await page.evaluate(() => window.formicarium.run({ iterations: 2 }))
+  for (const [item, card] of [
+    ['lesson-follow', 'ant-card'],
+    ['lesson-guess', 'guess-card'],
+    ['lesson-draw', 'draw-card'],
+  ] as const) {
+    await page.getByTestId('lesson-menu').tap()
+    await page.getByTestId(item).tap()
+    await expect(page.getByTestId(card)).toBeVisible()
+    await expect(page.getByTestId(card)).toBeInViewport()
+    expect(await smallTargets(page), card).toEqual([])
+    await page.getByTestId('card-fold').tap()
+    expect(await smallTargets(page), `${card}, folded`).toEqual([])
+    await page.getByTestId('card-fold').tap()
+    await page.getByTestId(`${card}-close`).tap()
+  }
+})
+
 test('the sheet opens over the maps, and goes', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 })
   const race = new RacePage(page)

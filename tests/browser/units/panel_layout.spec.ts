@@ -28,3 +28,12 @@ test('more panels than the room holds are scrolled, each as high as its map want
   // Never higher than the room, or nobody could see it at once.
   expect(layout(4, 378, 500, { width: 10, height: 40 }).rowHeight).toBe(500)
 })
+
+test('maps of which cells are pressed are rather scrolled than small', () => {
+  const pressed = (count: number, width: number, height: number) =>
+    panelLayout(count, { width, height }, { width: 36, height: 22 }, FRAME, true)
+  // Two below each other would have 137 each for their maps.
+  expect(layout(2, 378, 364)).toEqual({ columns: 1, rowHeight: null })
+  expect(pressed(2, 378, 364)).toEqual({ columns: 1, rowHeight: 271 })
+  expect(pressed(4, 1100, 700)).toEqual({ columns: 2, rowHeight: null })
+})

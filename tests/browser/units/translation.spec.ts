@@ -252,6 +252,23 @@ test('what is wrong with a file, and what should stand there, has Chinese', () =
   expect(untold, 'add these to zh_cn/file_faults.ts or file_rules.ts').toEqual([])
 })
 
+test('each flaw of a drawn path has Chinese of its own, with the places that it names', () => {
+  const flaws = readFileSync(join(ROOT, 'src/path.rs'), 'utf8')
+    .split('enum Flaw')[1]
+    ?.split('\n}')[0]
+  const texts = [...(flaws ?? '').matchAll(/#\[error\("([^"]+)"/g)].map(([, text = '']) => text)
+  expect(texts.length).toBeGreaterThan(8)
+  const told = texts.map((text) => inChinese(text.replaceAll(/\{[a-z0-9]*\}/g, '7')))
+  expect(told.filter((text) => /[a-z]/.test(text))).toEqual([])
+  expect(new Set(told).size).toBe(texts.length)
+  expect(inChinese('cell 4 of the path, (2, 9), is blocked')).toContain('(2, 9)')
+  expect(
+    inChinese(
+      'step 3 of the path, from (1, 2) to (5, 6), cuts a corner, is too steep or is no allowed move',
+    ),
+  ).toContain('从 (1, 2) 到 (5, 6)')
+})
+
 test('phrases keep what differs from case to case, the fullest first', () => {
   expect(inChinese('row 3 has 5 numbers where the first row has 4')).toBe(
     '第 3 行有 5 个数，而第一行有 4 个',

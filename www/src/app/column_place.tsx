@@ -1,10 +1,23 @@
-/** Where the column stands: its place is kept free until it has been fetched, so that nothing moves when it comes. */
+/**
+ * What stands beside the maps, or on a compact screen below them: the card of a lesson, and the column, whose place is kept free until
+ * it has been fetched, so that nothing moves when it comes.
+ */
 import { effect, signal } from '@preact/signals'
-import { columnOpen, columnWidth, soughtPart } from '../state'
+import {
+  columnOpen,
+  columnWidth,
+  compact,
+  focused,
+  inRelief,
+  lessonMode,
+  soughtPart,
+} from '../state'
+import { lazyParts } from '../state/lazy_parts'
 import { lazily } from '../ui/lazily'
 import { whenAntsWalk } from './when_ants_walk'
 
 const Column = lazily(async () => (await import('../column/column')).Column)
+const LessonCard = lazily(() => lazyParts.lesson('cards'))
 
 /** Ants come first, unless somebody seeks something in it. */
 const wanted = signal(false)
@@ -17,11 +30,18 @@ effect(() => {
 })
 
 export function ColumnPlace() {
-  if (!columnOpen.value) return null
+  const open = columnOpen.value
+  const card = lessonMode.value !== null && !inRelief.value
+  if (!open && !card) return null
   const width = columnWidth.value
   return (
-    <div class="column" style={{ '--chosen': width === null ? null : `${width}px` }}>
-      {wanted.value && <Column />}
+    <div
+      class="side"
+      data-alone={!open || compact.value || focused.value !== null}
+      style={{ '--chosen': width === null ? null : `${width}px` }}
+    >
+      {card && <LessonCard />}
+      {open && <div class="column">{wanted.value && <Column />}</div>}
     </div>
   )
 }

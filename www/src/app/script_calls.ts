@@ -4,6 +4,7 @@ import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import { badOption, optionsOf, ScriptError, typed, wholeNumber } from '../model/script_error'
 import {
   latest,
+  lesson,
   loadSession,
   type Panel,
   panels,
@@ -14,6 +15,7 @@ import {
   setScenario,
   showView,
   stepIteration,
+  stopsMet,
 } from '../state'
 import { lazyParts } from '../state/lazy_parts'
 import { awaited } from '../state/looking'
@@ -78,7 +80,12 @@ async function join(
 
 export const run = (given?: RunOptions): Promise<void> =>
   typed(async () => {
-    const { iterations } = optionsOf(given, ['iterations'], 'run')
+    const { iterations, stops = 'hold' } = optionsOf(given, ['iterations', 'stops'], 'run')
+    if (stops !== 'hold' && stops !== 'ignore') throw badOption('stops', 'must be hold or ignore')
+    if (stops === 'ignore' && iterations !== undefined) {
+      const hint = 'Only runs to the end pass stops over; leave one of the two out.'
+      throw new ScriptError('options-exclude', 'stops', 'iterations are counted to a stop', hint)
+    }
     const count =
       iterations === undefined ? null : wholeNumber(iterations, 'iterations', 0, MOST_ITERATIONS)
     if (panels.peek().length === 0) {
@@ -91,8 +98,8 @@ export const run = (given?: RunOptions): Promise<void> =>
     }
     // A script says itself where to stop.
     awaited.value = null
-    if (count === null) await finishAll()
-    else for (let i = 0; i < count; i++) await oneIteration()
+    if (count === null) await finishAll(stops === 'ignore')
+    else for (let i = 0; i < count && !(i > 0 && hasMet()); i++) await oneIteration()
   })
 
 export const look = (iteration: unknown): Promise<void> =>
@@ -122,11 +129,14 @@ export const resultFile = (kind: ResultFile): Promise<string> =>
     return lab.resultFile(kind)
   })
 
-async function finishAll(): Promise<void> {
+/** Whether a stop holds the runs. */
+const hasMet = () => stopsMet.peek().length > 0
+
+async function finishAll(through: boolean): Promise<void> {
   await until(() => panels.peek().every(settled))
-  runOn(true)
+  runOn(through)
   await until(() => phase.peek() !== 'running' || panels.peek().every(ended))
-  if (panels.peek().every(ended)) return
+  if (panels.peek().every(ended) || hasMet()) return
   const hint = 'Call run again to go on.'
   throw new ScriptError('run-ended', '', 'the runs were paused or reset before their end', hint)
 }
@@ -138,6 +148,8 @@ async function oneIteration(): Promise<void> {
   await until(() =>
     panels.peek().every((panel, i) => ended(panel) || iterationOf(panel) > (before[i] ?? 0)),
   )
+  // What was met is said with the frame after the last answer.
+  if (lesson.peek()?.stops) await new Promise(requestAnimationFrame)
 }
 
 const iterationOf = (panel: Panel) => latest(panel.id).summary?.iteration ?? 0

@@ -2,13 +2,14 @@
  * `window.formicarium`: what lessons, tests and the console may ask of the page. docs/scripting.md describes it.
  *
  *     await formicarium.load(link)             // a share link, the text of any file we read, a session, a File, Files
- *     await formicarium.run()                  // to the end of every panel; or { iterations: 20 }
+ *     await formicarium.run()                  // to the end of every panel, or a stop; or { iterations: 20, stops: 'ignore' }
  *     formicarium.results()                    // one entry a panel
  *     await formicarium.look(12)               // all panels as they stood after iteration 12; null for now
  *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
 import type { ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
+import type { Stop } from '../model/lesson'
 import type { Session } from '../model/session'
 import { placeOf } from '../model/world'
 import {
@@ -20,6 +21,7 @@ import {
   panels,
   pause,
   scenario,
+  stopsMet,
 } from '../state'
 import { latest } from '../state/live_reports'
 import type { LoadOptions, Source } from '../state/script_files'
@@ -37,11 +39,15 @@ export interface PanelResult {
   /** One row an iteration: iteration, best so far, iteration best, mean, worst, arrived. */
   history: number[][]
   verified: PanelLive['verified']
+  /** The stops that it has met where the runs stand now, e.g. `[{ when: 'first-path' }]`; empty while they stand for another reason. */
+  stops: Stop[]
 }
 
 export interface RunOptions {
   /** So many of each panel; to its end, if nothing is said. */
   iterations?: number
+  /** `hold`, if nothing is said: the runs go no further than to the first stop of the session. `ignore`: as if there were none. */
+  stops?: 'hold' | 'ignore'
 }
 
 /** What `load` has opened. */
@@ -58,7 +64,7 @@ export interface Scripting {
   readonly version: string
   /** Opens a link, the text of any file that can be read, a session, a file, or files that belong together. */
   load(source: Source, options?: LoadOptions): Promise<Opened>
-  /** Runs every panel to its end, or for a number of iterations, and gives the results. */
+  /** Runs every panel to its end, for a number of iterations, or to a stop, and gives the results. */
   run(options?: RunOptions): Promise<PanelResult[]>
   pause(): void
   /** Looks back at an iteration in every panel; null returns to the present. Meanwhile `results` tells of that iteration. */
@@ -117,6 +123,7 @@ function results(): PanelResult[] {
       altitudes: live.bestAltitudes?.length ? [...live.bestAltitudes] : null,
       history: rows(panel),
       verified,
+      stops: stopsMet.peek().flatMap((met) => (met.panelId === panel.id ? [met.stop] : [])),
     }
   })
 }

@@ -25,10 +25,25 @@ export function chartLook(host: HTMLElement): ChartLook {
       labelSize: 16,
       labelGap: 0,
     },
-    frame: {
-      width: Math.max(1, host.clientWidth),
-      height: Math.max(1, host.clientHeight),
-      legend: { show: false },
-    },
+    frame: { ...sizeOf(host), legend: { show: false } },
   }
 }
+
+/** Keeps a plot, whichever there is now, as large as its host, until it is stopped. `resized`: what else follows. */
+export function keepFitting(
+  host: HTMLElement,
+  plot: () => uPlot | null,
+  resized: () => void,
+): () => void {
+  const observer = new ResizeObserver(() => {
+    plot()?.setSize(sizeOf(host))
+    resized()
+  })
+  observer.observe(host)
+  return () => observer.disconnect()
+}
+
+const sizeOf = ({ clientWidth, clientHeight }: HTMLElement) => ({
+  width: Math.max(1, clientWidth),
+  height: Math.max(1, clientHeight),
+})

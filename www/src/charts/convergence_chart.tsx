@@ -10,6 +10,7 @@ import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
 import { ChartCursor } from './chart_cursor'
 import { ChartFrame } from './chart_frame'
+import { keepFitting } from './chart_style'
 import { curvesOf, type Reached, reachedAt } from './convergence_data'
 import { makePlot, type PlotStyle, plotData } from './convergence_plot'
 import { CurveToggles } from './curve_toggles'
@@ -136,17 +137,17 @@ function keepDrawn(host: HTMLElement): () => void {
     lookedAt.value
     plot?.redraw(false)
   })
-  const resized = new ResizeObserver(() => {
-    plot?.setSize({ width: Math.max(1, host.clientWidth), height: Math.max(1, host.clientHeight) })
-    cursor.refresh()
-  })
-  resized.observe(host)
+  const stopFitting = keepFitting(
+    host,
+    () => plot,
+    () => cursor.refresh(),
+  )
   return () => {
     clearTimeout(timer)
     stopRemaking()
     stopRefilling()
     stopMarking()
-    resized.disconnect()
+    stopFitting()
     plot?.destroy()
   }
 }

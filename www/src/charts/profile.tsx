@@ -18,6 +18,7 @@ import {
 import { panelTitle } from '../words/planner_words'
 import { ChartCursor } from './chart_cursor'
 import { ChartFrame } from './chart_frame'
+import { keepFitting } from './chart_style'
 import { PanelKeys } from './panel_keys'
 import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 import { makeProfilePlot } from './profile_plot'
@@ -187,16 +188,16 @@ function keepDrawn(host: HTMLElement): () => void {
     if (timer === 0) timer = window.setTimeout(remake, REDRAW_MS)
   })
   const stopMarking = effect(() => mark(cursor.at.value))
-  const resized = new ResizeObserver(() => {
-    plot?.setSize({ width: Math.max(1, host.clientWidth), height: Math.max(1, host.clientHeight) })
-    cursor.refresh()
-  })
-  resized.observe(host)
+  const stopFitting = keepFitting(
+    host,
+    () => plot,
+    () => cursor.refresh(),
+  )
   return () => {
     clearTimeout(timer)
     stop()
     stopMarking()
-    resized.disconnect()
+    stopFitting()
     plot?.destroy()
     mark(null)
   }

@@ -1,4 +1,5 @@
 /** The cells of a map in the colours of the stage, with its start and goals: those lie over it, so that no edge cuts them. */
+import '../styles/map_ends.css'
 import { useEffect, useRef } from 'preact/hooks'
 import type { Cell } from '../model/cell'
 import { type MapToShow, mapPixels } from '../model/map_pixels'
@@ -36,8 +37,8 @@ export function MapPicture({ map, label, ends = false }: PictureProps) {
         role={label ? 'img' : 'presentation'}
         aria-label={label}
       />
-      {ends && goals.map(({ at }) => <i key={at.join()} class="end goal" style={place(at)} />)}
-      {ends && <i class="end start" style={place(start)} />}
+      {ends && goals.map(({ at }) => <i key={at.join()} class="map-end goal" style={place(at)} />)}
+      {ends && <i class="map-end start" style={place(start)} />}
     </>
   )
 }

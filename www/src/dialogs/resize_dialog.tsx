@@ -39,6 +39,8 @@ export function ResizeDialog() {
       title={t(terrain ? 'maps.titles.shapeTerrain' : 'maps.titles.shape')}
       onClose={closeDialog}
       testId="resize-dialog"
+      onEnter={apply}
+      live
       actions={
         <Button
           label={t('common.apply')}
@@ -59,6 +61,7 @@ export function ResizeDialog() {
             max={limits.max_side}
             step={1}
             invalid={!sizeFits}
+            live
             testId={`resize-${side}`}
             onChange={(value) => set({ [side]: value })}
           />
@@ -120,6 +123,7 @@ function Scale({ rules, onChange }: { rules: Rules; onChange: (change: Partial<R
         min={0}
         max={1e6}
         invalid={!(resolution > 0)}
+        live
         testId="resolution"
         onChange={(value) => onChange({ resolution: value })}
       />
@@ -129,6 +133,7 @@ function Scale({ rules, onChange }: { rules: Rules; onChange: (change: Partial<R
         min={0}
         max={1e6}
         invalid={!(terrain.vertical_unit > 0)}
+        live
         testId="vertical-unit"
         onChange={(vertical_unit) => onChange({ terrain: { ...terrain, vertical_unit } })}
       />

@@ -63,6 +63,7 @@ export function SurfaceFields({ terrain, onChange }: FieldsProps) {
         min={0}
         max={90}
         invalid={!(slope > 0 && slope <= 90)}
+        live
         testId="max-slope"
         onChange={(max_slope) => onChange({ ...terrain, max_slope })}
       />
@@ -97,6 +98,7 @@ export function SliceFields({
         max={max}
         step={1}
         invalid={!isWhole(rules[key], min, max)}
+        live
         testId={`slices-${key}`}
         onChange={(value) => onChange({ ...rules, [key]: value })}
       />
@@ -111,6 +113,7 @@ export function SliceFields({
           min={0}
           max={1e6}
           invalid={!(rules.level > 0)}
+          live
           testId="slices-level"
           onChange={(level) => onChange({ ...rules, level })}
         />

@@ -17,6 +17,9 @@ export const SIZES = [1, 2, 3, 5, 9]
 export const brushSize = signal(1)
 export const lastWallTool = signal<WallTool>('wall')
 
+/** Whether lines go in steps of 45° and rectangles are squares: for fingers and keys what Shift is for the mouse. */
+export const straight = signal(false)
+
 /** The corner that keys have set; the next one ends the shape. */
 export const corner = signal<Cell | null>(null)
 /** What the press under way will draw. */

@@ -26,10 +26,12 @@ import {
   lastWallTool,
   SIZES,
   setBrushSize,
+  straight,
   WALL_TOOLS,
   type WallTool,
 } from './hand'
 import { canPaste, copy, cut, free, paste, selection, turn, unselect } from './selection'
+import { isShape } from './shapes'
 import { ToolList } from './tool_list'
 
 const LINE: IconNode = [['path', { d: 'M5 19 19 5' }]]
@@ -37,6 +39,7 @@ const RECTANGLE: IconNode = [['rect', { x: 4, y: 5, width: 16, height: 14, rx: 1
 const BLOCK: IconNode = [
   ['rect', { x: 4, y: 5, width: 16, height: 14, rx: 1, fill: 'currentColor' }],
 ]
+const ANGLE: IconNode = [['path', { d: 'M4 19h16M4 19 17 6' }]]
 const ICONS: Record<WallTool, IconNode> = {
   wall: BrickWall,
   line: LINE,
@@ -105,8 +108,23 @@ function ShapeList() {
           }}
         />
       ))}
+      <MenuItem
+        toggle
+        icon={ANGLE}
+        label={t('editor.straight')}
+        note={t('editor.straightNote')}
+        checked={straight.value}
+        testId="shape-straight"
+        onClick={toggleStraight}
+      />
     </ToolList>
   )
+}
+
+/** Whoever wants straight lines wants to draw one. */
+function toggleStraight(): void {
+  straight.value = !straight.peek()
+  if (straight.peek() && !isShape(lastWallTool.peek())) tool.value = 'line'
 }
 
 function SizeMenu() {

@@ -15,14 +15,15 @@ import {
   squared,
   straightened,
 } from '../model/spans'
-import type { HeldKeys, Press, Stroke } from '../model/stroke'
+import type { Press, Stroke } from '../model/stroke'
 import { newGesture } from '../stage/brush'
 import { announce, applyEdit, scenario, type Tool, tool } from '../state'
-import { brushSize, corner, sketch } from './hand'
+import { brushSize, corner, sketch, straight } from './hand'
 
 export type Shape = 'line' | 'rectangle' | 'block'
 
-const isShape = (id: Tool): id is Shape => id === 'line' || id === 'rectangle' || id === 'block'
+export const isShape = (id: Tool): id is Shape =>
+  id === 'line' || id === 'rectangle' || id === 'block'
 /** A brush of one cell is the page's own. */
 const isWideBrush = (id: Tool) => (id === 'wall' || id === 'erase') && brushSize.value > 1
 
@@ -53,8 +54,11 @@ function brushStroke(from: Cell, blocked: boolean, { spec }: Scenario): Stroke {
 
 function shapeStroke(shape: Shape, from: Cell, blocked: boolean, { spec }: Scenario): Stroke {
   return {
-    go(cell, keys) {
-      sketch.value = { spans: spansOf(shape, from, guided(shape, from, cell, keys), spec), blocked }
+    go(cell, { shiftKey }) {
+      sketch.value = {
+        spans: spansOf(shape, from, guided(shape, from, cell, shiftKey), spec),
+        blocked,
+      }
     },
     end() {
       if (sketch.peek()) put(sketch.peek()?.spans ?? [], blocked, spec)
@@ -73,8 +77,9 @@ function fillStroke(at: Cell, blocked: boolean, now: Scenario): Stroke {
   }
 }
 
-function guided(shape: Shape, from: Cell, to: Cell, { shiftKey }: HeldKeys): Cell {
-  if (!shiftKey) return to
+/** Shift is the other way round for as long as it is held. */
+function guided(shape: Shape, from: Cell, to: Cell, shiftKey = false): Cell {
+  if (shiftKey === straight.value) return to
   return shape === 'line' ? straightened(from, to) : squared(from, to)
 }
 
@@ -100,7 +105,7 @@ export function wouldDraw(at: Cell): { spans: Span[]; blocked: boolean } | null 
   const from = corner.value ?? at
   const blocked = builds(id, from, now)
   if (isWideBrush(id)) return { spans: squareAbout(at, brushSize.value, now.spec), blocked }
-  if (isShape(id)) return { spans: spansOf(id, from, at, now.spec), blocked }
+  if (isShape(id)) return { spans: spansOf(id, from, guided(id, from, at), now.spec), blocked }
   if (id === 'fill') return { spans: floodSpans(now, at), blocked }
   return null
 }

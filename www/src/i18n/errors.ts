@@ -55,7 +55,7 @@ function groundOf({ args }: Coded): { ground?: string } {
 }
 
 export function describeNotice({ kind, message, args }: Notice): string {
-  return sentence(engineText(`notices.${kind}`, message, args))
+  return sentence(engineText(`notices.${kind}`, message, { message: phrase(message), ...args }))
 }
 
 function isCoded(error: unknown): error is Coded {

@@ -104,7 +104,7 @@ export function translated(english: string): string {
   return Object.hasOwn(texts, english) ? (texts[english] ?? english) : english
 }
 
-/** What a reader of files says in words of its own, where they are known. */
+/** What the engine says in words of its own, where they are known. */
 export const phrase = (english: string) =>
   language.value === 'zh-CN' ? inChinese(english) : english
 

@@ -4,7 +4,6 @@ import { ChevronLeft, ChevronRight, Footprints, Undo2 } from 'lucide'
 import { numbers } from '../i18n'
 import { t } from '../i18n/lesson'
 import { byDirection, MoveTable, percent } from '../playback'
-import type { CanvasSize } from '../stage/panel_view'
 import { latest, lookedAt, panelById, panels, plannerEntry, scenario } from '../state'
 import { Button, IconButton } from '../ui/buttons'
 import { NumberField, Select } from '../ui/fields'
@@ -14,25 +13,32 @@ import { ahead, follow, followed, type Seen, seen, stopFollowing } from './follo
 import { startGuessing } from './guess'
 import { movesOfTurn } from './move_rows'
 
-export function AntCard({ size }: { size: CanvasSize }) {
+export function AntCard() {
   const who = followed.value
   if (!who) return null
-  const known = seen.value?.panelId === who.panelId ? seen.value : null
-  const now = known?.ant === who.ant ? known : null
-  const cell = known?.turn?.way.at(-1) ?? scenario.value?.spec.start ?? [0, 0]
+  const now = seen.value?.panelId === who.panelId && seen.value.ant === who.ant ? seen.value : null
   return (
     <Card
       title={t('lesson.ant.title', { ant: who.ant + 1 })}
-      cell={cell}
-      size={size}
+      line={now ? standingWords(now) : t('lesson.ant.wait')}
       panelId={who.panelId}
       testId="ant-card"
       onClose={stopFollowing}
     >
       <Choice panelId={who.panelId} ant={who.ant} />
+      <Actions panelId={who.panelId} ant={who.ant} now={now} />
       {now ? <Known now={now} /> : <p class="hint">{t('lesson.ant.wait')}</p>}
     </Card>
   )
+}
+
+function standingWords({ at, panelId }: Seen): string {
+  const { whole } = numbers.value
+  return t('lesson.ant.where', {
+    planner: panelTitle(panelId),
+    iteration: whole.format(at.iteration + 1),
+    moves: whole.format(at.moves),
+  })
 }
 
 /** How many ants there are; with several goals on each leg so many. */
@@ -94,7 +100,6 @@ function Choice({ panelId, ant }: { panelId: number; ant: number }) {
 
 function Known({ now }: { now: Seen }) {
   const { turn, at, last, panelId } = now
-  const { whole } = numbers.value
   return (
     <>
       <p
@@ -104,18 +109,16 @@ function Known({ now }: { now: Seen }) {
         data-iteration={at.iteration}
         data-at={turn?.way.at(-1)?.join()}
       >
-        {t('lesson.ant.where', {
-          planner: panelTitle(panelId),
-          iteration: whole.format(at.iteration + 1),
-          moves: whole.format(at.moves),
-        })}
+        {standingWords(now)}
+      </p>
+      <p role="status" data-testid="ant-ahead" data-ahead={now.ahead}>
+        {now.ahead > 0 && <strong>{t('lesson.ant.ahead', { count: now.ahead })}</strong>}
       </p>
       {last && (
         <p data-testid="ant-last" data-to={last.to.join()}>
           {t('lesson.ant.last', { x: last.to[0], y: last.to[1], share: percent(last.probability) })}
         </p>
       )}
-      <Actions now={now} />
       {turn ? <Turn turn={turn} /> : <p data-testid="ant-none">{whyNone(panelId)}</p>}
       <p class="hint">
         {t('lesson.ant.stepHint')}
@@ -165,40 +168,35 @@ function Turn({ turn }: { turn: AntTurn }) {
   )
 }
 
-function Actions({ now }: { now: Seen }) {
-  const { turn, at, panelId, ant } = now
-  const mayStep = turn?.fate === 'walking' && !at.over
+/** Above all that changes: what is pressed again and again stays where it is. */
+function Actions({ panelId, ant, now }: { panelId: number; ant: number; now: Seen | null }) {
+  const turn = now?.turn
   return (
-    <>
-      <div class="card-actions">
-        <Button
-          icon={Footprints}
-          label={t('lesson.ant.step')}
-          testId="ant-step"
-          disabled={!mayStep}
-          onClick={() => ahead.value++}
-        />
-        <Button
-          icon={Undo2}
-          label={t('lesson.ant.back')}
-          tone="quiet"
-          testId="ant-back"
-          disabled={now.ahead === 0}
-          onClick={() => {
-            ahead.value = 0
-          }}
-        />
-        <Button
-          label={t('lesson.ant.guess')}
-          tone="quiet"
-          testId="ant-guess"
-          disabled={!turn}
-          onClick={() => startGuessing(panelId, ant)}
-        />
-      </div>
-      <p role="status" data-testid="ant-ahead" data-ahead={now.ahead}>
-        {now.ahead > 0 && <strong>{t('lesson.ant.ahead', { count: now.ahead })}</strong>}
-      </p>
-    </>
+    <div class="card-actions">
+      <Button
+        icon={Footprints}
+        label={t('lesson.ant.step')}
+        testId="ant-step"
+        disabled={turn?.fate !== 'walking' || now?.at.over}
+        onClick={() => ahead.value++}
+      />
+      <IconButton
+        icon={Undo2}
+        label={t('lesson.ant.back')}
+        tone="quiet"
+        testId="ant-back"
+        disabled={!now?.ahead}
+        onClick={() => {
+          ahead.value = 0
+        }}
+      />
+      <Button
+        label={t('lesson.ant.guess')}
+        tone="quiet"
+        testId="ant-guess"
+        disabled={!turn}
+        onClick={() => startGuessing(panelId, ant)}
+      />
+    </div>
   )
 }

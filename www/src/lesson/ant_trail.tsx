@@ -1,7 +1,9 @@
-/** The followed ant on the map: its way so far, and the moves that it weighs. */
+/** The followed ant on the map: its way so far, and the moves that it weighs. A magnified map goes with it. */
+import { useEffect } from 'preact/hooks'
+import { reveal, viewpoint } from '../model/viewpoint'
 import { MoveArrows } from '../playback'
 import type { CanvasSize } from '../stage/panel_view'
-import { lessonMode } from '../state'
+import { lessonMode, scenario } from '../state'
 import { seen } from './follow'
 import { optionsOf, question } from './guess'
 import { cellSize, lineOn, pointOn } from './map_lines'
@@ -12,6 +14,10 @@ import { revealed } from './questions'
 export function AntTrail({ size }: { size: CanvasSize }) {
   const now = seen.value
   const at = now?.turn?.way.at(-1)
+  useEffect(() => {
+    const spec = scenario.peek()?.spec
+    if (at && spec) viewpoint.value = reveal(viewpoint.peek(), at, size, spec)
+  }, [at?.join()])
   if (!now?.turn || !at) return null
   const { panelId, turn } = now
   const [x, y] = pointOn(size, at)

@@ -1,19 +1,20 @@
-/** A card beside the map, clear of the cell that it is about; Esc closes it and gives the focus back to the map. */
-import { X } from 'lucide'
+/**
+ * A card clear of the maps, about one panel's map, which it brings into sight. It can be folded to one line; Esc closes it and gives
+ * the focus back to the map. Its height does not depend on what it says: nothing moves while it changes.
+ */
+import { signal } from '@preact/signals'
+import { ChevronDown, ChevronUp } from 'lucide'
 import type { ComponentChildren } from 'preact'
-import { useLayoutEffect } from 'preact/hooks'
+import { useEffect, useLayoutEffect } from 'preact/hooks'
 import { t } from '../i18n/lesson'
-import type { Cell } from '../model/cell'
-import type { CanvasSize } from '../stage/panel_view'
+import { lessonMode, panelColour } from '../state'
 import { openDialog } from '../state/dialogs'
-import { IconButton } from '../ui/buttons'
-import { pointOn } from './map_lines'
+import { CloseButton, IconButton } from '../ui/buttons'
 
 interface CardProps {
   title: string
-  /** What it keeps clear of. */
-  cell: Cell
-  size: CanvasSize
+  /** What is said while it is folded. */
+  line: string
   panelId: number
   testId: string
   onClose: () => void
@@ -22,10 +23,13 @@ interface CardProps {
   children: ComponentChildren
 }
 
-export function Card({ title, cell, size, panelId, testId, onClose, onKey, children }: CardProps) {
+/** Whoever wants only the map wants it for the next card as well. */
+const folded = signal(false)
+
+export function Card({ title, line, panelId, testId, onClose, onKey, children }: CardProps) {
   const close = () => {
     onClose()
-    document.querySelector<HTMLElement>(`[data-testid="stage-${panelId}"]`)?.focus()
+    stageOf(panelId)?.focus()
   }
   useLayoutEffect(() => {
     const listener = (event: KeyboardEvent) => {
@@ -38,30 +42,56 @@ export function Card({ title, cell, size, panelId, testId, onClose, onKey, child
     addEventListener('keydown', listener, { capture: true })
     return () => removeEventListener('keydown', listener, { capture: true })
   }, [panelId])
-  const [x, y] = pointOn(size, cell)
+  useEffect(() => keepInSight(panelId), [panelId])
+  const isFolded = folded.value
   return (
     <section
-      class="moves-card lesson-card"
-      data-side={x > size.width / size.dpr / 2 ? 'left' : 'right'}
-      data-end={y > size.height / size.dpr / 2 ? 'top' : 'bottom'}
+      class="lesson-card"
+      style={{ '--panel-colour': panelColour(panelId) }}
+      data-mode={lessonMode.value}
+      data-folded={isFolded}
       aria-label={title}
       data-testid={testId}
     >
       <header>
-        <h3>{title}</h3>
+        <h3>
+          <span class="panel-dot" aria-hidden="true" />
+          {title}
+        </h3>
+        <p class="card-line">{isFolded && line}</p>
         <IconButton
-          icon={X}
-          label={t('lesson.close')}
-          keys="Esc"
+          icon={isFolded ? ChevronUp : ChevronDown}
+          label={t(isFolded ? 'lesson.unfold' : 'lesson.fold')}
           tone="quiet"
           size={16}
+          expanded={!isFolded}
+          testId="card-fold"
+          onClick={() => {
+            folded.value = !isFolded
+          }}
+        />
+        <CloseButton
+          label={t('lesson.close')}
+          keys="Esc"
           testId={`${testId}-close`}
           onClick={close}
         />
       </header>
-      {children}
+      {!isFolded && <div class="card-body">{children}</div>}
     </section>
   )
+}
+
+const stageOf = (panelId: number) =>
+  document.querySelector<HTMLElement>(`[data-testid="stage-${panelId}"]`)
+
+/** Where panels are scrolled, the one that it is about comes into sight, and again when the room for panels has changed. */
+function keepInSight(panelId: number): (() => void) | undefined {
+  const panel = stageOf(panelId)?.closest('.panel')
+  if (!panel) return
+  const observer = new ResizeObserver(() => panel.scrollIntoView({ block: 'nearest' }))
+  observer.observe(panel)
+  return () => observer.disconnect()
 }
 
 /** Menus and open boxes have the keys first; what is typed into a field is the field's, but for Esc. */

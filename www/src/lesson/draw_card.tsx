@@ -1,13 +1,13 @@
 /** Beside the map while a path is drawn: what it is worth so far, and what is missing. */
-import { Eraser, Redo2, Undo2 } from 'lucide'
-import { useId } from 'preact/hooks'
+import { Eraser } from 'lucide'
+import { useEffect, useId } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/lesson'
 import { LONGEST_LABEL } from '../model/lesson'
-import type { CanvasSize } from '../stage/panel_view'
-import { lesson, objectives, references, scenario } from '../state'
+import { handUndoing, lesson, objectives, references, type Undoing } from '../state'
 import { Button, IconButton } from '../ui/buttons'
+import { UndoButtons } from '../ui/undo_buttons'
 import { gapOf } from '../words/gap_words'
 import { Card } from './card'
 import { drawKey } from './draw_input'
@@ -24,21 +24,33 @@ import {
 } from './drawing'
 import { handValue, measured } from './hand_panel'
 
-export function DrawCard({ size }: { size: CanvasSize }) {
+const UNDOING: Undoing = {
+  canUndo: canTakeBack,
+  canRedo,
+  undo: takeBack,
+  redo: redoPiece,
+  words: () => ({ undo: t('lesson.draw.undo'), redo: t('lesson.draw.redo') }),
+}
+
+export function DrawCard() {
   const drawn = lesson.value?.drawn
-  const cell = drawn?.path.at(-1) ?? scenario.value?.spec.start ?? [0, 0]
+  useEffect(() => {
+    handUndoing.value = UNDOING
+    return () => {
+      handUndoing.value = null
+    }
+  }, [])
   return (
     <Card
       title={t('lesson.draw.title')}
-      cell={cell}
-      size={size}
+      line={refusal.value || standingWords() || t('lesson.draw.how')}
       panelId={drawingOn.value ?? 0}
       testId="draw-card"
       onClose={stopDrawing}
       onKey={drawKey}
     >
-      <p class="hint">{t('lesson.draw.how')}</p>
-      {drawn && <Label label={drawn.label} />}
+      <Actions />
+      <Label label={drawn?.label ?? null} />
       <p role="status" data-testid="draw-standing">
         {standingWords()}
       </p>
@@ -47,43 +59,36 @@ export function DrawCard({ size }: { size: CanvasSize }) {
           {refusal.value}
         </p>
       )}
-      <div class="card-actions">
-        <IconButton
-          icon={Undo2}
-          label={t('lesson.draw.undo')}
-          keys="Ctrl+Z"
-          testId="draw-undo"
-          disabled={!canTakeBack.value}
-          onClick={takeBack}
-        />
-        <IconButton
-          icon={Redo2}
-          label={t('lesson.draw.redo')}
-          keys="Ctrl+Shift+Z"
-          testId="draw-redo"
-          disabled={!canRedo.value}
-          onClick={redoPiece}
-        />
-        <IconButton
-          icon={Eraser}
-          label={t('lesson.draw.clear')}
-          testId="draw-clear"
-          disabled={!drawn}
-          onClick={clearDrawn}
-        />
-        <span class="spacer" />
-        <Button
-          label={t('lesson.draw.done')}
-          tone="primary"
-          testId="draw-done"
-          onClick={stopDrawing}
-        />
-      </div>
+      <p class="hint">{t('lesson.draw.how')}</p>
+      <p class="hint">{t('lesson.draw.undoing')}</p>
     </Card>
   )
 }
 
-function Label({ label }: { label: string }) {
+function Actions() {
+  return (
+    <div class="card-actions">
+      <UndoButtons of={UNDOING} testId="draw-" />
+      <IconButton
+        icon={Eraser}
+        label={t('lesson.draw.clear')}
+        testId="draw-clear"
+        disabled={!lesson.value?.drawn}
+        onClick={clearDrawn}
+      />
+      <span class="spacer" />
+      <Button
+        label={t('lesson.draw.done')}
+        tone="primary"
+        testId="draw-done"
+        onClick={stopDrawing}
+      />
+    </div>
+  )
+}
+
+/** Null while there is no path to be called anything. */
+function Label({ label }: { label: string | null }) {
   const id = useId()
   return (
     <span class="field">
@@ -94,7 +99,8 @@ function Label({ label }: { label: string }) {
         id={id}
         class="input"
         maxLength={LONGEST_LABEL}
-        value={label}
+        value={label ?? t('lesson.draw.byHand')}
+        disabled={label === null}
         data-testid="draw-label"
         onChange={(event) => rename(event.currentTarget.value.trim() || t('lesson.draw.byHand'))}
       />

@@ -3,8 +3,6 @@ import { RotateCcw } from 'lucide'
 import { numbers } from '../i18n'
 import { t } from '../i18n/lesson'
 import { byDirection, MoveTable, percent } from '../playback'
-import type { CanvasSize } from '../stage/panel_view'
-import { scenario } from '../state'
 import { Button } from '../ui/buttons'
 import { panelTitle } from '../words/planner_words'
 import { antCount } from './ant_card'
@@ -25,32 +23,29 @@ import { movesOfTurn } from './move_rows'
 import { answers, askedAbout, guessMoves, revealed } from './questions'
 import { type Answer, isRight, scoreOf } from './score'
 
-export function GuessCard({ size }: { size: CanvasSize }) {
+export function GuessCard() {
   const who = followed.value
   const asked = askedAbout.value
   if (!who || !asked) return null
-  const cell = seen.value?.turn?.way.at(-1) ?? scenario.value?.spec.start ?? [0, 0]
   const { whole } = numbers.value
+  const where = t('lesson.guess.where', {
+    planner: panelTitle(who.panelId),
+    iteration: whole.format(asked.iteration + 1),
+    move: whole.format(guessMoves.value + 1),
+  })
   return (
     <Card
       title={t('lesson.guess.title', { ant: who.ant + 1 })}
-      cell={cell}
-      size={size}
+      line={where}
       panelId={who.panelId}
       testId="guess-card"
       onClose={stopGuessing}
       onKey={({ key }) => chooseByNumber(key)}
     >
-      <p class="hint">
-        {t('lesson.guess.where', {
-          planner: panelTitle(who.panelId),
-          iteration: whole.format(asked.iteration + 1),
-          move: whole.format(guessMoves.value + 1),
-        })}
-      </p>
+      <Actions panelId={who.panelId} ant={who.ant} />
+      <p class="hint">{where}</p>
       <div role="status">{revealed.value ? <Told answer={revealed.value} /> : <Asked />}</div>
       <ScoreLine />
-      <End panelId={who.panelId} ant={who.ant} />
     </Card>
   )
 }
@@ -106,14 +101,6 @@ function Told({ answer }: { answer: Answer }) {
         })}{' '}
         {t('lesson.guess.likeliest', { share: percent(best) })}
       </p>
-      <div class="card-actions">
-        <Button
-          label={t('lesson.guess.next')}
-          tone="primary"
-          testId="guess-next"
-          onClick={nextQuestion}
-        />
-      </div>
       <MoveTable moves={rows} cell={at} level={turn?.level ?? 0} marked={marked ?? null} />
     </>
   )
@@ -139,9 +126,17 @@ function ScoreLine() {
   )
 }
 
-function End({ panelId, ant }: { panelId: number; ant: number }) {
+/** Above all that changes, so that no press for the next move is taken as a guess. */
+function Actions({ panelId, ant }: { panelId: number; ant: number }) {
   return (
     <div class="card-actions">
+      <Button
+        label={t('lesson.guess.next')}
+        tone="primary"
+        testId="guess-next"
+        disabled={revealed.value === null}
+        onClick={nextQuestion}
+      />
       <Button
         icon={RotateCcw}
         label={t('lesson.guess.again')}

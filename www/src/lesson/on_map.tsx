@@ -1,16 +1,12 @@
-/** What a lesson puts on one panel's map: the path by hand, the followed ant, the stop that was met; and the cards beside them. */
+/** What a lesson puts on one panel's map: the path by hand, the followed ant, the stop that was met. */
 import type { ReadonlySignal } from '@preact/signals'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { lesson, lessonMode } from '../state'
-import { AntCard } from './ant_card'
 import { antHandlers } from './ant_input'
 import { AntTrail } from './ant_trail'
-import { DrawCard } from './draw_card'
 import { drawHandlers } from './draw_input'
-import { drawingOn } from './drawing'
 import { followed } from './follow'
-import { GuessCard } from './guess_card'
 import { guessHandlers } from './guess_input'
 import { HandLine } from './hand_line'
 import { listenToMap, type MapHandlers } from './map_input'
@@ -37,9 +33,6 @@ export function OnMap({ panelId, size, cursor }: OnMapProps) {
       <span ref={anchor} class="lesson-anchor" data-mode={mode ?? ''} hidden />
       {lesson.value?.drawn && <HandLine drawn={lesson.value.drawn} size={size.value} />}
       {isHere && mode !== null && mode !== 'draw' && <AntTrail size={size.value} />}
-      {isHere && mode === 'follow' && <AntCard size={size.value} />}
-      {isHere && mode === 'guess' && <GuessCard size={size.value} />}
-      {mode === 'draw' && drawingOn.value === panelId && <DrawCard size={size.value} />}
       <StopChips panelId={panelId} />
     </>
   )

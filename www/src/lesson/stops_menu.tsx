@@ -1,11 +1,11 @@
 /** Where a race stops by itself: a set to choose from, and the question at the way to the end. */
 import { useSignalEffect } from '@preact/signals'
-import { OctagonPause, X } from 'lucide'
+import { OctagonPause } from 'lucide'
 import { useId, useRef } from 'preact/hooks'
 import { t } from '../i18n/lesson'
 import { COUNTED, MOST_ITERATIONS, STOP_IDS, type Stop, type StopId } from '../model/lesson'
 import { askToEnd, lesson, runOn } from '../state'
-import { Button, IconButton } from '../ui/buttons'
+import { Button, CloseButton } from '../ui/buttons'
 import { NumberField } from '../ui/fields'
 import { Icon } from '../ui/icon'
 import { changeLesson } from './change_lesson'
@@ -61,11 +61,8 @@ export function StopsMenu() {
       >
         <header class="lesson-box-head">
           <h3>{t('lesson.stops.title')}</h3>
-          <IconButton
-            icon={X}
+          <CloseButton
             label={t('lesson.close')}
-            tone="quiet"
-            size={16}
             testId="stops-close"
             onClick={() => box.current?.hidePopover()}
           />

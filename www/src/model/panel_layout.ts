@@ -16,11 +16,20 @@ export interface PanelLayout {
 
 /** A smaller map would be of no use. */
 const LEAST: Size = { width: 250, height: 130 }
+/** Where single cells are pressed: rather scrolled than too small for a finger. */
+const LEAST_PRESSED: Size = { width: 300, height: 200 }
 /** Panels that are scrolled are at least so wide. */
 const SCROLLED_WIDTH = 320
 const LEAST_SCROLLED = 160
 
-export function panelLayout(count: number, room: Size, map: Size, frame: PanelFrame): PanelLayout {
+/** `pressed`: whether single cells of the maps are about to be pressed. */
+export function panelLayout(
+  count: number,
+  room: Size,
+  map: Size,
+  frame: PanelFrame,
+  pressed = false,
+): PanelLayout {
   let best = { columns: 1, scale: -1, stage: stageSize(1, count, room, frame) }
   for (let columns = 1; columns <= count; columns++) {
     const stage = stageSize(columns, count, room, frame)
@@ -28,7 +37,8 @@ export function panelLayout(count: number, room: Size, map: Size, frame: PanelFr
     if (scale > best.scale) best = { columns, scale, stage }
   }
   const { columns, stage } = best
-  const fits = stage.width >= LEAST.width && stage.height >= LEAST.height
+  const least = pressed ? LEAST_PRESSED : LEAST
+  const fits = stage.width >= least.width && stage.height >= least.height
   return fits || count === 1 ? { columns, rowHeight: null } : scrolled(count, room, map, frame)
 }
 

@@ -9,7 +9,7 @@ import { limits } from '../model/facts'
 import { goalName, goalWeight } from '../model/goals'
 import { activeGoal, applyEdit, goalsShown, scenario, soughtPart, tool } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
-import { Button, IconButton } from '../ui/buttons'
+import { Button, CloseButton, IconButton } from '../ui/buttons'
 import { placeError, quantityError, readPlace } from './goal_input'
 import { GOALS_ID } from './goals_shown'
 
@@ -39,11 +39,8 @@ export default function GoalsCard() {
         <h2>{t('goals.count', { count: goals.length })}</h2>
         <AddGoal full={goals.length >= limits.max_goals} />
         {goals.length === 1 && (
-          <IconButton
-            icon={X}
+          <CloseButton
             label={t('goals.hide')}
-            tone="quiet"
-            size={16}
             onClick={() => {
               goalsShown.value = false
             }}

@@ -1,148 +1,168 @@
-import { numbers, t } from '../i18n'
-import { goalName } from '../model/goals'
-import {
-  byHand,
-  type Panel,
-  panels,
-  plannerEntry,
-  referenceOf,
-  scenario,
-  shownOf,
-  slotColour,
-} from '../state'
-import { panelGap } from '../words/gap_words'
-import { bestOf, GAP_ROW, METRIC_ROWS, type MetricRow } from '../words/metric_rows'
-import { objectiveWord } from '../words/objective_words'
+/**
+ * Every panel's numbers side by side; the better one of a measure stands out. Two panels are columns. More have a row each, so that none
+ * is out of sight: with few numbers, and all the others beneath on demand.
+ */
+import { signal } from '@preact/signals'
+import { ChevronDown, ChevronRight } from 'lucide'
+import type { ComponentChildren } from 'preact'
+import { t } from '../i18n'
+import { byHand, type Panel, panels, slotColour } from '../state'
+import { Icon } from '../ui/icon'
 import { panelTitle } from '../words/planner_words'
+import { type Measure, measuresOf } from './measures'
 
-/** Every panel's numbers side by side; the better one of a row stands out. */
+const MOST_COLUMNS = 2
+/** As many columns of numbers as a narrow column has room for beside names. */
+const TOGETHER = 3
+/** Those that are always seen are the first of these that there are: what a planner may be measured by comes first. */
+const FIRST: Measure['id'][] = ['gap', 'walkedWeight', 'levelCost', 'length', 'turns']
+
+const showsAll = signal(false)
+
 export function MetricsTable() {
   const all = [...panels.value, ...byHand.value]
+  const measures = measuresOf(all)
+  if (all.length <= MOST_COLUMNS)
+    return (
+      <Scrolled>
+        <ByMeasure all={all} measures={measures} />
+      </Scrolled>
+    )
+  const first = measures
+    .filter(({ id }) => FIRST.includes(id))
+    .sort(byRank)
+    .slice(0, TOGETHER)
+  const others = measures.filter((measure) => !first.includes(measure))
+  return (
+    <Scrolled>
+      <ByPanel all={all} measures={first} />
+      <button
+        type="button"
+        class="fold"
+        aria-expanded={showsAll.value}
+        data-testid="all-metrics"
+        onClick={() => {
+          showsAll.value = !showsAll.value
+        }}
+      >
+        <Icon icon={showsAll.value ? ChevronDown : ChevronRight} size={14} />
+        {t('metrics.all')}
+      </button>
+      {showsAll.value &&
+        together(others).map((some) => <ByPanel key={some[0]?.id} all={all} measures={some} />)}
+    </Scrolled>
+  )
+}
+
+const byRank = (a: Measure, b: Measure) => FIRST.indexOf(a.id) - FIRST.indexOf(b.id)
+
+function Scrolled({ children }: { children: ComponentChildren }) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
     <section class="table-scroll" tabIndex={0} aria-label={t('metrics.title')}>
-      <table class="metrics">
-        <caption class="visually-hidden">{t('metrics.caption')}</caption>
-        <thead>
-          <tr>
-            <td />
-            {all.map((panel) => (
-              <th key={panel.id} scope="col" style={{ '--panel-colour': slotColour(panel.slot) }}>
-                <span class="panel-dot" aria-hidden="true" />
-                {panelTitle(panel.id) || panel.setup.planner}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          <Row row={GAP_ROW} all={all} />
-          <TextRow id="comparedWith" all={all} text={comparedWith} />
-          <TextRow id="order" all={all} text={orderOf} optional />
-          {METRIC_ROWS.map((row) => (
-            <Row key={row.id} row={row} all={all} />
-          ))}
-          <TextRow id="digest" all={all} text={digestOf} />
-        </tbody>
-      </table>
+      {children}
     </section>
   )
 }
 
-interface Words {
-  text: string
-  /** A second line. */
-  note?: string
-  /** Why there is only a dash. */
-  why?: string
+/** Numbers beside numbers; words have a table of their own. */
+function together(measures: Measure[]): Measure[][] {
+  const tables: Measure[][] = []
+  for (const measure of measures) {
+    const last = tables.at(-1)
+    const joins = last && last.length < TOGETHER && !measure.wordy && !last[0]?.wordy
+    if (joins) last.push(measure)
+    else tables.push([measure])
+  }
+  return tables
 }
 
-interface TextRowProps {
-  id: 'comparedWith' | 'order' | 'digest'
+interface TableProps {
   all: Panel[]
-  text: (panel: Panel) => Words | null
-  /** Left out while no panel has it. */
-  optional?: boolean
+  measures: Measure[]
 }
 
-function TextRow({ id, all, text, optional }: TextRowProps) {
-  const words = all.map(text)
-  if (optional && words.every((each) => each === null)) return null
+function ByMeasure({ all, measures }: TableProps) {
   return (
-    <tr>
-      <th scope="row" title={t(`metrics.hints.${id}`)}>
-        {t(`metrics.${id}`)}
-      </th>
-      {words.map((each, index) => (
-        <td
-          key={all[index]?.id}
-          class={id}
-          title={each?.why}
-          data-testid={`metric-${id}-${index + 1}`}
-        >
-          <span>{each?.text ?? '–'}</span>
-          {each?.why && <span class="visually-hidden"> {each.why}</span>}
-          {each?.note && <span class="cell-note">{each.note}</span>}
-        </td>
-      ))}
-    </tr>
+    <table class="metrics">
+      <Caption />
+      <thead>
+        <tr>
+          <td />
+          {all.map((panel) => (
+            <PanelHead key={panel.id} panel={panel} scope="col" />
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {measures.map((measure) => (
+          <tr key={measure.id} class={measure.id === 'gap' ? 'leading' : undefined}>
+            <MeasureHead id={measure.id} scope="row" />
+            {all.map((panel, index) => (
+              <Cell key={panel.id} measure={measure} index={index} />
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
   )
 }
 
-/** What a panel's gap is taken from. */
-function comparedWith(panel: Panel): Words | null {
-  const reference = referenceOf(panel)
-  const { objective } = shownOf(panel)
-  if (!reference || !objective) return null
-  switch (reference.kind) {
-    case 'no-path':
-      return { text: '–', why: t('race.unreachable') }
-    case 'unknown':
-      return { text: '–', why: t('gap.unknownWhy') }
-    default: {
-      const value = numbers.value.length.format(reference.value)
-      const note = reference.kind === 'unproven' ? { note: t('gap.notProven') } : {}
-      return { text: `${t(`objective.${objectiveWord(objective)}`)} ${value}`, ...note }
-    }
-  }
-}
-
-function orderOf(panel: Panel): Words | null {
-  const order = shownOf(panel).summary?.tour?.order
-  const spec = scenario.value?.spec
-  return order && spec ? { text: order.map((goal) => goalName(spec, goal)).join(' → ') } : null
-}
-
-/** Before the first step every run has the digest of nothing. */
-function digestOf(panel: Panel): Words | null {
-  const { summary } = shownOf(panel)
-  const begun = summary && summary.effort.ant_moves + summary.effort.cell_expansions > 0
-  return begun ? { text: summary.digest } : null
-}
-
-function Row({ row, all }: { row: MetricRow; all: Panel[] }) {
-  const values = all.map((panel) => {
-    const { summary } = shownOf(panel)
-    const family = plannerEntry(panel.setup.planner)?.family
-    if (row.families && !(family && row.families.includes(family))) return null
-    return summary && row.value(summary, panelGap(panel))
-  })
-  if (row.optional && values.every((value) => value === null)) return null
-  const best = bestOf(values, row.better)
+function ByPanel({ all, measures }: TableProps) {
   return (
-    <tr class={row.id === 'gap' ? 'leading' : undefined}>
-      <th scope="row" title={t(`metrics.hints.${row.id}`)}>
-        {t(`metrics.${row.id}`)}
-      </th>
-      {values.map((value, index) => (
-        <td
-          key={all[index]?.id}
-          class={best.has(index) ? 'better' : undefined}
-          data-testid={`metric-${row.id}-${index + 1}`}
-          data-value={value ?? ''}
-        >
-          {value === null ? '–' : row.format(value)}
-        </td>
-      ))}
-    </tr>
+    <table class="metrics by-panel">
+      <Caption />
+      <thead>
+        <tr>
+          <td />
+          {measures.map(({ id }) => (
+            <MeasureHead key={id} id={id} scope="col" />
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {all.map((panel, index) => (
+          <tr key={panel.id}>
+            <PanelHead panel={panel} scope="row" />
+            {measures.map((measure) => (
+              <Cell key={measure.id} measure={measure} index={index} />
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  )
+}
+
+const Caption = () => <caption class="visually-hidden">{t('metrics.caption')}</caption>
+
+function PanelHead({ panel, scope }: { panel: Panel; scope: 'row' | 'col' }) {
+  return (
+    <th scope={scope} style={{ '--panel-colour': slotColour(panel.slot) }}>
+      <span class="panel-dot" aria-hidden="true" />
+      {panelTitle(panel.id) || panel.setup.planner}
+    </th>
+  )
+}
+
+const MeasureHead = ({ id, scope }: { id: Measure['id']; scope: 'row' | 'col' }) => (
+  <th scope={scope} title={t(`metrics.hints.${id}`)}>
+    {t(`metrics.${id}`)}
+  </th>
+)
+
+function Cell({ measure: { id, wordy, cells }, index }: { measure: Measure; index: number }) {
+  const cell = cells[index]
+  return (
+    <td
+      class={wordy ? id : cell?.better ? 'better' : undefined}
+      title={cell?.why}
+      data-testid={`metric-${id}-${index + 1}`}
+      data-value={wordy ? undefined : (cell?.value ?? '')}
+    >
+      <span>{cell?.text}</span>
+      {cell?.why && <span class="visually-hidden"> {cell.why}</span>}
+      {cell?.note && <span class="cell-note">{cell.note}</span>}
+    </td>
   )
 }

@@ -1,12 +1,12 @@
 /** What the race is called and what is said of it, in one line that can be hidden. The whole note opens beneath it. */
 import { effect, signal } from '@preact/signals'
-import { PenLine, X } from 'lucide'
+import { PenLine } from 'lucide'
 import { useEffect, useId, useRef } from 'preact/hooks'
 import { t } from '../i18n/names'
 import type { Caption } from '../model/session'
 import { announce, caption, view } from '../state'
 import { openDialog, show } from '../state/dialogs'
-import { IconButton } from '../ui/buttons'
+import { CloseButton, IconButton } from '../ui/buttons'
 import { mapName } from '../words/map_names'
 
 /** The last one that the reader has hidden. */
@@ -45,11 +45,8 @@ export function NoteStrip() {
         testId="note-edit"
         onClick={() => show('names')}
       />
-      <IconButton
-        icon={X}
+      <CloseButton
         label={t('names.close')}
-        tone="quiet"
-        size={16}
         testId="note-close"
         onClick={() => {
           hidden.value = now

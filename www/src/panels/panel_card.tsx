@@ -1,6 +1,6 @@
 import type { EngineError } from '@pkg/formicarium'
 import { useComputed } from '@preact/signals'
-import { Expand, Fullscreen, LoaderCircle, Shrink, SlidersHorizontal, X } from 'lucide'
+import { Expand, Fullscreen, LoaderCircle, Shrink, SlidersHorizontal } from 'lucide'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { Stage } from '../stage/stage'
@@ -22,7 +22,7 @@ import {
   toggleFullScreen,
   wholeEngine,
 } from '../state'
-import { Button, IconButton } from '../ui/buttons'
+import { Button, CloseButton, IconButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
 import { FAMILIES, panelTitle, plannerName, whyNot } from '../words/planner_words'
@@ -94,11 +94,8 @@ function PanelButtons({ panel: { id }, place }: PanelCardProps) {
         testId={`focus-${place}`}
         onClick={() => focusOn(id)}
       />
-      <IconButton
-        icon={X}
+      <CloseButton
         label={t('panels.remove', { planner: title })}
-        tone="quiet"
-        size={16}
         testId={`remove-${place}`}
         onClick={() => removePanel(id)}
       />

@@ -5,7 +5,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { type PanelLayout, panelLayout } from '../model/panel_layout'
 import type { Size } from '../model/viewpoint'
-import { comparing, focused, panels, scenario } from '../state'
+import { comparing, focused, lessonMode, panels, scenario } from '../state'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { AddPlannerButtons } from './add_planner'
@@ -62,7 +62,7 @@ function layoutOf(count: number, room: Size, element: HTMLElement | null): Panel
   const length = (name: string, otherwise: number) =>
     Number.parseFloat(styles?.getPropertyValue(name) ?? '') || otherwise
   const frame = { head: length('--panel-head', 40), border: 2, gap: length('--gap', 6) }
-  return panelLayout(count, room, map, frame)
+  return panelLayout(count, room, map, frame, lessonMode.value !== null)
 }
 
 function NoPanels() {

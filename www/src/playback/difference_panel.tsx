@@ -1,6 +1,6 @@
 /** A panel of its own: where one run has laid more pheromone than another. */
 import { useComputed, useSignal } from '@preact/signals'
-import { X } from 'lucide'
+
 import { useEffect, useRef } from 'preact/hooks'
 import { language } from '../i18n'
 import { t } from '../i18n/playback'
@@ -8,7 +8,7 @@ import { watchSize } from '../stage/element_size'
 import { sendOnceAFrame } from '../stage/once_a_frame'
 import type { CanvasSize, Cursor } from '../stage/panel_view'
 import { comparing, scenario, theme } from '../state'
-import { IconButton } from '../ui/buttons'
+import { CloseButton } from '../ui/buttons'
 import { Select } from '../ui/fields'
 import { panelTitle } from '../words/planner_words'
 import { chosen, differenceAt, keepComparing, pair, trails, withTrails } from './difference'
@@ -54,11 +54,8 @@ export function DifferencePanel() {
       <header class="panel-head">
         <h2>{t('playback.difference.title')}</h2>
         <span class="spacer" />
-        <IconButton
-          icon={X}
+        <CloseButton
           label={t('playback.difference.close')}
-          tone="quiet"
-          size={16}
           testId="close-difference"
           onClick={() => {
             comparing.value = false

@@ -1,6 +1,6 @@
 /** Beside a cell: the moves of an ant on it, with pheromone, heuristic and probability; on the map they are arrows. */
 import { type ReadonlySignal, useSignal, useSignalEffect } from '@preact/signals'
-import { ChevronDown, ChevronUp, X } from 'lucide'
+import { ChevronDown, ChevronUp } from 'lucide'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
@@ -20,7 +20,7 @@ import {
   tool,
 } from '../state'
 import { openDialog } from '../state/dialogs'
-import { IconButton } from '../ui/buttons'
+import { CloseButton, IconButton } from '../ui/buttons'
 import { panelTitle } from '../words/planner_words'
 import { MoveArrows } from './move_arrows'
 import { MoveTable } from './move_table'
@@ -159,12 +159,9 @@ function Card({ panelId, cell, size, children }: CardProps) {
     >
       <header>
         <h3>{title}</h3>
-        <IconButton
-          icon={X}
+        <CloseButton
           label={t('playback.moves.close')}
           keys="Esc"
-          tone="quiet"
-          size={16}
           testId="close-moves"
           onClick={close}
         />

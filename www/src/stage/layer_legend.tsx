@@ -1,15 +1,19 @@
-/** What the colours of a panel's map mean, in a corner of its stage: a ramp with its least and greatest value, or swatches. */
+/** What the colours of a panel's map mean, where it is least in the way: a ramp with its least and greatest value, or swatches. */
 import '../styles/legend.css'
-import { computed } from '@preact/signals'
-import { useEffect } from 'preact/hooks'
+import { computed, useSignal } from '@preact/signals'
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { addReadingWords, t } from '../i18n/reading'
+import type { LegendPlace } from '../model/legend_place'
 import type { LayerEnds, LayerScale } from '../model/messages'
 import { heightRange } from '../model/relief_ground'
-import { layerEnds, panelById, sameScale, scenario, theme } from '../state'
+import { inRelief, layerEnds, panelById, sameScale, scenario, theme } from '../state'
 import { categoriesOf, layerTitle, scaleNumber } from '../words/layer_words'
+import { watchSize } from './element_size'
 import { colourAt, coloursOf, gradient, LEAST, MOST } from './layer_colours'
 import { followScale, scales } from './layer_scales'
+import { hasRoomForBoth, held, placeLegend } from './legend_room'
+import type { CanvasSize } from './panel_view'
 
 const ready = addReadingWords()
 export const fetchLegend = () => ready.then(() => LayerLegend)
@@ -21,15 +25,50 @@ export function LayerLegend({ panelId }: { panelId: number }) {
   const scale = scales.value.get(panelId)
   const range = heights.value
   if (!scale || (scale.layer === 'none' && !range)) return null
+  return <Placed panelId={panelId} scale={scale} range={range} />
+}
+
+interface PlacedProps {
+  panelId: number
+  scale: LayerScale
+  /** Of the heights, on a terrain. */
+  range: LayerEnds | null
+}
+
+/** It stays where it is while the map is pressed, whatever the press changes. */
+function Placed({ panelId, scale, range }: PlacedProps) {
+  const space = useRef<HTMLDivElement>(null)
+  const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
+  const before = useRef<LegendPlace | null>(null)
+  useLayoutEffect(() => {
+    if (!space.current) return
+    return watchSize(space.current, (measured) => {
+      size.value = measured
+    })
+  }, [])
+  const coloured = scale.layer !== 'none'
+  const both = coloured && range !== null && hasRoomForBoth(size.value)
+  if (!held.value) before.current = placeLegend(size.value, both ? 2 : 1, before.current)
+  const place = inRelief.value ? IN_RELIEF : before.current
   return (
-    <div class="legend-space">
-      <div class="layer-legend" data-testid={`legend-${panelId}`}>
-        {scale.layer !== 'none' && <OfLayer panelId={panelId} scale={scale} />}
-        {range && <OfHeights range={range} />}
-      </div>
+    <div class="legend-space" ref={space}>
+      {place && (
+        <div
+          class="layer-legend"
+          data-shape={place.shape}
+          data-side={place.side}
+          data-testid={`legend-${panelId}`}
+        >
+          {coloured && <OfLayer panelId={panelId} scale={scale} />}
+          {range && (both || !coloured) && <OfHeights range={range} />}
+        </div>
+      )}
     </div>
   )
 }
+
+/** There the map has no edges that one could stay clear of. */
+const IN_RELIEF: LegendPlace = { shape: 'full', side: 'right-bottom' }
 
 function OfLayer({ panelId, scale: { layer, own } }: { panelId: number; scale: LayerScale }) {
   const colours = coloursOf(layer, theme.value)

@@ -1,5 +1,5 @@
 /** What the session carries for a lesson, and what the lesson does now. The code for it is fetched when it is first wanted (lesson/). */
-import { signal } from '@preact/signals'
+import { type ReadonlySignal, signal } from '@preact/signals'
 import type { Lesson, MetStop } from '../model/lesson'
 import type { Panel } from './store'
 
@@ -17,3 +17,15 @@ export const lessonMode = signal<'follow' | 'guess' | 'draw' | null>(null)
 
 /** The path by hand as a contestant of the comparison table: a panel that is nowhere on the page, once there is something to compare. */
 export const byHand = signal<Panel[]>([])
+
+/** What undo and redo act on, and what their buttons say. */
+export interface Undoing {
+  canUndo: ReadonlySignal<boolean>
+  canRedo: ReadonlySignal<boolean>
+  undo(): void
+  redo(): void
+  words(): { undo: string; redo: string }
+}
+
+/** While a path is drawn by hand, undo and redo are the path's everywhere on the page; null: they are the map's. */
+export const handUndoing = signal<Undoing | null>(null)

@@ -1,4 +1,4 @@
-import { BrickWall, CircleDot, Compass, Eraser, Flag, Hand, MapPinPlus, Redo2, Undo2 } from 'lucide'
+import { BrickWall, CircleDot, Compass, Eraser, Flag, Hand, MapPinPlus } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { t } from '../i18n'
 import { goalName } from '../model/goals'
@@ -7,15 +7,18 @@ import {
   canRedo,
   canUndo,
   editor,
+  handUndoing,
   redo,
   scenario,
   type Tool,
   tool,
+  type Undoing,
   undo,
   wholeEngine,
   withEditor,
 } from '../state'
 import { IconButton } from '../ui/buttons'
+import { UndoButtons } from '../ui/undo_buttons'
 
 const TOOLS = [
   { id: 'erase', icon: Eraser, keys: 'E' },
@@ -25,6 +28,14 @@ const TOOLS = [
   { id: 'inspect', icon: Compass, keys: 'I' },
   { id: 'pan', icon: Hand, keys: 'H' },
 ] as const satisfies { id: Tool; icon: unknown; keys: string }[]
+
+const OF_MAP: Undoing = {
+  canUndo,
+  canRedo,
+  undo,
+  redo,
+  words: () => ({ undo: t('tools.undo'), redo: t('tools.redo') }),
+}
 
 /** With several goals the tool moves the one last taken up. */
 function goalToolName(): string {
@@ -92,22 +103,7 @@ export function EditTools() {
         {TOOLS.slice(1).map(toolButton)}
       </div>
       <span class="divider" />
-      <IconButton
-        icon={Undo2}
-        label={t('tools.undo')}
-        keys="Ctrl+Z"
-        testId="undo"
-        disabled={!canUndo.value}
-        onClick={undo}
-      />
-      <IconButton
-        icon={Redo2}
-        label={t('tools.redo')}
-        keys="Ctrl+Shift+Z"
-        testId="redo"
-        disabled={!canRedo.value}
-        onClick={redo}
-      />
+      <UndoButtons of={handUndoing.value ?? OF_MAP} />
     </div>
   )
 }

@@ -1,4 +1,4 @@
-import type { IconNode } from 'lucide'
+import { type IconNode, X } from 'lucide'
 import { Icon } from './icon'
 
 interface IconButtonProps {
@@ -10,6 +10,8 @@ interface IconButtonProps {
   testId?: string
   disabled?: boolean
   pressed?: boolean
+  /** Of a button that folds something: whether that is open. */
+  expanded?: boolean
   /** The list that it opens. */
   list?: string
   tone?: 'plain' | 'quiet'
@@ -24,6 +26,7 @@ export function IconButton(props: IconButtonProps) {
       class={`icon-button ${props.tone ?? 'plain'}`}
       aria-label={label}
       aria-pressed={pressed}
+      aria-expanded={props.expanded}
       aria-haspopup={props.list ? 'menu' : undefined}
       popoverTarget={props.list}
       data-tip={keys ? `${label} · ${keys}` : label}
@@ -35,6 +38,11 @@ export function IconButton(props: IconButtonProps) {
     </button>
   )
 }
+
+/** In the corner of what it closes or takes away. */
+export const CloseButton = (
+  props: Pick<IconButtonProps, 'label' | 'keys' | 'testId' | 'onClick'>,
+) => <IconButton icon={X} tone="quiet" size={16} {...props} />
 
 interface ButtonProps {
   label: string

@@ -20,11 +20,13 @@ interface DialogProps {
   prose?: boolean
   /** What Enter does while no control has the focus. */
   onEnter?: () => void
+  /** Whether its fields report what is typed at once, so that Enter counts in them as well. */
+  live?: boolean
 }
 
 /** A modal dialog: the browser keeps the focus inside, closes on Esc and gives the focus back. */
 export function Dialog(props: DialogProps) {
-  const { title, onClose, children, actions, wide, testId, prose, onEnter } = props
+  const { title, onClose, children, actions, wide, testId, prose, onEnter, live } = props
   const dialog = useRef<HTMLDialogElement>(null)
   const titleId = useId()
   // At once: a key that is pressed as it appears is the dialog's.
@@ -45,7 +47,8 @@ export function Dialog(props: DialogProps) {
         if (event.target === dialog.current) onClose()
       }}
       onKeyDown={(event) => {
-        if (event.key === 'Enter' && event.target === dialog.current) onEnter?.()
+        const typing = live && event.target instanceof HTMLInputElement
+        if (event.key === 'Enter' && (typing || event.target === dialog.current)) onEnter?.()
       }}
     >
       <div class="dialog-body">

@@ -83,6 +83,8 @@ interface NumberFieldProps {
   onChange: (value: number) => void
   /** What is being typed; NaN where that is no number yet. */
   onType?: (value: number) => void
+  /** Reports each thing that is typed, NaN where it is no number yet: for forms that check it themselves. */
+  live?: boolean
   testId?: string
   hideLabel?: boolean
   invalid?: boolean
@@ -113,6 +115,7 @@ export function NumberField(props: NumberFieldProps) {
         onInput={(event) => {
           setTyped(event.currentTarget.value)
           props.onType?.(event.currentTarget.valueAsNumber)
+          if (props.live) props.onChange(event.currentTarget.valueAsNumber)
         }}
         onBlur={() => setTyped(null)}
         aria-invalid={props.invalid}

@@ -87,16 +87,18 @@ interface MenuItemProps {
   note?: string
   testId?: string
   checked?: boolean
+  /** Checked by itself, not as one of several. */
+  toggle?: boolean
   /** Why the item cannot be chosen; shown in place of the note. */
   unavailable?: string | null
 }
 
 export function MenuItem(props: MenuItemProps) {
-  const { label, onClick, icon, picture, note, testId, checked, unavailable = null } = props
+  const { label, onClick, icon, picture, note, testId, checked, toggle, unavailable = null } = props
   const role =
     checked === undefined
       ? { role: 'menuitem' as const }
-      : { role: 'menuitemradio' as const, 'aria-checked': checked }
+      : { role: `menuitem${toggle ? 'checkbox' : 'radio'}` as const, 'aria-checked': checked }
   return (
     <button
       type="button"

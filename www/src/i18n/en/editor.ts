@@ -23,6 +23,8 @@ export const enEditor = {
     block: 'All of it; with Shift a square',
     fill: 'All free cells around, or all walls that hang together',
   },
+  straight: 'In steps of 45°',
+  straightNote: 'Lines in eight directions, rectangles as squares; Shift is the other way round',
   from: '{{tool}} from {{x}}, {{y}}: move the cursor and press Enter again',
   dropped: 'Left out',
   drawn_one: '{{tool}}: {{count}} cell changed',

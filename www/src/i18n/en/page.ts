@@ -241,6 +241,7 @@ export const en = {
   metrics: {
     title: 'Comparison',
     caption: 'Numbers of every planner’s best path and effort',
+    all: 'All numbers',
     gap: 'Gap',
     comparedWith: 'Compared with',
     order: 'Order of goals',

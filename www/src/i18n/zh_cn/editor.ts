@@ -23,6 +23,8 @@ export const zhCNEditor: DictionaryShape<typeof enEditor> = {
     block: '整块；按住 Shift 为正方形',
     fill: '周围所有空格，或相连的所有墙',
   },
+  straight: '以 45° 为单位',
+  straightNote: '直线只取八个方向，矩形为正方形；按住 Shift 则相反',
   from: '{{tool}}：从第 {{x}} 列、第 {{y}} 行开始，移动光标后再按回车键',
   dropped: '已放弃',
   drawn_other: '{{tool}}：改变了 {{count}} 格',

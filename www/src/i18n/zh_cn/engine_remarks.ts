@@ -1,7 +1,7 @@
 /** What the engine says of files, maps and runs: its notices and errors. */
 export const zhCNRemarks = {
   notices: {
-    'drawn-flaw': '它不从起点出发、穿过障碍，或有一步不被移动规则允许',
+    'drawn-flaw': '{{message}}',
     unreachable: '在此移动规则下，起点与终点之间没有通路。',
     'start-is-goal': '起点与终点是同一格：路径长度为 0。',
     'results-columns': '未使用的列：{{columns}}。',

@@ -236,6 +236,7 @@ export const zhCN: DictionaryShape<typeof en> = {
   metrics: {
     title: '对比',
     caption: '各规划器最优路径与工作量的数值',
+    all: '全部数值',
     gap: '差距',
     comparedWith: '比较对象',
     order: '目标次序',

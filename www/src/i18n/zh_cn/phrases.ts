@@ -1,6 +1,7 @@
 import { translatorOf } from '../phrases'
 import { zhCNFileFaults } from './file_faults'
 import { zhCNFileRules } from './file_rules'
+import { zhCNPathFlaws } from './path_flaws'
 
-/** What readers of files say in their own words: what is wrong, and what should stand there. */
-export const inChinese = translatorOf({ ...zhCNFileFaults, ...zhCNFileRules })
+/** What the engine says in words of its own: what is wrong with a file, what should stand there, and why a path is none. */
+export const inChinese = translatorOf({ ...zhCNFileFaults, ...zhCNFileRules, ...zhCNPathFlaws })

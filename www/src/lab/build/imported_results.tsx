@@ -1,10 +1,10 @@
 /** Imports results: into the draft beside its entries, or into the open comparison. */
-import { Download, FileChartColumn, X } from 'lucide'
+import { Download, FileChartColumn } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import { notifyError } from '../../state'
 import { download } from '../../state/export_files'
-import { Button, IconButton } from '../../ui/buttons'
+import { Button, CloseButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
 import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
@@ -77,11 +77,8 @@ export function ImportedFiles() {
             <strong>{name}</strong> <span class="hint">{t('lab.imported.compared')}</span>
             {match && <span class="hint imported-match">{toldOf(match, leaveOut).join(' ')}</span>}
           </span>
-          <IconButton
-            icon={X}
+          <CloseButton
             label={t('lab.imported.remove', { name })}
-            tone="quiet"
-            size={16}
             onClick={() => removeImportedFile(key)}
           />
         </li>
@@ -144,11 +141,8 @@ function AskForMap({ file, maps }: { file: RefusedFile; maps: Place[] }) {
 
 function Dismiss({ file: { key, name } }: { file: RefusedFile }) {
   return (
-    <IconButton
-      icon={X}
+    <CloseButton
       label={t('lab.imported.dismiss', { name })}
-      tone="quiet"
-      size={16}
       testId="own-dismiss"
       onClick={() => removeRefusedFile(key)}
     />

@@ -1,5 +1,5 @@
 /** The maps on which every planner runs. */
-import { Map as MapIcon, Plus, Upload, X } from 'lucide'
+import { Map as MapIcon, Plus, Upload } from 'lucide'
 import { useState } from 'preact/hooks'
 import { gallery } from '../../gallery/gallery'
 import { t } from '../../i18n/lab'
@@ -7,7 +7,7 @@ import type { DraftMap } from '../../model/draft'
 import { MAP_ENDINGS } from '../../model/endings'
 import { notifyError } from '../../state'
 import { lazyParts } from '../../state/lazy_parts'
-import { IconButton } from '../../ui/buttons'
+import { CloseButton } from '../../ui/buttons'
 import { useFilePicker } from '../../ui/file_picker'
 import { FormError } from '../../ui/form_error'
 import { Icon } from '../../ui/icon'
@@ -62,13 +62,7 @@ function MapItem({ map }: { map: DraftMap }) {
         <strong>{name}</strong>
         <span class="hint">{t('lab.build.size', { width, height })}</span>
       </span>
-      <IconButton
-        icon={X}
-        label={t('lab.build.removeMap', { name })}
-        tone="quiet"
-        size={16}
-        onClick={() => removeMap(key)}
-      />
+      <CloseButton label={t('lab.build.removeMap', { name })} onClick={() => removeMap(key)} />
     </li>
   )
 }

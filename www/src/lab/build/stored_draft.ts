@@ -1,6 +1,7 @@
 /** A draft outlives a reload of its tab; a new tab begins with what races there. */
 import { effect } from '@preact/signals'
-import { fetchWholeEngine, plannerEntry, wholeEngine } from '../../state'
+import type { StoredDraft } from '../../model/draft'
+import { fetchWholeEngine, plannerEntry, view, wholeEngine } from '../../state'
 import { storeDraft, storedDraft } from '../store/browser_storage'
 import { importedFiles, takeImportedFiles } from '../store/imported_files'
 import { newId } from '../store/names'
@@ -26,18 +27,32 @@ export async function restoreDraft(): Promise<void> {
   for (const { key, planner } of entries.peek()) if (!plannerEntry(planner)) removeEntry(key)
 }
 
-/** Stores every change from now on. Where the browser refuses, a reload loses the draft and nothing else. */
+/**
+ * Stores every change from now on; at once when the builder or the page is left. Where the browser refuses, a reload loses the draft
+ * and nothing else.
+ */
 export function storeDraftChanges(): void {
   let timer = 0
+  let waiting: Omit<StoredDraft, 'changed'> | null = null
+  const flush = () => {
+    clearTimeout(timer)
+    const draft = waiting
+    waiting = null
+    if (!draft) return
+    const id = recallInTab(TAB_KEY) ?? newId()
+    rememberInTab(TAB_KEY, id)
+    void storeDraft(id, { ...draft, changed: Date.now() }).catch(() => {})
+  }
   effect(() => {
     const draft = drafted()
     const files = importedFiles.value
     if (!draft) return
+    waiting = { ...draft, files }
     clearTimeout(timer)
-    timer = window.setTimeout(() => {
-      const id = recallInTab(TAB_KEY) ?? newId()
-      rememberInTab(TAB_KEY, id)
-      void storeDraft(id, { ...draft, files, changed: Date.now() }).catch(() => {})
-    }, CALM_MS)
+    timer = window.setTimeout(flush, CALM_MS)
   })
+  effect(() => {
+    if (view.value !== 'lab') flush()
+  })
+  addEventListener('pagehide', flush)
 }

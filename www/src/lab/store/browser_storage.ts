@@ -163,11 +163,15 @@ export async function storedDraft(id: string): Promise<StoredDraft | null> {
 /** Replaces the stored draft, and deletes old drafts of other tabs. */
 export async function storeDraft(id: string, draft: StoredDraft): Promise<void> {
   const change = (await openDatabase()).transaction('drafts', 'readwrite')
-  const left = IDBKeyRange.upperBound(draft.changed - DRAFT_MS)
-  const old = await change.store.index('changed').getAllKeys(left)
-  await Promise.all([
-    ...old.map((key) => change.store.delete(key)),
-    change.store.put(draft, id),
-    change.done,
-  ])
+  const stored = change.store.put(draft, id)
+  // Said at once: a page that is being left does not hear that it was put, and the browser would take it back.
+  change.commit()
+  await Promise.all([stored, change.done])
+  await deleteOldDrafts(draft.changed - DRAFT_MS)
+}
+
+async function deleteOldDrafts(before: number): Promise<void> {
+  const change = (await openDatabase()).transaction('drafts', 'readwrite')
+  const old = await change.store.index('changed').getAllKeys(IDBKeyRange.upperBound(before))
+  await Promise.all([...old.map((key) => change.store.delete(key)), change.done])
 }

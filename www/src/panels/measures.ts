@@ -1,0 +1,95 @@
+/** What the comparison says of every panel: one measure after the other, each with its words for all panels. */
+import { numbers, t } from '../i18n'
+import { goalName } from '../model/goals'
+import { type Panel, plannerEntry, referenceOf, scenario, shownOf } from '../state'
+import { panelGap } from '../words/gap_words'
+import { bestOf, GAP_ROW, METRIC_ROWS, type MetricId, type MetricRow } from '../words/metric_rows'
+import { objectiveWord } from '../words/objective_words'
+
+export interface MeasureCell {
+  text: string
+  /** A second line. */
+  note?: string
+  /** Why there is only a dash. */
+  why?: string
+  /** The number that is written; null where it has none. */
+  value?: number | null
+  better?: boolean
+}
+
+export interface Measure {
+  id: MetricId | 'comparedWith' | 'order' | 'digest'
+  /** Words rather than numbers: they want more room. */
+  wordy: boolean
+  /** One of each panel, in their order. */
+  cells: MeasureCell[]
+}
+
+/** Those that some panel has; the gap comes first. */
+export function measuresOf(all: Panel[]): Measure[] {
+  const found = [
+    numeric(GAP_ROW, all),
+    wordy('comparedWith', all.map(comparedWith)),
+    optional(wordy('order', all.map(orderOf))),
+    ...METRIC_ROWS.map((row) => (row.optional ? optional(numeric(row, all)) : numeric(row, all))),
+    wordy('digest', all.map(digestOf)),
+  ]
+  return found.filter((measure) => measure !== null)
+}
+
+const NOTHING: MeasureCell = { text: '–' }
+
+function wordy(id: Measure['id'], cells: (MeasureCell | null)[]): Measure {
+  return { id, wordy: true, cells: cells.map((cell) => cell ?? NOTHING) }
+}
+
+/** Null where no panel has it. */
+const optional = (measure: Measure) =>
+  measure.cells.every((cell) => cell === NOTHING || cell.value === null) ? null : measure
+
+function numeric(row: MetricRow, all: Panel[]): Measure {
+  const values = all.map((panel) => {
+    const { summary } = shownOf(panel)
+    const family = plannerEntry(panel.setup.planner)?.family
+    if (row.families && !(family && row.families.includes(family))) return null
+    return summary && row.value(summary, panelGap(panel))
+  })
+  const best = bestOf(values, row.better)
+  const cells = values.map((value, index) => ({
+    text: value === null ? '–' : row.format(value),
+    value,
+    better: best.has(index),
+  }))
+  return { id: row.id, wordy: false, cells }
+}
+
+/** What a panel's gap is taken from. */
+function comparedWith(panel: Panel): MeasureCell | null {
+  const reference = referenceOf(panel)
+  const { objective } = shownOf(panel)
+  if (!reference || !objective) return null
+  switch (reference.kind) {
+    case 'no-path':
+      return { text: '–', why: t('race.unreachable') }
+    case 'unknown':
+      return { text: '–', why: t('gap.unknownWhy') }
+    default: {
+      const value = numbers.value.length.format(reference.value)
+      const note = reference.kind === 'unproven' ? { note: t('gap.notProven') } : {}
+      return { text: `${t(`objective.${objectiveWord(objective)}`)} ${value}`, ...note }
+    }
+  }
+}
+
+function orderOf(panel: Panel): MeasureCell | null {
+  const order = shownOf(panel).summary?.tour?.order
+  const spec = scenario.value?.spec
+  return order && spec ? { text: order.map((goal) => goalName(spec, goal)).join(' → ') } : null
+}
+
+/** Before the first step every run has the digest of nothing. */
+function digestOf(panel: Panel): MeasureCell | null {
+  const { summary } = shownOf(panel)
+  const begun = summary && summary.effort.ant_moves + summary.effort.cell_expansions > 0
+  return begun ? { text: summary.digest } : null
+}
