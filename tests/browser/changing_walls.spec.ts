@@ -2,6 +2,7 @@
 import { expect, type Page, test } from '@playwright/test'
 import { expectClean } from './axe'
 import { freshRace, RacePage } from './race_page'
+import { drawn } from './workers'
 
 const iteration = async (race: RacePage, place = 1) =>
   (await race.result(place)).summary?.iteration ?? 0
@@ -128,5 +129,89 @@ test.describe('walls that change during a run', () => {
     await expectClean(page, 'walls that changed')
     await page.reload()
     await expect(page.getByTestId('keep-trails')).toHaveValue('keep')
+  })
+
+  test('a wall may come and go within one iteration, and a link repeats it', async ({
+    page,
+    browser,
+  }) => {
+    const race = await keeping(page)
+    await page.getByTestId('step-move').click()
+    await race.drag([[1, 1]])
+    await page.keyboard.press('Control+z')
+    await page.keyboard.press('Control+Shift+z')
+    await expect.poll(async () => (await changes(race)).length).toBe(3)
+    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    const results = await race.results()
+    expect(results.map(({ summary, error }) => [summary?.changes, error])).toEqual([
+      [3, null],
+      [3, null],
+    ])
+    const other = await freshRace(browser, await race.shareLink())
+    for (const place of [1, 2])
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
+    await other.page.context().close()
+  })
+
+  test('strokes while the whole engine is still being fetched are in every run', async ({
+    page,
+    browser,
+  }) => {
+    let release = () => {}
+    const held = new Promise<void>((resolve) => {
+      release = resolve
+    })
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    await page.route(/formicarium_bg-.*\.wasm/, async (route) => {
+      await held
+      await route.continue()
+    })
+    await page.getByTestId('keep-trails').selectOption('keep')
+    await race.drag([[1, 3]])
+    await race.drag([[10, 18]])
+    release()
+    const made = async () => (await race.results()).map(({ summary }) => summary?.changes ?? 0)
+    await expect.poll(made).toEqual([2, 2])
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    const other = await freshRace(browser, await race.shareLink())
+    for (const place of [1, 2])
+      await expect(other.page.getByTestId(`verified-${place}`)).toHaveAttribute(
+        'data-verified',
+        'verified',
+      )
+    await other.page.context().close()
+  })
+
+  test('looking back to a map before a change compares with nothing', async ({ page }) => {
+    const race = await keeping(page)
+    await expect(page.getByTestId('gap-1')).toContainText('%')
+    await blockPath(race)
+    await expect.poll(async () => (await race.result(1)).summary?.changes).toBe(1)
+    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    await page.evaluate(() => window.formicarium.look(3))
+    await expect(page.getByTestId('gap-1')).not.toContainText('%')
+    await page.evaluate(() => window.formicarium.look(null))
+    await expect(page.getByTestId('gap-1')).toContainText('%')
+  })
+
+  test('while one draws, walls that have changed before are still there', async ({ page }) => {
+    const race = await keeping(page)
+    const cell = await blockPath(race)
+    await expect.poll(async () => (await race.result(1)).summary?.changes).toBe(1)
+    await page.getByTestId('keep-trails').selectOption('anew')
+    const [from, seen] = [await race.pointOf([1, 1]), await race.pointOf(cell)]
+    const clip = { x: seen.x - 2, y: seen.y - 2, width: 4, height: 4 }
+    const wall = await page.screenshot({ clip })
+    await page.mouse.move(from.x, from.y)
+    await page.mouse.down()
+    for (let i = 0; i < 4; i++) await race.frame()
+    await drawn(page)
+    expect(wall.equals(await page.screenshot({ clip }))).toBe(true)
+    await page.mouse.up()
   })
 })

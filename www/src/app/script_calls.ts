@@ -3,6 +3,7 @@ import type { Notice, ResultFile } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import { badOption, optionsOf, ScriptError, typed, wholeNumber } from '../model/script_error'
 import {
+  isIdle,
   latest,
   lesson,
   loadSession,
@@ -137,17 +138,26 @@ async function finishAll(through: boolean): Promise<void> {
   runOn(through)
   await until(() => phase.peek() !== 'running' || panels.peek().every(ended))
   if (panels.peek().every(ended) || hasMet()) return
+  throw interrupted()
+}
+
+function interrupted(): ScriptError {
   const hint = 'Call run again to go on.'
-  throw new ScriptError('run-ended', '', 'the runs were paused or reset before their end', hint)
+  return new ScriptError('run-ended', '', 'the runs were paused or reset before their end', hint)
 }
 
 async function oneIteration(): Promise<void> {
   await until(() => panels.peek().every(settled))
-  const before = panels.peek().map(iterationOf)
+  const all = panels.peek()
+  const before = all.map(iterationOf)
+  const isThere = () =>
+    panels.peek() === all &&
+    all.every((panel, i) => ended(panel) || iterationOf(panel) > (before[i] ?? 0))
   stepIteration()
-  await until(() =>
-    panels.peek().every((panel, i) => ended(panel) || iterationOf(panel) > (before[i] ?? 0)),
-  )
+  await until(() => isThere() || isIdle())
+  // The last answer may be taken in with the frame after it.
+  if (!isThere()) await new Promise(requestAnimationFrame)
+  if (!isThere() && !hasMet()) throw interrupted()
   // What was met is said with the frame after the last answer.
   if (lesson.peek()?.stops) await new Promise(requestAnimationFrame)
 }

@@ -39,6 +39,8 @@ export interface PanelResult {
   /** One row an iteration: iteration, best so far, iteration best, mean, worst, arrived. */
   history: number[][]
   verified: PanelLive['verified']
+  /** Why there is no run, or no more of it: the engine refused it, or it has failed; null as a rule. */
+  error: { kind: string; message: string } | null
   /** The stops that it has met where the runs stand now, e.g. `[{ when: 'first-path' }]`; empty while they stand for another reason. */
   stops: Stop[]
 }
@@ -123,9 +125,15 @@ function results(): PanelResult[] {
       altitudes: live.bestAltitudes?.length ? [...live.bestAltitudes] : null,
       history: rows(panel),
       verified,
+      error: errorOf(live),
       stops: stopsMet.peek().flatMap((met) => (met.panelId === panel.id ? [met.stop] : [])),
     }
   })
+}
+
+function errorOf({ error, crashed }: PanelLive): PanelResult['error'] {
+  if (crashed !== null) return { kind: 'crashed', message: crashed }
+  return error && { kind: error.kind, message: error.message }
 }
 
 function rows(panel: Panel): number[][] {

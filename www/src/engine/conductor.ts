@@ -22,6 +22,8 @@ export interface ConductorHost {
 }
 
 export interface Conductor {
+  /** Whether nothing is under way: not playing, and no step waits. */
+  isIdle(): boolean
   /** Replaces a panel's run; the request waits until the panel's worker has started. */
   load(panelId: number, runId: number, setup: RunSetup): void
   /** Ends a panel's worker. */
@@ -58,6 +60,10 @@ class FrameLoop implements Conductor {
 
   constructor(private readonly host: ConductorHost) {
     listen((panelId, reply) => this.receive(panelId, reply))
+  }
+
+  isIdle(): boolean {
+    return this.mode === 'idle'
   }
 
   load(panelId: number, runId: number, setup: RunSetup): void {

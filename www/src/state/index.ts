@@ -35,6 +35,7 @@ export {
 } from './panels'
 export { inRelief } from './relief'
 export {
+  isIdle,
   pause,
   play,
   reset,

@@ -62,6 +62,9 @@ const conductor = createConductor({
 
 let lastRunId = 0
 
+/** Whether no run is being advanced, and no step waits. */
+export const isIdle = () => conductor.isIdle()
+
 export function play(): void {
   if (!scenario.peek() || panels.peek().length === 0) return
   if (phase.peek() === 'running' || !allowed()) return
