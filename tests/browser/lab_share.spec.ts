@@ -140,7 +140,9 @@ test.describe('a comparison as a link', () => {
     const { document, numbers } = await decodeFragment(address)
     const spoilt = await encodeDocument(document, [...(numbers ?? []), [null, null]])
     const other = await elsewhere(browser, `${address.split('#')[0]}${PREFIX}${spoilt}`)
-    await expect(other.getByTestId('toast-error')).toContainText('numbers')
+    await expect(other.getByTestId('toast-error')).toContainText(
+      'Numbers must have as many maps as the question, 1',
+    )
     await expect(other.getByTestId('builder')).toBeVisible()
     await other.context().close()
   })

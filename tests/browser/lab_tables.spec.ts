@@ -203,12 +203,12 @@ test.describe('tables of results', () => {
       'matrix-latex',
     ] as const) {
       const chinese = await text(kind)
-      expect(chinese, kind).toMatch(/参评项/)
+      expect(chinese, kind).toMatch(/种子/)
       expect(chinese).toBe(
         await page.evaluate((kind) => window.formicarium.resultFile(kind, 'zh-CN'), kind),
       )
       // Scripts get English whatever the page is in.
-      expect(await results.file(kind)).not.toMatch(/参评项/)
+      expect(await results.file(kind)).not.toMatch(/种子/)
     }
     for (const kind of ['csv', 'summary-csv', 'json'] as const)
       expect(await text(kind)).toBe(await results.file(kind))

@@ -64,7 +64,11 @@ export function checkNumbers(
   { instances, entries }: Pick<Question, 'instances' | 'entries'>,
 ): void {
   if (numbers.length !== instances.length)
-    throw invalid('numbers', `must have ${instances.length} maps`)
+    throw invalid('numbers', `must have as many maps as the question, ${instances.length}`)
   const wrong = numbers.findIndex((map) => map.length !== entries.length)
-  if (wrong >= 0) throw invalid(`numbers[${wrong}]`, `must have ${entries.length} entries`)
+  if (wrong >= 0)
+    throw invalid(
+      `numbers[${wrong}]`,
+      `must have as many entries as the question, ${entries.length}`,
+    )
 }

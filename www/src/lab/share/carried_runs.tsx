@@ -17,10 +17,11 @@ export function CarriedRuns({ recorded }: { recorded: Recorded }) {
   return (
     <section class="recorded-runs" aria-label={caption} data-testid="carried-runs">
       {numbers && (
-        <p>
-          <strong class="chip verification-warn" data-testid="as-recorded">
+        <p class="verification-head">
+          <strong>{caption}</strong>
+          <span class="chip verification-warn" data-testid="as-recorded">
             {t('lab.recorded.asRecorded')}
-          </strong>
+          </span>
         </p>
       )}
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
