@@ -135,7 +135,7 @@ fn only_the_reference_is_printed_without_a_gap() {
     let line = |file: &str, of: &str| folder.read(file).lines().find(|line| line.contains(of)).unwrap_or_default().to_owned();
     assert!(line("out/q.summary.md", "| mine").contains(" | < 0.1 % | < 0.1 % | "));
     assert!(line("out/q.summary.md", "| A*").contains(" | 0.0 % | 0.0 % | "));
-    assert!(line("out/q.tex", "mine").contains(" & $<$ 0.1 \\% & $<$ 0.1 \\% & "));
+    assert!(line("out/q.tex", "    mine (from").contains(" & $<$ 0.1 \\% & $<$ 0.1 \\% & "));
     assert!(line("out/q.matrix.md", "| small").contains(" 9.001; < 0.1 % |"));
     assert!(line("out/q.matrix.tex", "small (").contains(" 9.001; $<$ 0.1 \\% "));
 }
