@@ -55,7 +55,8 @@ fn report(args: &Args, comparison: &Comparison, done: &[Row], place: &Place) -> 
     said += &report::verdicts(comparison, &analysis.judged);
     said += &report::components(comparison, &effects(&samples));
     let (command, document) = (args.command(), |with_rows| comparison_json::write(comparison, done, with_rows));
-    let reports = Reports { comparison, rows: &rows, analysis: &analysis, command: &command, document: &document };
+    let language = args.language;
+    let reports = Reports { comparison, rows: &rows, analysis: &analysis, command: &command, language, document: &document };
     for (ending, file) in &args.files {
         let path = place.file(ending);
         place.write(&path, &reports.contents(*file))?;

@@ -68,14 +68,10 @@ pub struct MapAnalysis {
     pub note: String,
     /// What paths are compared by: their length, by slices their cost.
     pub measure: RunMeasure,
-    /// Its name in tables.
-    pub measure_name: String,
     /// The best there is by each objective of an entry, in the order of the entries, with the measure that the objective belongs to.
     pub references: Vec<Yardstick>,
     /// What curves, targets and running times are about: the measure, or where no planner of the map minimises it, what the first one does.
     pub curve_measure: RunMeasure,
-    /// Its name in tables.
-    pub curve_name: String,
     /// Values to be reached, easiest first: the best known value times 1 + each of `target_gaps`. None where no value is known.
     pub targets: Vec<f64>,
     /// Relative distances of the targets from the best known value.
@@ -123,11 +119,9 @@ fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mu
         name: if named { map.scenario.spec.name.clone() } else { instance.id.clone() },
         note: instance.note.clone(),
         measure: map.measure(),
-        measure_name: map.measure().name().into(),
         references: map.yardsticks().to_vec(),
         mixed_objectives: map.yardsticks().len() > 1,
         curve_measure,
-        curve_name: curve_measure.name().into(),
         target_gaps: if targets.is_empty() { Vec::new() } else { TARGET_GAPS.to_vec() },
         targets,
         gap_edges,

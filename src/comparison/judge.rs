@@ -29,7 +29,38 @@ pub enum Verdict {
     /// The interval excludes 0 in the other direction: not reproduced, either.
     Opposite,
     /// There is nothing to compare, for this reason.
-    CannotTell(&'static str),
+    CannotTell(WhyNot),
+}
+
+/// Why nothing can be told of a claim on a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WhyNot {
+    /// Some of their runs are better than the proven optimum.
+    Impossible,
+    /// There are runs of both, and no pair.
+    NoCommonSeed,
+    /// There are no runs of one of them.
+    NotRun,
+    /// The baseline has no value to compare with.
+    NoBaseline,
+    /// There are fewer than [`MIN_PAIRS`] pairs.
+    TooFewRuns,
+    /// No path can be shorter than the baseline's.
+    NoRoom,
+}
+
+impl WhyNot {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Impossible => "runs of one of the two are impossible on this map",
+            Self::NoCommonSeed => "no two runs share a seed",
+            Self::NotRun => "one of the two cannot be run",
+            Self::NoBaseline => "the baseline finds no path in half of its runs or more",
+            Self::TooFewRuns => "too few runs to compare",
+            Self::NoRoom => "nearly all of the baseline's runs are optimal already",
+        }
+    }
 }
 
 /// A claim on one map, measured.
@@ -132,7 +163,7 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
     };
     let is_impossible = |id| of(id).is_some_and(|entry| samples.impossible(instance, entry) > 0);
     let verdict = if [&claim.improved, &claim.baseline].into_iter().any(is_impossible) {
-        Verdict::CannotTell("runs of one of the two are impossible on this map")
+        Verdict::CannotTell(WhyNot::Impossible)
     } else {
         verdict(claim, &judged)
     };
@@ -165,17 +196,17 @@ fn better(direction: Direction, improved: &[f64], baseline: &[f64]) -> Option<f6
 /// The rule of docs/methodology.md.
 fn verdict(claim: &Claim, c: &JudgedClaim) -> Verdict {
     if c.pairs == 0 && c.improved.is_some() && c.baseline.is_some() {
-        return Verdict::CannotTell("no two runs share a seed");
+        return Verdict::CannotTell(WhyNot::NoCommonSeed);
     }
     if c.pairs == 0 {
-        return Verdict::CannotTell("one of the two cannot be run");
+        return Verdict::CannotTell(WhyNot::NotRun);
     }
     if c.baseline.is_some_and(f64::is_infinite) {
-        return Verdict::CannotTell("the baseline finds no path in half of its runs or more");
+        return Verdict::CannotTell(WhyNot::NoBaseline);
     }
     let counted = if c.statistic == Statistic::Mean { c.finite_pairs } else { c.pairs };
     let Some(difference) = c.difference().filter(|_| counted >= MIN_PAIRS) else {
-        return Verdict::CannotTell("too few runs to compare");
+        return Verdict::CannotTell(WhyNot::TooFewRuns);
     };
     let ends = [difference.low, difference.high].map(|d| claim.direction.signed(d));
     if ends[0].max(ends[1]) < 0.0 {
@@ -195,7 +226,7 @@ fn verdict(claim: &Claim, c: &JudgedClaim) -> Verdict {
 fn without_difference(claim: &Claim, c: &JudgedClaim) -> Verdict {
     let no_room = matches!(claim.measure, RunMeasure::Length | RunMeasure::Cost)
         && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM);
-    if no_room { Verdict::CannotTell("nearly all of the baseline's runs are optimal already") } else { Verdict::Not }
+    if no_room { Verdict::CannotTell(WhyNot::NoRoom) } else { Verdict::Not }
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ pub use budget::{Axis, Budget};
 pub use claim::{Claim, Direction, Statistic};
 pub use intervals::Intervals;
 pub(crate) use json::json;
-pub use judge::{JudgedClaim, Verdict};
+pub use judge::{JudgedClaim, Verdict, WhyNot};
 pub use maps::{Map, Yardstick};
 pub use measure::RunMeasure;
 pub use question::{Entry, Instance, Published, Question, Role, Seeds};

@@ -1,4 +1,5 @@
-//! What a comparison says: a CSV with one row a run, and a page of tables. Every number in one fixed form.
+//! What a comparison says: a CSV with one row a run, and a page of tables. Every number in one fixed form, every word in the reader's language
+//! (`words`).
 
 mod ablation;
 mod csv;
@@ -7,177 +8,171 @@ mod file;
 mod latex;
 mod matrix;
 mod names;
+mod numbers;
 mod printed;
 mod table;
 mod tests;
 mod verdicts;
+mod words;
 
 use std::fmt::Write;
 
 use self::escape::{cell, prose};
 use self::names::{asked_name, name, named};
+use self::numbers::{length, middle, short};
+use self::words::Words;
 use super::ablation::effects;
 use super::analysis::{Analysis, EntryAnalysis, MapAnalysis, Origin};
 use super::measure::RunMeasure;
-use super::question::{Entry, Published, Role};
+use super::question::{Entry, Published};
 use super::row::Row;
 use super::samples::{Samples, Seen};
-use super::statistics::Summary;
 use super::{Comparison, Map, Yardstick};
 use crate::exact::Reference;
 use crate::map::{CornerRule, Movement, Moves};
 use crate::scenario::Scenario;
 
 pub use ablation::components;
-pub use csv::{HEADER, csv, line};
+pub use csv::{HEADER, line};
 pub use file::{Reports, ResultFile};
-pub use latex::latex;
-pub use matrix::{csv as matrix_csv, latex as matrix_latex, markdown as matrix_markdown};
-pub use printed::markdown as summary_markdown;
-pub use table::{csv as summary_csv, json as summary_json};
-pub use tests::{tests, tests_csv};
 pub use verdicts::verdicts;
+pub use words::ReportLanguage;
 
 /// The page: what was asked, a table for each map, what became of each claim, and of an ablation what each component does. `command` repeats
 /// it.
-pub fn markdown(comparison: &Comparison, rows: &[Row], analysis: &Analysis, command: &str) -> String {
-    let mut out = head(comparison, analysis, command);
-    entries(&mut out, comparison);
+fn markdown(words: &Words, comparison: &Comparison, rows: &[Row], analysis: &Analysis, command: &str) -> String {
+    let mut out = head(words, comparison, analysis, command);
+    entries(words, &mut out, comparison);
     for (map, of) in comparison.maps.iter().zip(&analysis.instances) {
-        map_table(&mut out, comparison, map, of);
+        map_table(words, &mut out, comparison, map, of);
     }
-    verdicts::claims_table(&mut out, comparison, &analysis.judged);
-    ablation::tables(&mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
+    verdicts::claims_table(words, &mut out, comparison, &analysis.judged);
+    ablation::tables(words, &mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
     out
 }
 
-fn head(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
-    let q = &comparison.question;
-    let paper = if q.paper.is_empty() { String::new() } else { format!("Paper: {}.\n\n", prose(&q.paper)) };
-    let setting = setting_of(comparison, analysis);
+fn head(words: &Words, comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
+    let (q, said) = (&comparison.question, &words.page);
+    let paper = if q.paper.is_empty() { String::new() } else { (said.paper)(&prose(&q.paper)) + "\n\n" };
+    let setting = (said.made_with)(&setting_of(words, comparison, analysis));
     let (title, asks, command) = (prose(&q.title), prose(&q.asks), prose(command));
-    format!("# {title}\n\n{asks}\n\n{paper}Made by `{command}` with {setting} How to read it: docs/methodology.md.\n")
+    format!("# {title}\n\n{asks}\n\n{paper}{}`{command}`{setting}{}\n", said.made_by, said.how_to_read)
 }
 
 /// What numbers depend on beside the question: engine, seeds, budget.
-fn setting_of(comparison: &Comparison, analysis: &Analysis) -> String {
+fn setting_of(words: &Words, comparison: &Comparison, analysis: &Analysis) -> String {
     let q = &comparison.question;
-    let runs = analysis.counts.words();
     let last = q.seeds.from.saturating_add(q.seeds.count.saturating_sub(1));
-    let seeds = format!("seeds {} to {last} of every entry on every map, {runs}", q.seeds.from);
-    let budget = q.budget.map_or_else(String::new, |b| format!(", of each at most {} {} count", b.amount, b.axis.words()));
-    format!("engine version {}: {seeds}{budget}.", env!("CARGO_PKG_VERSION"))
+    (words.names.setting)([q.seeds.from, last], analysis.counts, q.budget)
 }
 
-/// Which entries make what small, on each map where they differ in that.
-fn objectives_notes(analysis: &Analysis) -> impl Iterator<Item = String> {
-    analysis.instances.iter().filter(|map| map.mixed_objectives).map(|map| {
-        let of = |objective| {
-            let by: Vec<_> = map.entries.iter().filter(|e| e.objective == Some(objective)).map(|e| e.label.as_str()).collect();
-            format!("{} ({})", objective.words(), by.join(", "))
-        };
-        let all: Vec<String> = map.references.iter().map(|yardstick| of(yardstick.objective)).collect();
-        format!("{}, the entries make different things small, by which their gaps go: {}", map.name, all.join("; "))
-    })
+/// Which entries of a map, called by this, make what small.
+fn objectives(words: &Words, map: &MapAnalysis, called: fn(&str) -> String) -> String {
+    let of = |yardstick: &Yardstick| {
+        let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+        let by: Vec<_> = by.map(|e| called(&e.label)).collect();
+        (words.signs.beside)((words.names.objective)(yardstick.objective), &by.join(words.signs.list))
+    };
+    map.references.iter().map(of).collect::<Vec<_>>().join(words.signs.parts)
 }
 
 /// What each entry runs.
-fn entries(out: &mut String, comparison: &Comparison) {
-    out.push_str("\n| entry | | runs |\n|---|---|---|\n");
+fn entries(words: &Words, out: &mut String, comparison: &Comparison) {
+    let _ = writeln!(out, "\n| {} | | {} |\n|---|---|---|", words.page.entry, words.page.runs);
     for e in &comparison.question.entries {
-        let role = match e.role {
-            Role::Baseline => "baseline",
-            Role::Improved => "improved",
-            Role::Other => "",
-        };
-        let _ = writeln!(out, "| {} | {role} | {} |", cell(&asked_name(e)), cell(&recipe(e)));
+        let role = (words.names.role)(e.role);
+        let _ = writeln!(out, "| {} | {role} | {} |", cell(&asked_name(words, e)), cell(&recipe(words, e)));
     }
 }
 
 /// An entry as arguments of `formicarium plan`.
-fn recipe(entry: &Entry) -> String {
+fn recipe(words: &Words, entry: &Entry) -> String {
+    let said = &words.page;
     if let Some(file) = &entry.results {
-        return format!("results from {file}");
+        return (said.results_from)(file);
     }
     let Some(planner) = &entry.planner else {
-        return format!("not run: {}", entry.missing.as_deref().unwrap_or("no planner"));
+        return (said.cannot_run)(entry.missing.as_deref().unwrap_or(said.no_planner));
     };
     let preset = entry.preset.as_ref().map_or_else(String::new, |p| format!(" --preset {p}"));
     let set: String = entry.set.iter().map(|(key, value)| format!(" --set {key}={value}")).collect();
     format!("`--planner {planner}{preset}{set}`")
 }
 
-fn map_table(out: &mut String, comparison: &Comparison, map: &Map, of: &MapAnalysis) {
-    let grid = &map.scenario.grid;
+fn map_table(words: &Words, out: &mut String, comparison: &Comparison, map: &Map, of: &MapAnalysis) {
+    let signs = &words.signs;
     let _ = writeln!(out, "\n## {}\n", prose(&of.name));
-    let _ = writeln!(out, "`{}`, {} × {}, {}. {}\n", of.id, grid.width(), grid.height(), moves(&map.scenario), prose(&of.note));
-    let _ = write!(out, "| | published: {} / turns / iterations ", of.measure_name);
-    out.push_str("| found a path | best | median | IQR | mean ± sd [95 %] | iteration of best: median (IQR) ");
-    out.push_str(
-        "| constructed paths to best: median | turns: median (IQR) | optimal |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-    );
+    let _ = writeln!(out, "`{}`{}{}{}{}\n", of.id, signs.comma, rule(words, map), signs.next, prose(&of.note));
+    let published_head = (words.page.published)((words.names.measure)(of.measure));
+    let columns = words.page.columns.join(" | ");
+    let _ = writeln!(out, "| | {published_head} | {columns} |\n|{}", "---|".repeat(2 + words.page.columns.len()));
     for (entry, asked) in of.entries.iter().zip(&comparison.question.entries) {
         let published = asked.published.get(&of.id).map_or_else(|| "–".into(), |row| published(of.measure, row));
-        let _ = writeln!(out, "| {} | {published} | {} |", cell(&name(entry)), ours(entry));
+        let _ = writeln!(out, "| {} | {published} | {} |", cell(&name(words, entry)), ours(words, entry));
     }
-    of.references.iter().for_each(|yardstick| reference(out, of, yardstick));
-    impossible(out, of);
+    of.references.iter().for_each(|yardstick| reference(words, out, of, yardstick));
+    if of.references.iter().any(|yardstick| of.mixed_objectives || yardstick.measure != of.measure) {
+        let small = (words.names.makes_small)(&objectives(words, of, |label| format!("“{label}”")));
+        let _ = writeln!(out, "\n{}{}", prose(&printed::sentence(&small)), signs.end);
+    }
+    impossible(words, out, of);
 }
 
 /// The best there is by an objective; where nothing is proven, the best of these runs stands in.
-fn reference(out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
-    let name = yardstick.objective.words();
+fn reference(words: &Words, out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
+    let (said, name) = (&words.page, (words.names.objective)(yardstick.objective));
     let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
     let best = by.filter_map(|e| e.best).reduce(f64::min);
     let (name, value) = match yardstick.reference {
-        Reference::Proven { value } => (format!("exact optimum, {name}"), length(value)),
-        Reference::Unproven { value } => {
-            (format!("best known, not proven, {name}"), length(best.map_or(value, |best| best.min(value))))
-        }
-        Reference::NoPath => ("exact".into(), "no path exists".into()),
-        Reference::Unknown => (format!("best of these runs, nothing is proven, {name}"), best.map_or("none".into(), length)),
+        Reference::Proven { value } => ((said.exact_optimum)(name), length(value)),
+        Reference::Unproven { value } => ((said.best_known)(name), length(best.map_or(value, |best| best.min(value)))),
+        Reference::NoPath => (said.exact.into(), said.no_path_exists.into()),
+        Reference::Unknown => ((said.best_of_runs)(name), best.map_or(said.none.into(), length)),
     };
     let _ = writeln!(out, "| {name} | | | {value} | | | | | | | |");
 }
 
 /// Names what no path on this map can have.
-fn impossible(out: &mut String, map: &MapAnalysis) {
+fn impossible(words: &Words, out: &mut String, map: &MapAnalysis) {
+    let (said, about) = (&words.page, words.signs.about);
     let mut told = Vec::new();
     for e in &map.entries {
         if let Some((value, optimum)) = e.published.filter(|p| p.impossible).and_then(|p| p.value.zip(p.optimum)) {
-            let what = format!("the published {value} is impossible on this map under its rule");
-            told.push(format!("{}: {what}: the exact optimum is {}.", prose(&e.label), length(optimum)));
+            told.push(about(&prose(&e.label), &(said.published_impossible)(&value.to_string(), &length(optimum))));
         }
         if e.impossible > 0 {
-            let what = format!("{} of {} runs are impossible on this map under its rule", e.impossible, e.runs);
-            let why = "they are better than the exact optimum, or there is no path; so the entry is not ranked or tested";
-            told.push(format!("{}: {what}: {why}.", prose(&named(&e.label, e.origin == Origin::Results))));
+            let name = named(words, &e.label, e.origin == Origin::Results);
+            told.push(about(&prose(&name), &(said.runs_impossible)(e.impossible, e.runs)));
         }
     }
     if !told.is_empty() {
-        let _ = writeln!(
-            out,
-            "\n- {}\n\nOf a map that only stands for the publication's, this says that the two differ.",
-            told.join("\n- ")
-        );
+        let _ = writeln!(out, "\n- {}\n\n{}", told.join("\n- "), said.stand_in);
     }
 }
 
-/// How one moves on a map.
-fn moves(scenario: &Scenario) -> String {
+/// Its size, and how one moves on it.
+fn rule(words: &Words, map: &Map) -> String {
+    let grid = &map.scenario.grid;
+    format!("{} × {}{}{}", grid.width(), grid.height(), words.signs.comma, moves(words, &map.scenario))
+}
+
+fn moves(words: &Words, scenario: &Scenario) -> String {
+    let said = &words.names;
     if let Some(slices) = scenario.by_slices() {
         let r = slices.rules();
-        return format!("by slices, {} levels of {} m, |Δy| ≤ {}, |Δh| ≤ {}", r.levels, r.level, r.max_aside, r.max_climb);
+        let numbers = [r.levels.to_string(), r.level.to_string(), r.max_aside.to_string(), r.max_climb.to_string()];
+        return (said.by_slices)(numbers);
     }
     let Movement { moves, corner_rule } = scenario.spec.movement;
     let rule = match (moves, corner_rule) {
-        (Moves::Four, _) => "",
-        (_, CornerRule::Always) => ", `always`",
-        (_, CornerRule::OneFree) => ", `one-free`",
-        (_, CornerRule::BothFree) => ", `both-free`",
+        (Moves::Four, _) => None,
+        (_, CornerRule::Always) => Some("`always`"),
+        (_, CornerRule::OneFree) => Some("`one-free`"),
+        (_, CornerRule::BothFree) => Some("`both-free`"),
     };
-    let surface = if scenario.moves.relief().is_some() { ", on the surface" } else { "" };
-    format!("{} moves{rule}{surface}", u8::from(moves))
+    let rule = rule.map_or_else(String::new, |rule| format!("{}{rule}", words.signs.comma));
+    let surface = if scenario.moves.relief().is_some() { said.on_surface } else { "" };
+    (said.moves)(&u8::from(moves).to_string()) + &rule + surface
 }
 
 fn published(main: RunMeasure, row: &Published) -> String {
@@ -188,12 +183,12 @@ fn published(main: RunMeasure, row: &Published) -> String {
 }
 
 /// The cells of a table from our runs, best to deviation by the main measure; of paths, over the runs that found one.
-fn ours(e: &EntryAnalysis) -> String {
+fn ours(words: &Words, e: &EntryAnalysis) -> String {
     const NONE: &str = "– | – | – | – | – | – | – | –";
     if e.runs == 0 {
-        return format!("not run | {NONE}");
+        return format!("{} | {NONE}", words.names.not_run);
     }
-    let share = format!("{} of {}", e.with_path, e.runs);
+    let share = (words.signs.part_of)(e.with_path, e.runs);
     let Some(l) = &e.summary else { return format!("{share} | {NONE}") };
     let spread = l.deviation.map_or_else(|| length(l.mean), |sd| format!("{} ± {}", length(l.mean), length(sd)));
     let range = e.mean_interval.map_or_else(String::new, |[low, high]| format!(" [{}, {}]", length(low), length(high)));
@@ -209,18 +204,4 @@ fn ours(e: &EntryAnalysis) -> String {
         known(e.turns.as_ref().map(middle)),
         if e.proven { e.optimal.to_string() } else { "–".into() },
     )
-}
-
-fn middle(s: &Summary) -> String {
-    format!("{} ({}–{})", short(s.median), short(s.lower), short(s.upper))
-}
-
-fn length(v: f64) -> String {
-    format!("{v:.3}")
-}
-
-/// Up to two decimals.
-fn short(v: f64) -> String {
-    let text = format!("{v:.2}");
-    text.trim_end_matches('0').trim_end_matches('.').into()
 }

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Clock, Flag, Number, ParamValues, Seconds, Text, argument, not};
 use super::{Answer, object, throw};
-use crate::comparison::report::{Reports, ResultFile};
+use crate::comparison::report::{ReportLanguage, Reports, ResultFile};
 use crate::comparison::{
     self, Ablated, AblationRole, Analysis, Axis, Entry, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed,
     Verification, analyse, analysis,
@@ -195,16 +195,18 @@ impl Comparison {
         Ok(object(&analyse(&samples, axis, intervals.then_some(&mut self.intervals))))
     }
 
-    /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made.
-    pub fn file(&mut self, file: Ts<ResultFile>, command: &Text) -> Answer<String> {
+    /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made; `language` is what
+    /// Markdown and LaTeX are written in.
+    pub fn file(&mut self, file: Ts<ResultFile>, command: &Text, language: Ts<ReportLanguage>) -> Answer<String> {
         let (file, command) = (arguments::word(&file.js_value(), "file")?, command.read("command")?);
+        let language: ReportLanguage = arguments::word(&language.js_value(), "language")?;
         let done = self.done_rows();
         let rows = self.inner.all_rows(&done);
         let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
         let recorded = self.recorded_now(&done);
         let document = |with_rows| comparison_json::write_as(&self.inner, &done, with_rows, recorded.as_ref());
-        let reports =
-            Reports { comparison: &self.inner, rows: &rows, analysis: &analysis, command: &command, document: &document };
+        let (comparison, rows, analysis, command, document) = (&self.inner, &rows[..], &analysis, &*command, &document);
+        let reports = Reports { comparison, rows, analysis, command, language, document };
         Ok(reports.contents(file))
     }
 

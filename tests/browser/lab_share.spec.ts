@@ -29,9 +29,10 @@ async function link(page: Page): Promise<string> {
 
 /** The same link with its document changed, and its checksum right. */
 async function changed(address: string, change: (document: Spoilt) => void): Promise<string> {
-  const document = JSON.parse(await decodeFragment(address))
+  const { numbers, ...carried } = await decodeFragment(address)
+  const document = JSON.parse(carried.document)
   change(document)
-  return `${address.split('#')[0]}${PREFIX}${await encodeDocument(JSON.stringify(document))}`
+  return `${address.split('#')[0]}${PREFIX}${await encodeDocument(JSON.stringify(document), numbers)}`
 }
 
 /** The page in a browser context of its own, which shares nothing with the first. */
@@ -92,13 +93,19 @@ test.describe('a comparison as a link', () => {
     )
     await state(other).toHaveAttribute('data-state', 'none')
     // All that the link carries is there at once.
-    const { recorded } = JSON.parse(await decodeFragment(address))
+    const sent = await decodeFragment(address)
+    const { recorded } = JSON.parse(sent.document)
     const carried = other.getByTestId('carried-runs')
-    for (const { count, digest } of recorded.runs[0]) {
-      await expect(carried).toContainText(`${count} runs`)
-      await expect(carried).toContainText(digest)
+    for (const { digest } of recorded.runs[0]) await expect(carried).toContainText(digest)
+    await expect(other.getByTestId('as-recorded')).toHaveText('as recorded, not verified here')
+    for (const one of sent.numbers?.[0] ?? []) {
+      await expect(carried).toContainText(`${one?.withPath} of 4 with a path`)
+      await expect(carried).toContainText(`median ${one?.median?.toFixed(2)}`)
     }
-    await expect(carried).toContainText('are not in the link')
+    // Handed on before anything has run, it carries them still; a reload has them too.
+    expect(await decodeFragment(await link(other))).toEqual(sent)
+    await other.reload()
+    await expect(carried).toContainText('4 of 4 with a path')
     await expect(other.getByTestId('run-bar')).toContainText('Small')
     await expect(other.getByTestId('lab-progress')).toHaveAttribute('aria-valuemax', '8')
     await verifyAll(other)
@@ -106,13 +113,37 @@ test.describe('a comparison as a link', () => {
     await expect(other.getByTestId('verified')).toHaveText('verified: bit for bit')
     const { violations } = await new AxeBuilder({ page: other }).include('.verification').analyze()
     expect(violations).toEqual([])
-    // A link made there has the same digests.
-    const again = JSON.parse(await decodeFragment(await link(other)))
-    expect(again).toEqual(JSON.parse(await decodeFragment(address)))
+    // The numbers are those of the runs here now; a link made there has the same digests and numbers.
+    await expect(carried).toHaveCount(0)
+    const again = await decodeFragment(await link(other))
+    expect(JSON.parse(again.document)).toEqual(JSON.parse(sent.document))
+    expect(again.numbers).toEqual(sent.numbers)
     // A reload goes on with the comparison instead of opening the link once more.
     await expect.poll(() => new ComparisonPage(other).keptRuns()).toBe(RUNS)
     await other.reload()
     await state(other).toHaveAttribute('data-state', 'same')
+    await other.context().close()
+  })
+
+  test('of an earlier page, which tells no numbers, says so', async ({ browser }) => {
+    const { document } = await decodeFragment(address)
+    const earlier = `${address.split('#')[0]}${PREFIX}${await encodeDocument(document)}`
+    const other = await elsewhere(browser, earlier)
+    const carried = other.getByTestId('carried-runs')
+    await expect(carried).toContainText('4 runs')
+    await expect(carried).toContainText('are not in the link')
+    await expect(other.getByTestId('as-recorded')).toHaveCount(0)
+    await other.context().close()
+  })
+
+  test('with numbers of another question is refused by name', async ({ browser }) => {
+    const { document, numbers } = await decodeFragment(address)
+    const spoilt = await encodeDocument(document, [...(numbers ?? []), [null, null]])
+    const other = await elsewhere(browser, `${address.split('#')[0]}${PREFIX}${spoilt}`)
+    await expect(other.getByTestId('toast-error')).toContainText(
+      'Numbers must have as many maps as the question, 1',
+    )
+    await expect(other.getByTestId('builder')).toBeVisible()
     await other.context().close()
   })
 

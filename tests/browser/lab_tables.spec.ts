@@ -185,6 +185,36 @@ test.describe('tables of results', () => {
     expect((await results.file('csv')).trim().split('\n')).toEqual(runs)
   })
 
+  test('files for people are in the language of the page, those for programs in none', async ({
+    page,
+  }) => {
+    const results = new ResultsPage(page)
+    await results.show(richDocument(3))
+    await page.getByTestId('language').click()
+    await page.getByTestId('language-zh-CN').click()
+    await results.tab('files')
+    const text = async (kind: string) =>
+      (await results.downloaded(`file-${kind}`)).bytes.toString('utf8')
+    for (const kind of [
+      'markdown',
+      'tests',
+      'summary-markdown',
+      'latex',
+      'matrix-latex',
+    ] as const) {
+      const chinese = await text(kind)
+      expect(chinese, kind).toMatch(/种子/)
+      expect(chinese).toBe(
+        await page.evaluate((kind) => window.formicarium.resultFile(kind, 'zh-CN'), kind),
+      )
+      // Scripts get English whatever the page is in.
+      expect(await results.file(kind)).not.toMatch(/种子/)
+    }
+    for (const kind of ['csv', 'summary-csv', 'json'] as const)
+      expect(await text(kind)).toBe(await results.file(kind))
+    await expect(page.getByTestId('file-row-latex')).toContainText('ctex')
+  })
+
   test('times have a file of their own', async ({ page }) => {
     const results = new ResultsPage(page)
     await results.show()

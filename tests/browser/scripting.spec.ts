@@ -89,6 +89,7 @@ const REFUSED: [code: string, kind: string, field: string][] = [
   ['formicarium.look()', 'bad-option', 'iteration'],
   ['formicarium.resultFile("csv")', 'no-comparison', ''],
   ['formicarium.resultFile("pdf")', 'unknown-file', 'kind'],
+  ['formicarium.resultFile("csv", "de")', 'bad-option', 'language'],
   ['formicarium.compare({ seed: 3 })', 'unknown-option', 'seed'],
   ['formicarium.compare({ seeds: 0 })', 'bad-option', 'seeds'],
   ['formicarium.compare({ seeds: { count: 3 } })', 'bad-option', 'seeds.from'],

@@ -76,6 +76,71 @@ fn the_summary_has_a_line_an_entry_and_map() {
 }
 
 #[test]
+fn what_people_read_is_in_their_language_and_what_programs_read_in_none() {
+    const FOR_PEOPLE: [&str; 6] = ["md", "tests.md", "summary.md", "matrix.md", "tex", "matrix.tex"];
+    let folder = Folder::with_question("chinese");
+    let files = "csv,tests-csv,summary-csv,summary-json,matrix-csv,json,markdown,tests,summary-markdown,matrix-markdown,latex,matrix-latex";
+    let compare = |out: &str, language: &str| folder.compare(&["q.toml", "--out", out, "--files", files, "--language", language]);
+    assert_eq!((compare("en", "en").0, compare("zh", "zh-CN").0), (0, 0));
+    for ending in ["csv", "tests.csv", "summary.csv", "summary.json", "matrix.csv", "json"] {
+        assert_eq!(folder.read(&format!("en/q.{ending}")), folder.read(&format!("zh/q.{ending}")), "{ending}");
+    }
+    // Every word is Chinese but those of the question, names, and what is typed.
+    let kept = "formicarium compare toml out dir language zh cn planner set docs methodology md both free iqr wilcoxon mann whitney holm \
+                friedman tex program xelatex usepackage booktabs graphicx ctex lualatex begin end table tabular centering caption label tab \
+                linewidth width textbf shortstack toprule midrule bottomrule resizebox ifdim else fi setlength tabcolsep pt times pm leq \
+                matrix lrrrrrrrrrr lrrr ant system astar";
+    let known = format!("{kept} {}", QUESTION.to_lowercase());
+    let is_known = |word: &str| known.split(|c: char| !c.is_ascii_alphabetic()).any(|known| known == word);
+    for ending in FOR_PEOPLE {
+        let text = folder.read(&format!("zh/q.{ending}")).to_lowercase();
+        let words = text.split(|c: char| !c.is_ascii_alphabetic()).filter(|word| word.len() > 1);
+        let english: Vec<&str> = words.filter(|word| !is_known(word)).collect();
+        assert!(english.is_empty(), "{ending}: {english:?} in\n{text}");
+    }
+    assert!(folder.read("zh/q.md").contains("由 `formicarium compare q.toml --out DIR --language zh-CN` 生成，引擎版本 "));
+    assert!(folder.read("zh/q.tex").starts_with("% !TEX program = xelatex\n% 由 `formicarium compare"));
+    // Files in one language are known as ours when they are written in the other.
+    assert_eq!((compare("zh", "en").0, compare("en", "zh-CN").0), (0, 0));
+    FOR_PEOPLE.iter().for_each(|e| assert_eq!(folder.read(&format!("zh/q.{e}")).contains("种子"), false, "{e}"));
+    let (code, said) = compare("de", "de");
+    assert!(code == 2 && said.contains("choose from en, zh-CN"), "{said}");
+}
+
+#[test]
+fn different_objectives_are_told_below_each_table() {
+    let folder = Folder::with_question("objectives");
+    let told = |planner: &str| {
+        folder.write("q.toml", &QUESTION.replacen("planner = \"astar\"", &format!("planner = \"{planner}\""), 1));
+        assert_eq!(folder.compare(&["q.toml", "--out", "out", "--files", "markdown"]).0, 0);
+        let page = folder.read("out/q.md");
+        page.lines().filter(|line| line.starts_with("Makes small: ")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(told("astar"), [""; 0]);
+    assert_eq!(told("any-angle"), ["Makes small: length by steps (“colony”); length of a polyline (“A*”)."; 2]);
+    // All alike, and not what the map is measured by.
+    let alone = QUESTION.replacen("planner = \"astar\"", "planner = \"turn-aware\"", 1);
+    let alone = alone.replacen("planner = \"ant-system\"\nset", "planner = \"turn-aware\"\n# set", 1);
+    folder.write("q.toml", &alone);
+    assert_eq!(folder.compare(&["q.toml", "--out", "out", "--files", "markdown"]).0, 0);
+    assert!(folder.read("out/q.md").contains("\n\nMakes small: turn index V (“colony”, “A*”).\n"));
+}
+
+#[test]
+fn only_the_reference_is_printed_without_a_gap() {
+    let folder = Folder::with_question("gaps");
+    folder.write("mine.csv", "algorithm,map,seed,length\nmine,small,5,9.001\n");
+    let files = "summary-markdown,matrix-markdown,latex,matrix-latex";
+    assert_eq!(folder.compare(&["q.toml", "--out", "out", "--results", "mine.csv", "--files", files]).0, 0);
+    let line = |file: &str, of: &str| folder.read(file).lines().find(|line| line.contains(of)).unwrap_or_default().to_owned();
+    assert!(line("out/q.summary.md", "| mine").contains(" | < 0.1 % | < 0.1 % | "));
+    assert!(line("out/q.summary.md", "| A*").contains(" | 0.0 % | 0.0 % | "));
+    assert!(line("out/q.tex", "    mine (from").contains(" & $<$ 0.1 \\% & $<$ 0.1 \\% & "));
+    assert!(line("out/q.matrix.md", "| small").contains(" 9.001; < 0.1 % |"));
+    assert!(line("out/q.matrix.tex", "small (").contains(" 9.001; $<$ 0.1 \\% "));
+}
+
+#[test]
 fn the_table_for_a_paper_is_whole_latex() {
     let folder = Folder::with_question("latex");
     folder.write("q.toml", &QUESTION.replacen("label = \"colony\"", "label = \"colony_1 & 50 % of {η}\"", 1));

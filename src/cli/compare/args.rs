@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use formicarium::comparison::Budget;
-use formicarium::comparison::report::ResultFile;
+use formicarium::comparison::report::{ReportLanguage, ResultFile};
 use formicarium::error::QuestionError;
 use formicarium::params::Value;
 
@@ -29,6 +29,7 @@ Examples:
   formicarium compare experiments/ship.toml --out experiments/records
   formicarium compare ship.json --out /tmp/again
   formicarium compare experiments/ship.toml --out /tmp/look --seeds 10 --files markdown,latex
+  formicarium compare experiments/ship.toml --out /tmp/zh --files markdown,latex --language zh-CN
   formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
   formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
   formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
@@ -68,6 +69,9 @@ pub struct Args {
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
           default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]
     pub files: Vec<(&'static str, ResultFile)>,
+    /// What Markdown and LaTeX are written in: en or zh-CN; CSV and JSON, which programs read, are the same in each
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", hide_default_value = true, value_parser = language)]
+    pub language: ReportLanguage,
     /// Runs at the same time [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
@@ -130,6 +134,9 @@ impl Args {
         let id = |id: &Option<String>| id.as_ref().map_or_else(String::new, |id| format!("{id}="));
         self.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), file_name(file)));
         self.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), file_name(file)));
+        if self.language != ReportLanguage::default() {
+            said += &format!(" --language {}", self.language.code());
+        }
         said
     }
 
@@ -144,6 +151,14 @@ fn result_file(text: &str) -> Result<(&'static str, ResultFile), String> {
     let named = ResultFile::NAMED.iter().find(|(id, ..)| *id == text);
     let all = || ResultFile::NAMED.map(|(id, ..)| id).join(", ");
     named.map(|&(_, ending, file)| (ending, file)).ok_or_else(|| format!("choose from {}", all()))
+}
+
+/// A language of `--language`.
+fn language(text: &str) -> Result<ReportLanguage, String> {
+    let named = ReportLanguage::NAMED.iter().find(|(code, _)| *code == text);
+    named
+        .map(|&(_, language)| language)
+        .ok_or_else(|| format!("choose from {}", ReportLanguage::NAMED.map(|(code, _)| code).join(", ")))
 }
 
 /// `AXIS=AMOUNT` of `--budget`.

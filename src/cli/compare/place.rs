@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use formicarium::comparison::report::{HEADER, ResultFile};
+use formicarium::comparison::report::{HEADER, ReportLanguage, ResultFile};
 use formicarium::digest::Digest;
 
 use crate::cli::error::CliError;
@@ -107,19 +107,14 @@ fn is_ours(path: &Path, file: ResultFile) -> std::io::Result<bool> {
 }
 
 fn begins_as(file: ResultFile, text: &str) -> bool {
-    let page = |tells: &str| text.starts_with("# ") && text.contains(tells);
     match file {
         ResultFile::Csv => text.starts_with(HEADER),
         ResultFile::TestsCsv => text.starts_with("instance,test,first,second,statistic,p,"),
         ResultFile::SummaryCsv => text.starts_with("instance,entry,label,role,origin,measure,"),
-        ResultFile::Markdown => page("\nMade by `") && page(" How to read it: docs/methodology.md."),
-        ResultFile::Tests => page("\nTwo-sided rank tests of every pair of entries"),
-        ResultFile::SummaryMarkdown => page("\n\nengine version "),
         ResultFile::MatrixCsv => text.starts_with("instance,entry,measure,objective,runs,"),
-        ResultFile::MatrixMarkdown => page(": maps × entries\n\nengine version "),
-        ResultFile::Latex | ResultFile::MatrixLatex => text.starts_with("% Made by `"),
         ResultFile::Json | ResultFile::Link => is_json_of(text, "formicarium/comparison@"),
         ResultFile::SummaryJson => is_json_of(text, "formicarium/summary@"),
+        for_people => ReportLanguage::NAMED.iter().any(|(_, language)| for_people.is_begun_by(*language, text)),
     }
 }
 

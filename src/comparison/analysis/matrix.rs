@@ -32,8 +32,6 @@ pub struct MatrixRow {
     pub name: String,
     /// What medians are of.
     pub measure: RunMeasure,
-    /// Its name in tables.
-    pub measure_name: String,
     /// One for each entry of the question.
     pub cells: Vec<MatrixCell>,
 }
@@ -126,7 +124,6 @@ pub(super) fn matrix(samples: &Samples, maps: &[MapAnalysis], ranked: &Ranked) -
         id: map.id.clone(),
         name: map.name.clone(),
         measure: map.measure,
-        measure_name: map.measure_name.clone(),
         cells: map.entries.iter().enumerate().map(|(e, entry)| cell(entry, rank(index, e))).collect(),
     };
     let rows: Vec<MatrixRow> = maps.iter().enumerate().map(row).collect();

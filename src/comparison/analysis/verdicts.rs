@@ -110,6 +110,6 @@ fn kind(verdict: Verdict) -> (VerdictKind, &'static str) {
         Verdict::Partly => (VerdictKind::Partly, ""),
         Verdict::Not => (VerdictKind::Not, ""),
         Verdict::Opposite => (VerdictKind::Opposite, ""),
-        Verdict::CannotTell(why) => (VerdictKind::CannotTell, why),
+        Verdict::CannotTell(why) => (VerdictKind::CannotTell, why.words()),
     }
 }

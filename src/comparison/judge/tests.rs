@@ -53,8 +53,8 @@ fn runs_without_a_path_decide_too() {
     assert!(cannot(judged(Some(0.1), 40.0, inf, -inf, -inf)));
     assert!(cannot(JudgedClaim { pairs: 29, ..judged(None, 39.0, 40.0, -2.0, -0.5) }));
     let unpaired = JudgedClaim { medians: None, pairs: 0, ..judged(None, 39.0, 40.0, 0.0, 0.0) };
-    assert_eq!(judge(unpaired.clone()), Verdict::CannotTell("no two runs share a seed"));
-    assert_eq!(judge(JudgedClaim { improved: None, ..unpaired }), Verdict::CannotTell("one of the two cannot be run"));
+    assert_eq!(judge(unpaired.clone()), Verdict::CannotTell(WhyNot::NoCommonSeed));
+    assert_eq!(judge(JudgedClaim { improved: None, ..unpaired }), Verdict::CannotTell(WhyNot::NotRun));
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub const HEADER: &str = "instance,entry,seed,status,length,turns,turn_index,wei
                           objective,value,reference,proven,gap,digest";
 
 /// One line a run, lengths in cells with six decimals; empty fields where no path was found, or nothing is known.
-pub fn csv(comparison: &Comparison, rows: &[Row]) -> String {
+pub(super) fn csv(comparison: &Comparison, rows: &[Row]) -> String {
     let lines: String = rows.iter().map(|row| line(comparison, row) + "\n").collect();
     format!("{HEADER}\n{lines}")
 }

@@ -2,10 +2,15 @@
 
 use std::borrow::Cow;
 
-/// A text in a paragraph, a heading or a list: no HTML begins, and no line ends.
+/// A text in a paragraph, a heading or a list: no HTML begins, and no line ends. None begins with `< `, as in `< 0.1 %`.
 pub(super) fn prose(text: &str) -> Cow<'_, str> {
     let has_meaning = |c: char| c == '<' || c.is_control();
-    if text.contains(has_meaning) { Cow::Owned(text.chars().map(plain).collect()) } else { Cow::Borrowed(text) }
+    if !text.contains(has_meaning) {
+        return Cow::Borrowed(text);
+    }
+    let is_before_space = |at: usize| text[at..].starts_with("< ");
+    let letter = |(at, letter): (usize, char)| if is_before_space(at) { letter.to_string() } else { plain(letter) };
+    Cow::Owned(text.char_indices().map(letter).collect())
 }
 
 /// A text in a cell of a table: no column begins either.
@@ -28,7 +33,7 @@ mod tests {
 
     #[test]
     fn no_text_breaks_out() {
-        assert_eq!(prose("|h| < 3\n\u{1b}[2J <script>"), "|h| &lt; 3  [2J &lt;script>");
+        assert_eq!(prose("|h| < 3\n\u{1b}[2J <script>"), "|h| < 3  [2J &lt;script>");
         assert_eq!(cell("a|b\r\n| c"), "a\\|b  \\| c");
         assert!(matches!(cell("ants, ρ = 0.1 & `more`"), Cow::Borrowed(_)));
     }

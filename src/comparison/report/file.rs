@@ -2,6 +2,8 @@
 
 use serde::Deserialize;
 
+use super::words::ReportLanguage;
+use super::{csv, latex, matrix, printed, table, tests};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 use crate::comparison::row::Row;
@@ -57,6 +59,23 @@ impl ResultFile {
     ];
 }
 
+impl ResultFile {
+    /// Whether a text begins as a file of this kind for people does in a language; false of a kind for programs.
+    pub fn is_begun_by(self, language: ReportLanguage, text: &str) -> bool {
+        let words = language.words();
+        let page = |tells: &str| text.starts_with("# ") && text.contains(tells);
+        let setting = words.names.engine;
+        match self {
+            Self::Markdown => page(&format!("\n{}`", words.page.made_by)) && page(words.page.how_to_read),
+            Self::Tests => page(&format!("\n\n{}", words.tests.about)),
+            Self::SummaryMarkdown => page(&format!("\n\n{setting}")),
+            Self::MatrixMarkdown => page(&format!("{}\n\n{setting}", (words.matrix.title)(""))),
+            Self::Latex | Self::MatrixLatex => text.starts_with(&format!("{}`", words.latex.made_by)),
+            _ => false,
+        }
+    }
+}
+
 /// What the files are made from.
 pub struct Reports<'a> {
     /// What was asked.
@@ -67,6 +86,8 @@ pub struct Reports<'a> {
     pub analysis: &'a Analysis,
     /// The command that repeats them, for the reader.
     pub command: &'a str,
+    /// What those for people are written in.
+    pub language: ReportLanguage,
     /// The document, with its runs or without.
     pub document: &'a dyn Fn(bool) -> String,
 }
@@ -74,19 +95,20 @@ pub struct Reports<'a> {
 impl Reports<'_> {
     /// The contents of a file: the same bytes wherever it is made.
     pub fn contents(&self, file: ResultFile) -> String {
-        let Self { comparison, rows, analysis, command, document } = self;
+        let Self { comparison, rows, analysis, command, language, document } = self;
+        let words = language.words();
         match file {
-            ResultFile::Csv => super::csv(comparison, rows),
-            ResultFile::Markdown => super::markdown(comparison, rows, analysis, command),
-            ResultFile::Tests => super::tests(comparison, analysis),
-            ResultFile::TestsCsv => super::tests_csv(comparison, analysis),
-            ResultFile::SummaryCsv => super::summary_csv(comparison, analysis),
-            ResultFile::SummaryJson => super::summary_json(comparison, analysis),
-            ResultFile::SummaryMarkdown => super::summary_markdown(comparison, analysis),
-            ResultFile::Latex => super::latex(comparison, analysis, command),
-            ResultFile::MatrixCsv => super::matrix_csv(comparison, analysis),
-            ResultFile::MatrixMarkdown => super::matrix_markdown(comparison, analysis),
-            ResultFile::MatrixLatex => super::matrix_latex(comparison, analysis, command),
+            ResultFile::Csv => csv::csv(comparison, rows),
+            ResultFile::Markdown => super::markdown(words, comparison, rows, analysis, command),
+            ResultFile::Tests => tests::tests(words, comparison, analysis),
+            ResultFile::TestsCsv => tests::tests_csv(comparison, analysis),
+            ResultFile::SummaryCsv => table::csv(comparison, analysis),
+            ResultFile::SummaryJson => table::json(comparison, analysis),
+            ResultFile::SummaryMarkdown => printed::markdown(words, comparison, analysis),
+            ResultFile::Latex => latex::latex(words, comparison, analysis, command),
+            ResultFile::MatrixCsv => matrix::csv(comparison, analysis),
+            ResultFile::MatrixMarkdown => matrix::markdown(words, comparison, analysis),
+            ResultFile::MatrixLatex => matrix::latex(words, comparison, analysis, command),
             ResultFile::Json => document(true),
             ResultFile::Link => document(false),
         }

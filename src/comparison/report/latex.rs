@@ -1,26 +1,32 @@
 //! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
 use super::printed::{Cell, printed, sentence};
+use super::words::Words;
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 
 /// One table a map, its caption with everything that is needed to repeat it. A table that is wider than the text is shrunk to fit it.
 /// Letters beyond Latin and Greek need XeLaTeX or LuaLaTeX.
-pub fn latex(comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
-    let setting = super::setting_of(comparison, analysis);
-    let title = &comparison.question.title;
-    let mut out = head(command);
-    for table in printed(comparison, analysis) {
-        let rule = table.rule.replace('`', "");
-        let caption = format!("{title}. {}: {rule}. {}. Formicarium, {setting}", table.name, sentence(&table.told));
+pub(super) fn latex(words: &Words, comparison: &Comparison, analysis: &Analysis, command: &str) -> String {
+    let setting = super::setting_of(words, comparison, analysis);
+    let mut out = head(words, command);
+    for table in printed(words, comparison, analysis) {
+        let rule = (words.signs.about)(&table.name, &table.rule.replace('`', ""));
+        let caption = caption(words, vec![comparison.question.title.clone(), rule, sentence(&table.told)], &setting);
         out += &environment(&Table { id: &table.id, head: &table.head, rows: &table.rows, last_apart: false }, &caption);
     }
     out
 }
 
 /// How every such file begins.
-pub(super) fn head(command: &str) -> String {
-    format!("% Made by `{}`.\n% Needs \\usepackage{{booktabs,graphicx}}.\n", super::escape::prose(command))
+pub(super) fn head(words: &Words, command: &str) -> String {
+    format!("{}`{}`{}", words.latex.made_by, super::escape::prose(command), words.latex.needs)
+}
+
+/// What is said, sentence by sentence, and who made it.
+pub(super) fn caption(words: &Words, mut said: Vec<String>, setting: &str) -> String {
+    said.push((words.latex.made_with)(setting));
+    said.join(words.signs.next)
 }
 
 /// What a table has.
@@ -149,6 +155,7 @@ mod tests {
         );
         assert_eq!(escape("η = 1/d, 20 × 20, ±0.1, 1–2, −3"), "$\\eta$ = 1/d, 20 $\\times$ 20, $\\pm$0.1, 1--2, $-$3");
         assert_eq!(escape("蚁群\nx"), "蚁群 x");
+        assert_eq!(escape("< 0.1 %"), "$<$ 0.1 \\%");
         let cell = |text: &str| field(&Cell { text: text.into(), value: None, best: false });
         assert_eq!([cell("[1mm] x"), cell("*x"), cell("x *")], ["{}[1mm] x", "{}*x", "x *"]);
     }

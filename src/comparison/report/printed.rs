@@ -2,8 +2,9 @@
 
 use super::escape::{cell, prose};
 use super::names::{impossible_note, name};
+use super::numbers::{gap, hundredths, length, middle, short};
 use super::table::running_time;
-use super::{length, middle, moves, short};
+use super::words::Words;
 use crate::comparison::analysis::{Analysis, EntryAnalysis, MapAnalysis};
 use crate::comparison::budget::Axis;
 use crate::comparison::statistics::Summary;
@@ -45,29 +46,18 @@ impl From<String> for Cell {
 }
 
 /// The printed tables of all maps.
-pub(super) fn printed(comparison: &Comparison, analysis: &Analysis) -> Vec<Printed> {
+pub(super) fn printed(words: &Words, comparison: &Comparison, analysis: &Analysis) -> Vec<Printed> {
     let table = |(map, of): (&Map, &MapAnalysis)| {
-        let grid = &map.scenario.grid;
-        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(|e| cells(e, of.mixed_objectives)).collect();
+        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(|e| cells(words, e, of.mixed_objectives)).collect();
         mark(&mut rows, of);
-        let objective = of.mixed_objectives.then_some("makes small");
-        let head = [
-            "runs with a path",
-            "best",
-            "median (IQR)",
-            "mean ± sd",
-            "95 % of the mean",
-            "median gap",
-            "mean gap",
-            "turns",
-            "iteration of best",
-        ];
-        let running_time = format!("running time to +{:.0} %", 100.0 * NEAR);
+        let objective = of.mixed_objectives.then_some(words.summary.makes_small);
+        let head = words.summary.columns;
+        let running_time = (words.summary.running_time)(&hundredths(words, NEAR));
         Printed {
             name: of.name.clone(),
             id: of.id.clone(),
-            rule: format!("{} × {}, {}", grid.width(), grid.height(), moves(&map.scenario)),
-            told: told(analysis.axis, of),
+            rule: super::rule(words, map),
+            told: told(words, analysis.axis, of),
             head: [""].into_iter().chain(objective).chain(head).map(String::from).chain([running_time]).collect(),
             rows,
         }
@@ -76,23 +66,15 @@ pub(super) fn printed(comparison: &Comparison, analysis: &Analysis) -> Vec<Print
 }
 
 /// What must be known to read a table.
-fn told(axis: Axis, map: &MapAnalysis) -> String {
-    let best_known = map
-        .targets
-        .last()
-        .map_or_else(String::new, |best| format!(", to a {} within {:.0} % of {}", map.curve_name, 100.0 * NEAR, length(*best)));
-    let impossible = impossible_note(map);
-    format!(
-        "{} over the runs with a path; gap of a run: value / reference − 1 by the entry's own objective, which makes the median gap the gap of the \
-         median; turns and iteration of best: medians; running time: expected, in {}{best_known}{}",
-        map.measure_name,
-        axis.words(),
-        if impossible.is_empty() { impossible } else { format!("; {impossible}") },
-    )
+fn told(words: &Words, axis: Axis, map: &MapAnalysis) -> String {
+    let [measure, curve] = [map.measure, map.curve_measure].map(words.names.measure);
+    let best = map.targets.last().map(|best| [hundredths(words, NEAR), length(*best)]);
+    let target = best.as_ref().map(|[near, best]| [curve, near, best]);
+    (words.summary.about)(measure, (words.names.axis)(axis), target, &impossible_note(words, map))
 }
 
 /// The fields of an entry; `mixed`: with what it makes small.
-fn cells(e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
+fn cells(words: &Words, e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
     let dash = || "–".to_owned();
     let number = |value: f64, text: String| Cell { text, value: Some(value), best: false };
     let measured = |of: Option<f64>, text: fn(&Summary) -> String| match (&e.summary, of) {
@@ -100,10 +82,9 @@ fn cells(e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
         _ => dash().into(),
     };
     let s = e.summary;
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    let share = if e.runs > 0 { format!("{} of {}", e.with_path, e.runs) } else { dash() };
-    let mut cells = vec![Cell::from(name(e).into_owned())];
-    cells.extend(mixed.then(|| e.objective.map_or_else(dash, |o| o.words().into()).into()));
+    let share = if e.runs > 0 { (words.signs.part_of)(e.with_path, e.runs) } else { dash() };
+    let mut cells = vec![Cell::from(name(words, e).into_owned())];
+    cells.extend(mixed.then(|| e.objective.map_or_else(dash, |o| (words.names.objective)(o).into()).into()));
     cells.extend([
         share.into(),
         measured(s.map(|s| s.least), |s| length(s.least)),
@@ -112,21 +93,21 @@ fn cells(e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
             s.deviation.map_or_else(|| length(s.mean), |sd| format!("{} ± {}", length(s.mean), length(sd)))
         }),
         e.mean_interval.map_or_else(dash, |[low, high]| format!("{}–{}", length(low), length(high))).into(),
-        e.gap.map_or_else(dash, |gap| percent(gap.median)).into(),
-        e.gap.map_or_else(dash, |gap| percent(gap.mean)).into(),
+        e.gap.map_or_else(dash, |of| gap(words, of.median)).into(),
+        e.gap.map_or_else(dash, |of| gap(words, of.mean)).into(),
         e.turns.map_or_else(dash, |t| middle(&t)).into(),
         e.iteration_of_best.map_or_else(dash, |i| middle(&i)).into(),
-        time(e).into(),
+        time(words, e).into(),
     ]);
     cells
 }
 
 /// The expected running time, or why there is none.
-fn time(e: &EntryAnalysis) -> String {
+fn time(words: &Words, e: &EntryAnalysis) -> String {
     match (running_time(e, NEAR), e.no_running_time) {
         (Some(time), _) => effort(time),
-        (None, Some(why)) => why.words().into(),
-        (None, None) => "no run reaches it".into(),
+        (None, Some(why)) => (words.names.no_running_time)(why).into(),
+        (None, None) => words.summary.not_reached.into(),
     }
 }
 
@@ -142,30 +123,33 @@ fn mark(rows: &mut [Vec<Cell>], map: &MapAnalysis) {
     let whole: Vec<bool> = map.entries.iter().map(|e| e.runs > 0 && e.with_path == e.runs && e.impossible == 0).collect();
     let counts = |row: usize| possible[row] && (!whole.contains(&true) || whole[row]);
     for column in 0..rows.first().map_or(0, Vec::len) {
-        let rounded = |v: f64| length(v);
         let of = |row: &[Cell]| row.get(column).and_then(|cell| cell.value);
         let best = rows.iter().enumerate().filter(|(row, _)| counts(*row)).filter_map(|(_, row)| of(row)).reduce(f64::min);
-        let Some(best) = best.map(rounded) else { continue };
+        let Some(best) = best.map(length) else { continue };
         for (_, row) in rows.iter_mut().enumerate().filter(|(row, _)| counts(*row)) {
-            let is_best = of(row).is_some_and(|v| rounded(v) == best);
+            let is_best = of(row).is_some_and(|v| length(v) == best);
             row[column].best = is_best;
         }
     }
 }
 
 /// The printed tables as Markdown; the best number of a column is bold.
-pub fn markdown(comparison: &Comparison, analysis: &Analysis) -> String {
-    let mut out = format!("# {}\n\n{}\n", prose(&comparison.question.title), super::setting_of(comparison, analysis));
-    for table in printed(comparison, analysis) {
-        out += &format!("\n## {}\n\n{}. {}.\n\n", prose(&table.name), table.rule, sentence(&table.told));
+pub(super) fn markdown(words: &Words, comparison: &Comparison, analysis: &Analysis) -> String {
+    let (signs, setting) = (&words.signs, super::setting_of(words, comparison, analysis));
+    let mut out = format!("# {}\n\n{setting}\n", prose(&comparison.question.title));
+    for table in printed(words, comparison, analysis) {
+        let about = [&table.rule, signs.next, &sentence(&table.told), signs.end].concat();
+        out += &format!("\n## {}\n\n{about}\n\n", prose(&table.name));
         out += &format!("| {} |\n|{}\n", table.head.join(" | "), "---|".repeat(table.head.len()));
-        for row in table.rows {
-            let fields: Vec<String> =
-                row.iter().map(|c| if c.best { format!("**{}**", cell(&c.text)) } else { cell(&c.text).into_owned() }).collect();
-            out += &format!("| {} |\n", fields.join(" | "));
-        }
+        table.rows.iter().for_each(|row| out += &markdown_row(row));
     }
     out
+}
+
+/// A row of a table of Markdown.
+pub(super) fn markdown_row(row: &[Cell]) -> String {
+    let text = |c: &Cell| if c.best { format!("**{}**", cell(&c.text)) } else { cell(&c.text).into_owned() };
+    format!("| {} |\n", row.iter().map(text).collect::<Vec<_>>().join(" | "))
 }
 
 /// With a capital letter.

@@ -16,7 +16,7 @@ const FORMAT: &str = "formicarium/summary@1";
 
 /// One entry on one map, with every number. In CSV these are the columns; numbers that nobody knows are empty there and null in JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Line<'a> {
+struct Line<'a> {
     instance: &'a str,
     entry: &'a str,
     label: &'a str,
@@ -64,7 +64,7 @@ pub struct Line<'a> {
 }
 
 /// All lines, in the order of the question.
-pub fn lines<'a>(comparison: &Comparison, analysis: &'a Analysis) -> Vec<Line<'a>> {
+fn lines<'a>(comparison: &Comparison, analysis: &'a Analysis) -> Vec<Line<'a>> {
     let of_map = |(index, map): (usize, &'a MapAnalysis)| {
         let reference = move |entry| comparison.maps[index].reference(entry);
         map.entries.iter().enumerate().map(move |(place, entry)| {
@@ -130,7 +130,7 @@ pub(super) fn running_time(entry: &EntryAnalysis, gap: f64) -> Option<f64> {
 }
 
 /// As CSV, all numbers with as many digits as tell them apart from any other.
-pub fn csv(comparison: &Comparison, analysis: &Analysis) -> String {
+pub(super) fn csv(comparison: &Comparison, analysis: &Analysis) -> String {
     super::csv::of_lines(lines(comparison, analysis))
 }
 
@@ -157,7 +157,7 @@ struct PairsOf<'a> {
 }
 
 /// As JSON: what was asked, the lines, the tests of all pairs, the ranks over all maps and the verdicts.
-pub fn json(comparison: &Comparison, analysis: &Analysis) -> String {
+pub(super) fn json(comparison: &Comparison, analysis: &Analysis) -> String {
     let Question { title, seeds, budget, .. } = &comparison.question;
     let whole = Whole {
         format: FORMAT,

@@ -6,54 +6,51 @@ use serde::Serialize;
 
 use super::escape::prose;
 use super::names::{id, impossible_note, named};
+use super::numbers::median;
+use super::words::Words;
 use crate::comparison::Comparison;
-use crate::comparison::analysis::{Analysis, MapAnalysis, Pair, Ranks};
+use crate::comparison::analysis::{Analysis, MapAnalysis, Pair, RankPair, Ranks};
 use crate::comparison::inference::{MIN_RUNS, Test};
 
 /// The page of tests: a table of pairs for each map, then ranks over the maps. Which measure is compared follows from the map.
-pub fn tests(comparison: &Comparison, analysis: &Analysis) -> String {
-    let mut out = format!(
-        "# {}: tests\n\nTwo-sided rank tests of every pair of entries, runs without a path ranked last. W: Wilcoxon's signed ranks over pairs of \
-         equal seed; U: Mann and Whitney's, seeds not paired; p by Holm is adjusted for all pairs of the map. A: how likely a run of the first \
-         entry is the better (smaller) one, ties counted half. How to read it: docs/methodology.md.\n",
-        prose(&comparison.question.title)
-    );
+pub(super) fn tests(words: &Words, comparison: &Comparison, analysis: &Analysis) -> String {
+    let title = (words.tests.title)(&prose(&comparison.question.title));
+    let mut out = format!("# {title}\n\n{}{}\n", words.tests.about, words.page.how_to_read);
     for map in &analysis.instances {
-        let _ = writeln!(out, "\n## {}, {}\n", map.id, map.measure_name);
-        pairs_table(&mut out, map);
-        let impossible = impossible_note(map);
+        let _ = writeln!(out, "\n## {}{}{}\n", map.id, words.signs.comma, (words.names.measure)(map.measure));
+        pairs_table(words, &mut out, map);
+        let impossible = impossible_note(words, map);
         if !impossible.is_empty() {
-            let _ = writeln!(out, "\n{impossible}.");
+            let _ = writeln!(out, "\n{impossible}{}", words.signs.end);
         }
     }
     if let Some(ranks) = &analysis.ranks {
-        over_maps(&mut out, comparison, ranks);
+        over_maps(words, &mut out, comparison, ranks);
     }
     out
 }
 
-fn pairs_table(out: &mut String, map: &MapAnalysis) {
+fn pairs_table(words: &Words, out: &mut String, map: &MapAnalysis) {
     if map.pairs.iter().all(|pair| pair.mann_whitney.is_none()) {
-        let _ = writeln!(out, "No two entries with {MIN_RUNS} runs or more: no tests.");
+        let _ = writeln!(out, "{}", (words.tests.none)(MIN_RUNS));
         return;
     }
-    out.push_str("| first | second | median, first | second | A | W | p | p by Holm | U | p | p by Holm |\n");
-    out.push_str("|---|---|---|---|---|---|---|---|---|---|---|\n");
-    map.pairs.iter().for_each(|pair| pair_row(out, map, pair));
+    let columns = &words.tests.columns;
+    let _ = writeln!(out, "| {} |\n|{}", columns.join(" | "), "---|".repeat(columns.len()));
+    map.pairs.iter().for_each(|pair| pair_row(words, out, map, pair));
 }
 
-fn pair_row(out: &mut String, map: &MapAnalysis, pair: &Pair) {
+fn pair_row(words: &Words, out: &mut String, map: &MapAnalysis, pair: &Pair) {
     let (first, second) = (&map.entries[pair.first], &map.entries[pair.second]);
     let statistic = |test: Option<Test>| test.map_or_else(|| "–".into(), |t| t.statistic.to_string());
     let p = |p: Option<f64>| p.map_or_else(|| "–".into(), probability);
-    let median = |median: Option<f64>| median.filter(|v| v.is_finite()).map_or_else(|| "no path".into(), super::length);
     let _ = writeln!(
         out,
         "| {} | {} | {} | {} | {:.3} | {} | {} | {} | {} | {} | {} |",
-        id(first),
-        id(second),
-        median(first.median()),
-        median(second.median()),
+        id(words, first),
+        id(words, second),
+        median(words, first.median()),
+        median(words, second.median()),
         pair.a12,
         statistic(pair.wilcoxon),
         p(pair.wilcoxon.map(|t| t.p)),
@@ -65,27 +62,24 @@ fn pair_row(out: &mut String, map: &MapAnalysis, pair: &Pair) {
 }
 
 /// Friedman's test over the medians of all maps, and its post-hoc comparisons.
-fn over_maps(out: &mut String, comparison: &Comparison, ranks: &Ranks) {
+fn over_maps(words: &Words, out: &mut String, comparison: &Comparison, ranks: &Ranks) {
+    let said = &words.tests;
     let label = |entry: usize| {
         let asked = &comparison.question.entries[entry];
-        named(&asked.id, asked.results.is_some())
+        named(words, &asked.id, asked.results.is_some())
     };
-    let (statistic, degrees, p) = (ranks.statistic, ranks.degrees, probability(ranks.p));
-    let few = if ranks.maps < 10 { " So few maps can hardly show a difference." } else { "" };
-    let _ = writeln!(
-        out,
-        "\n## Over all maps\n\nFriedman's test over the medians of {} maps: χ² = {statistic:.3} with {degrees} degrees of freedom, p = {p}.{few}\n",
-        ranks.maps,
-    );
-    out.push_str("| entry | mean rank |\n|---|---|\n");
+    let friedman = (said.friedman)(ranks.maps, ranks.statistic, ranks.degrees, &probability(ranks.p));
+    let few = if ranks.maps < 10 { said.few_maps } else { "" };
+    let _ = writeln!(out, "\n## {}\n\n{friedman}{few}\n", said.over_maps);
+    let _ = writeln!(out, "| {} |\n|---|---|", said.rank_columns.join(" | "));
     for (entry, rank) in ranks.entries.iter().zip(&ranks.mean_ranks) {
         let _ = writeln!(out, "| {} | {rank:.2} |", label(*entry));
     }
     let differ = ranks.pairs.iter().filter(|pair| pair.holm < 0.05);
-    let told: Vec<String> =
-        differ.map(|pair| format!("{} and {} (p = {})", label(pair.first), label(pair.second), probability(pair.holm))).collect();
-    let said = if told.is_empty() { "no two entries are shown to differ".into() } else { told.join("; ") };
-    let _ = writeln!(out, "\nPost hoc, adjusted by Holm, at 5 %: {said}.");
+    let of_pair = |pair: &RankPair| (said.differ)([&label(pair.first), &label(pair.second), &probability(pair.holm)]);
+    let told: Vec<String> = differ.map(of_pair).collect();
+    let told = if told.is_empty() { said.none_differ.into() } else { told.join(words.signs.parts) };
+    let _ = writeln!(out, "\n{}", (said.post_hoc)(&told));
 }
 
 /// One test. Friedman's own, over all entries and maps, has no entries; it and the comparisons of mean ranks have no instance.
@@ -103,7 +97,7 @@ struct Line<'a> {
 
 /// Every test as a line of CSV: `wilcoxon` (W), `mann-whitney` (U of the first), `friedman` (χ²) and `mean-ranks` (the first's less the
 /// second's).
-pub fn tests_csv(comparison: &Comparison, analysis: &Analysis) -> String {
+pub(super) fn tests_csv(comparison: &Comparison, analysis: &Analysis) -> String {
     let mut lines = Vec::new();
     for map in &analysis.instances {
         for pair in &map.pairs {
@@ -126,7 +120,7 @@ fn over_maps_lines<'a>(comparison: &'a Comparison, ranks: &'a Ranks) -> impl Ite
     let rank = |entry: usize| ranks.entries.iter().position(|&e| e == entry).and_then(|place| ranks.mean_ranks.get(place));
     let over_all = Line { instance: "", test: "", first: "", second: "", statistic: None, p: 1.0, holm: None, a12: None };
     let friedman = Line { test: "friedman", statistic: Some(ranks.statistic), p: ranks.p, ..over_all };
-    let pair = move |pair: &crate::comparison::analysis::RankPair| Line {
+    let pair = move |pair: &RankPair| Line {
         test: "mean-ranks",
         first: label(pair.first),
         second: label(pair.second),

@@ -48,7 +48,7 @@ function valid(): Record<string, unknown[]> {
     'Comparison.constructor': [DOCUMENT],
     'Comparison.analysis': ['ant-moves', false],
     'Comparison.check': [ROW],
-    'Comparison.file': ['csv', 'by hand'],
+    'Comparison.file': ['csv', 'by hand', 'en'],
     'Comparison.keep': [ROW, [0.5, 1]],
     'Comparison.run': [0, () => 1],
     'Comparison.seed_by_seed': [1],

@@ -1,4 +1,4 @@
-/** The Chinese of the page: one word for one term, and the signs of Chinese. */
+/** The Chinese of page, cards and reports: one word for one term, and the signs of Chinese. */
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
@@ -6,6 +6,7 @@ import { expect, test } from '@playwright/test'
 const ROOT = join(__dirname, '../../..')
 const WORDS = join(ROOT, 'www/src/i18n/zh_cn')
 const CARDS = join(ROOT, 'docs/zh')
+const REPORTS = 'src/comparison/report/words/zh_cn.rs'
 
 /** Words that were used for a term beside the one that it has. */
 const RETIRED: Record<string, string> = {
@@ -20,6 +21,7 @@ const RETIRED: Record<string, string> = {
   死路: '死胡同',
   路线: '巡回',
   您: '你',
+  本代: '本次迭代',
 }
 
 /** Of these a longer word is meant. */
@@ -33,7 +35,7 @@ interface Line {
   text: string
 }
 
-/** Every text with Chinese in it: literals of the dictionaries, lines of the cards without what is code. */
+/** Every text with Chinese in it: literals of the dictionaries and reports, lines of the cards without what is code. */
 function chinese(): Line[] {
   const dictionaries = readdirSync(WORDS).flatMap((file) =>
     [...readFileSync(join(WORDS, file), 'utf8').matchAll(/'((?:[^'\\\n]|\\.)*)'/g)].map(
@@ -49,7 +51,12 @@ function chinese(): Line[] {
         .split('\n')
         .map((text) => ({ at: file, text })),
     )
-  return [...dictionaries, ...cards].filter(({ text }) => /\p{Script=Han}/u.test(text))
+  const literals = readFileSync(join(ROOT, REPORTS), 'utf8').matchAll(/"((?:[^"\\]|\\[\s\S])*)"/g)
+  const reports = [...literals].map(([, text = '']) => ({
+    at: REPORTS,
+    text: text.replace(/\\\n\s*/g, ''),
+  }))
+  return [...dictionaries, ...cards, ...reports].filter(({ text }) => /\p{Script=Han}/u.test(text))
 }
 
 test('every term has one word', () => {

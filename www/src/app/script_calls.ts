@@ -1,5 +1,5 @@
 /** What scripts ask of the page, fetched with the first call that takes time. */
-import type { Notice, ResultFile } from '@pkg/formicarium'
+import type { Notice, ReportLanguage, ResultFile } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import { badOption, optionsOf, ScriptError, typed, wholeNumber } from '../model/script_error'
 import {
@@ -56,7 +56,7 @@ async function show(content: Content, turn: Turn): Promise<Opened> {
     const { openComparisonDocument } = await lazyParts.lab()
     turn.check()
     showView('lab')
-    await openComparisonDocument(content.text)
+    await openComparisonDocument(content.text, content.numbers)
   } else if (kind === 'results') await join(content, turn)
   else if (kind === 'order') await offerOrder(content.file, content.tour, () => turn.check())
   else {
@@ -123,11 +123,11 @@ export const compare = (options?: CompareOptions): Promise<ComparisonResult> =>
     return lab.compare(options)
   })
 
-export const resultFile = (kind: ResultFile): Promise<string> =>
+export const resultFile = (kind: ResultFile, language?: ReportLanguage): Promise<string> =>
   typed(async () => {
     const lab = await import('../lab')
     await lab.fetchLab()
-    return lab.resultFile(kind)
+    return lab.resultFile(kind, language)
   })
 
 /** Whether a stop holds the runs. */

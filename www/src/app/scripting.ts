@@ -7,7 +7,7 @@
  *     await formicarium.look(12)               // all panels as they stood after iteration 12; null for now
  *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
-import type { ResultFile, RunSummary } from '@pkg/formicarium'
+import type { ReportLanguage, ResultFile, RunSummary } from '@pkg/formicarium'
 import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import type { Stop } from '../model/lesson'
 import type { Session } from '../model/session'
@@ -75,8 +75,8 @@ export interface Scripting {
   session(): Session | null
   /** Runs planners on maps with many seeds, or any comparison that a document holds. */
   compare(options?: CompareOptions): Promise<ComparisonResult>
-  /** A result file of the comparison that is open, as text. */
-  resultFile(kind: ResultFile): Promise<string>
+  /** A result file of the comparison that is open, as text; what people read is in English, or in this language. */
+  resultFile(kind: ResultFile, language?: ReportLanguage): Promise<string>
 }
 
 declare global {
@@ -105,7 +105,7 @@ export function offerScripting(): void {
     results,
     session: currentSession,
     compare: async (options) => (await calls()).compare(options),
-    resultFile: async (kind) => (await calls()).resultFile(kind),
+    resultFile: async (kind, language) => (await calls()).resultFile(kind, language),
   }
 }
 

@@ -2,10 +2,13 @@
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
 import { enLab } from './en/lab'
 import { enLabMatrix } from './en/lab_matrix'
+import { enLabRecorded } from './en/lab_recorded'
 import { enLabResults } from './en/lab_results'
 import { enLabShare } from './en/lab_share'
 
-const english = { lab: { ...enLab, ...enLabMatrix, ...enLabResults, ...enLabShare } }
+const english = {
+  lab: { ...enLab, ...enLabMatrix, ...enLabRecorded, ...enLabResults, ...enLabShare },
+}
 
 export type LabKey = TextKey | KeyOf<typeof english>
 
@@ -15,16 +18,23 @@ export const t = tOfPage as (key: LabKey, args?: Record<string, unknown>) => str
 export const addLabWords = () => addWords(english, fetchChinese)
 
 async function fetchChinese(): Promise<object> {
-  const [{ zhCNLab }, { zhCNLabMatrix }, { zhCNLabResults }, { zhCNLabShare }, { zhCNQuestions }] =
-    await Promise.all([
-      import('./zh_cn/lab'),
-      import('./zh_cn/lab_matrix'),
-      import('./zh_cn/lab_results'),
-      import('./zh_cn/lab_share'),
-      import('./zh_cn/questions'),
-    ])
+  const [
+    { zhCNLab },
+    { zhCNLabMatrix },
+    { zhCNLabRecorded },
+    { zhCNLabResults },
+    { zhCNLabShare },
+    { zhCNQuestions },
+  ] = await Promise.all([
+    import('./zh_cn/lab'),
+    import('./zh_cn/lab_matrix'),
+    import('./zh_cn/lab_recorded'),
+    import('./zh_cn/lab_results'),
+    import('./zh_cn/lab_share'),
+    import('./zh_cn/questions'),
+  ])
   return {
-    lab: { ...zhCNLab, ...zhCNLabMatrix, ...zhCNLabResults, ...zhCNLabShare },
+    lab: { ...zhCNLab, ...zhCNLabMatrix, ...zhCNLabRecorded, ...zhCNLabResults, ...zhCNLabShare },
     texts: zhCNQuestions,
   }
 }

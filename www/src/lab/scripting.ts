@@ -1,5 +1,5 @@
 /** Comparisons for scripts: `await formicarium.compare({ seeds: 30 })`. */
-import type { ResultFile } from '@pkg/formicarium'
+import type { ReportLanguage, ResultFile } from '@pkg/formicarium'
 import { effect } from '@preact/signals'
 import { optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import { showView } from '../state'
@@ -49,12 +49,15 @@ const KINDS: Record<ResultFile, true> = {
   link: true,
 }
 
+/** Their languages, by the type check. */
+const REPORTS: Record<ReportLanguage, true> = { en: true, 'zh-CN': true }
+
 export async function compare(given?: CompareOptions): Promise<ComparisonResult> {
   const options = optionsOf(given, ['document', 'workers', 'command', ...ASKED], 'compare')
   const { document, workers, command, ...asked } = options as CompareOptions
   const most =
     workers === undefined ? {} : { workers: wholeNumber(workers, 'workers', 1, MOST_WORKERS) }
-  const madeBy = command === undefined ? undefined : shortText(command, 'command', 1000)
+  const how = command === undefined ? {} : { command: shortText(command, 'command', 1000) }
   showView('lab')
   await openAddress()
   const text = document === undefined ? await composed(asked) : documentAlone(document, asked)
@@ -64,7 +67,7 @@ export async function compare(given?: CompareOptions): Promise<ComparisonResult>
   await atRest()
   const seconds = (performance.now() - began) / 1000
   const { done: runs, pathless, failed, total } = run.progress.peek()
-  const written = FILES.map(async (kind) => [kind, await run.resultFile(kind, madeBy)] as const)
+  const written = FILES.map(async (kind) => [kind, await run.resultFile(kind, how)] as const)
   const files = Object.fromEntries(await Promise.all(written)) as ComparisonResult['files']
   return { runs, pathless, failed, total, seconds, files }
 }
@@ -85,14 +88,18 @@ function documentAlone(document: unknown, asked: Asked): string {
   throw new ScriptError('bad-option', 'document', 'document must be a text', hint)
 }
 
-/** A result file of the open comparison. */
-export async function resultFile(kind: ResultFile): Promise<string> {
+/** A result file of the open comparison; what people read is in English, whatever the page is in, or as asked for. */
+export async function resultFile(kind: ResultFile, language?: ReportLanguage): Promise<string> {
   if (!Object.hasOwn(KINDS, kind)) {
     const hint = `There are ${Object.keys(KINDS).join(', ')}.`
     throw new ScriptError('unknown-file', 'kind', `there is no result file "${kind}"`, hint)
   }
+  if (language !== undefined && !Object.hasOwn(REPORTS, language)) {
+    const hint = `There are ${Object.keys(REPORTS).join(', ')}.`
+    throw new ScriptError('bad-option', 'language', `no report is in "${language}"`, hint)
+  }
   await openAddress()
-  if (run.openComparison.peek()) return run.resultFile(kind)
+  if (run.openComparison.peek()) return run.resultFile(kind, language ? { language } : {})
   const hint = 'Call compare, load one, or open an earlier one.'
   throw new ScriptError('no-comparison', '', 'no comparison is open', hint)
 }

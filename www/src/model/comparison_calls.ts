@@ -1,5 +1,12 @@
 /** What the workers of a comparison can do: the analyst keeps its runs, the pool does them. */
-import type { Axis, ComparisonOutline, DoneRun, ResultFile, Verification } from '@pkg/formicarium'
+import type {
+  Axis,
+  ComparisonOutline,
+  DoneRun,
+  ReportLanguage,
+  ResultFile,
+  Verification,
+} from '@pkg/formicarium'
 import type { Analysis } from './analysis'
 
 /** A run that is done, as it is kept. */
@@ -24,7 +31,8 @@ export interface AnalystCalls {
   check(runs: KeptRun[]): void
   /** Intervals take longer: for runs at rest. */
   analysis(axis: Axis, intervals: boolean): Analysis
-  file(kind: ResultFile, command: string): string
+  /** `language`: of what people read. */
+  file(kind: ResultFile, command: string, language: ReportLanguage): string
   verify(): Verification | null
 }
 

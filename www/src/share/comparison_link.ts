@@ -2,6 +2,9 @@
  * A comparison as a link: question, maps and what was recorded, without the runs.
  *
  *     u32 checksum · u8 container version · varint n · n bytes of JSON (`formicarium/comparison@1`)
+ *     and, where it fits, varint m · m bytes of JSON: what came out (share/recorded_numbers.ts)
+ *
+ * Whatever stands behind is for later pages: what is not known is not read.
  *
  * The same checksum and packing as a session's link (share/codec.ts, share/envelope.ts).
  */
@@ -9,21 +12,38 @@ import { Reader, varint } from './byte_stream'
 import { MAX_BYTES, verifiedBytes, withChecksum } from './codec'
 import { open, seal } from './envelope'
 import { damaged, LinkError } from './link_error'
+import { type NumbersOfLink, packedNumbers, readNumbers } from './recorded_numbers'
 
 export const PREFIX = '#q='
 
 const VERSION = 1
 
+/** What a link carries. */
+export interface ComparisonLink {
+  /** `formicarium/comparison@1` without its runs. */
+  document: string
+  /** What came out of them; null in links that do not tell. */
+  numbers: NumbersOfLink | null
+}
+
 /** The text after `#q=`. */
-export async function encodeDocument(document: string): Promise<string> {
+export async function encodeDocument(
+  document: string,
+  numbers: NumbersOfLink | null = null,
+): Promise<string> {
   const json = new TextEncoder().encode(document)
   if (json.length > MAX_BYTES)
     throw new LinkError('link-too-large', `A link carries no document of ${json.length} bytes.`)
-  return seal(withChecksum([[VERSION, ...varint(json.length)], json]))
+  const parts = [[VERSION, ...varint(json.length)], json]
+  if (numbers) {
+    const told = new TextEncoder().encode(packedNumbers(numbers))
+    parts.push(varint(told.length), told)
+  }
+  return seal(withChecksum(parts))
 }
 
-/** The document of an address that carries one. Throws a LinkError. */
-export async function decodeFragment(hash: string): Promise<string> {
+/** What an address carries. Throws a LinkError. */
+export async function decodeFragment(hash: string): Promise<ComparisonLink> {
   const at = hash.indexOf(PREFIX)
   if (at < 0) throw new LinkError('link-foreign', 'This link carries no comparison.')
   const reader = new Reader(verifiedBytes(await open(hash.slice(at + PREFIX.length))))
@@ -34,10 +54,24 @@ export async function decodeFragment(hash: string): Promise<string> {
       `The link's container has version ${version}; this page reads ${VERSION}.`,
     )
   if (version < VERSION) throw damaged('its first byte is no container version')
-  const json = reader.take(reader.varint())
+  const document = textOf(reader)
+  const numbers = reader.left > 0 ? readNumbers(parsed(textOf(reader))) : null
+  return { document, numbers }
+}
+
+function textOf(reader: Reader): string {
+  const bytes = reader.take(reader.varint())
   try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(json)
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes)
   } catch {
     throw damaged('its description cannot be read')
+  }
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text)
+  } catch {
+    throw damaged('its numbers cannot be read')
   }
 }

@@ -7,6 +7,7 @@ import { describeError, describeNotice } from '../i18n/errors'
 import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
+import type { NumbersOfLink } from '../share/recorded_numbers'
 import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
@@ -56,7 +57,8 @@ async function openTextIn(turn: Turn, text: string, opening: Opening): Promise<v
   const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    await openComparisonText(turn, await decodeFragment(fragment))
+    const { document, numbers } = await decodeFragment(fragment)
+    await openComparisonText(turn, document, numbers)
   } else if (fragment)
     replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
   else await openTogether(turn, [{ name: t('maps.pastedName'), bytes: encoded(text) }], opening)
@@ -343,11 +345,15 @@ async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
 }
 
 /** Opens a comparison in the laboratory. */
-async function openComparisonText(turn: Turn, text: string): Promise<void> {
+async function openComparisonText(
+  turn: Turn,
+  text: string,
+  numbers: NumbersOfLink | null = null,
+): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
   turn.check()
   showView('lab')
-  await openComparisonDocument(text)
+  await openComparisonDocument(text, numbers)
 }
 
 /** Imports a file of results into the laboratory. */

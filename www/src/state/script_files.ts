@@ -4,6 +4,7 @@ import { tools } from '../engine/tools'
 import { badOption, optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import type { Scenario, Session } from '../model/session'
 import type { TerrainPart } from '../model/tool_calls'
+import type { NumbersOfLink } from '../share/recorded_numbers'
 import type { GivenSession } from '../share/session_object'
 import { bytesOf, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
@@ -37,7 +38,7 @@ const OPTIONS = ['file', 'row', 'read', 'part', 'instance', 'leaveOut', 'usual']
 
 export type Content = { name: string; notices: Notice[] } & (
   | { kind: 'session'; session: Session }
-  | { kind: 'comparison'; text: string }
+  | { kind: 'comparison'; text: string; numbers?: NumbersOfLink | null }
   | { kind: 'results'; file: NamedBytes; instance: string | undefined; leaveOut: string[] }
   | { kind: 'order'; file: NamedBytes; tour: NamedBytes | null }
   | { kind: 'map'; scenario: Scenario }
@@ -99,7 +100,8 @@ async function readText(text: string, options: Options): Promise<Content> {
     return { ...none, kind: 'session', session: await decodeFragment(link) }
   }
   const { decodeFragment } = await import('../share/comparison_link')
-  return { ...none, kind: 'comparison', text: await decodeFragment(link) }
+  const { document, numbers } = await decodeFragment(link)
+  return { ...none, kind: 'comparison', text: document, numbers }
 }
 
 async function readFiles(blobs: unknown[], options: Options): Promise<Content> {

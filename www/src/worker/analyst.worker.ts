@@ -32,7 +32,7 @@ const calls: AnalystCalls = {
     const said = comparison().analysis(axis, intervals)
     return { ...said, ablation: intervals ? comparison().effects() : [] }
   },
-  file: (kind, command) => comparison().file(kind, command),
+  file: (kind, command, language) => comparison().file(kind, command, language),
   verify: () => comparison().verify() ?? null,
 }
 

@@ -61,15 +61,5 @@ export const enLabMatrix = {
       'matrix-markdown': 'The same as one table.',
       'matrix-latex': 'The same for a paper; needs the packages booktabs and graphicx.',
     },
-    recorded: {
-      title: 'What the link carries',
-      entry: 'Entry',
-      count_one: '{{count}} run',
-      count_other: '{{count}} runs',
-      none: 'no runs',
-      digest: 'digest {{digest}}',
-      notInIt:
-        'Lengths, gaps and all other numbers are not in the link, only how many runs there were and a digest of each entry’s runs. The numbers come when the runs are done here; the digests then tell whether they are the same. A file or a picture carries the runs, and shows its numbers at once.',
-    },
   },
 }

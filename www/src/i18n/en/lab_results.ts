@@ -250,7 +250,7 @@ export const enLabResults = {
       noRoom: 'nearly all of the baseline’s runs are optimal already',
     },
     filesHint:
-      'The same bytes as the command line writes. Times depend on the machine, so they have a file of their own.',
+      'The same bytes as the command line writes. Markdown and LaTeX are in the language of this page; CSV and JSON, which programs read, are the same in each. Times depend on the machine, so they have a file of their own.',
     download: 'Download',
     files: {
       csv: 'Runs (CSV)',

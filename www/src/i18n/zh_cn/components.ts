@@ -26,11 +26,11 @@ export const zhCNComponents = {
   },
   'extra-trail': {
     name: '附加信息素 Δω*',
-    adds: '本代最优路径再增、最差路径再减一次（式 8）；去掉后：两个 k 都为 0',
+    adds: '本次迭代最优路径再增、最差路径再减一次（式 8）；去掉后：两个 k 都为 0',
   },
   'weighted-paths': {
     name: '只看最优与最差路径',
-    adds: '只有全局最优、本代最优与本代最差路径改变信息素（式 9–11 与 14）；去掉后：到达的蚂蚁都留下信息素，同蚂蚁系统（式 12）',
+    adds: '只有全局最优、本次迭代最优与本次迭代最差路径改变信息素（式 9–11 与 14）；去掉后：到达的蚂蚁都留下信息素，同蚂蚁系统（式 12）',
   },
   'shifting-weights': {
     name: '自适应路径权重',
@@ -38,7 +38,7 @@ export const zhCNComponents = {
   },
   'weakened-worst': {
     name: '削弱最差路径',
-    adds: '本代最差路径失去信息素（式 8、9 与 11）；去掉后：不失去',
+    adds: '本次迭代最差路径失去信息素（式 8、9 与 11）；去掉后：不失去',
   },
   refinement: {
     name: '路径拉直',
@@ -70,7 +70,7 @@ export const zhCNComponents = {
   },
   'shortest-path-reward': {
     name: '最短路径奖励',
-    adds: '本代最短路径得到 Q2/L_min（式 10–12）；去掉后：蚂蚁只在走动时留下 Q1（式 7–9）',
+    adds: '本次迭代最短路径得到 Q2/L_min（式 10–12）；去掉后：蚂蚁只在走动时留下 Q1（式 7–9）',
   },
   'maximal-step': {
     name: '最大转移概率',

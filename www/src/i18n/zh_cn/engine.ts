@@ -15,7 +15,7 @@ export const zhCNEngine = {
     },
     acomsp: {
       name: '最大转移概率蚁群（ACOMSP）',
-      summary: '每只蚂蚁都走概率最大的一步，并奖励本代最短路径；常常全部走进同一条死胡同。',
+      summary: '每只蚂蚁都走概率最大的一步，并奖励本次迭代最短路径；常常全部走进同一条死胡同。',
     },
     ship: {
       name: '机舱救援蚁群',
@@ -149,8 +149,9 @@ export const zhCNEngine = {
     force_fades: '势场力的权重是否随迭代减小；否则始终为满权重',
     direction: 'd(i, E)^h 是否把蚂蚁引向目标方向；否则 η 中没有这一因子',
     growing_pull: '目标引力的权重是否从初值变到末值；否则始终为二者的平均',
-    shifting_weights: '全局最优、本代最优与本代最差路径的权重是否随迭代变化；否则为全程的平均',
-    weaken_worst: '本代最差路径的信息素是否被削弱（Δτ⁻ 与附加信息素的第二项）',
+    shifting_weights:
+      '全局最优、本次迭代最优与本次迭代最差路径的权重是否随迭代变化；否则为全程的平均',
+    weaken_worst: '本次迭代最差路径的信息素是否被削弱（Δτ⁻ 与附加信息素的第二项）',
     maximal: '蚂蚁是否总走概率最大的一步；否则按概率抽取，同蚂蚁系统',
     ranking: '信息素是否按名次加权；否则每只到达的蚂蚁留下 Q / 长度，同蚂蚁系统',
     best_so_far: '至今最优路径是否也留下信息素',
@@ -198,7 +199,7 @@ export const zhCNEngine = {
     initial_trail: '第一次迭代之前每一步上的信息素',
     heuristic: '蚂蚁对一步所能看到的信息',
     move_deposit: '每走一步，蚂蚁在这一步上留下 Q1 / 已走长度',
-    path_deposit: '本代最短路径的每一步得到 Q2 / 长度',
+    path_deposit: '本次迭代最短路径的每一步得到 Q2 / 长度',
     rule: '蚂蚁如何选择下一步',
     reading: '论文公式与其正文不一致之处如何取舍',
     goal_distance: '蚂蚁看终点本身时，代替距离 0 的值',
@@ -207,8 +208,8 @@ export const zhCNEngine = {
     omega_min: '开始时目标引力的权重',
     omega_max: '结束时目标引力的权重',
     obstacle_push: '格子周围障碍的排斥强度',
-    k_best: '附加信息素中本代最优路径的权重',
-    k_worst: '附加信息素中本代最差路径的权重',
+    k_best: '附加信息素中本次迭代最优路径的权重',
+    k_worst: '附加信息素中本次迭代最差路径的权重',
     trail_min: '削弱最差路径时信息素不低于此值',
     dead_end: '没有可走的邻格时蚂蚁怎么做',
     move_limit: '蚂蚁走满 (宽 + 高) 的这么多倍后放弃；0 表示从不',
@@ -312,7 +313,7 @@ export const zhCNEngine = {
       printed: '公式照字面理解',
     },
     update: {
-      weighted: '式 9–11 与 14：全局最优与本代最优路径加权留下信息素，本代最差路径减去',
+      weighted: '式 9–11 与 14：全局最优与本次迭代最优路径加权留下信息素，本次迭代最差路径减去',
       'all-ants': '式 12，论文第 4 步所指：到达的蚂蚁都留下信息素，同蚂蚁系统',
     },
     refinement: {

@@ -59,16 +59,7 @@ export const zhCNLabMatrix: DictionaryShape<typeof enLabMatrix> = {
     filesAbout: {
       'matrix-csv': '地图与规划器：中位数、差距、成功率和名次，每项一行。',
       'matrix-markdown': '同样内容，合为一张表。',
-      'matrix-latex': '同样内容，用于论文；需要 booktabs 和 graphicx 宏包。',
-    },
-    recorded: {
-      title: '链接所含内容',
-      entry: '参评项',
-      count_other: '{{count}} 次运行',
-      none: '没有运行',
-      digest: '摘要 {{digest}}',
-      notInIt:
-        '链接不含长度、差距等数字，只含运行次数和每个参评项的运行摘要。在此完成运行后才有数字，届时由摘要判断结果是否相同。文件或图片则含有各次运行，打开即可看到数字。',
+      'matrix-latex': '同样内容，用于论文；需要 booktabs、graphicx 和 ctex 宏包，用 XeLaTeX 编译。',
     },
   },
 }

@@ -238,7 +238,8 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       fewRuns: '可比较的运行太少（需 30 次）',
       noRoom: '基线几乎所有运行已是最优',
     },
-    filesHint: '与命令行写出的字节完全相同。时间取决于机器，因此单独成一个文件。',
+    filesHint:
+      '与命令行写出的字节完全相同。Markdown 与 LaTeX 用本页的语言；CSV 与 JSON 供程序读取，各语言相同。时间取决于机器，因此单独成一个文件。',
     download: '下载',
     files: {
       csv: '运行（CSV）',
@@ -259,7 +260,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       'summary-json': '供程序使用，含曲线与检验。',
       markdown: '问题、每张地图的表格与判定。',
       'summary-markdown': '论文中常见的数字，用于 README 或笔记。',
-      latex: '同样内容，用于论文；需要 booktabs 和 graphicx 宏包。',
+      latex: '同样内容，用于论文；需要 booktabs、graphicx 和 ctex 宏包，用 XeLaTeX 编译。',
       tests: 'Wilcoxon、Mann–Whitney、A、Friedman。',
       'tests-csv': '同样内容，每行一个检验。',
       times: '此机器上每次运行的秒数。',

@@ -218,7 +218,7 @@ export const zhCN: DictionaryShape<typeof en> = {
   },
   chart: {
     title: '收敛曲线',
-    iterationBest: '本代最优',
+    iterationBest: '本次迭代最优',
     mean: '平均',
     iteration: '迭代',
     length: '路径长度',

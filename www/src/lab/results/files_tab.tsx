@@ -1,5 +1,6 @@
 /** The results as files: the same bytes as the command line writes. */
 import { Copy, Download } from 'lucide'
+import { language } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { ResultFile } from '../../model/analysis'
 import { announce, notify, notifyError } from '../../state'
@@ -88,8 +89,9 @@ const nameOf = (kind: FileKind['kind']) =>
 const aboutOf = (kind: FileKind['kind']) =>
   isOfMatrix(kind) ? t(`lab.matrix.filesAbout.${kind}`) : t(`lab.results.filesAbout.${kind}`)
 
+/** What people read is in the page's language. */
 const contents = async (kind: FileKind['kind']) =>
-  kind === 'times' ? timesFile() : resultFile(kind)
+  kind === 'times' ? timesFile() : resultFile(kind, { language: language.peek() })
 
 async function copy(kind: FileKind['kind']): Promise<void> {
   try {

@@ -1,5 +1,4 @@
 /** One field of the matrix: the chosen number large, the others below it. */
-import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type {
   Analysis,
@@ -9,12 +8,11 @@ import type {
   Measure,
   Overall,
 } from '../../model/analysis'
+import { gapShown } from '../../words/gap_words'
 import { amount, dash, share, significant } from '../words/numbers'
 
 export const SHOWS = ['median', 'gap', 'success', 'rank'] as const
 export type Shows = (typeof SHOWS)[number]
-
-const percent = (value: number) => numbers.value.percent.format(value)
 
 /** The gaps at which the shade changes, smallest first: those of the engine's targets. */
 export function thresholds({ instances }: Analysis): number[] {
@@ -41,7 +39,7 @@ export function MatrixField({ cell, measure, large, heat, isBest }: FieldProps) 
   if (runs === 0) return <td class="matrix-none">{t('lab.matrix.notRun')}</td>
   const texts = {
     median: cell.median === null ? t('lab.matrix.noPath') : amount(measure)(cell.median),
-    gap: dash(cell.gap, percent),
+    gap: dash(cell.gap, gapShown),
     success: dash(cell.success, share),
     rank: dash(cell.rank, significant),
   }
@@ -90,7 +88,7 @@ export function OverallField({ all, of, large }: OverallProps) {
   const best = ranks.length > 1 && all.mean_rank === Math.min(...ranks)
   const parts = {
     rank: all.mean_rank === null ? null : significant(all.mean_rank),
-    gap: all.mean_gap === null ? null : percent(all.mean_gap),
+    gap: all.mean_gap === null ? null : gapShown(all.mean_gap),
     success: all.success === null ? null : share(all.success),
   }
   const shown = large === 'median' ? 'rank' : large

@@ -1,10 +1,12 @@
 /** The laboratory's actions: what is open, what runs, what is kept. idle → opening → running ⇄ paused → done. */
-import type { ResultFile } from '@pkg/formicarium'
+import type { ReportLanguage, ResultFile } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
 import { tools } from '../../engine/tools'
 import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
+import type { Analysis } from '../../model/analysis'
 import type { KeptRun } from '../../model/comparison_calls'
+import type { NumbersOfLink } from '../../share/recorded_numbers'
 import { notify, notifyError } from '../../state'
 import { deleteComparison, storedComparison } from '../store/browser_storage'
 import { refreshKeptComparisons, removeKeptComparison } from '../store/kept_comparisons'
@@ -30,6 +32,14 @@ export { refreshKeptComparisons } from '../store/kept_comparisons'
 export * from '../store/signals'
 export { closeComparison, openKeptComparison } from './open_comparison'
 
+/** How a file is written. */
+export interface HowWritten {
+  /** Of what people read; CSV and JSON are the same in each. */
+  language?: ReportLanguage
+  /** How the file says that it was made. */
+  command?: string
+}
+
 export interface StartOptions {
   /** Only this many seeds of each entry, the first ones. */
   firstSeeds?: number | null
@@ -44,9 +54,12 @@ export async function startComparison(document: string, options: StartOptions = 
   await goOn()
 }
 
-/** Opens a document: shows the runs in it; those that are missing can be run. */
-export async function openDocument(text: string): Promise<void> {
-  await openNew({ document: text, runs: 'file', firstSeeds: null })
+/** Opens a document: shows the runs in it; those that are missing can be run. `numbers`: what a link tells of them. */
+export async function openDocument(
+  text: string,
+  numbers: NumbersOfLink | null = null,
+): Promise<void> {
+  await openNew({ document: text, runs: 'file', firstSeeds: null, numbers })
 }
 
 /** Runs the open comparison once more, as a new one, to see whether the same comes out. */
@@ -72,8 +85,8 @@ export async function joinResults(
     instance,
     leaveOut,
   )
-  // Imported entries come last, so that every other run keeps its place.
-  await openNew({ ...mine.stored, document, done: mine.analyst.all })
+  // Imported entries come last, so that every other run keeps its place. What a link told was of the question without them.
+  await openNew({ ...mine.stored, document, done: mine.analyst.all, numbers: null })
 }
 
 /** Starts no more runs; those under way are finished and kept. */
@@ -145,9 +158,17 @@ export async function removeComparison(id: string): Promise<void> {
   await removeKeptComparison(id)
 }
 
-/** A result file of the runs that are done, as the command line writes it. */
-export function resultFile(kind: ResultFile, command = commandOf()): Promise<string> {
-  return openParts()?.analyst.file(kind, command) ?? Promise.resolve('')
+/** A result file of the runs that are done, as the command line writes it; in English unless another language is asked for. */
+export function resultFile(
+  kind: ResultFile,
+  { language = 'en', command = commandOf(language) }: HowWritten = {},
+): Promise<string> {
+  return openParts()?.analyst.file(kind, command, language) ?? Promise.resolve('')
+}
+
+/** What the runs that are done say now, without intervals; null where nothing is open. */
+export async function analysisNow(): Promise<Analysis | null> {
+  return (await openParts()?.analyst.analysis()) ?? null
 }
 
 /** A file of how long the runs took that were done in this browser. */
@@ -180,6 +201,7 @@ export async function reopenInTab(): Promise<void> {
 }
 
 /** The command that makes the same files. */
-function commandOf(): string {
-  return `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
+function commandOf(language: ReportLanguage): string {
+  const command = `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
+  return language === 'en' ? command : `${command} --language ${language}`
 }

@@ -1,5 +1,5 @@
 /** The page's side of the analyst, the worker that analyses runs. Asks often enough to watch, and leaves the worker time for runs. */
-import type { EngineError, ResultFile, Verification } from '@pkg/formicarium'
+import type { EngineError, ReportLanguage, ResultFile, Verification } from '@pkg/formicarium'
 import type { Analysis } from '../../model/analysis'
 import type { KeptRun, Opened } from '../../model/comparison_calls'
 import { toEngineError } from '../../model/errors'
@@ -99,8 +99,13 @@ export class AnalystClient {
     return this.call((analyst) => analyst.call('verify'))
   }
 
-  file(kind: ResultFile, command: string): Promise<string> {
-    return this.call((analyst) => analyst.call('file', kind, command))
+  file(kind: ResultFile, command: string, language: ReportLanguage): Promise<string> {
+    return this.call((analyst) => analyst.call('file', kind, command, language))
+  }
+
+  /** What the runs say now, without intervals. */
+  analysis(): Promise<Analysis> {
+    return this.call((analyst) => analyst.call('analysis', axis.peek(), false))
   }
 
   close(): void {

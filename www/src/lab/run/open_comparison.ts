@@ -3,6 +3,7 @@ import { batch, effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { type ComparisonDocument, documentOf, textOf } from '../../model/comparison'
 import type { KeptRun, Opened } from '../../model/comparison_calls'
+import { checkNumbers, type NumbersOfLink } from '../../share/recorded_numbers'
 import { notify, notifyError } from '../../state'
 import { ComparisonWriter, type StoredComparison, storedComparison } from '../store/browser_storage'
 import { refreshKeptComparisons } from '../store/kept_comparisons'
@@ -24,6 +25,7 @@ import { isLocked, whenUnlocked } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, rememberInTab } from '../store/tab_memory'
 import { keepUnstored, noteUnstored, unstored } from '../store/unstored'
 import { AnalystClient } from './analyst_client'
+import { firstOfEach } from './failures'
 import { Runner } from './runner'
 import { Tasks } from './tasks'
 
@@ -56,6 +58,8 @@ export interface NewComparison {
   workers?: number | undefined
   /** Runs of it that are done already. */
   done?: KeptRun[] | undefined
+  /** What a link tells of its runs. */
+  numbers?: NumbersOfLink | null
 }
 
 /** Opens a document as a new comparison. */
@@ -65,6 +69,7 @@ export async function openNew({
   firstSeeds,
   workers,
   done,
+  numbers = null,
 }: NewComparison): Promise<void> {
   // The builder stays on show until its comparison runs or is refused by the engine.
   if (phase.peek() === 'idle' && runs === 'file') phase.value = 'opening'
@@ -73,6 +78,7 @@ export async function openNew({
     const opened = await analyst.open()
     const rows = done ?? opened.rows
     const parsed = documentOf(document)
+    if (numbers) checkNumbers(numbers, parsed.question)
     const stored: StoredComparison = {
       id: newId(),
       title: parsed.question.title,
@@ -82,6 +88,7 @@ export async function openNew({
       created: Date.now(),
       done: 0,
       total: 0,
+      ...(numbers && { numbers }),
     }
     await begin(stored, { analyst, opened }, rows, { workers, isNew: true })
   } catch (error) {
@@ -134,6 +141,7 @@ async function begin(
     maps,
     outline: opened.outline,
     recorded,
+    numbers: stored.numbers ?? null,
     runs: stored.runs,
     firstSeeds,
     elsewhere: false,
@@ -275,16 +283,6 @@ function refused(id: string, error: unknown): void {
   const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
   notify('warning', t(isFull ? 'lab.kept.full' : 'lab.kept.refused'), {
     hint: t('lab.kept.refusedHint'),
-  })
-}
-
-/** The first failure of each kind: hundreds of runs of one entry may fail for the same reason. */
-function firstOfEach(all: typeof failures.value): typeof failures.value {
-  const seen = new Set<string>()
-  return all.filter(({ error }) => {
-    const isNew = !seen.has(error.message)
-    seen.add(error.message)
-    return isNew
   })
 }
 

@@ -1,16 +1,23 @@
 /** Shares the open comparison as a link, a file or a picture. */
 
+import { useState } from 'preact/hooks'
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
 import { t } from '../../i18n/lab'
-import { encodeDocument, PREFIX } from '../../share/comparison_link'
+import { PREFIX } from '../../share/comparison_link'
 import { download } from '../../state/export_files'
 import { openComparison, progress, resultFile } from '../run/actions'
 import { fileStem } from '../store/names'
 import { shownComparison } from '../store/shown_comparison'
+import { linkOfNow } from './link_of_now'
 import { resultCard } from './result_card'
 
 export function ShareComparisonDialog({ onClose }: { onClose: () => void }) {
-  const link = useLink(PREFIX, async () => encodeDocument(await resultFile('link')))
+  const [carriesNumbers, setCarriesNumbers] = useState(false)
+  const link = useLink(PREFIX, async () => {
+    const made = await linkOfNow()
+    setCarriesNumbers(made.carriesNumbers)
+    return made.text
+  })
   return (
     <SendDialog
       title={t('lab.share.title')}
@@ -23,13 +30,13 @@ export function ShareComparisonDialog({ onClose }: { onClose: () => void }) {
       onClose={onClose}
       testId="lab-share"
     >
-      <Contents />
+      <Contents carriesNumbers={carriesNumbers} />
     </SendDialog>
   )
 }
 
 /** Lists what the link holds, so that nothing is shared unseen. */
-function Contents() {
+function Contents({ carriesNumbers }: { carriesNumbers: boolean }) {
   const now = shownComparison.value
   if (!now) return null
   const { instances, entries, seeds } = now.question
@@ -47,6 +54,7 @@ function Contents() {
       <li>
         {done > 0 ? t('lab.share.carriesRuns', { count: done }) : t('lab.share.carriesNoRuns')}
       </li>
+      {carriesNumbers && <li>{t('lab.recorded.carries')}</li>}
     </ul>
   )
 }

@@ -2,6 +2,7 @@
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb'
 import type { KeptRun } from '../../model/comparison_calls'
 import type { StoredDraft } from '../../model/draft'
+import type { NumbersOfLink } from '../../share/recorded_numbers'
 
 /** A comparison as it is stored, without its runs. */
 export interface StoredComparison {
@@ -16,6 +17,8 @@ export interface StoredComparison {
   /** Runs that are done, and to be done altogether. */
   done: number
   total: number
+  /** What the link that it came in tells of its runs. */
+  numbers?: NumbersOfLink
 }
 
 /** Drafts of closed tabs are deleted after this time. */

@@ -1,6 +1,6 @@
 /**
  * The open comparison and its analysis as the page shows them: known texts, such as those of the papers' questions, in the reader's
- * language. Files are made from the comparison itself, so they are the same in every language.
+ * language. Files are made from the comparison itself, so what people wrote in it stays as it is there.
  */
 import type { Claim, Entry, Instance, Question } from '@pkg/formicarium'
 import { computed } from '@preact/signals'

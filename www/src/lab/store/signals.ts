@@ -3,6 +3,7 @@ import type { Axis, ComparisonOutline, EngineError, Question, Verification } fro
 import { computed, signal } from '@preact/signals'
 import type { Analysis } from '../../model/analysis'
 import type { ComparisonDocument, MapOfQuestion } from '../../model/comparison'
+import type { NumbersOfLink } from '../../share/recorded_numbers'
 import type { StoredComparison } from './browser_storage'
 
 /** idle: nothing is open · opening · running · paused: some runs are to be done · done */
@@ -28,6 +29,8 @@ export interface OpenComparison {
   outline: ComparisonOutline
   /** What was recorded when it was run elsewhere; null where nothing was. */
   recorded: ComparisonDocument['recorded'] | null
+  /** What the link that it came in tells of those runs; null where none does. */
+  numbers: NumbersOfLink | null
   /** Where its runs come from: done here (`own`), or read from a file. */
   runs: 'own' | 'file'
   /** Only this many seeds of each entry are to be run, the first ones; null: all. */

@@ -1,4 +1,5 @@
 /** What the laboratory opens first: the comparison in the address, or what this tab had open before a reload. */
+import type { NumbersOfLink } from '../../share/recorded_numbers'
 import { takeMapsThatCome } from '../build/draft'
 import { storeDraftChanges } from '../build/stored_draft'
 import { openDocument, refreshKeptComparisons } from '../run/actions'
@@ -13,10 +14,13 @@ export function openAddress(): Promise<void> {
   return opening
 }
 
-/** Opens the text of a result file. */
-export async function openComparisonDocument(text: string): Promise<void> {
+/** Opens the text of a result file, or what a link carries. */
+export async function openComparisonDocument(
+  text: string,
+  numbers?: NumbersOfLink | null,
+): Promise<void> {
   await openAddress()
-  await openDocument(text)
+  await openDocument(text, numbers)
 }
 
 async function openFirst(): Promise<void> {
