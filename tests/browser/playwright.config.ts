@@ -11,12 +11,13 @@ const site = (port: number, base: string) => ({
   command: `node node_modules/vite/bin/vite.js preview --strictPort --port ${port} --base ${base}`,
   cwd: www,
 })
-const atRoot = site(port, '/')
+export const atRoot = site(port, '/')
 const atSubPath = site(port + 1, subPath)
 
 /** Specs run on the desktop; the tags @phone and @subpath send one elsewhere instead. */
 export default defineConfig({
   testDir: '.',
+  testIgnore: 'other/**',
   outputDir: '../../target/browser-tests',
   reporter: 'list',
   workers: 1,

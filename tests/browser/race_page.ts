@@ -1,26 +1,17 @@
 /** Page object of the race: what specs do there more than once. */
 import { type Browser, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
-import type { PanelResult, Scripting } from '../../www/src/app/scripting'
 import type { Cell } from '../../www/src/model/cell'
-import type { Session } from '../../www/src/model/session'
-import { placement } from '../../www/src/model/viewpoint'
+import { type Point, Race, runsAreLoaded } from './race'
 import { drawn } from './workers'
-
-declare global {
-  interface Window {
-    formicarium: Scripting
-  }
-}
-
-const WHOLE_MAP = { zoom: 1, centreX: 0.5, centreY: 0.5 }
 
 /** CSS pixels. */
 const CORNER = 12
 
-export class RacePage {
-  constructor(readonly page: Page) {}
+export class RacePage extends Race {
+  constructor(readonly page: Page) {
+    super()
+  }
 
-  /** Opens the page and waits until every panel's run is loaded. */
   async open(address = './'): Promise<void> {
     await this.page.goto('about:blank')
     await this.page.goto(address)
@@ -29,33 +20,24 @@ export class RacePage {
 
   async ready(): Promise<void> {
     await expect(this.page.getByTestId('play')).toBeVisible()
-    await this.page.waitForFunction(() => {
-      const all = window.formicarium?.session() && window.formicarium.results()
-      return all?.every((one) => one.summary !== null)
-    })
+    await this.page.waitForFunction(runsAreLoaded)
   }
 
-  /** Opens the page and brings every run back to its beginning. */
-  async openAtRest(address = './'): Promise<void> {
-    await this.open(address)
-    await this.page.getByTestId('reset').click()
-    // No hint of a button stays over the maps.
-    await this.page.mouse.move(0, 0)
+  override async openAtRest(address = './'): Promise<void> {
+    await super.openAtRest(address)
     await expect(this.page.getByTestId('play')).toHaveAccessibleName(/play/i)
-    await expect(this.page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
-    // A run that has not been loaded yet has no moves either.
-    await this.ready()
-    await expect.poll(() => this.antMoves()).toBe(0)
   }
 
-  results(): Promise<PanelResult[]> {
-    return this.page.evaluate(() => window.formicarium?.results() ?? [])
+  press(testId: string): Promise<void> {
+    return this.page.getByTestId(testId).click()
   }
 
-  async result(place: number): Promise<PanelResult> {
-    const result = (await this.results())[place - 1]
-    if (!result) throw new Error(`there is no panel ${place}`)
-    return result
+  leave(): Promise<void> {
+    return this.page.mouse.move(0, 0)
+  }
+
+  evaluate<R, A>(what: (argument: A) => R | Promise<R>, argument: A): Promise<R> {
+    return this.page.evaluate<R, A>(what as never, argument)
   }
 
   /** A picture of a panel, without its rounded corners, whose shades vary from time to time. */
@@ -94,47 +76,6 @@ export class RacePage {
     await expect.poll(changed, { intervals: [50] }).toBe(true)
   }
 
-  /** Moves of the finished iterations. */
-  async antMoves(): Promise<number> {
-    return (await this.result(1)).summary?.effort.ant_moves ?? 0
-  }
-
-  /** The session; cells and heights cross from the page as plain numbers. */
-  async session(): Promise<Session> {
-    const plain = await this.page.evaluate(() => {
-      const session = window.formicarium.session()
-      return (
-        session && {
-          ...session,
-          scenario: {
-            ...session.scenario,
-            cells: Array.from(session.scenario.cells),
-            heights: session.scenario.heights && Array.from(session.scenario.heights),
-          },
-        }
-      )
-    })
-    if (!plain) throw new Error('there is no session')
-    const { cells, heights, ...rest } = plain.scenario
-    return {
-      ...plain,
-      scenario: {
-        ...rest,
-        cells: Uint8Array.from(cells),
-        heights: heights && Float32Array.from(heights),
-      },
-    }
-  }
-
-  async isWall([x, y]: Cell): Promise<boolean> {
-    const { spec, cells } = (await this.session()).scenario
-    return cells[y * spec.width + x] === 1
-  }
-
-  async walls(): Promise<number> {
-    return (await this.session()).scenario.cells.reduce((sum, cell) => sum + cell, 0)
-  }
-
   /** The field of a parameter of the selected panel; those that planners share are folded away. */
   async param(key: string): Promise<Locator> {
     const field = this.page.getByTestId(`param-${key}`)
@@ -146,22 +87,6 @@ export class RacePage {
 
   stage(place = 1): Locator {
     return this.page.getByTestId(`panel-${place}`).locator('.stage')
-  }
-
-  /** The middle of a cell on the page, while the whole map is in view. */
-  async pointOf(cell: Cell, place = 1): Promise<{ x: number; y: number }> {
-    // A map that changes its size is drawn with the next frame.
-    await this.frame()
-    const box = await this.stage(place).boundingBox()
-    const dpr = await this.page.evaluate(() => devicePixelRatio)
-    if (!box) throw new Error('the stage is not on screen')
-    const [width, height] = [Math.round(box.width * dpr), Math.round(box.height * dpr)]
-    const { spec } = (await this.session()).scenario
-    const { scale, originX, originY } = placement(WHOLE_MAP, { width, height, dpr }, spec)
-    return {
-      x: box.x + (originX + (cell[0] + 0.5) * scale) / dpr,
-      y: box.y + (originY + (cell[1] + 0.5) * scale) / dpr,
-    }
   }
 
   /** Drags the mouse along cells, in few steps: the page must fill in what lies between. */
@@ -199,18 +124,6 @@ export class RacePage {
     console.log(
       `page thread, ${what}: median ${median?.toFixed(2)} ms a frame, worst ${worst?.toFixed(2)} ms`,
     )
-  }
-
-  /** Lets the page draw and act once. */
-  async frame(): Promise<void> {
-    await this.page.evaluate(
-      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
-    )
-  }
-
-  async menu(menu: string, item: string): Promise<void> {
-    await this.page.getByTestId(menu).click()
-    await this.page.getByTestId(item).click()
   }
 
   /** Downloads the map in a format of the export dialog. */
@@ -293,11 +206,11 @@ export class Fingers {
     return new Fingers(await page.context().newCDPSession(page))
   }
 
-  async down(...points: { x: number; y: number }[]): Promise<void> {
+  async down(...points: Point[]): Promise<void> {
     await this.send('touchStart', points)
   }
 
-  async move(...points: { x: number; y: number }[]): Promise<void> {
+  async move(...points: Point[]): Promise<void> {
     await this.send('touchMove', points)
   }
 
@@ -307,7 +220,7 @@ export class Fingers {
 
   private async send(
     type: 'touchStart' | 'touchMove' | 'touchEnd',
-    points: { x: number; y: number }[],
+    points: Point[],
   ): Promise<void> {
     const touchPoints = points.map((point, id) => ({ ...point, id }))
     await this.session.send('Input.dispatchTouchEvent', { type, touchPoints })

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 use crate::tools::{self, find, output, run, www};
 
@@ -65,21 +65,67 @@ fn parse_version(version: &str) -> Option<(u32, u32)> {
 
 /// The browser of the tests, and what drives it.
 pub fn chromium() -> Result<()> {
-    let browser = std::env::var_os("CHROMIUM_PATH").map(PathBuf::from).or_else(|| find("chromium"));
-    let driver = std::env::var_os("CHROMEDRIVER").map(PathBuf::from).or_else(|| find("chromedriver"));
-    if browser.is_some_and(|path| path.is_file()) && driver.is_some_and(|path| path.is_file()) {
+    let programs = [program("CHROMIUM_PATH", &["chromium"]), program("CHROMEDRIVER", &["chromedriver"])];
+    if programs.iter().all(Option::is_some) {
         return Ok(());
     }
-    let packages = ["install", "--yes", "--no-install-recommends", "chromium", "chromium-driver"];
-    if output("id", &["-u"]).as_deref() != Some("0") || find("apt-get").is_none() {
-        bail!(
-            "the browser stages need Chromium and ChromeDriver: `sudo apt-get install chromium \
-             chromium-driver`, or set CHROMIUM_PATH and CHROMEDRIVER to your own"
-        );
+    apt_install(&["chromium", "chromium-driver"], || {
+        "the browser stages need Chromium and ChromeDriver: `sudo apt-get install chromium \
+         chromium-driver`, or set CHROMIUM_PATH and CHROMEDRIVER to your own"
+            .to_owned()
+    })
+}
+
+/// The browsers beside Chromium.
+pub struct OtherBrowsers {
+    pub firefox: PathBuf,
+    /// The driver of WebKitGTK, which knows where its browser is.
+    pub webkit_driver: PathBuf,
+}
+
+/// Firefox, and WebKitGTK with the screen that it is given.
+pub fn other_browsers() -> Result<OtherBrowsers> {
+    if let Ok(found) = find_other_browsers() {
+        return Ok(found);
     }
-    println!("install: Chromium and ChromeDriver…");
+    apt_install(&["firefox-esr", "webkit2gtk-driver", "xvfb"], || {
+        let missing = find_other_browsers().err().unwrap_or_default();
+        format!(
+            "other-browsers does not find {}: `sudo apt-get install firefox-esr webkit2gtk-driver xvfb`, or your \
+             system's packages of them; FIREFOX_PATH and WEBKIT_DRIVER may name your own",
+            missing.join(", ")
+        )
+    })?;
+    find_other_browsers().map_err(|missing| anyhow!("still not found: {}", missing.join(", ")))
+}
+
+/// Or the names of what is missing.
+fn find_other_browsers() -> Result<OtherBrowsers, Vec<&'static str>> {
+    let firefox = program("FIREFOX_PATH", &["firefox", "firefox-esr"]);
+    let webkit_driver = program("WEBKIT_DRIVER", &["WebKitWebDriver"]);
+    match (firefox, webkit_driver, find("Xvfb")) {
+        (Some(firefox), Some(webkit_driver), Some(_)) => Ok(OtherBrowsers { firefox, webkit_driver }),
+        (firefox, webkit_driver, screen) => {
+            let all = [(firefox, "Firefox"), (webkit_driver, "WebKitWebDriver"), (screen, "Xvfb")];
+            Err(all.into_iter().filter_map(|(found, name)| found.is_none().then_some(name)).collect())
+        }
+    }
+}
+
+/// The program that a variable names, else the first of these names in PATH.
+fn program(variable: &str, names: &[&str]) -> Option<PathBuf> {
+    let named = std::env::var_os(variable).map(PathBuf::from);
+    named.or_else(|| names.iter().find_map(|name| find(name))).filter(|path| path.is_file())
+}
+
+/// Packages of Debian and Ubuntu, where we may install them; the message tells others what they need.
+fn apt_install(packages: &[&str], message: impl FnOnce() -> String) -> Result<()> {
+    if output("id", &["-u"]).as_deref() != Some("0") || find("apt-get").is_none() {
+        bail!(message());
+    }
+    println!("install: {}…", packages.join(", "));
     run(apt_get().arg("update"))?;
-    run(apt_get().args(packages))
+    run(apt_get().args(["install", "--yes", "--no-install-recommends"]).args(packages))
 }
 
 fn apt_get() -> Command {

@@ -32,10 +32,12 @@ pub enum Stage {
     Bench,
     /// The page in Chromium, by Playwright
     Browser,
+    /// Strokes, runs and links in Firefox and WebKitGTK; runs only when it is named
+    OtherBrowsers,
 }
 
 impl Stage {
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Fmt,
         Self::Clippy,
         Self::Deny,
@@ -46,7 +48,13 @@ impl Stage {
         Self::Page,
         Self::Bench,
         Self::Browser,
+        Self::OtherBrowsers,
     ];
+
+    /// Whether it runs when no stage is named.
+    pub fn by_default(self) -> bool {
+        self != Self::OtherBrowsers
+    }
 
     pub fn name(self) -> &'static str {
         match self {
@@ -60,6 +68,7 @@ impl Stage {
             Self::Page => "page",
             Self::Bench => "bench",
             Self::Browser => "browser",
+            Self::OtherBrowsers => "other-browsers",
         }
     }
 
@@ -78,6 +87,7 @@ impl Stage {
             Self::Page => page::check(),
             Self::Bench => bench(),
             Self::Browser => browser(),
+            Self::OtherBrowsers => other_browsers(),
         }
     }
 }
@@ -116,11 +126,23 @@ fn browser() -> Result<()> {
     page::build(None)?;
     // Results of the page are compared with those of the command line, bit for bit.
     run(tools::cargo().args(["build", "--package", "formicarium", "--bin", "formicarium"]))?;
-    let mut tests = node_script("@playwright/test/cli.js");
-    tests.args(["test", "--config", &config()]).env("FORMICARIUM_CLI", tools::target_dir().join("debug/formicarium"));
+    let mut tests = playwright("playwright.config.ts");
+    tests.env("FORMICARIUM_CLI", tools::target_dir().join("debug/formicarium"));
     run(with_data(&mut tests))
 }
 
-fn config() -> String {
-    root().join("tests/browser/playwright.config.ts").display().to_string()
+/// Chromium runs beside them: what it reaches is what they must reach.
+fn other_browsers() -> Result<()> {
+    install::chromium()?;
+    let browsers = install::other_browsers()?;
+    page::build(None)?;
+    let mut tests = playwright("other/playwright.config.ts");
+    run(tests.env("FIREFOX_PATH", browsers.firefox).env("WEBKIT_DRIVER", browsers.webkit_driver))
+}
+
+/// The specs of a configuration below tests/browser/.
+fn playwright(config: &str) -> Command {
+    let mut tests = node_script("@playwright/test/cli.js");
+    tests.args(["test", "--config"]).arg(root().join("tests/browser").join(config));
+    tests
 }

@@ -9,7 +9,7 @@ use crate::stages::Stage;
 
 #[derive(Args)]
 pub struct Options {
-    /// Only these stages
+    /// Only these stages [default: all but other-browsers]
     #[arg(value_enum)]
     stages: Vec<Stage>,
     /// Go on after a stage that fails
@@ -43,7 +43,7 @@ pub fn test(options: &Options) -> Result<()> {
 
 impl Options {
     fn wants(&self, stage: Stage) -> bool {
-        self.stages.is_empty() || self.stages.contains(&stage)
+        if self.stages.is_empty() { stage.by_default() } else { self.stages.contains(&stage) }
     }
 }
 
