@@ -206,8 +206,10 @@ test.describe('walls that change during a run', () => {
     await page.getByTestId('keep-trails').selectOption('anew')
     const [from, seen] = [await race.pointOf([1, 1]), await race.pointOf(cell)]
     const clip = { x: seen.x - 2, y: seen.y - 2, width: 4, height: 4 }
-    const wall = await page.screenshot({ clip })
+    // The cell under the pointer is lighter.
     await page.mouse.move(from.x, from.y)
+    await drawn(page)
+    const wall = await page.screenshot({ clip })
     await page.mouse.down()
     for (let i = 0; i < 4; i++) await race.frame()
     await drawn(page)
