@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{GoalStep, Granularity, Iterations, Layer, Objective, Planner, Progress, Solution, Status, Tally, advance, held};
+use crate::planner::{
+    GoalStep, Granularity, Iterations, Layer, Objective, Planner, Progress, Solution, Status, Tally, advance, held,
+};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
-use formicarium::aco::fireworks::{ColonyRows, Depositors, Seeded, seed_trail};
+use formicarium::aco::fireworks::{ColonyRows, Depositors, Seeded, prior_iterations, seed_trail};
+use formicarium::aco::shared_params::SelectionParams;
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::catalog;
-use formicarium::error::ParamError;
 use formicarium::map::{CornerRule, Direction, Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::{Value, Values};
 use formicarium::planner::{GoalStep, Reading};
@@ -280,8 +280,14 @@ fn updated(rows: ColonyRows) -> [f64; 3] {
     let ants = [walked([E, E]), walked([SE, NE]), walked([E, E])];
     let mut trails = Trails::new(s.grid.len(), 10.0);
     let best = Solution { path: vec![0, 4, 2], length: 2.0 * SQRT2, iteration: 1, refined: None };
-    let iteration =
-        Iteration { scenario: &s, ants: &ants, number: 2, budget: 50, best_so_far: Some(&best), streams: Streams::new(1, "test", 0) };
+    let iteration = Iteration {
+        scenario: &s,
+        ants: &ants,
+        number: 2,
+        budget: 50,
+        best_so_far: Some(&best),
+        streams: Streams::new(1, "test", 0),
+    };
     Seeded::new(rows, None).update_trails(&mut trails, iteration);
     [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
 }
@@ -310,7 +316,14 @@ fn step_3_the_best_path_alone_adds() {
 fn eq_10_may_come_after_iterations_of_ants() {
     let s = corridor();
     let length = 2.0 * SQRT2;
-    let mut seeded = Seeded::new(ColonyRows { prior_iterations: 2, ..ColonyRows::default() }, Some((vec![0, 4, 2], length)));
+    // 0.04 · 50 = 2; of few iterations one is left for what comes after.
+    let rows = ColonyRows { ants_first: 0.04, ..ColonyRows::default() };
+    let of = |ants_first, iterations| {
+        let selection = SelectionParams { iterations, ..rows.selection };
+        prior_iterations(&ColonyRows { ants_first, selection, ..rows })
+    };
+    assert_eq!([of(0.0, 50), of(0.04, 50), of(0.9, 50), of(0.5, 5), of(0.9, 3), of(0.9, 1)], [0, 2, 45, 3, 2, 0]);
+    let mut seeded = Seeded::new(rows, Some((vec![0, 4, 2], length)));
     let mut trails = Trails::new(s.grid.len(), 1.0);
     seeded.shape_trails(&s, &mut trails);
     assert_eq!(trails.get(0, SE), 1.0, "not before the ants");
@@ -323,23 +336,6 @@ fn eq_10_may_come_after_iterations_of_ants() {
         assert!(close(trails.get(0, SE), expected), "{number}: {}", trails.get(0, SE));
     }
     assert!(close(trails.get(0, E), 0.729));
-}
-
-#[test]
-fn a_colony_that_ends_before_eq_10_is_refused_by_name() {
-    for id in ["fwa-aco", "pso-aco"] {
-        let built = |prior: f64, iterations: f64| {
-            let values =
-                [("prior_iterations", prior), ("iterations", iterations)].map(|(k, v)| (k.to_string(), Value::Number(v))).into();
-            catalog::build(&map(2), id, None, &values, 1)
-        };
-        assert!(built(9.0, 10.0).is_ok());
-        let refused = built(10.0, 10.0).err().expect("the path would be added when the colony has ended");
-        assert!(
-            matches!(&refused, ParamError::OutOfRange { key, max, .. } if key == "prior_iterations" && *max == 9.0),
-            "{refused}"
-        );
-    }
 }
 
 pub fn map(seed: u32) -> Arc<Scenario> {

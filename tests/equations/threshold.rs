@@ -177,13 +177,12 @@ fn a_goal_is_entered_where_walls_have_changed_too() {
     let s = open(4, 2, Point::new(3, 0));
     let mut grid = s.grid.clone();
     grid.set_blocked(2, true);
-    let spec = ScenarioSpec {
-        changes: vec![Change { at: 1, blocked: vec![], freed: vec![Point::new(2, 0)] }],
-        ..s.spec.clone()
-    };
+    let spec = ScenarioSpec { changes: vec![Change { at: 1, blocked: vec![], freed: vec![Point::new(2, 0)] }], ..s.spec.clone() };
     let s = Arc::new(Scenario::new(grid, spec).expect("usable"));
     let mut planner = catalog::build(&s, "acost", Some("second-reading"), &Values::new(), 1).expect("valid");
-    (0..3).for_each(|_| drop(planner.advance(Granularity::Iteration)));
+    for _ in 0..3 {
+        planner.advance(Granularity::Iteration);
+    }
     let odds: Vec<(u32, f64)> = planner.moves_from(2).iter().map(|m| (m.to, m.probability)).collect();
     assert!(odds.len() > 1 && odds.iter().all(|&(to, p)| p == f64::from(u8::from(to == 3))), "{odds:?}");
     assert!(planner.history()[2].arrived > 0);

@@ -12,7 +12,7 @@
 //! | on each move | nothing |
 //! | dead end | the ant steps back (step 2) |
 //! | update | Eq. 11 and 12: as Ant System, or by the best path alone (`depositors`) |
-//! | daemon actions | Eq. 10 after `prior_iterations` of the colony, [`Variant::daemon_actions`] |
+//! | daemon actions | Eq. 10 where ants come first, [`Variant::daemon_actions`] |
 //!
 //! | equation | where |
 //! |---|---|
@@ -31,9 +31,9 @@
 //! - **Who leaves trail** (`depositors`). Eq. 12 sums over all m ants (*all-ants*). Step 3 updates "by the best path that the ants computed"
 //!   (根据蚂蚁计算出的最佳路径): Q/L on it once, and on no other. The best of the iteration (*iteration-best*), or, as the step before takes
 //!   "the global minimum as the best value" (求取全局最小值作为最优值), of all iterations so far (*best-so-far*); of ants, not of fireworks.
-//! - **τ of Eq. 10** (`prior_iterations`). The words above it have the ants come first (首先利用蚁群算法得到环境的初始信息素分布); by step 1
-//!   Δτ is added to the colony's first matrix (初始信息素矩阵), and only then ants stand ready. 0 is step 1; from 1 on so many of the colony's
-//!   iterations run without Δτ, then it is added to their trails. The fireworks do not see the ants, so it does not matter whose turn comes
+//! - **τ of Eq. 10** (`ants_first`). The words above it have the ants come first (首先利用蚁群算法得到环境的初始信息素分布); by step 1
+//!   Δτ is added to the colony's first matrix (初始信息素矩阵), and only then ants stand ready. 0 is step 1; otherwise this share of
+//!   the colony's iterations, rounded, runs without Δτ, and then it is added to their trails. The fireworks do not see the ants, so it does not matter whose turn comes
 //!   first; budgets count the same.
 //! - **x_min of Eq. 6** (`range_min`), **L at the goal** (`decode_goal`): `swarm/decode.rs`.
 //!
@@ -99,8 +99,8 @@ params! {
         seed_ants: f64 = 50.0, "", [0.0..=1e6], "ants", "our choice: eq. 10 does not say how much; as many as the colony has";
         /// which ants leave trail at the end of an iteration
         depositors: Depositors = Depositors::AllAnts, "", [], "", "Zhou, Mu, Zhang 2019, eq. 12; its step 3: by the best path";
-        /// iterations of the colony before the first stage's path is added to its trails; fewer than it has
-        prior_iterations: u32 = 0, "", [0..=99_999], "iterations", "Zhou, Mu, Zhang 2019, step 1; above eq. 10: after ants";
+        /// share of the colony's iterations before the first stage's path is added to its trails
+        ants_first: f64 = 0.0, "", [0.0..=0.9], "× iterations", "Zhou, Mu, Zhang 2019, step 1; above eq. 10: after ants";
         /// trail on every step before the seed
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
         ..sight: SightParams { heuristic = Heuristic::Goal, "our reading: as in the traditional algorithm"; };
@@ -168,6 +168,12 @@ pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
     rows.seed_ants * rows.deposit / length
 }
 
+/// How many of the colony's iterations come before Eq. 10; at least one comes after it.
+pub fn prior_iterations(rows: &ColonyRows) -> u32 {
+    let all = rows.selection.iterations;
+    (libm::round(rows.ants_first * f64::from(all)) as u32).min(all - 1)
+}
+
 impl Variant for Seeded {
     fn settings(&self) -> Settings {
         let r = &self.rows;
@@ -187,7 +193,7 @@ impl Variant for Seeded {
     }
 
     fn shape_trails(&self, scenario: &Scenario, trails: &mut Trails) {
-        if self.rows.prior_iterations == 0 {
+        if prior_iterations(&self.rows) == 0 {
             self.add_seed(scenario, trails);
         }
     }
@@ -212,26 +218,8 @@ impl Variant for Seeded {
     }
 
     fn daemon_actions(&mut self, trails: &mut Trails, iteration: Iteration) {
-        if iteration.number == self.rows.prior_iterations {
+        if iteration.number == prior_iterations(&self.rows) {
             self.add_seed(iteration.scenario, trails);
-        }
-    }
-}
-
-impl ColonyRows {
-    /// Refuses a first stage whose path would be added when the colony has ended.
-    fn check(&self) -> Result<(), ParamError> {
-        let (prior, max) = (self.prior_iterations, self.selection.iterations - 1);
-        let row = Self::specs().into_iter().find(|row| row.key == "prior_iterations");
-        match row.filter(|_| prior > max) {
-            None => Ok(()),
-            Some(row) => Err(ParamError::OutOfRange {
-                key: row.key.into(),
-                value: prior.to_string(),
-                min: 0.0,
-                max: f64::from(max),
-                meaning: row.meaning.into(),
-            }),
         }
     }
 }
@@ -239,9 +227,8 @@ impl ColonyRows {
 /// The first stage of `fwa-aco`: a run of `ifwa`.
 ///
 /// # Errors
-/// [`ParamError::Memory`] where the positions would not fit, [`ParamError::OutOfRange`] where the colony ends before they are told of it.
+/// [`ParamError::Memory`] where the positions would not fit.
 pub fn fireworks_first(scenario: &Arc<Scenario>, p: &FwaAcoParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
-    p.colony.check()?;
     let rows = (p.fireworks, p.annealing, p.decoding);
     Ok(Box::new(fireworks::improved(scenario, rows, p.seed_iterations, 0, seed)?))
 }
@@ -249,9 +236,8 @@ pub fn fireworks_first(scenario: &Arc<Scenario>, p: &FwaAcoParams, seed: u32) ->
 /// The first stage of `pso-aco`: a run of `pso`.
 ///
 /// # Errors
-/// As [`fireworks_first`].
+/// [`ParamError::Memory`] where the positions would not fit.
 pub fn particles_first(scenario: &Arc<Scenario>, p: &PsoAcoParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
-    p.colony.check()?;
     let swarm = pso::over_cells(scenario, (p.particles, p.decoding), p.seed_iterations, 0, seed)?;
     Ok(Box::new(swarm))
 }

@@ -182,7 +182,7 @@ export const zhCNEngine = {
     seed_iterations: '第一阶段的迭代次数',
     seed_ants: '第一阶段的路径得到相当于这么多只蚂蚁的信息素',
     depositors: '每次迭代结束时哪些蚂蚁留下信息素',
-    prior_iterations: '蚁群先迭代这么多次，再加上第一阶段路径的信息素；须少于其迭代次数',
+    ants_first: '蚁群走完这一比例的迭代之后，才加上第一阶段路径的信息素',
     particles: '粒子数',
     cognitive: '粒子自身最好位置的吸引',
     social: '全群最好位置的吸引',
@@ -243,6 +243,7 @@ export const zhCNEngine = {
     '× (width + height)': '× (宽 + 高)',
     '× m': '× m',
     '× x_max': '× x_max',
+    '× iterations': '× 迭代次数',
   },
   options: {
     weight: '权重',

@@ -79,7 +79,7 @@ export const zhCNParamNames = {
   range_min: '优先值下限',
   decode_goal: '解码到终点的一步',
   depositors: '留信息素的蚂蚁',
-  prior_iterations: '引导前的迭代次数',
+  ants_first: '蚂蚁先行的比例',
   decode_limit: '解码步数上限',
   radius_end: '最终半径比例',
   mutation_start: '初始变异权重',
