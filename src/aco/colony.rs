@@ -160,6 +160,9 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
             (true, true) => on_demand.another_time(),
             (false, true) => {
                 weights.see(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j));
+                if variant.enters_goal() {
+                    weights.enter(scenario);
+                }
                 trails.all_changed();
             }
             (_, false) => {}

@@ -17,8 +17,8 @@ param_choice! {
     }
 }
 
-/// d(goal, goal) where a formula divides by it: η = 100 at the goal, as in the textbook MATLAB program.
-pub const AT_GOAL: f64 = 0.01;
+/// d(goal, goal) where a formula divides by it: η = 100 at the goal.
+pub use crate::planner::AT_GOAL;
 
 /// η by goal distance: 1 / d(j, goal), Euclidean, on a terrain as on its map; `at_goal` stands for the distance 0.
 pub fn goal_distance(j: Point, goal: Point, at_goal: f64) -> f64 {

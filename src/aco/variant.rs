@@ -116,6 +116,11 @@ pub trait Variant: Clone + Send {
     /// Before the ants of iteration `number` (from 1) start: what depends on the time.
     fn begin_iteration(&mut self, _number: u32) {}
 
+    /// Whether an ant beside the goal takes the step onto it without a choice, where it is allowed; not with [`Variant::TIMED`].
+    fn enters_goal(&self) -> bool {
+        false
+    }
+
     /// Whether η differs from the iteration before (iterations count from 1).
     fn heuristic_changes(&self, iteration: u32) -> bool {
         iteration == 1

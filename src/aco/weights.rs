@@ -65,6 +65,12 @@ impl WeightTable {
         cells.iter().for_each(|&c| rows[c as usize] = visibility(scenario, eta, self.beta, c));
     }
 
+    /// From the cells beside the goal leaves the step onto it alone. Once η is known.
+    pub fn enter(&mut self, scenario: &Scenario) {
+        let rows = Arc::make_mut(&mut self.visibility).iter_mut();
+        rows.zip(0..).for_each(|(row, c)| only_onto_the_goal(scenario, c, row));
+    }
+
     /// Recomputes the weights whose trail has changed.
     #[inline(never)]
     pub fn refresh(&mut self, trails: &mut Trails) {
@@ -96,6 +102,13 @@ pub(super) fn visibility(scenario: &Scenario, eta: &Eta, beta: f64, c: Cell) -> 
         row[d as usize] = (power(seen[d as usize] / largest, beta) as f32).max(FLOOR);
     }
     row
+}
+
+/// Where one of a cell's steps leads onto the goal, has that step alone feasible.
+pub(super) fn only_onto_the_goal(scenario: &Scenario, c: Cell, row: &mut Row) {
+    if let Some(onto) = scenario.moves.directions(c).find(|&d| scenario.moves.step(c, d) == scenario.goal) {
+        *row = std::array::from_fn(|d| f32::from(u8::from(d == onto as usize)));
+    }
 }
 
 /// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).

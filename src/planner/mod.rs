@@ -34,7 +34,7 @@ pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
 pub(crate) use progress::{Iterations, advance, stand_ready};
-pub use reading::Reading;
+pub use reading::{AT_GOAL, GoalStep, Reading};
 pub use turn::{Fate, Turn, Walked};
 
 /// How far one call of [`Planner::advance`] goes.

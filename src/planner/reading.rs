@@ -11,3 +11,16 @@ param_choice! {
         Printed = "printed",
     }
 }
+
+param_choice! {
+    /// What a formula that divides by the distance to the goal means for the step onto the goal, where that distance is 0.
+    pub enum GoalStep {
+        /// the goal is weighed as any other cell, by a small distance that stands for 0
+        Weighed = "weighed",
+        /// beside the goal, where the step is allowed, it is taken without a choice
+        Enter = "enter",
+    }
+}
+
+/// The distance in cells that stands for 0 at the goal: 1 / 0.01 = 100 there, as in the textbook MATLAB program.
+pub const AT_GOAL: f64 = 0.01;

@@ -4,13 +4,16 @@
 //! 1 / (distance to the goal). The sum is common to all candidates, so the largest a_j·L(j, e) decides; the first in order of directions
 //! of equal ones. Allowed is what this path has not visited. Where nothing is left the path steps back, cell by cell, until something is,
 //! and what it left stays visited: so it reaches every goal that can be reached. At the goal L would be 1 / 0: a goal that is allowed is
-//! taken.
+//! taken (`decode_goal`), or L is 1 / 0.01 there, and its priority counts as any other.
+//!
+//! Priorities lie between the limits of Eq. 6. Their ratio decides how far a path may leave the greedy one, which goes to the nearest cell
+//! to the goal: a cell is preferred to one that is nearer by at most x_max / x_min.
 
 use std::f64::consts::SQRT_2;
 
 use crate::map::{Cell, DIRECTIONS, Direction, Moves, Point, step_length};
 use crate::params;
-use crate::planner::held;
+use crate::planner::{AT_GOAL, GoalStep, held};
 use crate::scenario::Scenario;
 
 use super::search::{Decode, Settings};
@@ -18,16 +21,48 @@ use super::search::{Decode, Settings};
 params! {
     /// What all planners over cell priorities share.
     pub struct DecodeRows {
-        /// largest priority of a cell; the smallest is 0. Only its ratio to the radius of explosions matters
+        /// largest priority of a cell. Only its ratio to the radius of explosions matters
         range: f64 = 1.0, "x_max", [1e-3..=1e3], "", "our choice: eq. 6 names limits, no value is given";
+        /// smallest priority of a cell, as a share of the largest; the nearer to 1, the straighter paths lead to the goal
+        range_min: f64 = 0.0, "x_min", [0.0..=0.999], "× x_max", "our choice: eq. 6 names limits, no value is given";
+        /// what eq. 1 means for a step onto the goal, where it divides by 0
+        decode_goal: GoalStep = GoalStep::Enter, "", [], "", "our choice: L of eq. 1 is 1 / 0 at the goal";
         /// a decoding gives up after this many times width + height moves; 0 = never
         decode_limit: f64 = 0.0, "", [0.0..=1000.0], "× (width + height)", "our addition; the paper has no cap";
     }
 }
 
-/// L(j, e): 1 / Euclidean distance in cells; of a cell that is not the goal itself.
+impl DecodeRows {
+    /// x_min and x_max of Eq. 6.
+    pub fn limits(&self) -> Limits {
+        Limits { min: self.range_min * self.range, max: self.range }
+    }
+}
+
+/// Between which numbers the dimensions of a position lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// The smallest.
+    pub min: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+impl Limits {
+    /// From 0 to this number.
+    pub fn up_to(max: f64) -> Self {
+        Self { min: 0.0, max }
+    }
+
+    /// x_max − x_min.
+    pub fn span(self) -> f64 {
+        self.max - self.min
+    }
+}
+
+/// L(j, e): 1 / Euclidean distance in cells; at the goal 1 / 0.01.
 pub fn nearness(j: Point, goal: Point) -> f64 {
-    1.0 / j.distance(goal).max(1.0)
+    1.0 / j.distance(goal).max(AT_GOAL)
 }
 
 /// The dimensions of a position: the free cells, in index order.
@@ -59,13 +94,14 @@ pub struct Decoder {
     path: Vec<Cell>,
     moves: u32,
     max_moves: u32,
+    goal_step: GoalStep,
     /// No path of this map is that long, in cells.
     never: f64,
 }
 
 impl Decoder {
-    /// For a map; `limit` as in [`DecodeRows::decode_limit`].
-    pub fn new(scenario: &Scenario, limit: f64) -> Self {
+    /// For a map; `limit` as in [`DecodeRows::decode_limit`], `goal_step` as in [`DecodeRows::decode_goal`].
+    pub fn new(scenario: &Scenario, limit: f64, goal_step: GoalStep) -> Self {
         let free: Vec<Cell> = free_cells(scenario).collect();
         let (cells, goal) = (scenario.grid.len(), scenario.grid.point(scenario.goal));
         let nearness = free.iter().map(|&c| nearness(scenario.grid.point(c), goal) as f32).collect();
@@ -79,6 +115,7 @@ impl Decoder {
             path: Vec::new(),
             moves: 0,
             max_moves: if limit == 0.0 { u32::MAX } else { cap as u32 },
+            goal_step,
             never: cells as f64 * longest_step(scenario),
         }
     }
@@ -143,7 +180,7 @@ impl Decoder {
         let (mut best, mut largest) = (None, f32::NEG_INFINITY);
         for d in scenario.moves.directions(here) {
             let j = scenario.moves.step(here, d);
-            if j == scenario.goal {
+            if j == scenario.goal && self.goal_step == GoalStep::Enter {
                 return Some(j);
             }
             if self.visited[j as usize] != self.decoding && self.scores[j as usize] > largest {
@@ -156,7 +193,7 @@ impl Decoder {
 
 impl Decode for Decoder {
     fn new(scenario: &Scenario, settings: &Settings) -> Self {
-        Self::new(scenario, settings.decode_limit)
+        Self::new(scenario, settings.decode_limit, settings.goal_step)
     }
 
     fn dimensions(&self) -> usize {

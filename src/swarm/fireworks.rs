@@ -24,6 +24,9 @@
 //! same draw; ε is the smallest constant of the machine; the best position always survives; the others are drawn with replacement; the
 //! distance is Euclidean. Ours: priorities lie in 0 to 1 (with Â = 3 the 15 radii sum up to 3, a fifth of the range each); the first
 //! iteration also decodes the random fireworks; a decoding that is cut off costs more than any path.
+//!
+//! Eq. 6 has two limits, x_min and x_max, and the paper gives neither a value. `range_min` is 0 by default; preset `second-reading` has one
+//! above 0. What they do to a path: `decode.rs`.
 
 use std::sync::Arc;
 
@@ -36,7 +39,7 @@ use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Pr
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
-use super::decode::{DecodeRows, Decoder};
+use super::decode::{DecodeRows, Decoder, Limits};
 use super::explosion::{
     confined, cooled_radius, crowding, displacement, explosions, gaussian, inertia, mutation_factor, roulette, rounded_sparks,
 };
@@ -113,11 +116,11 @@ fn positive(stream: &mut Stream) -> f64 {
 }
 
 /// Changes each dimension with one random probability: as many dimensions as Tan and Zhu draw, any number equally likely.
-fn change(position: &mut [f32], range: f64, stream: &mut Stream, new: impl Fn(f64) -> f64) {
+fn change(position: &mut [f32], limits: Limits, stream: &mut Stream, new: impl Fn(f64) -> f64) {
     let share = uniform(stream);
     for x in position {
         if uniform(stream) < share {
-            *x = confined(new(f64::from(*x)), 0.0, range) as f32;
+            *x = confined(new(f64::from(*x)), limits.min, limits.max) as f32;
         }
     }
 }
@@ -139,7 +142,7 @@ pub struct Fireworks {
     settings: Settings,
     rows: FireworkRows,
     annealing: AnnealingRows,
-    range: f64,
+    limits: Limits,
     stage: Stage,
 }
 
@@ -153,8 +156,9 @@ impl Fireworks {
             iterations,
             stagnation,
             decode_limit: decoding.decode_limit,
+            goal_step: decoding.decode_goal,
         };
-        Self { settings, rows, annealing, range: decoding.range, stage: Stage::Empty }
+        Self { settings, rows, annealing, limits: decoding.limits(), stage: Stage::Empty }
     }
 
     /// Adds the explosion sparks and the Gaussian sparks.
@@ -165,7 +169,7 @@ impl Fireworks {
             let mut stream = streams.ant(number, i as u32);
             for _ in 0..sparks {
                 let h = displacement(rows.reading, radius, uniform(&mut stream));
-                change(population.push_copy(i), self.range, &mut stream, |x| x + h);
+                change(population.push_copy(i), self.limits, &mut stream, |x| x + h);
             }
         }
         let weight = inertia(self.annealing.mutation_start, self.annealing.mutation_end, number, self.settings.iterations);
@@ -173,7 +177,7 @@ impl Fireworks {
             let mut stream = streams.ant(number, n as u32 + k);
             let i = below(n, &mut stream);
             let factor = mutation_factor(gaussian(positive(&mut stream), uniform(&mut stream)), weight);
-            change(population.push_copy(i), self.range, &mut stream, |x| x * factor);
+            change(population.push_copy(i), self.limits, &mut stream, |x| x * factor);
         }
     }
 
@@ -195,7 +199,7 @@ impl Method for Fireworks {
     fn propose(&mut self, population: &mut Population, number: u32, streams: Streams) -> bool {
         match self.stage {
             Stage::Empty => {
-                (0..self.rows.fireworks).for_each(|i| population.push_random(self.range, &mut streams.ant(0, i)));
+                (0..self.rows.fireworks).for_each(|i| population.push_random(self.limits, &mut streams.ant(0, i)));
                 self.stage = Stage::Lit;
             }
             Stage::Lit => {
@@ -240,12 +244,21 @@ fn build_ifwa(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Bo
     Ok(Box::new(improved(scenario, (p.fireworks, p.annealing, p.decoding), p.iterations, p.stagnation, seed)?))
 }
 
-const PRINTED: Preset = Preset {
+/// Eq. 4 as printed.
+pub const PRINTED: Preset = Preset {
     name: "printed",
     source: "Zhou, Mu, Zhang 2019, as printed",
     meaning: "eq. 4 literally: an explosion only ever adds to a priority",
     numbers: &[],
     choices: &[("reading", "printed")],
+};
+
+const SECOND_READING: Preset = Preset {
+    name: "second-reading",
+    source: "Zhou, Mu, Zhang 2019, eq. 6",
+    meaning: "an x_min above 0, so that paths keep nearer to the greedy one; the paper gives no value, 0.8 is ours",
+    numbers: &[("range_min", 0.8)],
+    choices: &[],
 };
 
 /// What the paper adds to the fireworks of Tan and Zhu 2010; its Eq. 9 has both.
@@ -274,7 +287,7 @@ pub const FWA: PlannerEntry = PlannerEntry {
     family: Family::Swarm,
     summary: "Each firework gives every cell a priority and so decodes into a path; good ones explode into many near sparks, bad ones into far ones.",
     source: "Tan, Zhu 2010, LNCS 6145, 355–364, doi:10.1007/978-3-642-13495-1_44; priorities as in Zhou, Mu, Zhang 2019",
-    presets: &[PRINTED],
+    presets: &[PRINTED, SECOND_READING],
     components: &[],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
@@ -290,7 +303,7 @@ pub const IFWA: PlannerEntry = PlannerEntry {
     family: Family::Swarm,
     summary: "Fireworks whose explosions shrink as by annealing and whose mutations weigh less and less (its formula is lost: our choice).",
     source: "Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究), eq. 1–9",
-    presets: &[PRINTED],
+    presets: &[PRINTED, SECOND_READING],
     components: COMPONENTS,
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,

@@ -13,10 +13,10 @@
 use rand::Rng;
 
 use crate::params;
-use crate::planner::held;
+use crate::planner::{GoalStep, held};
 use crate::rng::{Streams, unit_f32};
 
-use super::decode::DecodeRows;
+use super::decode::{DecodeRows, Limits};
 use super::explosion::inertia;
 use super::population::Population;
 use super::search::{Method, Settings};
@@ -44,10 +44,10 @@ pub fn velocity(v: f64, x: f64, best: [f64; 2], weight: f64, pulls: [f64; 2], li
     (weight * v + pulls[0] * (best[0] - x) + pulls[1] * (best[1] - x)).clamp(-limit, limit)
 }
 
-/// Position and velocity after the move: at the border of 0 to `range` a particle stops.
-pub fn moved(x: f64, v: f64, range: f64) -> (f64, f64) {
+/// Position and velocity after the move: at one of the limits a particle stops.
+pub fn moved(x: f64, v: f64, limits: Limits) -> (f64, f64) {
     let to = x + v;
-    if (0.0..=range).contains(&to) { (to, v) } else { (to.clamp(0.0, range), 0.0) }
+    if (limits.min..=limits.max).contains(&to) { (to, v) } else { (to.clamp(limits.min, limits.max), 0.0) }
 }
 
 /// A particle swarm.
@@ -55,8 +55,8 @@ pub fn moved(x: f64, v: f64, range: f64) -> (f64, f64) {
 pub struct ParticleSwarm {
     settings: Settings,
     rows: ParticleRows,
-    /// Largest value of a dimension, the smallest being 0; the dimensions take them in turn.
-    ranges: [f64; 2],
+    /// Between which values a dimension lies; the dimensions take them in turn.
+    limits: [Limits; 2],
     /// The particles' positions are decoded and not yet taken in.
     flown: bool,
     velocities: Vec<f32>,
@@ -70,18 +70,19 @@ pub struct ParticleSwarm {
 impl ParticleSwarm {
     /// Over cell priorities with these parameters, for so many iterations, and no longer than `stagnation` without a shorter path (0 = all).
     pub fn new(rows: ParticleRows, decoding: DecodeRows, iterations: u32, stagnation: u32) -> Self {
-        let mut swarm = Self::within([decoding.range; 2], rows, iterations, stagnation);
+        let mut swarm = Self::within([decoding.limits(); 2], rows, iterations, stagnation);
         swarm.settings.decode_limit = decoding.decode_limit;
+        swarm.settings.goal_step = decoding.decode_goal;
         swarm
     }
 
-    /// Over any dimensions, whose values lie between 0 and these in turn.
-    pub fn within(ranges: [f64; 2], rows: ParticleRows, iterations: u32, stagnation: u32) -> Self {
+    /// Over any dimensions, whose values lie between these limits in turn.
+    pub fn within(limits: [Limits; 2], rows: ParticleRows, iterations: u32, stagnation: u32) -> Self {
         let (size, most) = (rows.particles, 3 * rows.particles);
         Self {
-            settings: Settings { size, most, iterations, stagnation, decode_limit: 0.0 },
+            settings: Settings { size, most, iterations, stagnation, decode_limit: 0.0, goal_step: GoalStep::Enter },
             rows,
-            ranges,
+            limits,
             flown: false,
             velocities: Vec::new(),
             own: Vec::new(),
@@ -109,17 +110,17 @@ impl ParticleSwarm {
     }
 
     fn fly(&mut self, population: &mut Population, number: u32, streams: Streams) {
-        let (n, rows, ranges) = (population.dimensions(), self.rows, self.ranges);
+        let (n, rows, limits) = (population.dimensions(), self.rows, self.limits);
         let w = inertia(rows.inertia_start, rows.inertia_end, number, self.settings.iterations);
         for i in 0..population.len() {
             let mut stream = streams.ant(number, i as u32);
             let mut draw = || f64::from(unit_f32(stream.next_u32()));
-            for ((k, x), range) in population.position_mut(i).iter_mut().enumerate().zip(ranges.into_iter().cycle()) {
+            for ((k, x), limits) in population.position_mut(i).iter_mut().enumerate().zip(limits.into_iter().cycle()) {
                 let best = [self.own[i * n + k], self.own[self.leader * n + k]].map(f64::from);
                 let pulls = [rows.cognitive * draw(), rows.social * draw()];
                 let v = &mut self.velocities[i * n + k];
-                let faster = velocity(f64::from(*v), f64::from(*x), best, w, pulls, rows.speed_limit * range);
-                let (to, left) = moved(f64::from(*x), faster, range);
+                let faster = velocity(f64::from(*v), f64::from(*x), best, w, pulls, rows.speed_limit * limits.max);
+                let (to, left) = moved(f64::from(*x), faster, limits);
                 (*x, *v) = (to as f32, left as f32);
             }
         }
@@ -140,7 +141,7 @@ impl Method for ParticleSwarm {
         if self.flown {
             self.learn(population);
         } else if population.is_empty() {
-            (0..self.rows.particles).for_each(|i| population.push_within(&self.ranges, &mut streams.ant(0, i)));
+            (0..self.rows.particles).for_each(|i| population.push_within(&self.limits, &mut streams.ant(0, i)));
         } else {
             self.fly(population, number, streams);
         }

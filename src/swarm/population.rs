@@ -5,6 +5,8 @@ use rand::Rng;
 use crate::planner::held;
 use crate::rng::{Stream, unit_f32};
 
+use super::decode::Limits;
+
 /// The positions of an iteration. Those that are decoded come first.
 #[derive(Debug, Clone, Default)]
 pub struct Population {
@@ -77,15 +79,15 @@ impl Population {
         (0..self.costs.len()).reduce(|best, i| if self.costs[i] < self.costs[best] { i } else { best })
     }
 
-    /// Adds a position drawn uniformly from 0 to `range` in every dimension.
-    pub fn push_random(&mut self, range: f64, stream: &mut Stream) {
-        self.push_within(&[range], stream);
+    /// Adds a position drawn uniformly between the limits in every dimension.
+    pub fn push_random(&mut self, limits: Limits, stream: &mut Stream) {
+        self.push_within(&[limits], stream);
     }
 
-    /// The same with ranges that the dimensions take in turn.
-    pub fn push_within(&mut self, ranges: &[f64], stream: &mut Stream) {
-        let draw = |range: &f64| (f64::from(unit_f32(stream.next_u32())) * range) as f32;
-        self.positions.extend(ranges.iter().cycle().take(self.dimensions).map(draw));
+    /// The same with limits that the dimensions take in turn.
+    pub fn push_within(&mut self, limits: &[Limits], stream: &mut Stream) {
+        let draw = |limits: &Limits| (limits.min + f64::from(unit_f32(stream.next_u32())) * limits.span()) as f32;
+        self.positions.extend(limits.iter().cycle().take(self.dimensions).map(draw));
     }
 
     /// Adds a copy of position `i`, to be changed.

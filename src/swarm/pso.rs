@@ -7,10 +7,10 @@
 //!
 //! | ground | position | path | particle without a path |
 //! |---|---|---|---|
-//! | plane, surface, 16 moves | a priority a cell, 0 to x_max | `decode.rs`: of the allowed steps the one with the largest a_j·L(j, e) | longer than any path |
+//! | plane, surface, 16 moves | a priority a cell, x_min to x_max | `decode.rs`: of the allowed steps the one with the largest a_j·L(j, e) | longer than any path |
 //! | slices | (row, level) a column | `slices.rs`: clamped to the limits, rounded, lifted out of the ground | lost: cost ∞ |
 //!
-//! By slices v_max is a share of the rows and of the levels there are; `range` and `decode_limit` have no effect. A lost particle counts as
+//! By slices v_max is a share of the rows and of the levels there are; the rows of decoding have no effect. A lost particle counts as
 //! a constructed path that did not arrive, and keeps what it remembers.
 //!
 //! Preset `constriction`: Clerc, Kennedy, "The particle swarm: explosion, stability, and convergence in a multidimensional complex space",
@@ -25,7 +25,7 @@ use crate::params::{Params, Values};
 use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 
-use super::decode::DecodeRows;
+use super::decode::{DecodeRows, Limits};
 use super::particle_swarm::{ParticleRows, ParticleSwarm};
 use super::search::{Method, Swarm, check_memory};
 use super::slices::SliceDecoder;
@@ -66,8 +66,8 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     let Some(slices) = &scenario.slices else {
         return Ok(Box::new(over_cells(scenario, (p.particles, p.decoding), p.iterations, p.stagnation, seed)?));
     };
-    let ranges = SliceDecoder::ranges(slices, scenario);
-    let method = ParticleSwarm::within(ranges, p.particles, p.iterations, p.stagnation);
+    let limits = SliceDecoder::ranges(slices, scenario).map(Limits::up_to);
+    let method = ParticleSwarm::within(limits, p.particles, p.iterations, p.stagnation);
     Ok(Box::new(Swarm::<_, SliceDecoder>::new(Arc::clone(scenario), method, STREAMS, seed)))
 }
 

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::planner::{Granularity, Iterations, Layer, Objective, Planner, Progress, Solution, Status, Tally, advance, held};
+use crate::planner::{
+    GoalStep, Granularity, Iterations, Layer, Objective, Planner, Progress, Solution, Status, Tally, advance, held,
+};
 use crate::rng::Streams;
 use crate::scenario::Scenario;
 
@@ -24,6 +26,8 @@ pub struct Settings {
     pub stagnation: u32,
     /// Cap on the moves of a decoding, in multiples of width + height; 0 = none.
     pub decode_limit: f64,
+    /// What a decoding does beside the goal.
+    pub goal_step: GoalStep,
 }
 
 /// What moves the positions.

@@ -4,17 +4,18 @@ use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
-use formicarium::aco::fireworks::{ColonyRows, Seeded, seed_trail};
+use formicarium::aco::fireworks::{ColonyRows, Depositors, Seeded, prior_iterations, seed_trail};
+use formicarium::aco::shared_params::SelectionParams;
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::catalog;
 use formicarium::map::{CornerRule, Direction, Generator, Grid, Movement, Moves, Point, generate};
 use formicarium::params::{Value, Values};
-use formicarium::planner::Reading;
-use formicarium::planner::{Granularity, Layer, Planner};
+use formicarium::planner::{GoalStep, Reading};
+use formicarium::planner::{Granularity, Layer, Planner, Solution};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
-use formicarium::swarm::decode::{DecodeRows, Decoder, nearness};
+use formicarium::swarm::decode::{DecodeRows, Decoder, Limits, nearness};
 use formicarium::swarm::explosion::{
     allotment, confined, cooled_radius, crowding, displacement, explosions, gaussian, inertia, mutation_factor, roulette,
     rounded_sparks,
@@ -35,10 +36,16 @@ fn drawn(rows: &[&str], moves: Moves) -> Scenario {
     Scenario::on(grid, Movement { moves, corner_rule: CornerRule::BothFree }, Point::new(0, 0), end).expect("usable")
 }
 
+/// The same to another goal.
+fn drawn_to(rows: &[&str], goal: Point) -> Scenario {
+    let drawn = drawn(rows, Moves::Eight);
+    Scenario::on(drawn.grid, drawn.spec.movement, Point::new(0, 0), goal).expect("usable")
+}
+
 fn population(positions: &[&[f32]]) -> Population {
     let mut all = Population::new(positions[0].len());
     for (i, p) in positions.iter().enumerate() {
-        all.push_random(1.0, &mut Streams::new(1, "test", 0).ant(0, 0));
+        all.push_random(Limits::up_to(1.0), &mut Streams::new(1, "test", 0).ant(0, 0));
         all.position_mut(i).copy_from_slice(p);
     }
     all
@@ -51,7 +58,7 @@ fn eq_1_the_next_cell_has_the_largest_priority_times_nearness() {
     // From (0, 0): 0.9/√5 = 0.402 east, 0.5/√5 = 0.224 south, 0.5/√2 = 0.354 south-east, so P = 0.411, 0.228, 0.361.
     // From (1, 0): (2, 0) 1/2 = 0.5, (2, 1) 0.4/1, (1, 1) 0.354, (0, 1) 0.224. From (2, 0): (2, 1) 0.4. From (2, 1): the goal.
     let position = [0.0, 0.9, 1.0, 0.5, 0.5, 0.4, 0.0, 0.0, 0.0];
-    let mut decoder = Decoder::new(&s, 0.0);
+    let mut decoder = Decoder::new(&s, 0.0, GoalStep::Enter);
     assert_eq!(decoder.decode(&s, &position), Some(4.0));
     assert_eq!((decoder.path(), decoder.moves()), (&[0, 1, 2, 5, 8][..], 4));
     // Twice every priority: the same path, as P does not change.
@@ -66,12 +73,12 @@ fn eq_1_dead_ends_are_walked_back() {
     // One number for each of the seven free cells: (0,0) (1,0) (2,0) (0,1) (0,2) (1,2) (2,2). East first, into the dead end.
     let s = drawn(&["...", ".##", "..."], Moves::Four);
     let position = [0.0, 1.0, 1.0, 0.5, 0.5, 0.5, 0.5];
-    let mut decoder = Decoder::new(&s, 0.0);
+    let mut decoder = Decoder::new(&s, 0.0, GoalStep::Enter);
     assert_eq!((decoder.dimensions(), decoder.decode(&s, &position)), (7, Some(4.0)));
     // 2 steps in, 2 back, 4 to the goal; what was taken back is no part of the path.
     assert_eq!((decoder.path(), decoder.moves()), (&[0, 3, 6, 7, 8][..], 8));
     // 1 × (3 + 3) moves are too few.
-    assert_eq!(Decoder::new(&s, 1.0).decode(&s, &position), None);
+    assert_eq!(Decoder::new(&s, 1.0, GoalStep::Enter).decode(&s, &position), None);
 }
 
 #[test]
@@ -127,6 +134,58 @@ fn eq_6_out_of_range_is_mapped_back() {
 }
 
 #[test]
+fn eq_6_has_a_lower_limit_too() {
+    // x_min = 0.8·2.5, x_max = 2.5; 2 + 1.3 % 0.5 = 2.3, 2 + 3.1 % 0.5 = 2.1.
+    let rows = DecodeRows { range: 2.5, range_min: 0.8, ..DecodeRows::default() };
+    let limits = rows.limits();
+    assert_eq!((limits.min, limits.max, limits.span()), (2.0, 2.5, 0.5));
+    assert!(close(confined(1.3, limits.min, limits.max), 2.3) && close(confined(3.1, limits.min, limits.max), 2.1));
+    assert_eq!(DecodeRows::default().limits(), Limits::up_to(1.0));
+    // So do the positions of all that is proposed: fireworks at first, then their sparks.
+    let mut method = Fireworks::new(FireworkRows::default(), AnnealingRows::default(), rows, 10, 0);
+    let (mut all, streams) = (Population::new(40), Streams::new(1, "test", 0));
+    assert!(method.propose(&mut all, 1, streams));
+    (0..all.len()).for_each(|i| all.note(10.0 + i as f64));
+    assert!(method.propose(&mut all, 1, streams));
+    let positions: Vec<f32> = (0..all.len()).flat_map(|i| all.position(i).to_vec()).collect();
+    assert!(positions.len() > 40 * 40 && positions.iter().all(|x| (2.0..=2.5).contains(x)));
+    assert!(positions.iter().any(|x| *x < 2.1) && positions.iter().any(|x| *x > 2.4), "all of the range");
+}
+
+#[test]
+fn eq_6_limits_decide_how_far_a_path_leaves_the_greedy_one() {
+    // Three cells to the goal in the row, 1/3 or 1/2 or 1 near; off it from (0, 0) east 1/2 = 0.5, south-east 1/√5 = 0.447.
+    let s = drawn_to(&["....", "...."], Point::new(3, 0));
+    let path = |position: &[f32]| {
+        let mut decoder = Decoder::new(&s, 0.0, GoalStep::Enter);
+        decoder.decode(&s, position);
+        decoder.path().to_vec()
+    };
+    // 0.8·0.5 = 0.4 east, 1·0.447 south-east: priorities of at least 0.8 may turn the step, because 0.5 / 0.447 = 1.118 < 1 / 0.8.
+    assert_eq!(path(&[1.0, 0.8, 1.0, 1.0, 0.8, 1.0, 0.8, 0.8])[1], 5);
+    // 0.9·0.5 = 0.45: those of at least 0.9 may not.
+    assert_eq!(path(&[1.0, 0.9, 1.0, 1.0, 0.9, 1.0, 0.9, 0.9])[1], 1);
+}
+
+#[test]
+fn eq_1_at_the_goal_in_both_readings() {
+    // From (1, 0), beside the goal (2, 0): the goal's priority is 0.005, so weighed 0.005/0.01 = 0.5; (2, 1) below the goal has 1/1.
+    let s = drawn_to(&["...", "..."], Point::new(2, 0));
+    assert!(close(nearness(Point::new(2, 0), Point::new(2, 0)), 100.0));
+    let path = |goal_step, at_goal| {
+        let mut decoder = Decoder::new(&s, 0.0, goal_step);
+        decoder.decode(&s, &[0.0, 1.0, at_goal, 0.0, 0.0, 1.0]);
+        decoder.path().to_vec()
+    };
+    assert_eq!(path(GoalStep::Enter, 0.005), [0, 1, 2], "a goal that is allowed is taken");
+    // Then from (2, 1) 0.5 again, against 0 of the cells that are left.
+    assert_eq!(path(GoalStep::Weighed, 0.005), [0, 1, 5, 2]);
+    // 0.02/0.01 = 2 > 1.
+    assert_eq!(path(GoalStep::Weighed, 0.02), [0, 1, 2]);
+    assert_eq!(DecodeRows::default().decode_goal, GoalStep::Enter);
+}
+
+#[test]
 fn eq_7_crowding_sums_the_distances() {
     // 3-4-5 triangles: ‖01‖ = 5, ‖12‖ = 5, ‖02‖ = 8.
     assert_eq!(crowding(&population(&[&[0.0, 0.0], &[3.0, 4.0], &[0.0, 8.0]])), [13.0, 10.0, 13.0]);
@@ -175,7 +234,9 @@ fn particles_by_hand() {
     // 0.5·0.5 + 1·(2 − 1) + 0.5·(3 − 1)
     assert_eq!(velocity(0.5, 1.0, [2.0, 3.0], 0.5, [1.0, 0.5], 10.0), 2.25);
     assert_eq!(velocity(0.5, 1.0, [2.0, 3.0], 0.5, [1.0, 0.5], 2.0), 2.0);
-    assert_eq!((moved(0.5, 0.25, 1.0), moved(0.9, 0.3, 1.0), moved(0.1, -0.3, 1.0)), ((0.75, 0.25), (1.0, 0.0), (0.0, 0.0)));
+    let stops = |limits| [(0.5, 0.25), (0.9, 0.3), (0.1, -0.3)].map(|(x, v)| moved(x, v, limits));
+    assert_eq!(stops(Limits::up_to(1.0)), [(0.75, 0.25), (1.0, 0.0), (0.0, 0.0)]);
+    assert_eq!(stops(Limits { min: 0.25, max: 0.75 }), [(0.75, 0.25), (0.75, 0.0), (0.25, 0.0)]);
 }
 
 /// 3 × 2 free cells, from (0, 0) to (2, 0).
@@ -204,8 +265,9 @@ fn eq_10_the_seed_path_starts_with_more_trail() {
     assert_eq!(unseeded.get(0, SE), 1.0);
 }
 
-#[test]
-fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
+/// τ of the second step of the straight way (length 2), of that of the long one (2√2) and of one that nobody took, after the colony's
+/// update: two ants went straight, one the long way, and the best of all iterations went the long way; before it all are 10.
+fn updated(rows: ColonyRows) -> [f64; 3] {
     let s = corridor();
     let walk = Walk { moves: &s.moves, goal: s.goal, dead_end: DeadEnd::Backtrack, max_moves: 9 };
     let walked = |way: [Direction; 2]| {
@@ -217,11 +279,63 @@ fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
     };
     let ants = [walked([E, E]), walked([SE, NE]), walked([E, E])];
     let mut trails = Trails::new(s.grid.len(), 10.0);
-    let iteration =
-        Iteration { scenario: &s, ants: &ants, number: 1, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
-    Seeded::new(ColonyRows::default(), None).update_trails(&mut trails, iteration);
+    let best = Solution { path: vec![0, 4, 2], length: 2.0 * SQRT2, iteration: 1, refined: None };
+    let iteration = Iteration {
+        scenario: &s,
+        ants: &ants,
+        number: 2,
+        budget: 50,
+        best_so_far: Some(&best),
+        streams: Streams::new(1, "test", 0),
+    };
+    Seeded::new(rows, None).update_trails(&mut trails, iteration);
+    [trails.get(1, E), trails.get(4, NE), trails.get(3, E)]
+}
+
+fn all_close(got: [f64; 3], expected: [f64; 3]) {
+    assert!(got.iter().zip(expected).all(|(&a, b)| close(a, b)), "{got:?}, expected {expected:?}");
+}
+
+#[test]
+fn eq_11_and_12_nine_tenths_stay_and_every_ant_adds() {
     // 0.9·10 + ½ + ½, 0.9·10 + 1/(2√2), 0.9·10
-    assert!(close(trails.get(1, E), 10.0) && close(trails.get(4, NE), 9.3535534) && close(trails.get(3, E), 9.0));
+    all_close(updated(ColonyRows::default()), [10.0, 9.3535534, 9.0]);
+    assert_eq!(ColonyRows::default().depositors, Depositors::AllAnts);
+}
+
+#[test]
+fn step_3_the_best_path_alone_adds() {
+    let by = |depositors| updated(ColonyRows { depositors, deposit: 4.0, ..ColonyRows::default() });
+    // 9 + 4/2 on the iteration's shortest, once, although two ants took it; or 9 + 4/(2√2) on the shortest so far, whatever this iteration.
+    all_close(by(Depositors::IterationBest), [11.0, 9.0, 9.0]);
+    all_close(by(Depositors::BestSoFar), [9.0, 10.4142136, 9.0]);
+    all_close(by(Depositors::AllAnts), [13.0, 10.4142136, 9.0]);
+}
+
+#[test]
+fn eq_10_may_come_after_iterations_of_ants() {
+    let s = corridor();
+    let length = 2.0 * SQRT2;
+    // 0.04 · 50 = 2; of few iterations one is left for what comes after.
+    let rows = ColonyRows { ants_first: 0.04, ..ColonyRows::default() };
+    let of = |ants_first, iterations| {
+        let selection = SelectionParams { iterations, ..rows.selection };
+        prior_iterations(&ColonyRows { ants_first, selection, ..rows })
+    };
+    assert_eq!([of(0.0, 50), of(0.04, 50), of(0.9, 50), of(0.5, 5), of(0.9, 3), of(0.9, 1)], [0, 2, 45, 3, 2, 0]);
+    let mut seeded = Seeded::new(rows, Some((vec![0, 4, 2], length)));
+    let mut trails = Trails::new(s.grid.len(), 1.0);
+    seeded.shape_trails(&s, &mut trails);
+    assert_eq!(trails.get(0, SE), 1.0, "not before the ants");
+    // No ant arrives: 0.9, then 0.81 and 50 / (2√2) = 17.6776695, then 0.9 of both.
+    for (number, expected) in [(1, 0.9), (2, 18.4876695), (3, 16.6389026)] {
+        let iteration =
+            Iteration { scenario: &s, ants: &[], number, budget: 50, best_so_far: None, streams: Streams::new(1, "test", 0) };
+        seeded.update_trails(&mut trails, iteration);
+        seeded.daemon_actions(&mut trails, iteration);
+        assert!(close(trails.get(0, SE), expected), "{number}: {}", trails.get(0, SE));
+    }
+    assert!(close(trails.get(0, E), 0.729));
 }
 
 pub fn map(seed: u32) -> Arc<Scenario> {

@@ -8,6 +8,7 @@ use formicarium::params::{Value, Values};
 use formicarium::planner::{Granularity, Layer, Objective, Planner};
 use formicarium::rng::Streams;
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+use formicarium::swarm::decode::Limits;
 use formicarium::swarm::explosion::inertia;
 use formicarium::swarm::particle_swarm::{ParticleRows, ParticleSwarm, moved, velocity};
 use formicarium::swarm::population::Population;
@@ -44,10 +45,11 @@ fn velocity_and_position_by_hand() {
     let w = inertia(0.9, 0.4, 50, 100);
     let v = velocity(2.0, 5.0, [7.0, 4.0], w, [2.0 * 0.25, 2.0 * 0.75], 20.0);
     assert!((w - 0.65).abs() < 1e-12 && (v - 0.8).abs() < 1e-12);
-    assert_eq!(moved(5.0, 0.5, 20.0), (5.5, 0.5));
+    assert_eq!(moved(5.0, 0.5, Limits::up_to(20.0)), (5.5, 0.5));
     // v_max = 1 × 3 rows, and the border at row 3.
     assert_eq!(velocity(2.0, 5.0, [30.0, 40.0], 0.9, [2.0, 2.0], 3.0), 3.0);
-    assert_eq!((moved(1.0, 3.0, 3.0), moved(1.0, -3.0, 3.0)), ((3.0, 0.0), (0.0, 0.0)));
+    let rows = Limits::up_to(3.0);
+    assert_eq!((moved(1.0, 3.0, rows), moved(1.0, -3.0, rows)), ((3.0, 0.0), (0.0, 0.0)));
 }
 
 #[test]
@@ -147,7 +149,7 @@ fn a_particle_that_no_free_place_is_in_reach_of_is_lost() {
 fn an_iteration_of_particles_by_hand() {
     // One particle over two ranges: at rest first, then w·0 + c1·r1·(p − x) + c2·r2·(g − x) = 0, because it is its own best.
     let rows = ParticleRows { particles: 1, ..ParticleRows::default() };
-    let mut method = ParticleSwarm::within([2.0, 30.0], rows, 10, 0);
+    let mut method = ParticleSwarm::within([2.0, 30.0].map(Limits::up_to), rows, 10, 0);
     let (mut all, streams) = (Population::new(4), Streams::new(1, "test", 0));
     assert!(method.propose(&mut all, 1, streams));
     let begun = all.position(0).to_vec();

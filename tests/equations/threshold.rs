@@ -11,10 +11,12 @@ use formicarium::aco::threshold::{
 use formicarium::aco::trails::{Row, Trails};
 use formicarium::aco::variant::{Iteration, Step, Variant};
 use formicarium::aco::weights::WeightTable;
+use formicarium::catalog;
 use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
-use formicarium::planner::Reading;
+use formicarium::params::{Value, Values};
+use formicarium::planner::{Granularity, Reading};
 use formicarium::rng::{Stream, Streams};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Change, Scenario, ScenarioSpec};
 
 const SQRT2: f64 = std::f64::consts::SQRT_2;
 
@@ -121,6 +123,69 @@ fn a_step_that_is_certain_up_to_rounding_is_barred_until_the_threshold_is_one() 
     let beside_the_goal = [1.0, 1e-30, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     let at = |t| selection::threshold(&beside_the_goal, threshold(t, 50), &mut stream());
     assert_eq!((at(1), at(43), at(44)), (Some(1), Some(1), Some(0)));
+}
+
+/// Three cells in a row, goal last, and what each planner makes of the two steps from the middle one, back and on: (weight, probability).
+fn beside_the_goal(id: &str, values: &[(&str, &str)]) -> Vec<(f64, f64)> {
+    let values: Values = values.iter().map(|&(k, v)| (k.to_string(), Value::parse(v))).collect();
+    let planner = catalog::build(&open(3, 1, Point::new(2, 0)), id, None, &values, 1).expect("valid");
+    planner.moves_from(1).iter().map(|odds| (odds.weight, odds.probability)).collect()
+}
+
+#[test]
+fn eq_4_at_the_goal_in_both_readings() {
+    // β = 2: back η = 1/2, on 1/0.01, so (1/200)² = 0.000025 to 1, p = 0.999975. λ_1 = 1 − exp(−1/50) = 0.0198: on is barred.
+    let weighed = beside_the_goal("acost", &[("beta", "2")]);
+    assert!((weighed[0].0 - 0.000_025).abs() < 1e-9 && weighed[1].0 == 1.0, "{weighed:?}");
+    assert_eq!((weighed[0].1, weighed[1].1), (1.0, 0.0));
+    // The paper's ACO weighs them, ACOMSP takes the larger.
+    let aco = beside_the_goal("acost", &[("beta", "2"), ("rule", "proportional")]);
+    assert!((aco[1].1 - 0.999_975).abs() < 1e-8, "{aco:?}");
+    assert_eq!(beside_the_goal("acomsp", &[("beta", "2")])[1].1, 1.0);
+    // Entered, the goal is all that there is, whatever the rule, the weight of η or the time.
+    let all: [(&str, &[(&str, &str)]); 4] = [
+        ("acost", &[("goal_step", "enter")]),
+        ("acost", &[("goal_step", "enter"), ("beta", "0")]),
+        ("acost", &[("goal_step", "enter"), ("rule", "proportional")]),
+        ("acomsp", &[("goal_step", "enter"), ("maximal", "false")]),
+    ];
+    for (id, values) in all {
+        assert_eq!(beside_the_goal(id, values), [(0.0, 0.0), (1.0, 1.0)], "{id} {values:?}");
+    }
+}
+
+#[test]
+fn every_ant_that_comes_beside_the_goal_enters_it() {
+    // From (0, 0) every step leads to a cell beside the goal (2, 0), or to (0, 1), from where every step does: three steps at most.
+    let s = open(3, 2, Point::new(2, 0));
+    for (id, preset) in [("acost", "second-reading"), ("acomsp", "second-reading")] {
+        let mut planner = catalog::build(&s, id, Some(preset), &Values::new(), 1).expect("valid");
+        planner.advance(Granularity::Iteration);
+        let record = planner.history()[0];
+        assert_eq!(record.arrived, 10, "{id}");
+        assert!(record.iteration_worst.expect("they arrive") <= 1.0 + 1.0 + SQRT2, "{id}");
+    }
+    // Weighed, the threshold bars that step: some of ACOST's ants end at a dead end.
+    let mut weighed = catalog::build(&s, "acost", None, &Values::new(), 1).expect("valid");
+    weighed.advance(Granularity::Iteration);
+    assert!(weighed.history()[0].arrived < 10);
+}
+
+#[test]
+fn a_goal_is_entered_where_walls_have_changed_too() {
+    // The cell (2, 0) beside the goal (3, 0) is free from iteration 2 on; then it leads onto the goal alone.
+    let s = open(4, 2, Point::new(3, 0));
+    let mut grid = s.grid.clone();
+    grid.set_blocked(2, true);
+    let spec = ScenarioSpec { changes: vec![Change { at: 1, blocked: vec![], freed: vec![Point::new(2, 0)] }], ..s.spec.clone() };
+    let s = Arc::new(Scenario::new(grid, spec).expect("usable"));
+    let mut planner = catalog::build(&s, "acost", Some("second-reading"), &Values::new(), 1).expect("valid");
+    for _ in 0..3 {
+        planner.advance(Granularity::Iteration);
+    }
+    let odds: Vec<(u32, f64)> = planner.moves_from(2).iter().map(|m| (m.to, m.probability)).collect();
+    assert!(odds.len() > 1 && odds.iter().all(|&(to, p)| p == f64::from(u8::from(to == 3))), "{odds:?}");
+    assert!(planner.history()[2].arrived > 0);
 }
 
 #[test]

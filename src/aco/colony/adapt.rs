@@ -45,6 +45,9 @@ impl Tables {
             self.on_demand.forget(cells);
         } else {
             self.weights.see_again(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j), cells);
+            if variant.enters_goal() {
+                self.weights.enter(scenario);
+            }
         }
         cells.iter().for_each(|&c| self.trails.look_again(c));
     }

@@ -26,11 +26,14 @@ impl<V: Variant + 'static> Colony<V> {
     pub(super) fn odds_at(&self, variant: &V, trails: &Trails, cell: Cell, visited: u8) -> Vec<MoveOdds> {
         let (scenario, settings) = (&*self.scenario, &self.settings);
         let eta = |d, to| variant.heuristic(scenario, cell, d, to);
-        let seen = if V::TIMED {
+        let mut seen = if V::TIMED {
             on_demand::visibility(scenario, variant, settings.beta, cell)
         } else {
             weights::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
         };
+        if variant.enters_goal() {
+            weights::only_onto_the_goal(scenario, cell, &mut seen);
+        }
         let weights = without(&weigh(&trails.relative(cell), settings.alpha, &seen), visited);
         let odds = variant.odds(&weights);
         let step = |d| {

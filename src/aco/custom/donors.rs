@@ -171,17 +171,17 @@ donors! { $
           update_of: [update, shifting_weights, weaken_worst, k_best, k_worst, trail_min], refinement_of: [refinement] }
     /// ACOST (Lai and Guo 2014)
     Acost: threshold::{ACOST, Acost::new(AcostParams)}
-        { heuristic_of: [common.goal_distance], selection_of: [rule], local_update_of: [move_deposit], update_of: [common.path_deposit] }
+        { heuristic_of: [common.goal_step, common.goal_distance], selection_of: [rule], local_update_of: [move_deposit], update_of: [common.path_deposit] }
     /// ACOMSP (as given by Lai and Guo 2014)
     Acomsp: threshold::{ACOMSP, Acomsp::new(AcomspParams)}
-        { heuristic_of: [common.goal_distance], selection_of: [maximal], update_of: [common.path_deposit] }
+        { heuristic_of: [common.goal_step, common.goal_distance], selection_of: [maximal], update_of: [common.path_deposit] }
     /// fireworks, then ants (Zhou, Mu, Zhang 2019)
     FwaAco: fireworks::{FWA_ACO, Seeded::by_fireworks(FwaAcoParams)} after fireworks_first
-        { heuristic_of: [colony.sight.heuristic],
+        { heuristic_of: [colony.sight.heuristic], update_of: [colony.depositors],
           initial_trail_of: [seed_iterations, colony.seed_ants] and all of [fireworks, annealing, decoding] }
     /// particles, then ants (named by Zhou, Mu, Zhang 2019)
     PsoAco: fireworks::{PSO_ACO, Seeded::by_particles(PsoAcoParams)} after particles_first
-        { heuristic_of: [colony.sight.heuristic],
+        { heuristic_of: [colony.sight.heuristic], update_of: [colony.depositors],
           initial_trail_of: [seed_iterations, colony.seed_ants] and all of [particles, decoding] }
 }
 

@@ -85,6 +85,10 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
         lent!(self, heuristic_of, heuristic(scenario, i, d, j))
     }
 
+    fn enters_goal(&self) -> bool {
+        lent!(self, heuristic_of, enters_goal())
+    }
+
     fn heuristic_changes(&self, iteration: u32) -> bool {
         lent!(self, heuristic_of, heuristic_changes(iteration))
     }

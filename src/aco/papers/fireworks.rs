@@ -11,8 +11,8 @@
 //! | selection | "as in the traditional algorithm": as Ant System |
 //! | on each move | nothing |
 //! | dead end | the ant steps back (step 2) |
-//! | update | Eq. 11 and 12: as Ant System |
-//! | daemon actions | none |
+//! | update | Eq. 11 and 12: as Ant System, or by the best path alone (`depositors`) |
+//! | daemon actions | Eq. 10 where ants come first, [`Variant::daemon_actions`] |
 //!
 //! | equation | where |
 //! |---|---|
@@ -24,8 +24,21 @@
 //! (`swarm/particle_swarm.rs`).
 //!
 //! Where the print contradicts itself: Eq. 11 multiplies by ρ, the residual coefficient (残留系数), while section 2 calls the same 0.9 the
-//! evaporation factor (挥发因子). `rho` is what leaves: 0.1 by the equation; preset `evaporating` has 0.9. Its step 3 updates "by the best
-//! path that the ants found", Eq. 12 sums over all m ants: we sum.
+//! evaporation factor (挥发因子). `rho` is what leaves: 0.1 by the equation; preset `evaporating` has 0.9.
+//!
+//! Where it allows more than one reading, each is a row:
+//!
+//! - **Who leaves trail** (`depositors`). Eq. 12 sums over all m ants (*all-ants*). Step 3 updates "by the best path that the ants computed"
+//!   (根据蚂蚁计算出的最佳路径): Q/L on it once, and on no other. The best of the iteration (*iteration-best*), or, as the step before takes
+//!   "the global minimum as the best value" (求取全局最小值作为最优值), of all iterations so far (*best-so-far*); of ants, not of fireworks.
+//! - **τ of Eq. 10** (`ants_first`). The words above it have the ants come first (首先利用蚁群算法得到环境的初始信息素分布); by step 1
+//!   Δτ is added to the colony's first matrix (初始信息素矩阵), and only then ants stand ready. 0 is step 1; otherwise this share of
+//!   the colony's iterations, rounded, runs without Δτ, and then it is added to their trails. The fireworks do not see the ants, so it does not matter whose turn comes
+//!   first; budgets count the same.
+//! - **x_min of Eq. 6** (`range_min`), **L at the goal** (`decode_goal`): `swarm/decode.rs`.
+//!
+//! Preset `second-reading` takes the best path of the iteration, and an x_min above 0. The paper gives x_min no value: 0.8 is one choice of
+//! ours, and the card shows what others change.
 //!
 //! Each of its additions can be taken out alone, but for the rough search itself: without it there is no Δτ, and with it and without Δτ
 //! (`seed_ants` = 0) the budget is the same, which is what is compared.
@@ -43,7 +56,7 @@ use crate::aco::heuristic::Heuristic;
 use crate::aco::hybrid::Hybrid;
 use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, settings};
 use crate::aco::trails::Trails;
-use crate::aco::variant::{Settings, Variant};
+use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
@@ -55,6 +68,18 @@ use crate::swarm::decode::DecodeRows;
 use crate::swarm::fireworks::{self, AnnealingRows, COOLED_RADIUS, FireworkRows, WEIGHTED_MUTATION};
 use crate::swarm::particle_swarm::ParticleRows;
 use crate::swarm::pso;
+
+crate::param_choice! {
+    /// Which ants leave trail at the end of an iteration.
+    pub enum Depositors {
+        /// eq. 12: every arrived ant, as in Ant System
+        AllAnts = "all-ants",
+        /// step 3: the ant with the iteration's shortest path alone
+        IterationBest = "iteration-best",
+        /// steps 2 and 3: the shortest path of all iterations so far alone
+        BestSoFar = "best-so-far",
+    }
+}
 
 params! {
     /// The ant colony that comes second.
@@ -72,6 +97,10 @@ params! {
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "Zhou, Mu, Zhang 2019, section 2.2";
         /// the first stage's path gets what this many ants would leave on it
         seed_ants: f64 = 50.0, "", [0.0..=1e6], "ants", "our choice: eq. 10 does not say how much; as many as the colony has";
+        /// which ants leave trail at the end of an iteration
+        depositors: Depositors = Depositors::AllAnts, "", [], "", "Zhou, Mu, Zhang 2019, eq. 12; its step 3: by the best path";
+        /// share of the colony's iterations before the first stage's path is added to its trails
+        ants_first: f64 = 0.0, "", [0.0..=0.9], "× iterations", "Zhou, Mu, Zhang 2019, step 1; above eq. 10: after ants";
         /// trail on every step before the seed
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
         ..sight: SightParams { heuristic = Heuristic::Goal, "our reading: as in the traditional algorithm"; };
@@ -125,11 +154,24 @@ impl Seeded {
     pub fn by_particles(params: PsoAcoParams) -> Self {
         Self::new(params.colony, None)
     }
+
+    /// Eq. 10: τ^s = τ + Δτ.
+    fn add_seed(&self, scenario: &Scenario, trails: &mut Trails) {
+        if let Some((path, length)) = &self.seed {
+            deposit::along_path(trails, scenario, path, seed_trail(&self.rows, *length));
+        }
+    }
 }
 
 /// Eq. 10: Δτ on each step of a path of this length, what `seed_ants` ants leave there by Eq. 12.
 pub fn seed_trail(rows: &ColonyRows, length: f64) -> f64 {
     rows.seed_ants * rows.deposit / length
+}
+
+/// How many of the colony's iterations come before Eq. 10; at least one comes after it.
+pub fn prior_iterations(rows: &ColonyRows) -> u32 {
+    let all = rows.selection.iterations;
+    (libm::round(rows.ants_first * f64::from(all)) as u32).min(all - 1)
 }
 
 impl Variant for Seeded {
@@ -150,10 +192,34 @@ impl Variant for Seeded {
         self.seed = found.cloned();
     }
 
-    /// Eq. 10: τ^s = τ + Δτ.
     fn shape_trails(&self, scenario: &Scenario, trails: &mut Trails) {
-        if let Some((path, length)) = &self.seed {
-            deposit::along_path(trails, scenario, path, seed_trail(&self.rows, *length));
+        if prior_iterations(&self.rows) == 0 {
+            self.add_seed(scenario, trails);
+        }
+    }
+
+    /// Eq. 11 and 12.
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        let (rows, scenario) = (&self.rows, iteration.scenario);
+        trails.evaporate(rows.rho);
+        match rows.depositors {
+            Depositors::AllAnts => deposit::ant_cycle(trails, scenario, iteration.ants, rows.deposit),
+            Depositors::IterationBest => {
+                if let Some((ant, length)) = iteration.iteration_best() {
+                    deposit::along(trails, scenario, ant, rows.deposit / length);
+                }
+            }
+            Depositors::BestSoFar => {
+                if let Some(best) = iteration.best_so_far {
+                    deposit::along_path(trails, scenario, &best.path, rows.deposit / best.length);
+                }
+            }
+        }
+    }
+
+    fn daemon_actions(&mut self, trails: &mut Trails, iteration: Iteration) {
+        if iteration.number == prior_iterations(&self.rows) {
+            self.add_seed(iteration.scenario, trails);
         }
     }
 }
@@ -207,6 +273,14 @@ const EVAPORATING: Preset = Preset {
     choices: &[],
 };
 
+const SECOND_READING: Preset = Preset {
+    name: "second-reading",
+    source: "Zhou, Mu, Zhang 2019, eq. 6 and step 3",
+    meaning: "an x_min above 0 (eq. 6; the paper gives no value, 0.8 is ours), and the iteration's best path alone leaves trail (step 3)",
+    numbers: &[("range_min", 0.8)],
+    choices: &[("depositors", "iteration-best")],
+};
+
 const SEED_TRAIL: Component = Component {
     id: "seed-trail",
     name: "trail of the first stage",
@@ -237,6 +311,8 @@ pub const FWA_ACO: PlannerEntry = PlannerEntry {
             numbers: &[("seed_ants", 0.0)],
             choices: &[],
         },
+        fireworks::PRINTED,
+        SECOND_READING,
     ],
     components: &[SEED_TRAIL, COOLED_RADIUS, WEIGHTED_MUTATION, STEPPING_BACK],
     layers: LAYERS,
@@ -253,7 +329,7 @@ pub const PSO_ACO: PlannerEntry = PlannerEntry {
     family: Family::AntColony,
     summary: "A particle swarm over cell priorities searches first; its best path gets a head start of pheromone, and ants go on from there.",
     source: "named in Zhou, Mu, Zhang 2019 as what it compares with; particle swarm as Shi and Eberhart 1999",
-    presets: &[EVAPORATING],
+    presets: &[EVAPORATING, SECOND_READING],
     components: &[SEED_TRAIL],
     layers: LAYERS,
     max_goals: 1,

@@ -20,16 +20,21 @@
 //! - **Eq. 11 and 12.** Eq. 11 sums over all m ants a term that no longer depends on the ant: m·Q2/L_min. *repaired* gives the reward once,
 //!   as the text says.
 //!
+//! A third runs in two readings by a row of its own (`goal_step`):
+//!
+//! - **At the goal** Eq. 4 divides by 0: η is not defined there, and nothing says that the step is forbidden. *weighed*: the distance counts
+//!   as ε (`goal_distance`; 0.01, as in our Ant System). With β = 25 the step onto the goal then has p = 1 up to rounding, and under the
+//!   threshold rule it is no candidate while λ < 1: ants beside the goal walk on, unless no other step is left. *enter*, preset
+//!   `second-reading`: an ant beside the goal takes the step onto it, whatever the rule, as the fireworks decode (`swarm/decode.rs`).
+//!
 //! Where the print does not decide and one reading is left:
 //!
 //! - **ρ** is called 消逝程度, how much vanishes, yet Eq. 10 multiplies by it, so it is what stays. `rho` is the part that leaves, 1 − ρ; at
 //!   the paper's 0.5 both are the same.
 //! - **D** of Eq. 4 has no value; it cancels in Eq. 5 and is left out. Eq. 5 prints η_j(g_i); we take η of the cell stepped to.
-//! - **At the goal** Eq. 4 divides by 0: the distance counts as ε there (`goal_distance`; 0.01, as in our Ant System). With β = 25 the step onto
-//!   the goal then has p = 1 up to rounding, and under the threshold rule it is no candidate while λ < 1: ants beside the goal walk on, unless
-//!   no other step is left. That follows from the printed rule, and we keep it.
 //! - **Eq. 8** adds Q1/l where ⟨g_i, g_j⟩ ∈ tabu_k. Eq. 7 is about the step just taken, from g_i to g_j, for which this is always true.
-//! - **Step 8**, where a dead end leads, is not printed. The text says 无路可走; the ant stops, the others walk on.
+//! - **Step 8**, where a dead end leads, is not printed under that number: there are two steps 6, so the printed step 7, which ends the
+//!   walks of an iteration, is the eighth. The text says 无路可走: the ant's walk ends (`dead_end` = die), the others walk on.
 //! - **λ = 1.** Eq. 6 never reaches 1; in 64 bits it rounds to 1 once t² > 37.4·T_max (t = 44 of 50): then the rule is Ant System's.
 //!
 //! The paper's two improvements are the threshold and the reward of the shortest path; without both, ACOST is the paper's ACO. ACOMSP is
@@ -52,7 +57,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Component, Family, GoalStep, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -81,8 +86,11 @@ params! {
         path_deposit: f64 = 1.0, "Q2", [0.0..=1e6], "cells", "table 1, eq. 12";
         /// how to take what the paper prints against its own text
         reading: Reading = Reading::Repaired, "", [], "", "our choice: eq. 6 from t = 1, eq. 12 once";
+        /// what eq. 4 means for the step onto the goal, where it divides by 0
+        goal_step: GoalStep = GoalStep::Weighed, "", [], "", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
         /// distance that stands for 0 where an ant sees the goal itself
-        goal_distance: f64 = AT_GOAL, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal";
+        goal_distance: f64 = AT_GOAL, "ε", [1e-3..=1.0], "cells", "our choice, as in Ant System: eq. 4 divides by 0 at the goal",
+            when(goal_step: "weighed");
         /// trail on every step before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: step 1 gives no value";
         /// what an ant does where no neighbour is left
@@ -201,6 +209,10 @@ impl Variant for Acost {
         self.params.common.heuristic(scenario, j)
     }
 
+    fn enters_goal(&self) -> bool {
+        self.params.common.goal_step == GoalStep::Enter
+    }
+
     /// Step 4.
     fn begin_iteration(&mut self, number: u32) {
         let p = &self.params.common;
@@ -261,6 +273,10 @@ impl Variant for Acomsp {
         self.params.common.heuristic(scenario, j)
     }
 
+    fn enters_goal(&self) -> bool {
+        self.params.common.goal_step == GoalStep::Enter
+    }
+
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
         if self.params.maximal { selection::maximal(weights, stream) } else { selection::random_proportional(weights, stream) }
@@ -285,6 +301,14 @@ fn build_acomsp(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<
     Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ACOMSP.id, seed, 0)))
 }
 
+const SECOND_READING: Preset = Preset {
+    name: "second-reading",
+    source: "Lai, Guo 2014, eq. 4",
+    meaning: "an ant beside the goal enters it: eq. 4 is undefined there, not a reason to bar the step",
+    numbers: &[],
+    choices: &[("goal_step", "enter")],
+};
+
 /// ACOST in the catalog.
 pub const ACOST: PlannerEntry = PlannerEntry {
     id: "acost",
@@ -307,6 +331,7 @@ pub const ACOST: PlannerEntry = PlannerEntry {
             numbers: &[],
             choices: &[("reading", "printed")],
         },
+        SECOND_READING,
     ],
     components: &[
         Component {
@@ -336,7 +361,16 @@ pub const ACOMSP: PlannerEntry = PlannerEntry {
     family: Family::AntColony,
     summary: "Every ant takes the most probable step; the iteration's shortest path is rewarded. Often every ant ends in the same dead end.",
     source: "Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332",
-    presets: &[],
+    presets: &[
+        Preset {
+            name: "printed",
+            source: "Lai, Guo 2014, as printed",
+            meaning: "eq. 11 and 12 reward the shortest path m times",
+            numbers: &[],
+            choices: &[("reading", "printed")],
+        },
+        SECOND_READING,
+    ],
     components: &[Component {
         id: "maximal-step",
         name: "most probable step",

@@ -64,6 +64,7 @@ export const zhCNParamNames = {
   rule: '选择规则',
   move_deposit: '逐步信息素强度',
   path_deposit: '路径信息素强度',
+  goal_step: '到终点的一步',
   goal_distance: '终点处的距离',
   maximal: '取最大概率',
 
@@ -75,6 +76,10 @@ export const zhCNParamNames = {
   radius: '爆炸半径之和',
   gaussian_sparks: '高斯火花数',
   range: '优先值上限',
+  range_min: '优先值下限',
+  decode_goal: '解码到终点的一步',
+  depositors: '留信息素的蚂蚁',
+  ants_first: '蚂蚁先行的比例',
   decode_limit: '解码步数上限',
   radius_end: '最终半径比例',
   mutation_start: '初始变异权重',

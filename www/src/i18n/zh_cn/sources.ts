@@ -45,6 +45,7 @@ export const zhCNSources: Record<string, string> = {
   'Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning':
     '赖智铭、郭躬德 2014，基于自适应阈值蚁群算法的路径规划算法',
   'Lai, Guo 2014, as printed': '赖智铭、郭躬德 2014，按印刷公式',
+  'Lai, Guo 2014, eq. 4': '赖智铭、郭躬德 2014，式 4',
   'Lai, Guo 2014, section 1, of its ref. 13': '赖智铭、郭躬德 2014，第 1 节，出自其文献 13',
   'Lai, Guo 2014, table 1: ACO': '赖智铭、郭躬德 2014，表 1：ACO',
   'Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332':
@@ -77,6 +78,10 @@ export const zhCNSources: Record<string, string> = {
   'Zhou, Mu, Zhang 2019 (基于烟花混合蚁群的移动机器人路径规划研究), eq. 1–9':
     '周森鹏、穆平安、张仁杰 2019，基于烟花混合蚁群的移动机器人路径规划研究，式 1–9',
   'Zhou, Mu, Zhang 2019, as printed': '周森鹏等 2019，按印刷公式',
+  'Zhou, Mu, Zhang 2019, eq. 12; its step 3: by the best path':
+    '周森鹏等 2019，式 12；其第 3 步：按最佳路径',
+  'Zhou, Mu, Zhang 2019, eq. 6': '周森鹏等 2019，式 6',
+  'Zhou, Mu, Zhang 2019, eq. 6 and step 3': '周森鹏等 2019，式 6 与第 3 步',
   'Zhou, Mu, Zhang 2019, section 1.3.2, step 2': '周森鹏等 2019，第 1.3.2 节，第 2 步',
   'Zhou, Mu, Zhang 2019, section 2.1': '周森鹏等 2019，第 2.1 节',
   'Zhou, Mu, Zhang 2019, section 2.1; eq. 2': '周森鹏等 2019，第 2.1 节；式 2',
@@ -86,6 +91,8 @@ export const zhCNSources: Record<string, string> = {
     '周森鹏等 2019，第 2.2 节：0.9，按式 11 为保留的部分',
   'Zhou, Mu, Zhang 2019, section 2.2: of the second stage':
     '周森鹏等 2019，第 2.2 节：第二阶段的次数',
+  'Zhou, Mu, Zhang 2019, step 1; above eq. 10: after ants':
+    '周森鹏等 2019，第 1 步；式 10 之前的文字：在蚂蚁之后',
   'adaptive-threshold ACO (Lai, Guo 2014)': '自适应阈值蚁群（赖智铭、郭躬德 2014）',
   composition: '组装',
   'composition; Ant System: not refined': '组装；蚂蚁系统：不拉直',
@@ -113,6 +120,7 @@ export const zhCNSources: Record<string, string> = {
   'our addition; the paper has no cap': '我们的补充；论文没有上限',
   'our choice, as in Ant System: eq. 4 divides by 0 at the goal':
     '我们的选择，同蚂蚁系统：式 4 在终点处除以 0',
+  'our choice: L of eq. 1 is 1 / 0 at the goal': '我们的选择：式 1 的 L 在终点处为 1 / 0',
   'our choice: as many as the fireworks have': '我们的选择：与烟花算法一样多',
   'our choice: eq. 10 does not say how much; as many as the colony has':
     '我们的选择：式 10 未说明多少；取与蚁群同样的蚂蚁数',
@@ -169,6 +177,13 @@ export const zhCNSources: Record<string, string> = {
   'the planners that lend the rules': '提供规则的各规划器',
 
   // What presets mean.
+  'an ant beside the goal enters it: eq. 4 is undefined there, not a reason to bar the step':
+    '与终点相邻的蚂蚁直接进入：式 4 在此没有定义，并不是禁止这一步的理由',
+  'eq. 11 and 12 reward the shortest path m times': '式 11 与 12 奖励最短路径 m 次',
+  'an x_min above 0, so that paths keep nearer to the greedy one; the paper gives no value, 0.8 is ours':
+    'x_min 大于 0，路径因此更接近贪婪路径；论文未给出数值，0.8 由我们选取',
+  "an x_min above 0 (eq. 6; the paper gives no value, 0.8 is ours), and the iteration's best path alone leaves trail (step 3)":
+    'x_min 大于 0（式 6；论文未给出数值，0.8 由我们选取），且只有本代最优路径留下信息素（第 3 步）',
   'basic ACO, repaired: its ρ = 0.3 evaporates (0.7 stays), as its text says; Q is not given, 1':
     '基本蚁群，按正文修正：ρ = 0.3 为挥发部分（保留 0.7），与正文相同；Q 未给出，取 1',
   'basic ACO, as printed in its eq. 4: ρ = 0.3 multiplies what stays, so 0.7 leaves':
