@@ -52,7 +52,7 @@ fn report(args: &Args, comparison: &Comparison, done: &[Row], place: &Place) -> 
     let samples = Samples::new(comparison, rows.iter().map(Seen::from));
     let analysis = analysis::whole(&samples, &mut Intervals::default());
     let mut said = format!("{}: {}\n", comparison.question.title, analysis.counts.words());
-    said += &report::verdicts(comparison, &analysis.judged);
+    said += &report::verdicts(comparison, &analysis);
     said += &report::components(comparison, &effects(&samples));
     let (command, document) = (args.command(), |with_rows| comparison_json::write(comparison, done, with_rows));
     let language = args.language;

@@ -96,6 +96,7 @@ pub fn question(
         instances,
         entries,
         claims: Vec::new(),
+        facts: Vec::new(),
     })
 }
 
@@ -157,7 +158,7 @@ mod tests {
 
     #[test]
     fn it_is_a_question_that_can_be_asked() {
-        let instance = Instance { id: "a".into(), map: "a.json".into(), note: String::new() };
+        let instance = Instance { id: "a".into(), map: "a.json".into(), note: String::new(), group: None };
         let asked = question("ship", None, &Values::new(), vec![instance], Seeds { from: 1, count: 5 }).unwrap();
         assert_eq!((asked.check(), asked.entries.len()), (Ok(()), 10));
         assert_eq!(asked.title, "Engine-room ACO: what each component does");

@@ -17,10 +17,12 @@ use serde::Serialize;
 
 use super::ablation::roles;
 use super::budget::Axis;
+use super::facts::{UnfitMap, unfit};
 use super::intervals::Intervals;
 use super::judge::{JudgedClaim, judge};
 use super::maps::{Map, Yardstick};
 use super::measure::RunMeasure;
+use super::over_maps::{OverMaps, over_maps};
 use super::samples::Samples;
 
 #[cfg(test)]
@@ -51,6 +53,10 @@ pub struct Analysis {
     pub ranks: Option<Ranks>,
     /// What became of the claims; none where no intervals were asked for.
     pub verdicts: Vec<VerdictLine>,
+    /// The same claims over all of their maps; none where no intervals were asked for.
+    pub over_maps: Vec<OverMaps>,
+    /// The maps that contradict what the publication says of its own, as far as the runs tell.
+    pub unfit: Vec<UnfitMap>,
     /// What the verdicts follow from.
     #[serde(skip)]
     pub judged: Vec<JudgedClaim>,
@@ -96,17 +102,30 @@ pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Interva
     let on_map = |map| on_map(samples, map, axis, intervals.as_deref_mut());
     let instances: Vec<MapAnalysis> = (0..comparison.maps.len()).map(on_map).collect();
     let ranked = matrix::Ranked::of(samples);
-    let judged = intervals.map_or_else(Vec::new, |intervals| judge(samples, intervals));
+    let unfit = unfit(samples);
+    let judged = intervals.map(|intervals| judge(samples, intervals, &unfit));
+    let over_maps = judged.as_ref().map_or_else(Vec::new, |judged| over_maps(&comparison.question, judged));
+    let judged = judged.unwrap_or_default();
     let verdicts = judged.iter().filter_map(|c| verdicts::line(&comparison.question, c)).collect();
     let matrix = matrix::matrix(samples, &instances, &ranked);
-    Analysis { axis, counts: RunCounts::of(&instances), instances, matrix, ranks: ranks::over_maps(&ranked), verdicts, judged }
+    Analysis {
+        axis,
+        counts: RunCounts::of(&instances),
+        instances,
+        matrix,
+        ranks: ranks::over_maps(&ranked),
+        verdicts,
+        over_maps,
+        unfit,
+        judged,
+    }
 }
 
 fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mut Intervals>) -> MapAnalysis {
     let comparison = samples.comparison();
     let (map, instance) = (&comparison.maps[index], &comparison.question.instances[index]);
     let curve_measure = curve_measure(map, comparison.question.entries.len());
-    let targets = best_known(samples, index, curve_measure).map_or_else(Vec::new, curves::targets);
+    let targets = samples.best_known(index, curve_measure).map_or_else(Vec::new, curves::targets);
     let gap_edges = entry::gap_edges(samples, index);
     let roles = roles(&comparison.question);
     let about =
@@ -138,26 +157,6 @@ fn curve_measure(map: &Map, entries: usize) -> RunMeasure {
     } else {
         first.unwrap_or(map.measure())
     }
-}
-
-/// The best value by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
-fn best_known(samples: &Samples, index: usize, measure: RunMeasure) -> Option<f64> {
-    let map = &samples.comparison().maps[index];
-    let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| y.measure == measure).collect();
-    let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
-    if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
-        known
-    } else {
-        best_of_runs(samples, index, measure, known)
-    }
-}
-
-fn best_of_runs(samples: &Samples, index: usize, measure: RunMeasure, known: Option<f64>) -> Option<f64> {
-    let map = &samples.comparison().maps[index];
-    let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| RunMeasure::of(o) == measure);
-    let entries = (0..samples.comparison().question.entries.len()).filter(of_measure);
-    let values = entries.flat_map(|entry| samples.of(index, entry)).filter_map(|seen| Some(seen.row.found?.value));
-    values.chain(known).reduce(f64::min)
 }
 
 /// What result files are made from: intervals and all, with effort counted as the budget counts it, else in constructed paths.

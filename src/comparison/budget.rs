@@ -62,6 +62,10 @@ impl FromStr for Budget {
 }
 
 impl Axis {
+    /// What may stand where seconds may not.
+    pub(super) const BY_NO_CLOCK: &'static str =
+        "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
+
     /// Its name in tables.
     pub const fn words(self) -> &'static str {
         match self {
@@ -79,10 +83,7 @@ impl Budget {
     /// Whether runs can be ended by it.
     pub(super) fn check(self) -> Result<(), QuestionError> {
         match self {
-            Self { axis: Axis::Time, .. } => {
-                let allowed = "iterations, constructed-paths, ant-moves, cell-expansions or moves: by time no two machines agree";
-                Err(QuestionError::field("budget.axis", "time", allowed))
-            }
+            Self { axis: Axis::Time, .. } => Err(QuestionError::field("budget.axis", "time", Axis::BY_NO_CLOCK)),
             Self { amount: 1..=MAX_COUNT, .. } => Ok(()),
             Self { amount, .. } => Err(QuestionError::field("budget.amount", amount, format!("1 to {MAX_COUNT}"))),
         }

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
+use super::budget::Axis;
 use super::claim::Claim;
+use super::facts::Fact;
+use super::measure::RunMeasure;
 use super::question::{Entry, FORMAT, Question};
 use super::row::MAX_COUNT;
 use crate::catalog::{self, MAX_SEEDS};
@@ -28,11 +31,26 @@ impl Question {
         }
         self.budget.map_or(Ok(()), |budget| budget.check())?;
         check_ids("instances", self.instances.iter().map(|i| &i.id), true)?;
+        self.check_groups()?;
         check_ids("entries", self.entries.iter().map(|e| &e.id), true)?;
         check_ids("claims", self.claims.iter().map(|c| &c.id), false)?;
         self.check_runs()?;
         self.entries.iter().try_for_each(|e| self.check_entry(e))?;
-        self.claims.iter().try_for_each(|c| self.check_claim(c))
+        self.claims.iter().try_for_each(|c| self.check_claim(c))?;
+        self.facts.iter().enumerate().try_for_each(|(place, fact)| self.check_fact(place, fact))
+    }
+
+    /// A name must not mean one map here and several there.
+    fn check_groups(&self) -> Result<(), QuestionError> {
+        for instance in &self.instances {
+            let Some(group) = &instance.group else { continue };
+            let at = format!("instances.{}.group", instance.id);
+            check_plain(&at, group)?;
+            if self.instances.iter().any(|i| i.id == *group) {
+                return Err(QuestionError::field(at, group, "different from the id of every instance"));
+            }
+        }
+        Ok(())
     }
 
     fn check_runs(&self) -> Result<(), QuestionError> {
@@ -62,7 +80,7 @@ impl Question {
     fn check_published(&self, entry: &Entry) -> Result<(), QuestionError> {
         let at = |field: &str| format!("entries.{}.{field}", entry.id);
         for (instance, row) in &entry.published {
-            self.check_instance(&at("published"), instance)?;
+            self.check_instance_or_group(&at("published"), instance)?;
             let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations];
             if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && *v >= 0.0)) {
                 return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, "numbers of at least 0"));
@@ -83,14 +101,56 @@ impl Question {
                 return Err(QuestionError::field(at(field), id, format!("one of {}", list(self.entries.iter().map(|e| &e.id)))));
             }
         }
-        claim.instances.iter().try_for_each(|i| self.check_instance(&at("instances"), i))?;
-        let about = self.instances.iter().filter(|i| claim.is_about(&i.id));
-        for size in about.filter_map(|i| self.claimed_size(claim, &i.id)) {
+        claim.instances.iter().try_for_each(|i| self.check_instance_or_group(&at("instances"), i))?;
+        let about = self.instances.iter().filter(|i| claim.is_about(i));
+        for size in about.filter_map(|i| self.claimed_size(claim, i)) {
             if !(size.is_finite() && size > 0.0) {
                 return Err(QuestionError::field(at("size"), size, "above 0: published numbers differ in the claimed direction"));
             }
         }
-        Ok(())
+        if let Some(wrong) = claim.relevant.filter(|v| !(*v > 0.0 && *v < 1.0)) {
+            return Err(QuestionError::field(at("relevant"), wrong, "above 0 and below 1: a part of the baseline's value"));
+        }
+        check_running_time(claim)
+    }
+
+    fn check_fact(&self, place: usize, fact: &Fact) -> Result<(), QuestionError> {
+        let at = |field: &str| format!("facts.{place}.{field}");
+        if let Some(group) = &fact.group {
+            if !self.instances.iter().any(|i| i.group.as_ref() == Some(group)) {
+                return Err(QuestionError::field(at("group"), group, "the group of an instance"));
+            }
+            if !fact.instances.is_empty() {
+                return Err(QuestionError::field(at("instances"), list(fact.instances.iter()), "absent where there is a group"));
+            }
+        }
+        fact.instances.iter().try_for_each(|i| self.check_instance_or_group(&at("instances"), i))?;
+        for (field, id) in fact.entries() {
+            if self.entry(id).is_none() {
+                return Err(QuestionError::field(at(field), id, format!("one of {}", list(self.entries.iter().map(|e| &e.id)))));
+            }
+        }
+        if fact.optimum_at_most.is_none() && (fact.arrives.is_empty() || fact.optimum_of.is_some()) {
+            let allowed = "there: a fact says of a map what its optimum is at most, or who arrives, or both";
+            return Err(QuestionError::field(at("optimum_at_most"), "absent", allowed));
+        }
+        if let Some(wrong) = fact.optimum_at_most.filter(|v| !(v.is_finite() && *v > 0.0)) {
+            return Err(QuestionError::field(at("optimum_at_most"), wrong, "above 0: a published length, by slices a cost"));
+        }
+        match fact.in_at_least {
+            Some(wrong) if !(wrong > 0.0 && wrong <= 1.0) => {
+                Err(QuestionError::field(at("in_at_least"), wrong, "above 0, and at most 1: a share of runs"))
+            }
+            Some(share) if fact.arrives.is_empty() => {
+                Err(QuestionError::field(at("in_at_least"), share, "absent where nobody is said to arrive"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn check_instance_or_group(&self, field: &str, id: &str) -> Result<(), QuestionError> {
+        let is_group = self.instances.iter().any(|i| i.group.as_deref() == Some(id));
+        if is_group { Ok(()) } else { self.check_instance(field, id) }
     }
 
     pub(super) fn check_instance(&self, field: &str, id: &str) -> Result<(), QuestionError> {
@@ -105,14 +165,34 @@ fn list<'a>(ids: impl Iterator<Item = &'a String>) -> String {
     ids.map(String::as_str).collect::<Vec<_>>().join(", ")
 }
 
+/// What only a running time has, and what none can be counted in.
+fn check_running_time(claim: &Claim) -> Result<(), QuestionError> {
+    let at = |field: &str| format!("claims.{}.{field}", claim.id);
+    let is_time = claim.measure == RunMeasure::RunningTime;
+    match (claim.target, claim.axis) {
+        (Some(target), _) if !is_time => Err(QuestionError::field(at("target"), target, "absent: only a running time has one")),
+        (_, Some(axis)) if !is_time => Err(QuestionError::field(at("axis"), axis.words(), "absent: only a running time has one")),
+        (Some(target), _) if !(target.is_finite() && target >= 0.0) => {
+            Err(QuestionError::field(at("target"), target, "at least 0: how near to the best known value, as a part of it"))
+        }
+        (_, Some(Axis::Time)) => Err(QuestionError::field(at("axis"), "time", Axis::BY_NO_CLOCK)),
+        _ => Ok(()),
+    }
+}
+
+fn check_plain(field: &str, id: &str) -> Result<(), QuestionError> {
+    let plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
+    if id.is_empty() || !id.bytes().all(plain) {
+        return Err(QuestionError::field(field, id, "made of a to z, 0 to 9 and -"));
+    }
+    Ok(())
+}
+
 /// Ids are file names, columns of a CSV and names of random streams: plain, and each one once.
 fn check_ids<'a>(field: &str, ids: impl Iterator<Item = &'a String>, needed: bool) -> Result<(), QuestionError> {
     let mut seen = BTreeSet::new();
     for id in ids {
-        let plain = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
-        if id.is_empty() || !id.bytes().all(plain) {
-            return Err(QuestionError::field(format!("{field}.id"), id, "made of a to z, 0 to 9 and -"));
-        }
+        check_plain(&format!("{field}.id"), id)?;
         if !seen.insert(id) {
             return Err(QuestionError::field(format!("{field}.id"), id, "different from every other one"));
         }

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::budget::Axis;
 use super::measure::RunMeasure;
+use super::question::Instance;
 use super::statistics::{mean, quantile, sorted};
 
 /// Which way the improved entry is said to differ from the baseline.
@@ -73,12 +75,43 @@ pub struct Claim {
     /// What decides; absent: the mean where every run has a value, else the median.
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Statistic | null"))]
     pub statistic: Option<Statistic>,
-    /// Ids of the instances it is about; empty: all.
+    /// Ids of the instances it is about, or of their groups; empty: all.
     #[serde(default)]
     pub instances: Vec<String>,
+    /// The smallest effect that matters, as a part of the baseline's value; of shares a difference, where 0.05 is five points. Absent: what
+    /// the measure says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub relevant: Option<f64>,
+    /// Of a running time: how near to the best known value the target is, as a part of it. Absent: [`Claim::TARGET`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub target: Option<f64>,
+    /// Of a running time: what it is counted in, not in seconds. Absent: constructed paths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Exclude<Axis, \"time\"> | null"))]
+    pub axis: Option<Axis>,
 }
 
 impl Claim {
+    /// How near to the best known value a running time's target is.
+    pub const TARGET: f64 = 0.01;
+
+    /// The smallest effect that matters.
+    pub fn relevant(&self) -> f64 {
+        self.relevant.unwrap_or_else(|| self.measure.relevant())
+    }
+
+    /// How near to the best known value the target of its running times is.
+    pub fn target(&self) -> f64 {
+        self.target.unwrap_or(Self::TARGET)
+    }
+
+    /// What its running times are counted in.
+    pub fn axis(&self) -> Axis {
+        self.axis.unwrap_or(Axis::ConstructedPaths)
+    }
+
     /// What decides. Means tell small shifts of values that come in few steps, which medians and their bootstrap do not; but a mean
     /// over the runs that happened to find a path would favour the entry that fails on the hard ones. Then medians decide, whatever was asked for.
     pub fn statistic(&self, every_run_counts: bool) -> Statistic {
@@ -86,7 +119,7 @@ impl Claim {
     }
 
     /// Whether it is about an instance.
-    pub fn is_about(&self, instance: &str) -> bool {
-        self.instances.is_empty() || self.instances.iter().any(|i| i == instance)
+    pub fn is_about(&self, instance: &Instance) -> bool {
+        self.instances.is_empty() || self.instances.iter().any(|id| instance.goes_by(id))
     }
 }

@@ -2,27 +2,27 @@
 
 use std::collections::BTreeMap;
 
-use super::statistics::{Difference, mean_difference, mean_interval, median_difference, median_interval};
+use super::contrast::Contrast;
+use super::statistics::{mean_interval, median_interval};
 use crate::digest::Digest;
 
 /// Intervals by their names, as long as their samples are the same.
 #[derive(Debug, Default)]
 pub struct Intervals {
-    differences: Kept<Difference>,
+    contrasts: Kept<Contrast>,
     ranges: Kept<[f64; 2]>,
 }
 
 impl Intervals {
-    /// [`median_difference`].
-    pub fn median_difference(&mut self, pairs: &[(f64, f64)], name: &str) -> Option<Difference> {
-        let sample = pairs.iter().flat_map(|p| [p.0, p.1]);
-        self.differences.get("median", name, sample, || median_difference(pairs, name))
-    }
-
-    /// [`mean_difference`].
-    pub fn mean_difference(&mut self, pairs: &[(f64, f64)], name: &str) -> Option<Difference> {
-        let sample = pairs.iter().flat_map(|p| [p.0, p.1]);
-        self.differences.get("mean", name, sample, || mean_difference(pairs, name))
+    /// A contrast of a kind, of samples whose values these are.
+    pub(super) fn contrast(
+        &mut self,
+        kind: &str,
+        name: &str,
+        values: impl Iterator<Item = f64>,
+        draw: impl FnOnce() -> Option<Contrast>,
+    ) -> Option<Contrast> {
+        self.contrasts.get(kind, name, values, draw)
     }
 
     /// [`median_interval`].
@@ -63,6 +63,9 @@ impl<T: Copy> Kept<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::comparison::contrast::{TwoSamples, contrast};
+    use crate::comparison::measure::RunMeasure;
+    use crate::comparison::statistics::mean;
 
     #[test]
     fn what_is_kept_is_what_would_be_drawn() {
@@ -76,9 +79,10 @@ mod tests {
         assert_eq!(intervals.median(&more, "a"), median_interval(&more, "a"));
         let many: Vec<f64> = (0..30).map(|i| f64::from(i * i % 17)).collect();
         assert_ne!(intervals.mean(&many, "a"), intervals.mean(&many, "b"));
-        let pairs = [(1.0, 2.0), (5.0, 3.0), (2.0, 2.0)];
-        assert_eq!(intervals.median_difference(&pairs, "a"), median_difference(&pairs, "a"));
-        assert_eq!(intervals.mean_difference(&pairs, "a"), mean_difference(&pairs, "a"));
+        let two = |baseline: f64| TwoSamples { improved: vec![1.0, 5.0, 2.0], baseline: vec![baseline; 3], paired: true };
+        let drawn = |of: &TwoSamples<f64>| contrast(of, RunMeasure::Length, "a", |sample| mean(sample));
+        let mut kept = |of: TwoSamples<f64>| intervals.contrast("mean", "a", of.baseline.iter().copied(), || drawn(&of));
+        assert_eq!([kept(two(2.0)), kept(two(2.0)), kept(two(3.0))], [two(2.0), two(2.0), two(3.0)].map(|of| drawn(&of)));
         assert_eq!(intervals.mean(&[], "c"), None);
     }
 }

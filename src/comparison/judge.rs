@@ -1,67 +1,24 @@
-//! Claims against runs: the difference that was measured, how sure it is, and the verdict. The rule is stated in docs/methodology.md.
+//! Claims against runs, map by map: the difference that was measured, how sure it is, and the verdict. The rule is stated in
+//! docs/methodology.md; `over_maps` tells of all maps together.
 
 use super::claim::{Claim, Direction, Statistic};
+use super::contrast::{Contrast, EffectSize, TwoSamples, contrast};
+use super::facts::UnfitMap;
 use super::gap::is_below;
+use super::inference::{mann_whitney, wilcoxon};
 use super::intervals::Intervals;
 use super::maps::Map;
 use super::measure::RunMeasure;
+use super::running_time::{Spending, expected, may_be_chance, spendings};
 use super::samples::{Samples, paired, without_seeds};
-use super::statistics::{Difference, a12, mean};
+use super::statistics::{Difference, a12, mean, median_of};
+use super::verdict::{Verdict, WhyNot, by_interval};
 
-/// Fewest pairs of runs from which a verdict is drawn.
-pub const MIN_PAIRS: usize = 30;
-
-/// The part of the claimed size that must be there for a claim to count as reproduced.
-pub const ENOUGH: f64 = 0.5;
+/// Fewest runs of an entry, or pairs of runs, from which a verdict is drawn.
+pub const FEWEST_RUNS: usize = 30;
 
 /// From this share of optimal runs on, a baseline leaves no room for shorter paths.
 pub const NO_ROOM: f64 = 0.95;
-
-/// What became of a claim on one map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// The interval excludes 0 in the claimed direction, and at least half of the claimed size is there.
-    Reproduced,
-    /// The interval excludes 0 in the claimed direction, but the difference is smaller.
-    Partly,
-    /// The interval does not exclude 0.
-    Not,
-    /// The interval excludes 0 in the other direction: not reproduced, either.
-    Opposite,
-    /// There is nothing to compare, for this reason.
-    CannotTell(WhyNot),
-}
-
-/// Why nothing can be told of a claim on a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WhyNot {
-    /// Some of their runs are better than the proven optimum.
-    Impossible,
-    /// There are runs of both, and no pair.
-    NoCommonSeed,
-    /// There are no runs of one of them.
-    NotRun,
-    /// The baseline has no value to compare with.
-    NoBaseline,
-    /// There are fewer than [`MIN_PAIRS`] pairs.
-    TooFewRuns,
-    /// No path can be shorter than the baseline's.
-    NoRoom,
-}
-
-impl WhyNot {
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Impossible => "runs of one of the two are impossible on this map",
-            Self::NoCommonSeed => "no two runs share a seed",
-            Self::NotRun => "one of the two cannot be run",
-            Self::NoBaseline => "the baseline finds no path in half of its runs or more",
-            Self::TooFewRuns => "too few runs to compare",
-            Self::NoRoom => "nearly all of the baseline's runs are optimal already",
-        }
-    }
-}
 
 /// A claim on one map, measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,12 +27,16 @@ pub struct JudgedClaim {
     pub claim: usize,
     /// Which instance.
     pub instance: usize,
-    /// By which part of the baseline's value the entries are said to differ; none where no size is claimed.
+    /// By how much the entries are said to differ, in the unit of `effect`; none where no size is claimed.
     pub claimed: Option<f64>,
-    /// Pairs of runs with the same seed.
-    pub pairs: usize,
-    /// Pairs of which both runs have a finite value: those that the means are over.
-    pub finite_pairs: usize,
+    /// The smallest effect that matters.
+    pub relevant: f64,
+    /// Whether runs of equal seed are pairs; else the samples are independent.
+    pub paired: bool,
+    /// Runs of the improved entry and of the baseline; of pairs those that have one.
+    pub runs: [usize; 2],
+    /// Those that the means are over: with a finite value, of pairs both.
+    pub finite: [usize; 2],
     /// Share of the baseline's runs that found a proven optimum; none where the improved entry may be better by the claim's measure even so.
     pub baseline_optimal: Option<f64>,
     /// What decides.
@@ -86,95 +47,203 @@ pub struct JudgedClaim {
     pub improved: Option<f64>,
     /// Improved − baseline of the medians.
     pub medians: Option<Difference>,
-    /// Improved − baseline of the means over the finite pairs.
+    /// Improved − baseline of the means over the finite runs; of running times the expected ones.
     pub means: Option<Difference>,
+    /// By which part of the baseline's value they differ, positive as the claim says; of shares the difference. None where that is no number.
+    pub effect: Option<EffectSize>,
     /// How likely a run of the improved entry is the better one, as the claim counts better; ties half.
     pub better: Option<f64>,
-    /// By the claim's statistic.
+    /// Of a rank test: Wilcoxon's of pairs, Mann and Whitney's of independent samples. No verdict follows from it.
+    pub p: Option<f64>,
+    /// What follows.
     pub verdict: Verdict,
 }
 
-impl JudgedClaim {
-    /// By which part of the baseline's value the entries differ, positive as the claim says. None where the baseline is 0 or infinite.
-    pub fn size(&self, direction: Direction) -> Option<f64> {
-        let (improved, baseline) = (self.improved?, self.baseline?);
-        let usable = baseline.is_finite() && baseline > 0.0 && improved.is_finite();
-        usable.then(|| direction.signed(improved - baseline) / baseline)
-    }
-
-    /// The difference that decides.
-    fn difference(&self) -> Option<Difference> {
-        match self.statistic {
-            Statistic::Median => self.medians,
-            Statistic::Mean => self.means,
-        }
-    }
-}
-
 /// Compares the runs of every claim on every map that it is about.
-pub fn judge(samples: &Samples, intervals: &mut Intervals) -> Vec<JudgedClaim> {
+pub fn judge(samples: &Samples, intervals: &mut Intervals, unfit: &[UnfitMap]) -> Vec<JudgedClaim> {
     let question = &samples.comparison().question;
     let about = |claim: usize| {
         let places = question.instances.iter().enumerate();
-        places.filter(move |(_, i)| question.claims[claim].is_about(&i.id)).map(move |(instance, _)| (claim, instance))
+        places.filter(move |(_, i)| question.claims[claim].is_about(i)).map(move |(instance, _)| (claim, instance))
     };
     let all = (0..question.claims.len()).flat_map(about);
-    all.map(|(claim, instance)| compare(samples, intervals, claim, instance)).collect()
+    let judged = all.map(|(claim, instance)| compare(samples, intervals, claim, instance));
+    let fitting = |c: JudgedClaim| match unfit.iter().any(|map| map.instance == question.instances[c.instance].id) {
+        true => JudgedClaim { verdict: Verdict::CannotTell(WhyNot::Contradicted), ..c },
+        false => c,
+    };
+    judged.map(fitting).collect()
 }
 
 fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance: usize) -> JudgedClaim {
     let question = &samples.comparison().question;
-    let (claim, place) = (&question.claims[index], &question.instances[instance].id);
-    let of = |id: &String| question.entries.iter().position(|e| e.id == *id);
-    let values = |id: &String, measure| {
-        let entry = of(id);
-        entry.map_or_else(Vec::new, |entry| samples.values(instance, entry, measure))
-    };
-    let both: Vec<usize> =
-        (0..question.entries.len()).filter(|&e| [&claim.improved, &claim.baseline].contains(&&question.entries[e].id)).collect();
-    let sample = |id: &String| {
-        let common = |value| samples.comparison().in_common_digits(&both, claim.measure, value);
-        let worst = |(seed, value)| (seed, worst_if_missing(claim.direction, common(value)));
-        values(id, claim.measure).into_iter().map(worst).collect::<Vec<_>>()
-    };
-    let (improved, baseline) = (sample(&claim.improved), sample(&claim.baseline));
-    let pairs = paired(&improved, &baseline);
-    let (improved, baseline) = (without_seeds(&improved), without_seeds(&baseline));
-    let finite: Vec<(f64, f64)> = pairs.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
-    let statistic = claim.statistic(finite.len() == pairs.len());
-    let counted = if statistic == Statistic::Mean { &finite } else { &pairs };
-    let (first, second): (Vec<f64>, Vec<f64>) = counted.iter().copied().unzip();
-    let name = format!("{}/{place}", claim.id);
-    let bound = is_bound(&samples.comparison().maps[instance], claim.measure, [&claim.improved, &claim.baseline].map(of));
-    let judged = JudgedClaim {
+    let (claim, place) = (&question.claims[index], &question.instances[instance]);
+    let entries = [&claim.improved, &claim.baseline].map(|id| question.entries.iter().position(|e| e.id == *id));
+    let nothing = JudgedClaim {
         claim: index,
         instance,
         claimed: question.claimed_size(claim, place),
-        pairs: pairs.len(),
-        finite_pairs: finite.len(),
-        baseline_optimal: bound.then(|| mean(&without_seeds(&values(&claim.baseline, RunMeasure::Optimal)))).flatten(),
-        statistic,
-        improved: statistic.of(&first).or_else(|| statistic.of(&improved)),
-        baseline: statistic.of(&second).or_else(|| statistic.of(&baseline)),
-        medians: intervals.median_difference(&pairs, &name),
-        means: intervals.mean_difference(&finite, &name),
-        better: better(claim.direction, &improved, &baseline),
-        verdict: Verdict::Not,
+        relevant: claim.relevant(),
+        paired: false,
+        runs: [0, 0],
+        finite: [0, 0],
+        baseline_optimal: None,
+        statistic: claim.statistic(true),
+        baseline: None,
+        improved: None,
+        medians: None,
+        means: None,
+        effect: None,
+        better: None,
+        p: None,
+        verdict: Verdict::CannotTell(WhyNot::NotRun),
     };
-    let is_impossible = |id| of(id).is_some_and(|entry| samples.impossible(instance, entry) > 0);
-    let verdict = if [&claim.improved, &claim.baseline].into_iter().any(is_impossible) {
-        Verdict::CannotTell(WhyNot::Impossible)
+    let [Some(improved), Some(baseline)] = entries else { return nothing };
+    let entries = [improved, baseline];
+    let name = format!("{}/{}", claim.id, place.id);
+    if entries.iter().any(|&entry| samples.of(instance, entry).is_empty()) {
+        return of_one(samples, nothing, claim, entries);
+    }
+    let judged = match claim.measure {
+        RunMeasure::RunningTime => match spendings(samples, claim, instance, entries) {
+            Ok(both) => of_times(nothing, claim, intervals, &name, &both),
+            Err(why) => JudgedClaim { verdict: Verdict::CannotTell(why), ..nothing },
+        },
+        _ => of_values(samples, nothing, claim, intervals, &name, entries),
+    };
+    if entries.iter().any(|&entry| samples.impossible(instance, entry) > 0) {
+        return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::Impossible), ..judged };
+    }
+    judged
+}
+
+/// The values of a claim's two entries as they are compared: what one has not printed breaks no tie, and a run without a path is never the
+/// better one. Of one planner with two settings runs of equal seed are pairs; two planners draw from different streams.
+fn values_of(samples: &Samples, claim: &Claim, instance: usize, entries: [usize; 2]) -> [Vec<(u32, f64)>; 2] {
+    let comparison = samples.comparison();
+    let compared = |(seed, value)| {
+        let value = comparison.in_common_digits(&entries, claim.measure, value);
+        (seed, worst_if_missing(claim.direction, value))
+    };
+    entries.map(|entry| samples.values(instance, entry, claim.measure).into_iter().map(compared).collect())
+}
+
+/// What stands for the only entry that has runs.
+fn of_one(samples: &Samples, nothing: JudgedClaim, claim: &Claim, entries: [usize; 2]) -> JudgedClaim {
+    let values = values_of(samples, claim, nothing.instance, entries).map(|sample| without_seeds(&sample));
+    let every_run_counts = values.iter().flatten().all(|v| v.is_finite());
+    let statistic = claim.statistic(every_run_counts);
+    let [improved, baseline] = values.map(|sample| statistic.of(&sample));
+    JudgedClaim { statistic, improved, baseline, ..nothing }
+}
+
+fn of_values(
+    samples: &Samples,
+    nothing: JudgedClaim,
+    claim: &Claim,
+    intervals: &mut Intervals,
+    name: &str,
+    entries: [usize; 2],
+) -> JudgedClaim {
+    let comparison = samples.comparison();
+    let [a, b] = values_of(samples, claim, nothing.instance, entries);
+    let all = [without_seeds(&a), without_seeds(&b)];
+    let both = if samples.are_paired(entries) {
+        let (improved, baseline) = paired(&a, &b).into_iter().unzip();
+        TwoSamples { improved, baseline, paired: true }
     } else {
-        verdict(claim, &judged)
+        TwoSamples { improved: all[0].clone(), baseline: all[1].clone(), paired: false }
     };
+    let finite = both.only(f64::is_finite);
+    let statistic = claim.statistic(finite.runs() == both.runs());
+    let mut drawn = |of: &TwoSamples<f64>, statistic: Statistic| of_statistic(intervals, claim, name, of, statistic);
+    let (medians, means) = (drawn(&both, Statistic::Median), drawn(&finite, Statistic::Mean));
+    let (counted, deciding) = if statistic == Statistic::Mean { (&finite, means) } else { (&both, medians) };
+    let baseline = statistic.of(&counted.baseline).or_else(|| statistic.of(&all[1]));
+    let bound = is_bound(&comparison.maps[nothing.instance], claim.measure, entries);
+    let optimal = samples.values(nothing.instance, entries[1], RunMeasure::Optimal);
+    let judged = JudgedClaim {
+        claimed: nothing.claimed.and_then(|size| in_unit(claim.measure, size, baseline)),
+        paired: both.paired,
+        runs: both.runs(),
+        finite: finite.runs(),
+        baseline_optimal: bound.then(|| mean(&without_seeds(&optimal))).flatten(),
+        statistic,
+        baseline,
+        improved: statistic.of(&counted.improved).or_else(|| statistic.of(&all[0])),
+        medians: medians.map(|c| c.difference),
+        means: means.map(|c| c.difference),
+        effect: deciding.filter(|_| baseline.is_some_and(f64::is_finite)).map(|c| c.effect.signed(claim.direction)),
+        better: better(claim.direction, &all[0], &all[1]),
+        p: rank_test(&both),
+        ..nothing
+    };
+    let verdict = verdict(claim, &judged);
     JudgedClaim { verdict, ..judged }
+}
+
+fn of_statistic(
+    intervals: &mut Intervals,
+    claim: &Claim,
+    name: &str,
+    of: &TwoSamples<f64>,
+    statistic: Statistic,
+) -> Option<Contrast> {
+    let kind = format!("{statistic:?} of {:?}, paired: {}", claim.measure, of.paired);
+    let told = [of.improved.len() as f64].into_iter().chain(of.improved.iter().chain(&of.baseline).copied());
+    let by: fn(&mut [f64]) -> Option<f64> = match statistic {
+        Statistic::Median => median_of,
+        Statistic::Mean => |sample| mean(sample),
+    };
+    intervals.contrast(&kind, name, told, || contrast(of, claim.measure, name, by))
+}
+
+fn of_times(
+    nothing: JudgedClaim,
+    claim: &Claim,
+    intervals: &mut Intervals,
+    name: &str,
+    both: &TwoSamples<Spending>,
+) -> JudgedClaim {
+    let runs = both.runs();
+    let (improved, baseline) = (expected(&both.improved), expected(&both.baseline));
+    let told = both.improved.iter().chain(&both.baseline).flat_map(|run| [run.spent, f64::from(u8::from(run.reached))]);
+    let told = [runs[0] as f64].into_iter().chain(told);
+    let drawn = intervals.contrast("expected", name, told, || contrast(both, claim.measure, name, |drawn| expected(drawn)));
+    let certain = |effect: EffectSize| if may_be_chance(both) { effect.to_nothing() } else { effect };
+    let judged = JudgedClaim {
+        runs,
+        finite: runs,
+        statistic: Statistic::Mean,
+        improved,
+        baseline,
+        means: drawn.map(|c| c.difference),
+        effect: drawn.map(|c| certain(c.effect.signed(claim.direction))),
+        ..nothing
+    };
+    let verdict = verdict(claim, &judged);
+    JudgedClaim { verdict, ..judged }
+}
+
+/// A claimed size is a part of the baseline's value; the effect of a share is a difference.
+fn in_unit(measure: RunMeasure, size: f64, baseline: Option<f64>) -> Option<f64> {
+    if measure.is_share() { baseline.map(|share| share * size) } else { Some(size) }
+}
+
+fn rank_test(of: &TwoSamples<f64>) -> Option<f64> {
+    let test = if of.paired {
+        wilcoxon(&of.improved.iter().copied().zip(of.baseline.iter().copied()).collect::<Vec<_>>())
+    } else {
+        mann_whitney(&of.improved, &of.baseline)
+    };
+    test.map(|test| test.p)
 }
 
 /// Whether the baseline's optimum is one by the claim's measure, and no path of the improved entry can have less: a polyline is shorter than
 /// the shortest path of steps, and the path of the smallest V need not be the shortest one.
-fn is_bound(map: &Map, measure: RunMeasure, entries: [Option<usize>; 2]) -> bool {
-    let best = |entry: Option<usize>| {
-        let objective = map.objective(entry?).filter(|o| RunMeasure::of(*o) == measure)?;
+fn is_bound(map: &Map, measure: RunMeasure, entries: [usize; 2]) -> bool {
+    let best = |entry: usize| {
+        let objective = map.objective(entry).filter(|o| RunMeasure::of(*o) == measure)?;
         map.yardsticks().iter().find(|y| y.objective == objective)?.reference.value()
     };
     let [improved, baseline] = entries.map(best);
@@ -193,40 +262,29 @@ fn better(direction: Direction, improved: &[f64], baseline: &[f64]) -> Option<f6
     }
 }
 
-/// The rule of docs/methodology.md.
+/// The rule of docs/methodology.md, of two entries that have runs, none of them impossible.
 fn verdict(claim: &Claim, c: &JudgedClaim) -> Verdict {
-    if c.pairs == 0 && c.improved.is_some() && c.baseline.is_some() {
-        return Verdict::CannotTell(WhyNot::NoCommonSeed);
+    let cannot = Verdict::CannotTell;
+    let is_time = claim.measure == RunMeasure::RunningTime;
+    if c.paired && c.runs[0] == 0 {
+        return cannot(WhyNot::NoCommonSeed);
     }
-    if c.pairs == 0 {
-        return Verdict::CannotTell(WhyNot::NotRun);
+    if !is_time && c.baseline.is_some_and(f64::is_infinite) {
+        return cannot(WhyNot::NoBaseline);
     }
-    if c.baseline.is_some_and(f64::is_infinite) {
-        return Verdict::CannotTell(WhyNot::NoBaseline);
-    }
-    let counted = if c.statistic == Statistic::Mean { c.finite_pairs } else { c.pairs };
-    let Some(difference) = c.difference().filter(|_| counted >= MIN_PAIRS) else {
-        return Verdict::CannotTell(WhyNot::TooFewRuns);
+    let counted = if c.statistic == Statistic::Mean { c.finite } else { c.runs };
+    let Some(effect) = c.effect.filter(|_| counted.into_iter().all(|runs| runs >= FEWEST_RUNS)) else {
+        return cannot(WhyNot::TooFewRuns);
     };
-    let ends = [difference.low, difference.high].map(|d| claim.direction.signed(d));
-    if ends[0].max(ends[1]) < 0.0 {
-        return Verdict::Opposite;
-    }
-    if ends[0].min(ends[1]) <= 0.0 {
-        return without_difference(claim, c);
-    }
-    match (c.claimed, c.size(claim.direction)) {
-        (None, _) => Verdict::Reproduced,
-        (Some(claimed), Some(size)) if size >= ENOUGH * claimed => Verdict::Reproduced,
-        _ => Verdict::Partly,
+    match by_interval(&effect, c.claimed, c.relevant) {
+        Verdict::Not | Verdict::Equivalent if has_no_room(claim, c) => cannot(WhyNot::NoRoom),
+        verdict => verdict,
     }
 }
 
 /// Where no path can be shorter than the baseline's, finding none says nothing.
-fn without_difference(claim: &Claim, c: &JudgedClaim) -> Verdict {
-    let no_room = matches!(claim.measure, RunMeasure::Length | RunMeasure::Cost)
-        && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM);
-    if no_room { Verdict::CannotTell(WhyNot::NoRoom) } else { Verdict::Not }
+fn has_no_room(claim: &Claim, c: &JudgedClaim) -> bool {
+    matches!(claim.measure, RunMeasure::Length | RunMeasure::Cost) && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM)
 }
 
 #[cfg(test)]

@@ -21,6 +21,10 @@ pub struct Map {
     objectives: Vec<Option<Objective>>,
     /// The best there is, by each objective of an entry: searched for when first asked for, because it can take long.
     references: OnceLock<Vec<Yardstick>>,
+    /// What counts where nobody says otherwise: by steps, by slices, or of a tour.
+    own: Objective,
+    /// The best there is by that.
+    own_reference: OnceLock<Reference>,
 }
 
 /// What results are measured by, and the best that there is.
@@ -47,7 +51,7 @@ impl Map {
             None => Ok(entry.results.as_ref().map(|_| by_map)),
         };
         let objectives = question.entries.iter().map(objective).collect::<Result<_, _>>()?;
-        Ok(Self { scenario, objectives, references: OnceLock::new() })
+        Ok(Self { scenario, objectives, references: OnceLock::new(), own: by_map, own_reference: OnceLock::new() })
     }
 
     /// What paths on it are compared by: by slices their cost, elsewhere their length.
@@ -71,6 +75,14 @@ impl Map {
                 }
             }
             all
+        })
+    }
+
+    /// The best path by steps, by slices, or of a tour, as the map is, whatever the entries make small.
+    pub fn own_reference(&self) -> Reference {
+        *self.own_reference.get_or_init(|| {
+            let yardstick = self.yardsticks().iter().find(|y| y.objective == self.own);
+            yardstick.map_or_else(|| exact::reference(&self.scenario, self.own), |y| y.reference)
         })
     }
 

@@ -30,6 +30,8 @@ pub enum RunMeasure {
     Success,
     /// Whether the exact optimum was found: 1 or 0.
     Optimal,
+    /// Expected running time to a target: of all runs of an entry together, so that a single run has none.
+    RunningTime,
 }
 
 impl RunMeasure {
@@ -56,12 +58,23 @@ impl RunMeasure {
             Self::AntMoves => "ant moves",
             Self::Success => "share of runs with a path",
             Self::Optimal => "share of runs with the optimum",
+            Self::RunningTime => "expected running time",
         }
     }
 
     /// Whether it is 1 or 0 for a run, and so a share of all runs.
     pub fn is_share(self) -> bool {
         matches!(self, Self::Success | Self::Optimal)
+    }
+
+    /// The smallest effect that matters, where a claim says nothing else: a part of the baseline's value, of shares a difference. What a path
+    /// comes to differs little between planners that are any good; efforts and turns differ much from run to run.
+    pub fn relevant(self) -> f64 {
+        match self {
+            Self::Length | Self::Cost | Self::TurnIndex | Self::Weight => 0.01,
+            Self::Turns | Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
+            Self::Success | Self::Optimal => 0.05,
+        }
     }
 
     /// The published number of this measure.
@@ -73,7 +86,7 @@ impl RunMeasure {
             Self::TurnIndex => row.turn_index,
             Self::Weight => row.weight,
             Self::IterationOfBest => row.iterations,
-            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal => None,
+            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal | Self::RunningTime => None,
         }
     }
 }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::budget::Budget;
 use super::claim::Claim;
+use super::facts::Fact;
 use crate::catalog;
 use crate::error::QuestionError;
 use crate::params::Values;
@@ -41,6 +42,10 @@ pub struct Question {
     /// What is claimed.
     #[serde(default)]
     pub claims: Vec<Claim>,
+    /// What a map must fulfil to stand for the publication's.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub facts: Vec<Fact>,
 }
 
 /// `count` seeds from `from` on.
@@ -73,6 +78,17 @@ pub struct Instance {
     /// What it stands for, and whose it is.
     #[serde(default)]
     pub note: String,
+    /// Id of the publication's map that it stands for, as others do too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "string | null"))]
+    pub group: Option<String>,
+}
+
+impl Instance {
+    /// Whether an id is its own or its group's.
+    pub fn goes_by(&self, id: &str) -> bool {
+        self.id == id || self.group.as_deref() == Some(id)
+    }
 }
 
 /// What an entry is in the comparison.
@@ -116,7 +132,7 @@ pub struct Entry {
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, number | string | boolean>"))]
     pub set: Values,
-    /// What is published of it, by the instance that stands for the publication's map.
+    /// What is published of it, by the instance that stands for the publication's map, or by the group of all that do.
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, Published>"))]
     pub published: BTreeMap<String, Published>,
@@ -148,6 +164,11 @@ pub struct Published {
 }
 
 impl Entry {
+    /// What is published of it for an instance: its own numbers, else those of its group.
+    pub fn published_for(&self, instance: &Instance) -> Option<&Published> {
+        self.published.get(&instance.id).or_else(|| self.published.get(instance.group.as_ref()?))
+    }
+
     /// Whether it is a search that draws no random numbers: each of its runs is the same, whatever the seed, and it has no iterations in which
     /// ants could find something. False of results from elsewhere, of which nobody can tell here.
     pub fn needs_no_seed(&self) -> bool {
@@ -157,16 +178,20 @@ impl Entry {
 }
 
 impl Question {
-    /// Leaves out every other instance, what is published about it, and claims that are about none that is left.
+    /// Leaves out every other instance, what is published about it, and claims and facts that are about none that is left.
     ///
     /// # Errors
     /// [`QuestionError`] for an id that no instance has.
     pub fn keep_instances(&mut self, ids: &[String]) -> Result<(), QuestionError> {
         ids.iter().try_for_each(|id| self.check_instance("instances", id))?;
         self.instances.retain(|i| ids.contains(&i.id));
-        self.entries.iter_mut().for_each(|e| e.published.retain(|id, _| ids.contains(id)));
-        self.claims.retain(|c| c.instances.is_empty() || c.instances.iter().any(|i| ids.contains(i)));
-        self.claims.iter_mut().for_each(|c| c.instances.retain(|i| ids.contains(i)));
+        let left = &self.instances;
+        let is_left = |id: &String| left.iter().any(|i| i.goes_by(id));
+        self.entries.iter_mut().for_each(|e| e.published.retain(|id, _| is_left(id)));
+        self.claims.retain(|c| c.instances.is_empty() || c.instances.iter().any(is_left));
+        self.claims.iter_mut().for_each(|c| c.instances.retain(is_left));
+        self.facts.retain(|f| left.iter().any(|i| f.is_about(i)));
+        self.facts.iter_mut().for_each(|f| f.instances.retain(is_left));
         Ok(())
     }
 
@@ -199,11 +224,11 @@ impl Question {
     }
 
     /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts.
-    pub fn claimed_size(&self, claim: &Claim, instance: &str) -> Option<f64> {
+    pub fn claimed_size(&self, claim: &Claim, instance: &Instance) -> Option<f64> {
         if claim.size.is_some() {
             return claim.size;
         }
-        let published = |id: &str| claim.measure.published(self.entry(id)?.published.get(instance)?);
+        let published = |id: &str| claim.measure.published(self.entry(id)?.published_for(instance)?);
         let (improved, baseline) = (published(&claim.improved)?, published(&claim.baseline)?);
         (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
     }

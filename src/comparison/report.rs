@@ -2,6 +2,7 @@
 //! (`words`).
 
 mod ablation;
+mod claims;
 mod csv;
 mod escape;
 mod file;
@@ -46,7 +47,7 @@ fn markdown(words: &Words, comparison: &Comparison, rows: &[Row], analysis: &Ana
     for (map, of) in comparison.maps.iter().zip(&analysis.instances) {
         map_table(words, &mut out, comparison, map, of);
     }
-    verdicts::claims_table(words, &mut out, comparison, &analysis.judged);
+    claims::tables(words, &mut out, comparison, analysis);
     ablation::tables(words, &mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
     out
 }
@@ -106,8 +107,10 @@ fn map_table(words: &Words, out: &mut String, comparison: &Comparison, map: &Map
     let published_head = (words.page.published)((words.names.measure)(of.measure));
     let columns = words.page.columns.join(" | ");
     let _ = writeln!(out, "| | {published_head} | {columns} |\n|{}", "---|".repeat(2 + words.page.columns.len()));
+    let instance = comparison.question.instances.iter().find(|i| i.id == of.id);
     for (entry, asked) in of.entries.iter().zip(&comparison.question.entries) {
-        let published = asked.published.get(&of.id).map_or_else(|| "–".into(), |row| published(of.measure, row));
+        let row = instance.and_then(|instance| asked.published_for(instance));
+        let published = row.map_or_else(|| "–".into(), |row| published(of.measure, row));
         let _ = writeln!(out, "| {} | {published} | {} |", cell(&name(words, entry)), ours(words, entry));
     }
     of.references.iter().for_each(|yardstick| reference(words, out, of, yardstick));

@@ -1,6 +1,7 @@
 //! The runs of a comparison by map and entry, each sample in the order of its seeds.
 
 use super::Comparison;
+use super::maps::Yardstick;
 use super::measure::RunMeasure;
 use super::row::Row;
 use super::run::Timed;
@@ -68,6 +69,33 @@ impl<'a> Samples<'a> {
     pub fn values(&self, instance: usize, entry: usize, measure: RunMeasure) -> Vec<(u32, f64)> {
         let value = |seen: &Seen| Some((seen.row.task.seed, self.comparison.value(seen.row, measure)?));
         self.of(instance, entry).iter().filter_map(value).collect()
+    }
+
+    /// Whether runs of two entries with one seed draw alike: one planner with two settings. Two planners draw from different streams, and of
+    /// results from elsewhere nobody can tell.
+    pub fn are_paired(&self, entries: [usize; 2]) -> bool {
+        let [a, b] = entries.map(|entry| self.comparison.question.entries.get(entry).and_then(|e| e.planner.as_ref()));
+        a.is_some() && a == b
+    }
+
+    /// The best value on a map by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
+    pub fn best_known(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
+        let map = &self.comparison.maps[instance];
+        let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| y.measure == measure).collect();
+        let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
+        if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
+            known
+        } else {
+            self.best_of_runs(instance, measure).into_iter().chain(known).reduce(f64::min)
+        }
+    }
+
+    fn best_of_runs(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
+        let map = &self.comparison.maps[instance];
+        let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| RunMeasure::of(o) == measure);
+        let entries = (0..self.comparison.question.entries.len()).filter(of_measure);
+        let values = entries.flat_map(|entry| self.of(instance, entry)).filter_map(|seen| Some(seen.row.found?.value));
+        values.reduce(f64::min)
     }
 }
 

@@ -45,7 +45,7 @@ pub(super) fn quantile_of(count: usize, p: f64, value: impl Fn(usize) -> f64) ->
 }
 
 /// The median; reorders the sample. `None` of an empty one.
-fn median_of(values: &mut [f64]) -> Option<f64> {
+pub(super) fn median_of(values: &mut [f64]) -> Option<f64> {
     let half = values.len().checked_sub(1)? / 2;
     let even = values.len().is_multiple_of(2);
     let (_, &mut low, above) = values.select_nth_unstable_by(half, f64::total_cmp);
@@ -189,13 +189,13 @@ fn bootstrap<T: Copy>(items: &[T], name: &str, mut statistic: impl FnMut(&[T]) -
 }
 
 /// How often a sample of `n` items is drawn.
-fn resamples(n: usize) -> u32 {
+pub(super) fn resamples(n: usize) -> u32 {
     let within = MOST_DRAWS / (n as u64).max(1);
     within.clamp(FEWEST_RESAMPLES.into(), RESAMPLES.into()) as u32
 }
 
 /// One of `n` places; as good as uniform for n far below 2³².
-fn draw(dice: &mut Stream, n: usize) -> usize {
+pub(super) fn draw(dice: &mut Stream, n: usize) -> usize {
     ((u64::from(dice.next_u32()) * n as u64) >> 32) as usize
 }
 

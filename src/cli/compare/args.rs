@@ -65,7 +65,7 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["out", "document"])]
     pub results_template: bool,
     /// Which files: csv, markdown, tests, tests-csv, summary-csv, summary-json, summary-markdown, latex,
-    /// matrix-csv, matrix-markdown, matrix-latex (NAME.matrix.csv, .md, .tex: maps × entries), json [default: those above]
+    /// claims-csv (NAME.claims.csv), matrix-csv, matrix-markdown, matrix-latex (NAME.matrix.csv, .md, .tex: maps × entries), json [default: those above]
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
           default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]
     pub files: Vec<(&'static str, ResultFile)>,

@@ -133,6 +133,7 @@ fn components(args: &Args, planner: &str) -> Result<Question, QuestionError> {
         id: id.clone().unwrap_or_else(|| instance_id(&stem(file))),
         map: file.display().to_string(),
         note: String::new(),
+        group: None,
     };
     let (seeds, set) = (Seeds { from: 1, count: args.seeds.unwrap_or(100) }, args.set.iter().cloned().collect());
     let instances = args.map.iter().map(instance).collect();

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::TARGET_GAPS;
 use crate::comparison::budget::Axis;
+use crate::comparison::course::Course;
 use crate::comparison::gap::reaches;
 use crate::comparison::samples::Seen;
 use crate::comparison::statistics::{quantile_of, sorted};
@@ -57,59 +58,6 @@ pub struct RunningTime {
 /// The values to be reached.
 pub(super) fn targets(best_known: f64) -> Vec<f64> {
     TARGET_GAPS.iter().map(|gap| best_known * (1.0 + gap)).collect()
-}
-
-/// The effort until a run found its best path; none without one, or where it is not told.
-pub(super) fn to_best(seen: Seen, axis: Axis) -> Option<f64> {
-    seen.row.found?;
-    at(seen, seen.row.trace.len().checked_sub(1)?, axis)
-}
-
-/// The effort of a whole run.
-pub(super) fn end(seen: Seen, axis: Axis) -> Option<f64> {
-    if axis == Axis::Time { seen.seconds.last().copied() } else { seen.row.effort.on(axis) }
-}
-
-/// The effort until an improvement.
-fn at(seen: Seen, improvement: usize, axis: Axis) -> Option<f64> {
-    if axis == Axis::Time {
-        // The last one is the end of the run.
-        return seen.seconds.get(improvement).copied().filter(|_| improvement + 1 < seen.seconds.len());
-    }
-    seen.row.trace.get(improvement)?.spent.on(axis)
-}
-
-/// The improvements of one run as (effort, value), and its whole effort.
-struct Course {
-    steps: Vec<(f64, f64)>,
-    end: Option<f64>,
-}
-
-impl Course {
-    /// None where the run found a path and does not tell when, and where it spends nothing on this axis. Of an effort beyond the budget only
-    /// what the budget allows counts: what the last iteration found does not, either.
-    fn of(seen: Seen, axis: Axis, most: f64) -> Option<Self> {
-        let (trace, end) = (&seen.row.trace, end(seen, axis).map(|end| end.min(most)));
-        if end == Some(0.0) && axis != Axis::Time {
-            return None;
-        }
-        if seen.row.found.is_none() {
-            return Some(Self { steps: Vec::new(), end });
-        }
-        let steps: Option<Vec<_>> = trace.iter().enumerate().map(|(i, step)| Some((at(seen, i, axis)?, step.value))).collect();
-        steps.filter(|steps| !steps.is_empty()).map(|steps| Self { steps, end })
-    }
-
-    /// The effort until a target is reached for good: a planner that chooses by length before refinement may give up a better answer.
-    fn hit(&self, target: f64) -> Option<f64> {
-        let reaching = self.steps.iter().rev().take_while(|step| reaches(step.1, target));
-        reaching.last().map(|step| step.0)
-    }
-
-    /// The effort to the end, or as much of it as is known.
-    fn last(&self) -> Option<f64> {
-        self.end.or_else(|| self.steps.last().map(|step| step.0))
-    }
 }
 
 /// What the runs of an entry have come to over the axis.
@@ -244,8 +192,7 @@ fn thinned(places: Vec<f64>, most: usize) -> Vec<f64> {
 fn running_time(runs: &[Seen], courses: Option<&[Course]>, target: f64, gap: f64) -> RunningTime {
     let reached = |seen: &&Seen| seen.row.found.is_some_and(|f| reaches(f.value, target));
     let successes = runs.iter().filter(reached).count();
-    let spent = |course: &Course| course.hit(target).or(course.end);
-    let total = courses.and_then(|courses| courses.iter().map(spent).sum::<Option<f64>>());
+    let total = courses.and_then(|courses| courses.iter().map(|course| course.spent(target)).sum::<Option<f64>>());
     RunningTime { target, gap, successes, expected: total.filter(|_| successes > 0).map(|total| total / successes as f64) }
 }
 

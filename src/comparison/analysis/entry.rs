@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-use super::curves::{self, BandPoint, Curves, EcdfPoint, RunningTime};
+use super::curves::{BandPoint, Curves, EcdfPoint, RunningTime};
 use super::published::{self, PublishedAnalysis};
 use crate::comparison::ablation::AblationRole;
 use crate::comparison::budget::Axis;
+use crate::comparison::course;
 use crate::comparison::gap::ROUNDING;
 use crate::comparison::intervals::Intervals;
 use crate::comparison::measure::RunMeasure;
@@ -155,12 +156,12 @@ impl About<'_> {
     pub(super) fn entry(&self, entry: usize, intervals: Option<&mut Intervals>) -> EntryAnalysis {
         let comparison = self.samples.comparison();
         let (map, asked) = (&comparison.maps[self.map], &comparison.question.entries[entry]);
-        let instance = &comparison.question.instances[self.map].id;
+        let instance = &comparison.question.instances[self.map];
         let runs = self.samples.of(self.map, entry);
         let values: Vec<Option<f64>> = runs.iter().map(|seen| finite(seen.row.value(map.measure()))).collect();
         let known: Vec<f64> = values.iter().copied().flatten().collect();
         let with_path = runs.iter().filter(|seen| seen.row.found.is_some()).count();
-        let name = format!("{instance}/{}", asked.id);
+        let name = format!("{}/{}", instance.id, asked.id);
         let (mean, median) = intervals.map_or((None, None), |i| (i.mean(&known, &name), i.median(&known, &name)));
         let of = |measure| summary(runs.iter().filter_map(|seen| finite(comparison.value(seen.row, measure))));
         let gaps: Vec<f64> = runs.iter().filter_map(|seen| comparison.gap(seen.row)).collect();
@@ -194,9 +195,9 @@ impl About<'_> {
             turns: of(RunMeasure::Turns),
             iteration_of_best: of(RunMeasure::IterationOfBest),
             paths_to_best: of(RunMeasure::PathsToBest),
-            effort_to_best: told(summary(runs.iter().filter_map(|seen| curves::to_best(*seen, self.axis)))),
-            total_effort: told(summary(runs.iter().filter_map(|seen| curves::end(*seen, self.axis)))),
-            published: asked.published.get(instance).map(|row| published::analyse(map, entry, row, &values)),
+            effort_to_best: told(summary(runs.iter().filter_map(|seen| course::to_best(*seen, self.axis)))),
+            total_effort: told(summary(runs.iter().filter_map(|seen| course::end(*seen, self.axis)))),
+            published: asked.published_for(instance).map(|row| published::analyse(map, entry, row, &values)),
             values,
             no_running_time: no_curves.or_else(|| self.why_no_times(&running_times, impossible)),
             running_times: if impossible == 0 { running_times } else { Vec::new() },
@@ -233,8 +234,7 @@ impl About<'_> {
     fn told_curves(&self, entry: usize, runs: &[Seen]) -> Curves {
         let comparison = self.samples.comparison();
         let within: Vec<f64> = self.targets.iter().map(|&target| target + comparison.slack(entry, target)).collect();
-        let budget = comparison.question.budget.filter(|b| b.axis == self.axis);
-        let most = budget.map_or(f64::INFINITY, |b| b.amount as f64);
+        let most = course::most(comparison.question.budget, self.axis);
         let mut curves = Curves::of(runs, self.axis, &within, most);
         curves.running_times.iter_mut().zip(self.targets).for_each(|(time, &target)| time.target = target);
         curves

@@ -31,7 +31,7 @@ fn table(words: &Words, out: &mut String, comparison: &Comparison, map: &Ablated
 fn row(words: &Words, out: &mut String, map: &Ablated, e: &Effect) {
     let interval = |d: Option<Difference>| d.map_or_else(|| "–".into(), |d| difference(words, map.measure, &d));
     let leaves_out = e.finite_pairs < e.pairs && e.means.is_some();
-    let left_out = if leaves_out { (words.claims.pairs)(e.finite_pairs) } else { String::new() };
+    let left_out = if leaves_out { (words.claims.runs)([e.finite_pairs; 2], true) } else { String::new() };
     let share = |v: Option<f64>| v.map_or_else(|| "–".into(), |a| hundredths(words, a));
     let is_shown = matches!(e.finding, Finding::Helps | Finding::Harms);
     let bold = if is_shown { "**" } else { "" };

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::words::ReportLanguage;
-use super::{csv, latex, matrix, printed, table, tests};
+use super::{claims, csv, latex, matrix, printed, table, tests};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 use crate::comparison::row::Row;
@@ -29,6 +29,8 @@ pub enum ResultFile {
     SummaryMarkdown,
     /// The same as LaTeX.
     Latex,
+    /// The claims, one line a map and one over all maps.
+    ClaimsCsv,
     /// Maps × entries, one line each with median, gap, share of runs with a path and rank.
     MatrixCsv,
     /// The same as a table of Markdown.
@@ -43,7 +45,7 @@ pub enum ResultFile {
 
 impl ResultFile {
     /// All that the command line can write, with their ids and the endings of their names.
-    pub const NAMED: [(&'static str, &'static str, Self); 12] = [
+    pub const NAMED: [(&'static str, &'static str, Self); 13] = [
         ("csv", "csv", Self::Csv),
         ("markdown", "md", Self::Markdown),
         ("tests", "tests.md", Self::Tests),
@@ -52,6 +54,7 @@ impl ResultFile {
         ("summary-json", "summary.json", Self::SummaryJson),
         ("summary-markdown", "summary.md", Self::SummaryMarkdown),
         ("latex", "tex", Self::Latex),
+        ("claims-csv", "claims.csv", Self::ClaimsCsv),
         ("matrix-csv", "matrix.csv", Self::MatrixCsv),
         ("matrix-markdown", "matrix.md", Self::MatrixMarkdown),
         ("matrix-latex", "matrix.tex", Self::MatrixLatex),
@@ -106,6 +109,7 @@ impl Reports<'_> {
             ResultFile::SummaryJson => table::json(comparison, analysis),
             ResultFile::SummaryMarkdown => printed::markdown(words, comparison, analysis),
             ResultFile::Latex => latex::latex(words, comparison, analysis, command),
+            ResultFile::ClaimsCsv => claims::csv(analysis),
             ResultFile::MatrixCsv => matrix::csv(comparison, analysis),
             ResultFile::MatrixMarkdown => matrix::markdown(words, comparison, analysis),
             ResultFile::MatrixLatex => matrix::latex(words, comparison, analysis, command),

@@ -1,5 +1,6 @@
 //! The summary as tables for a paper: LaTeX with `booktabs` and `graphicx`.
 
+use super::claims;
 use super::printed::{Cell, printed, sentence};
 use super::words::Words;
 use crate::comparison::Comparison;
@@ -14,6 +15,11 @@ pub(super) fn latex(words: &Words, comparison: &Comparison, analysis: &Analysis,
         let rule = (words.signs.about)(&table.name, &table.rule.replace('`', ""));
         let caption = caption(words, vec![comparison.question.title.clone(), rule, sentence(&table.told)], &setting);
         out += &environment(&Table { id: &table.id, head: &table.head, rows: &table.rows, last_apart: false }, &caption);
+    }
+    if let Some(rows) = claims::printed(words, comparison, analysis) {
+        let caption = caption(words, vec![comparison.question.title.clone(), sentence(words.claims.about)], &setting);
+        let head: Vec<String> = claims::printed_head(words);
+        out += &environment(&Table { id: "claims:over-maps", head: &head, rows: &rows, last_apart: false }, &caption);
     }
     out
 }

@@ -7,7 +7,9 @@ use crate::comparison::analysis::{
     Analysis, EntryAnalysis, MapAnalysis, NoRunningTime, Origin, Pair, Ranks, RunningTime, VerdictLine,
 };
 use crate::comparison::budget::{Axis, Budget};
+use crate::comparison::facts::UnfitMap;
 use crate::comparison::measure::RunMeasure;
+use crate::comparison::over_maps::OverMaps;
 use crate::comparison::question::{Question, Role, Seeds};
 use crate::planner::Objective;
 
@@ -146,6 +148,8 @@ struct Whole<'a> {
     pairs: Vec<PairsOf<'a>>,
     ranks: &'a Option<Ranks>,
     verdicts: &'a [VerdictLine],
+    over_maps: &'a [OverMaps],
+    unfit: &'a [UnfitMap],
 }
 
 /// The tests of one map.
@@ -169,6 +173,8 @@ pub(super) fn json(comparison: &Comparison, analysis: &Analysis) -> String {
         pairs: analysis.instances.iter().map(|map| PairsOf { instance: &map.id, entries: ids(map), pairs: &map.pairs }).collect(),
         ranks: &analysis.ranks,
         verdicts: &analysis.verdicts,
+        over_maps: &analysis.over_maps,
+        unfit: &analysis.unfit,
     };
     serde_json::to_string_pretty(&whole).expect("plain data can always be written as JSON") + "\n"
 }

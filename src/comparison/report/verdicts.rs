@@ -5,24 +5,24 @@ use std::fmt::Write;
 use super::escape::{cell, prose};
 use super::names::asked_name;
 use super::numbers::{hundredths, length, short};
+use super::tests::probability;
 use super::words::{Names, ReportLanguage, Words};
 use crate::comparison::Comparison;
+use crate::comparison::analysis::Analysis;
 use crate::comparison::claim::{Claim, Direction, Statistic};
-use crate::comparison::judge::{JudgedClaim, Verdict};
+use crate::comparison::judge::JudgedClaim;
 use crate::comparison::measure::RunMeasure;
+use crate::comparison::over_maps::{FEWEST_MAPS, VerdictCounts};
 use crate::comparison::statistics::{CONFIDENCE, Difference};
 
-/// The table, its totals, and what a reader must know beside it.
-pub(super) fn claims_table(words: &Words, out: &mut String, comparison: &Comparison, judged: &[JudgedClaim]) {
-    if judged.is_empty() {
-        return;
-    }
+/// The table of single maps, its totals, and what a reader must know beside it.
+pub(super) fn claims_by_map(words: &Words, out: &mut String, comparison: &Comparison, judged: &[JudgedClaim]) {
     let columns = (words.claims.columns)(100.0 * CONFIDENCE);
-    let _ = writeln!(out, "\n## {}\n\n| {} |\n|{}", words.claims.title, columns.join(" | "), "---|".repeat(columns.len()));
+    let _ = writeln!(out, "\n### {}\n\n| {} |\n|{}", words.claims.by_map, columns.join(" | "), "---|".repeat(columns.len()));
     for c in judged {
         claim_row(words, out, comparison, c);
     }
-    let _ = writeln!(out, "\n{}", totals(words, judged));
+    let _ = writeln!(out, "\n{}", (words.claims.totals)(&VerdictCounts::of(judged.iter())));
     let notes = comparison.question.claims.iter().filter(|c| !c.note.is_empty());
     for (number, claim) in notes.enumerate() {
         let gap = if number == 0 { "\n" } else { "" };
@@ -32,7 +32,7 @@ pub(super) fn claims_table(words: &Words, out: &mut String, comparison: &Compari
 }
 
 /// Who is said to do what, against whom.
-fn in_words(words: &Words, comparison: &Comparison, claim: &Claim) -> String {
+pub(super) fn in_words(words: &Words, comparison: &Comparison, claim: &Claim) -> String {
     let label = |id: &str| comparison.question.entry(id).map_or_else(String::new, |e| asked_name(words, e).into_owned());
     (words.claims.against)([&claim.says, &label(&claim.improved), &label(&claim.baseline)])
 }
@@ -44,21 +44,26 @@ fn claim_row(words: &Words, out: &mut String, comparison: &Comparison, c: &Judge
     let interval = |d: Option<Difference>| d.map_or_else(|| "–".into(), |d| difference(words, claim.measure, &d));
     let [what, at, how] = [statistic_name(words, claim, c.statistic), stands(c.baseline), stands(c.improved)];
     let better = c.better.map_or_else(|| "–".into(), |a| hundredths(words, a));
+    let claimed = c.claimed.map_or_else(|| "–".into(), |size| change(words, claim.measure, claim.direction, size));
+    let effect = c.effect.map_or_else(|| "–".into(), |e| effect(words, claim.measure, claim.direction, [e.value, e.low, e.high]));
     let _ = writeln!(
         out,
-        "| {} | {} | {what} | {} | {at} → {how} | {} | {} | {} | {better} | {} |",
+        "| {} | {} | {what} | {claimed} | {at} → {how} | {effect} | {} | {} | {better} | {} | {} |",
         cell(&in_words(words, comparison, claim)),
         instance.id,
-        change(words, claim.direction, c.claimed),
-        change(words, claim.direction, c.size(claim.direction)),
         if claim.measure.is_share() { "–".into() } else { interval(c.medians) },
         of_means(words, c, interval(c.means)),
-        verdict_text(words, c),
+        c.p.map_or_else(|| "–".into(), probability),
+        (words.claims.verdict)(c.verdict, c.claimed.is_some()),
     );
 }
 
 fn statistic_name(words: &Words, claim: &Claim, statistic: Statistic) -> String {
     let measure = (words.names.measure)(claim.measure);
+    if claim.measure == RunMeasure::RunningTime {
+        let near = (words.signs.percent)(&short(100.0 * claim.target()));
+        return (words.claims.to_target)(measure, &near, claim.axis());
+    }
     if claim.measure.is_share() { measure.into() } else { by_statistic(words, claim.measure, statistic) }
 }
 
@@ -68,25 +73,41 @@ pub(super) fn by_statistic(words: &Words, measure: RunMeasure, statistic: Statis
     [name(measure), words.signs.comma, kind(statistic)].concat()
 }
 
-/// Says so where the means leave out pairs.
+/// Says so where the means leave out runs.
 fn of_means(words: &Words, c: &JudgedClaim, interval: String) -> String {
-    if c.finite_pairs == c.pairs || c.means.is_none() { interval } else { interval + &(words.claims.pairs)(c.finite_pairs) }
+    if c.finite == c.runs || c.means.is_none() { interval } else { interval + &(words.claims.runs)(c.finite, c.paired) }
 }
 
-/// A relative change as people write it: less is negative.
-fn change(words: &Words, direction: Direction, size: Option<f64>) -> String {
-    let told = |s: f64| (words.signs.percent)(&signed(100.0 * direction.signed(s), |v| format!("{v:.1}")));
-    size.map_or_else(|| "–".into(), told)
+/// An effect as people write it, less being negative; of shares in points.
+pub(super) fn change(words: &Words, measure: RunMeasure, direction: Direction, effect: f64) -> String {
+    let number = hundred(direction, effect);
+    if measure.is_share() { (words.claims.points)(&number) } else { (words.signs.percent)(&number) }
+}
+
+/// The same with its interval.
+pub(super) fn effect(words: &Words, measure: RunMeasure, direction: Direction, [value, low, high]: [f64; 3]) -> String {
+    let ends = if direction == Direction::Less { [high, low] } else { [low, high] };
+    let [low, high] = ends.map(|end| hundred(direction, end));
+    format!("{} [{low}, {high}]", change(words, measure, direction, value))
+}
+
+fn hundred(direction: Direction, effect: f64) -> String {
+    signed(100.0 * direction.signed(effect), |v| if v.is_finite() { format!("{v:.1}") } else { "∞".into() })
 }
 
 pub(super) fn amount(words: &Words, measure: RunMeasure, v: f64) -> String {
     if !v.is_finite() {
-        return words.names.no_path.into();
+        let is_time = measure == RunMeasure::RunningTime;
+        return if is_time { words.claims.never } else { words.names.no_path }.into();
     }
     match measure {
         RunMeasure::Length | RunMeasure::Cost | RunMeasure::TurnIndex | RunMeasure::Weight => length(v),
         RunMeasure::Success | RunMeasure::Optimal => hundredths(words, v),
-        RunMeasure::Turns | RunMeasure::IterationOfBest | RunMeasure::PathsToBest | RunMeasure::AntMoves => short(v),
+        RunMeasure::Turns
+        | RunMeasure::IterationOfBest
+        | RunMeasure::PathsToBest
+        | RunMeasure::AntMoves
+        | RunMeasure::RunningTime => short(v),
     }
 }
 
@@ -112,34 +133,23 @@ pub(super) fn signed(v: f64, digits: impl Fn(f64) -> String) -> String {
     format!("{sign}{}", digits(v.abs()))
 }
 
-fn verdict_text(words: &Words, c: &JudgedClaim) -> String {
-    (words.claims.verdict)(c.verdict, c.claimed.is_some())
-}
-
-/// Every verdict as a line of plain English.
-pub fn verdicts(comparison: &Comparison, judged: &[JudgedClaim]) -> String {
+/// Every verdict as a line of plain English: map by map, then over maps.
+pub fn verdicts(comparison: &Comparison, analysis: &Analysis) -> String {
     let (q, words) = (&comparison.question, ReportLanguage::En.words());
     let mut out = String::new();
-    for c in judged {
+    for c in &analysis.judged {
         let (Some(claim), Some(instance)) = (q.claims.get(c.claim), q.instances.get(c.instance)) else { continue };
         let stands = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| amount(words, claim.measure, v));
         let (from, to) = (stands(c.baseline), stands(c.improved));
-        let verdict = verdict_text(words, c).replace("**", "");
+        let verdict = (words.claims.verdict)(c.verdict, c.claimed.is_some()).replace("**", "");
         let what = statistic_name(words, claim, c.statistic);
         let _ = writeln!(out, "  {} on {}: {what} {from} → {to}: {verdict}", claim.id, instance.id);
     }
+    for over in &analysis.over_maps {
+        let verdict = (words.claims.overall)(over.verdict, over.claimed.is_some(), FEWEST_MAPS).replace("**", "");
+        let _ = writeln!(out, "  {}: better on {}: {verdict}", over.claim, (words.claims.on_maps)(over.better, over.maps));
+    }
     out
-}
-
-fn totals(words: &Words, judged: &[JudgedClaim]) -> String {
-    let count = |is: fn(Verdict) -> bool| judged.iter().filter(|c| is(c.verdict)).count();
-    (words.claims.totals)([
-        judged.len(),
-        count(|v| v == Verdict::Reproduced),
-        count(|v| v == Verdict::Partly),
-        count(|v| matches!(v, Verdict::Not | Verdict::Opposite)),
-        count(|v| matches!(v, Verdict::CannotTell(_))),
-    ])
 }
 
 #[cfg(test)]
@@ -149,8 +159,13 @@ mod tests {
     #[test]
     fn numbers_look_as_they_should() {
         let [words, chinese] = [ReportLanguage::En, ReportLanguage::ZhCn].map(ReportLanguage::words);
-        assert_eq!(change(words, Direction::Less, Some(0.087)), "−8.7 %");
-        assert_eq!(change(words, Direction::More, Some(0.5)), "+50.0 %");
+        assert_eq!(change(words, RunMeasure::Length, Direction::Less, 0.087), "−8.7 %");
+        assert_eq!(change(words, RunMeasure::Turns, Direction::More, 0.5), "+50.0 %");
+        assert_eq!(change(words, RunMeasure::Success, Direction::More, 0.05), "+5.0 points");
+        let never = [f64::NEG_INFINITY, f64::NEG_INFINITY, 0.02];
+        assert_eq!(effect(words, RunMeasure::RunningTime, Direction::Less, never), "+∞ % [−2.0, +∞]");
+        assert_eq!(effect(words, RunMeasure::Length, Direction::Less, [0.03, 0.02, 0.04]), "−3.0 % [−4.0, −2.0]");
+        assert_eq!(amount(words, RunMeasure::RunningTime, f64::INFINITY), "never");
         let d = Difference { value: -1.5, low: -2.0, high: 0.0 };
         assert_eq!(difference(words, RunMeasure::Length, &d), "−1.500 [−2.000, 0.000]");
         assert_eq!(difference(words, RunMeasure::Turns, &d), "−1.5 [−2, 0]");
@@ -158,6 +173,6 @@ mod tests {
         assert_eq!(difference(words, RunMeasure::Success, &share), "−66 points [−75, −57]");
         assert_eq!(amount(words, RunMeasure::Length, f64::INFINITY), "no path");
         assert_eq!(difference(chinese, RunMeasure::Success, &share), "−66 个百分点 [−75, −57]");
-        assert_eq!(change(chinese, Direction::Less, Some(0.087)), "−8.7%");
+        assert_eq!(change(chinese, RunMeasure::Length, Direction::Less, 0.087), "−8.7%");
     }
 }

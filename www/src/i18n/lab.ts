@@ -1,13 +1,14 @@
 /** `t` for the laboratory, whose words are fetched with it. */
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
 import { enLab } from './en/lab'
+import { enLabClaims } from './en/lab_claims'
 import { enLabMatrix } from './en/lab_matrix'
 import { enLabRecorded } from './en/lab_recorded'
 import { enLabResults } from './en/lab_results'
 import { enLabShare } from './en/lab_share'
 
 const english = {
-  lab: { ...enLab, ...enLabMatrix, ...enLabRecorded, ...enLabResults, ...enLabShare },
+  lab: { ...enLab, ...enLabClaims, ...enLabMatrix, ...enLabRecorded, ...enLabResults, ...enLabShare },
 }
 
 export type LabKey = TextKey | KeyOf<typeof english>
@@ -20,6 +21,7 @@ export const addLabWords = () => addWords(english, fetchChinese)
 async function fetchChinese(): Promise<object> {
   const [
     { zhCNLab },
+    { zhCNLabClaims },
     { zhCNLabMatrix },
     { zhCNLabRecorded },
     { zhCNLabResults },
@@ -27,6 +29,7 @@ async function fetchChinese(): Promise<object> {
     { zhCNQuestions },
   ] = await Promise.all([
     import('./zh_cn/lab'),
+    import('./zh_cn/lab_claims'),
     import('./zh_cn/lab_matrix'),
     import('./zh_cn/lab_recorded'),
     import('./zh_cn/lab_results'),
@@ -34,7 +37,7 @@ async function fetchChinese(): Promise<object> {
     import('./zh_cn/questions'),
   ])
   return {
-    lab: { ...zhCNLab, ...zhCNLabMatrix, ...zhCNLabRecorded, ...zhCNLabResults, ...zhCNLabShare },
+    lab: { ...zhCNLab, ...zhCNLabClaims, ...zhCNLabMatrix, ...zhCNLabRecorded, ...zhCNLabResults, ...zhCNLabShare },
     texts: zhCNQuestions,
   }
 }

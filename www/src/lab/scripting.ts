@@ -41,6 +41,7 @@ const KINDS: Record<ResultFile, true> = {
   'summary-csv': true,
   'summary-json': true,
   'summary-markdown': true,
+  'claims-csv': true,
   'matrix-csv': true,
   'matrix-markdown': true,
   'matrix-latex': true,

@@ -13,11 +13,13 @@ export type {
   MatrixCell,
   MatrixRow,
   Overall,
+  OverMaps,
   Pair,
   Ranks,
   ResultFile,
   RunMeasure as Measure,
   Summary,
+  UnfitMap,
   VerdictLine,
 } from '@pkg/formicarium'
 

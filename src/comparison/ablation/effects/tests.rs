@@ -18,7 +18,7 @@ const SEEDS: Seeds = Seeds { from: 1, count: 20 };
 fn comparison() -> Comparison {
     let grid = Grid::open(6, 1).expect("a usable size");
     let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(5, 0)).expect("usable");
-    let instance = Instance { id: "a".into(), map: "a.json".into(), note: String::new() };
+    let instance = Instance { id: "a".into(), map: "a.json".into(), note: String::new(), group: None };
     let question =
         crate::comparison::ablation::question("rank-based-ant-system", None, &Values::new(), vec![instance], SEEDS).unwrap();
     Comparison::new(question, vec![Arc::new(scenario)]).unwrap()

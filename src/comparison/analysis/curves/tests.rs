@@ -1,6 +1,7 @@
 //! Runs whose courses are written down here.
 
 use super::*;
+use crate::comparison::course::{end, to_best};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
 use crate::planner::Status;
 

@@ -1,10 +1,9 @@
 //! English.
 
-use super::{Ablation, Claims, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words};
+use super::{Ablation, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
-use crate::comparison::judge::Verdict;
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::Role;
 use crate::planner::Objective;
@@ -92,29 +91,7 @@ pub(super) static WORDS: Words = Words {
         },
         stand_in: "Of a map that only stands for the publication's, this says that the two differ.",
     },
-    claims: Claims {
-        title: "Claims",
-        columns: |confidence| {
-            let (medians, means) = (format!("difference of medians [{confidence} %]"), format!("of means [{confidence} %]"));
-            let before = ["claim", "map", "measure", "claimed", "baseline → improved", "change"].map(String::from);
-            let [claim, map, measure, claimed, values, change] = before;
-            [claim, map, measure, claimed, values, change, medians, means, "better".into(), "verdict".into()]
-        },
-        against: |[says, improved, baseline]| format!("{says}: {improved} against {baseline}"),
-        pairs: |pairs| format!(", {pairs} pairs"),
-        points: |number| format!("{number} points"),
-        verdict: |verdict, has_size| match verdict {
-            Verdict::Reproduced if !has_size => "**reproduced** (no size is claimed)".into(),
-            Verdict::Reproduced => "**reproduced**".into(),
-            Verdict::Partly => "**partly**".into(),
-            Verdict::Not => "**not reproduced**".into(),
-            Verdict::Opposite => "**not reproduced**: the opposite".into(),
-            Verdict::CannotTell(why) => format!("**cannot tell**: {}", why.words()),
-        },
-        totals: |[all, reproduced, partly, not, untold]| {
-            format!("Of {all} comparisons: {reproduced} reproduced, {partly} partly, {not} not, {untold} that cannot be told.")
-        },
-    },
+    claims: claims::EN,
     ablation: Ablation {
         title: "What each component does",
         about: |level| {

@@ -2,6 +2,7 @@
 //!
 //! Titles, notes, names of entries and maps are people's own: they stay as the file has them.
 
+mod claims;
 mod en;
 mod zh_cn;
 
@@ -10,10 +11,11 @@ use serde::Deserialize;
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
-use crate::comparison::judge::Verdict;
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::Role;
 use crate::planner::Objective;
+
+pub(super) use claims::Claims;
 
 /// The language of the files that people read, by its code on the command line and in the browser. CSV and JSON have none: programs read them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
@@ -141,23 +143,6 @@ pub(super) struct Page {
     /// How many of how many runs.
     pub runs_impossible: fn(usize, usize) -> String,
     pub stand_in: &'static str,
-}
-
-/// What became of the claims.
-pub(super) struct Claims {
-    pub title: &'static str,
-    /// With the confidence of the intervals.
-    pub columns: fn(f64) -> [String; 10],
-    /// What is said, of whom, against whom.
-    pub against: fn([&str; 3]) -> String,
-    /// Where not all pairs count.
-    pub pairs: fn(usize) -> String,
-    /// A difference of shares.
-    pub points: With,
-    /// The verdict, and whether a size is claimed.
-    pub verdict: fn(Verdict, bool) -> String,
-    /// All, reproduced, partly, not, cannot be told.
-    pub totals: fn([usize; 5]) -> String,
 }
 
 /// What each component does.

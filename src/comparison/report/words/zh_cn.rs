@@ -1,10 +1,9 @@
 //! Simplified Chinese, with the terms of docs/zh and of the page.
 
-use super::{Ablation, Claims, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words};
+use super::{Ablation, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
-use crate::comparison::judge::{Verdict, WhyNot};
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::Role;
 use crate::planner::Objective;
@@ -87,29 +86,7 @@ pub(super) static WORDS: Words = Words {
         },
         stand_in: "若地图只是代表论文的地图，这只说明两张地图不同。",
     },
-    claims: Claims {
-        title: "主张",
-        columns: |confidence| {
-            let (medians, means) = (format!("中位数之差 [{confidence}%]"), format!("均值之差 [{confidence}%]"));
-            let before = ["主张", "地图", "衡量标准", "所称", "基线 → 改进项", "变化"].map(String::from);
-            let [claim, map, measure, claimed, values, change] = before;
-            [claim, map, measure, claimed, values, change, medians, means, "更好".into(), "判定".into()]
-        },
-        against: |[says, improved, baseline]| format!("{says}：{improved} 对比 {baseline}"),
-        pairs: |pairs| format!("，{pairs} 对"),
-        points: |number| format!("{number} 个百分点"),
-        verdict: |verdict, has_size| match verdict {
-            Verdict::Reproduced if !has_size => "**已复现**（没有所称的大小）".into(),
-            Verdict::Reproduced => "**已复现**".into(),
-            Verdict::Partly => "**部分复现**".into(),
-            Verdict::Not => "**未复现**".into(),
-            Verdict::Opposite => "**未复现**：结果相反".into(),
-            Verdict::CannotTell(why) => format!("**无法判断**：{}", why_not(why)),
-        },
-        totals: |[all, reproduced, partly, not, untold]| {
-            format!("共 {all} 项比较：{reproduced} 项已复现，{partly} 项部分复现，{not} 项未复现，{untold} 项无法判断。")
-        },
-    },
+    claims: claims::ZH_CN,
     ablation: Ablation {
         title: "各组件的作用",
         about: |level| {
@@ -220,6 +197,7 @@ fn measure(measure: RunMeasure) -> &'static str {
         RunMeasure::AntMoves => "蚂蚁步数",
         RunMeasure::Success => "找到路径的运行比例",
         RunMeasure::Optimal => "达到最优的运行比例",
+        RunMeasure::RunningTime => "期望运行时间",
     }
 }
 
@@ -234,7 +212,7 @@ fn objective(objective: Objective) -> &'static str {
     }
 }
 
-fn axis(axis: Axis) -> &'static str {
+pub(super) fn axis(axis: Axis) -> &'static str {
     match axis {
         Axis::Iterations => "迭代次数",
         Axis::ConstructedPaths => "构造的路径数",
@@ -253,16 +231,5 @@ fn no_running_time(why: NoRunningTime) -> &'static str {
         NoRunningTime::NoIterations => "没有迭代",
         NoRunningTime::NoEffort => "工作量未知",
         NoRunningTime::Impossible => "有不可能的运行",
-    }
-}
-
-fn why_not(why: WhyNot) -> &'static str {
-    match why {
-        WhyNot::Impossible => "两者之一在此地图上有不可能的运行",
-        WhyNot::NoCommonSeed => "没有两次运行种子相同",
-        WhyNot::NotRun => "两者之一无法运行",
-        WhyNot::NoBaseline => "基线有半数或更多运行未找到路径",
-        WhyNot::TooFewRuns => "可比较的运行太少",
-        WhyNot::NoRoom => "基线几乎所有运行已是最优",
     }
 }

@@ -38,6 +38,7 @@ export const enLabResults = {
       'ant-moves': 'ant moves',
       success: 'share of runs with a path',
       optimal: 'share of runs with the optimum',
+      'running-time': 'expected running time',
     },
     measured: 'Measured: {{measure}}.',
     optima: 'Proven: {{optima}}.',
@@ -82,11 +83,7 @@ export const enLabResults = {
       distribution: 'Runs: {{measure}}',
       publishedTurns: 'Turns',
       publishedIterations: 'Iterations to best',
-      claim: 'Claim',
       map: 'Map',
-      claimed: 'Claimed',
-      found: 'Found',
-      verdict: 'Verdict',
     },
     summary: {
       found: 'Found a path',
@@ -233,16 +230,7 @@ export const enLabResults = {
     stripOf: '{{count}} runs of {{entry}}',
     claims: 'Claims',
     reservations: 'What to know about these verdicts',
-    sizesHint:
-      'Sizes are parts of the baseline’s value, positive as the claim says. A claim is reproduced when the 95 % interval of the difference excludes 0 in its direction and at least half of the claimed size is there.',
     claimOf: '{{improved}} against {{baseline}}, {{measure}}',
-    verdicts: {
-      reproduced: 'Reproduced',
-      partly: 'Partly',
-      not: 'Not reproduced',
-      opposite: 'The opposite',
-      'cannot-tell': 'Cannot tell',
-    },
     whys: {
       notRun: 'one of the two cannot be run',
       noBaseline: 'the baseline finds no path in half of its runs or more',
@@ -262,6 +250,7 @@ export const enLabResults = {
       latex: 'Summary (LaTeX)',
       tests: 'Tests of all pairs (Markdown)',
       'tests-csv': 'Tests of all pairs (CSV)',
+      'claims-csv': 'Claims (CSV)',
       times: 'Times (CSV)',
     },
     filesAbout: {
@@ -274,6 +263,7 @@ export const enLabResults = {
       latex: 'The same for a paper; needs the packages booktabs and graphicx.',
       tests: 'Wilcoxon, Mann–Whitney, A, Friedman.',
       'tests-csv': 'The same, one line a test.',
+      'claims-csv': 'Verdicts on each map and over maps, one line each.',
       times: 'Seconds of every run on this machine.',
     },
     copyFailedHint: 'Download the file and copy its text.',

@@ -41,6 +41,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       'ant-moves': '蚂蚁步数',
       success: '找到路径的运行比例',
       optimal: '达到最优的运行比例',
+      'running-time': '期望运行时间',
     },
     measured: '衡量标准：{{measure}}。',
     optima: '已证明：{{optima}}。',
@@ -83,11 +84,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       distribution: '各次运行：{{measure}}',
       publishedTurns: '转弯',
       publishedIterations: '达到最优的迭代',
-      claim: '主张',
       map: '地图',
-      claimed: '所称',
-      found: '所得',
-      verdict: '判定',
     },
     summary: {
       found: '找到路径',
@@ -222,16 +219,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
     stripOf: '“{{entry}}”的 {{count}} 次运行',
     claims: '主张',
     reservations: '关于这些判定须知',
-    sizesHint:
-      '大小为基线值的比例，与主张同向为正。差值的 95% 区间在主张方向上不含 0，且至少达到所称大小的一半，即为已复现。',
     claimOf: '“{{improved}}”对比“{{baseline}}”，{{measure}}',
-    verdicts: {
-      reproduced: '已复现',
-      partly: '部分复现',
-      not: '未复现',
-      opposite: '结果相反',
-      'cannot-tell': '无法判断',
-    },
     whys: {
       notRun: '两者之一无法运行',
       noBaseline: '基线有半数或更多运行未找到路径',
@@ -251,6 +239,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       latex: '汇总（LaTeX）',
       tests: '所有配对的检验（Markdown）',
       'tests-csv': '所有配对的检验（CSV）',
+      'claims-csv': '主张（CSV）',
       times: '时间（CSV）',
     },
     filesAbout: {
@@ -263,6 +252,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       latex: '同样内容，用于论文；需要 booktabs、graphicx 和 ctex 宏包，用 XeLaTeX 编译。',
       tests: 'Wilcoxon、Mann–Whitney、A、Friedman。',
       'tests-csv': '同样内容，每行一个检验。',
+      'claims-csv': '各地图与所有地图的判定，每行一个。',
       times: '此机器上每次运行的秒数。',
     },
     copyFailedHint: '请下载文件并复制其中文本。',

@@ -30,6 +30,7 @@ const FILES: FileKind[] = [
   { kind: 'latex', ending: 'tex', type: 'application/x-tex', copied: true },
   { kind: 'tests', ending: 'tests.md', type: 'text/markdown', copied: true },
   { kind: 'tests-csv', ending: 'tests.csv', type: 'text/csv' },
+  { kind: 'claims-csv', ending: 'claims.csv', type: 'text/csv' },
   { kind: 'times', ending: 'times.csv', type: 'text/csv' },
 ]
 

@@ -1,11 +1,9 @@
 /** What papers report beside what came out here: numbers, and claims with their verdicts. */
 import { BookOpen } from 'lucide'
-import { language, numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
+import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
 import { Button } from '../../ui/buttons'
 import { METHODOLOGY, showCard } from '../../words/paper_cards'
-import { shownComparison } from '../store/shown_comparison'
 import {
   amount,
   dash,
@@ -16,12 +14,12 @@ import {
   range,
   share,
 } from '../words/numbers'
-import { whyWords } from '../words/verdict_words'
 import { Alert, dotColour, MapHead } from './choices'
+import { Claims } from './claims'
 import { Strip, stripScale } from './run_strip'
 
-export function hasReported({ instances, verdicts }: Analysis): boolean {
-  return verdicts.length > 0 || instances.some((map) => reported(map).length > 0)
+export function hasReported({ instances, verdicts, unfit }: Analysis): boolean {
+  return verdicts.length > 0 || unfit.length > 0 || instances.some((map) => reported(map).length > 0)
 }
 
 const reported = ({ entries }: MapAnalysis) =>
@@ -48,7 +46,7 @@ export function ReportedTab({ analysis }: { analysis: Analysis }) {
       {maps.map((map) => (
         <ReportedMap key={map.id} map={map} />
       ))}
-      {analysis.verdicts.length > 0 && <Verdicts analysis={analysis} />}
+      <Claims analysis={analysis} />
     </>
   )
 }
@@ -167,94 +165,3 @@ function Impossible({ rows, map }: { rows: Reported[]; map: MapAnalysis }) {
   const items = all.map((one) => t('lab.results.impossibleItem', one))
   return <Alert words={t('lab.results.impossibleMany')} items={items} />
 }
-
-function Verdicts({ analysis }: { analysis: Analysis }) {
-  const caption = t('lab.results.claims')
-  const columns = ['claim', 'map', 'claimed', 'found', 'verdict'] as const
-  return (
-    <section class="reported-map">
-      <h3>{caption}</h3>
-      <p class="hint">{t('lab.results.sizesHint')}</p>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it */}
-      <section class="result-scroll" tabIndex={0} aria-label={caption}>
-        <table class="result-table verdicts" data-testid="verdicts">
-          <caption class="visually-hidden">{caption}</caption>
-          <thead>
-            <tr>
-              {columns.map((key) => (
-                <th key={key} scope="col">
-                  {t(`lab.results.columns.${key}`)}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {analysis.verdicts.map((line) => (
-              <Verdict key={`${line.claim} ${line.instance}`} line={line} analysis={analysis} />
-            ))}
-          </tbody>
-        </table>
-      </section>
-      <Reservations />
-    </section>
-  )
-}
-
-/** Reservations about the verdicts, each once, with the claims it is about. */
-function Reservations() {
-  const claims = shownComparison.value?.question.claims ?? []
-  const notes = [...new Set(claims.map(({ note }) => note ?? ''))].filter((note) => note !== '')
-  if (notes.length === 0) return null
-  return (
-    <ul class="reservations" aria-label={t('lab.results.reservations')} data-testid="reservations">
-      {notes.map((note) => (
-        <li key={note}>
-          <b>{inList(claims.filter((claim) => claim.note === note).map(({ says }) => says))}</b>
-          {note}
-        </li>
-      ))}
-    </ul>
-  )
-}
-
-const inList = (words: string[]) =>
-  new Intl.ListFormat(language.value, { type: 'unit', style: 'long' }).format(new Set(words))
-
-function Verdict({ line, analysis }: { line: VerdictLine; analysis: Analysis }) {
-  const map = analysis.instances.find(({ id }) => id === line.instance)
-  const label = (id: string) => {
-    const entry = map?.entries.find((one) => one.id === id)
-    return entry ? labelOf(entry) : id
-  }
-  const { improved_value: to, baseline_value: from } = line
-  const values = from === null && to === null ? '' : `${dash(from, number)} → ${dash(to, number)}`
-  return (
-    <tr>
-      <th scope="row">
-        {line.says}
-        <span class="cell-small">
-          {t('lab.results.claimOf', {
-            improved: label(line.improved),
-            baseline: label(line.baseline),
-            measure: measureWords(line.measure),
-          })}
-        </span>
-      </th>
-      <td>{map?.name || line.instance}</td>
-      <td>{dash(line.claimed, percent)}</td>
-      <td>
-        {dash(line.found, percent)}
-        {values && <span class="cell-small">{values}</span>}
-      </td>
-      <td>
-        <span class={`chip verdict-${line.verdict}`}>
-          {t(`lab.results.verdicts.${line.verdict}`)}
-        </span>
-        {line.why && <span class="cell-small verdict-why">{whyWords(line.why)}</span>}
-      </td>
-    </tr>
-  )
-}
-
-const percent = (value: number) => numbers.value.percent.format(value)
-const number = (value: number) => numbers.value.metres.format(value)

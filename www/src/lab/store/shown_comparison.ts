@@ -5,7 +5,14 @@
 import type { Claim, Entry, Instance, Question } from '@pkg/formicarium'
 import { computed } from '@preact/signals'
 import { translated } from '../../i18n'
-import type { Analysis, EntryAnalysis, MapAnalysis, VerdictLine } from '../../model/analysis'
+import type {
+  Analysis,
+  EntryAnalysis,
+  MapAnalysis,
+  OverMaps,
+  UnfitMap,
+  VerdictLine,
+} from '../../model/analysis'
 import { analysis, type OpenComparison, openComparison } from './signals'
 
 type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>
@@ -45,7 +52,9 @@ function ofQuestion(question: Question): Question {
 
 function ofAnalysis(of: Analysis): Analysis {
   const verdicts = of.verdicts.map((line): VerdictLine => ({ ...line, says: told(line.says) }))
-  return { ...of, instances: of.instances.map(ofMap), verdicts }
+  const over_maps = of.over_maps.map((over): OverMaps => ({ ...over, says: told(over.says) }))
+  const unfit = of.unfit.map((map): UnfitMap => ({ ...map, says: told(map.says) }))
+  return { ...of, instances: of.instances.map(ofMap), verdicts, over_maps, unfit }
 }
 
 function ofMap(map: MapAnalysis): MapAnalysis {

@@ -6,7 +6,13 @@ import type { Axis, EntryAnalysis, MapAnalysis, Measure } from '../../model/anal
 type Write = (value: number) => string
 
 /** Counts are whole, and lengths are not. */
-const COUNTED: Measure[] = ['turns', 'iteration-of-best', 'paths-to-best', 'ant-moves']
+const COUNTED: Measure[] = [
+  'turns',
+  'iteration-of-best',
+  'paths-to-best',
+  'ant-moves',
+  'running-time',
+]
 
 /** How a measure is written. */
 export function amount(measure: Measure): Write {
