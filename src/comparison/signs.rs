@@ -26,8 +26,13 @@ pub(super) fn median_within(ascending: &[f64], confidence: f64) -> Option<([f64;
     Some(([ascending[place - 1], ascending[ascending.len() - place]], holds))
 }
 
-/// How likely so many of n tosses of a fair coin are heads.
+/// How likely so many of n tosses of a fair coin are heads: by the ways themselves as far as a number holds them, then by their logarithm.
 fn exactly(heads: usize, n: usize) -> f64 {
+    const COUNTED: usize = 1000;
+    if n <= COUNTED {
+        let ways = (1..=heads).fold(1.0, |ways, i| ways * (n - heads + i) as f64 / i as f64);
+        return libm::scalbn(ways, -(n as i32));
+    }
     let log = |m: usize| libm::lgamma(m as f64 + 1.0);
     libm::exp(log(n) - log(heads) - log(n - heads) - n as f64 * std::f64::consts::LN_2)
 }

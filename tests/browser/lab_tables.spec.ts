@@ -12,6 +12,7 @@ const FILES = {
   latex: 'rich-results.tex',
   tests: 'rich-results.tests.md',
   'tests-csv': 'rich-results.tests.csv',
+  'claims-csv': 'rich-results.claims.csv',
 }
 
 test.describe('tables of results', () => {
@@ -151,7 +152,7 @@ test.describe('tables of results', () => {
     await expect(small.getByRole('row', { name: /Weak ants/ })).toContainText('9 (here ')
     await expect(page.getByTestId('reported-wide')).toHaveCount(0)
     const verdicts = page.getByTestId('verdicts')
-    await expect(verdicts.locator('tbody tr')).toHaveCount(2)
+    await expect(verdicts.locator('.claim-map')).toHaveCount(2)
     await expect(verdicts).toContainText('too few runs to compare')
     await page.getByTestId('open-methodology').click()
     await expect(page.getByTestId('card-dialog')).toContainText('Hyndman and Fan')

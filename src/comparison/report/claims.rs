@@ -195,3 +195,6 @@ fn of_maps(over: &OverMaps) -> Line<'_> {
         ..Line::default()
     }
 }
+
+#[cfg(test)]
+mod tests;

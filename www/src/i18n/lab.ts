@@ -8,7 +8,14 @@ import { enLabResults } from './en/lab_results'
 import { enLabShare } from './en/lab_share'
 
 const english = {
-  lab: { ...enLab, ...enLabClaims, ...enLabMatrix, ...enLabRecorded, ...enLabResults, ...enLabShare },
+  lab: {
+    ...enLab,
+    ...enLabClaims,
+    ...enLabMatrix,
+    ...enLabRecorded,
+    ...enLabResults,
+    ...enLabShare,
+  },
 }
 
 export type LabKey = TextKey | KeyOf<typeof english>
@@ -37,7 +44,14 @@ async function fetchChinese(): Promise<object> {
     import('./zh_cn/questions'),
   ])
   return {
-    lab: { ...zhCNLab, ...zhCNLabClaims, ...zhCNLabMatrix, ...zhCNLabRecorded, ...zhCNLabResults, ...zhCNLabShare },
+    lab: {
+      ...zhCNLab,
+      ...zhCNLabClaims,
+      ...zhCNLabMatrix,
+      ...zhCNLabRecorded,
+      ...zhCNLabResults,
+      ...zhCNLabShare,
+    },
     texts: zhCNQuestions,
   }
 }

@@ -47,6 +47,7 @@ export const enLabClaims = {
     unfitSource: '{{item}} ({{source}})',
     optimumAbove: 'the exact optimum is {{found}}; published is {{demanded}}',
     noPath: 'no path exists; published is one of {{demanded}}',
-    doesNotArrive: '{{entry}} finds a path in {{found}} of its runs; it should in {{demanded}} at least',
+    doesNotArrive:
+      '{{entry}} finds a path in {{found}} of its runs; it should in {{demanded}} at least',
   },
 }

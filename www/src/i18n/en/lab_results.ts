@@ -83,7 +83,6 @@ export const enLabResults = {
       distribution: 'Runs: {{measure}}',
       publishedTurns: 'Turns',
       publishedIterations: 'Iterations to best',
-      map: 'Map',
     },
     summary: {
       found: 'Found a path',

@@ -84,7 +84,6 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       distribution: '各次运行：{{measure}}',
       publishedTurns: '转弯',
       publishedIterations: '达到最优的迭代',
-      map: '地图',
     },
     summary: {
       found: '找到路径',

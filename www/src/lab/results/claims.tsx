@@ -122,14 +122,17 @@ function Claim({ over, analysis }: ClaimProps) {
         </td>
       </tr>
       {open &&
-        lines.map((line) => <MapRow key={line.instance} line={line} name={mapName(analysis, line.instance)} />)}
+        lines.map((line) => (
+          <MapRow key={line.instance} line={line} name={mapName(analysis, line.instance)} />
+        ))}
     </tbody>
   )
 }
 
 function MapRow({ line, name }: { line: VerdictLine; name: string }) {
   const { improved_value: to, baseline_value: from, is_share, measure } = line
-  const values = from === null && to === null ? '' : `${value(measure, from)} → ${value(measure, to)}`
+  const values =
+    from === null && to === null ? '' : `${value(measure, from)} → ${value(measure, to)}`
   return (
     <tr class="claim-map">
       <th scope="row">{name}</th>
@@ -158,7 +161,9 @@ function onMaps({ better, maps, share_interval: [low, high] }: OverMaps) {
   return (
     <>
       {t('lab.claims.onMaps', { part: better, whole: maps })}
-      <span class="cell-small">{t('lab.claims.share', { low: share(low), high: share(high) })}</span>
+      <span class="cell-small">
+        {t('lab.claims.share', { low: share(low), high: share(high) })}
+      </span>
     </>
   )
 }
@@ -188,12 +193,15 @@ function countsOf({ counts }: OverMaps): string {
 /** A part of the baseline's value; of shares a difference in points. What is infinite has no number. */
 function effect(isShare: boolean, of: number | null): string {
   if (!isShare) return dash(of, numbers.value.percent.format)
-  return dash(of, (points) => t('lab.claims.points', { shown: numbers.value.length.format(100 * points) }))
+  return dash(of, (points) =>
+    t('lab.claims.points', { shown: numbers.value.length.format(100 * points) }),
+  )
 }
 
 /** An end that no number has is infinite. */
 function within(isShare: boolean, low: number | null, high: number | null): string {
-  const end = (of: number | null, infinite: string) => (of === null ? infinite : effect(isShare, of))
+  const end = (of: number | null, infinite: string) =>
+    of === null ? infinite : effect(isShare, of)
   return t('lab.claims.interval', { low: end(low, '−∞'), high: end(high, '∞') })
 }
 
@@ -206,7 +214,8 @@ function entryLabel(analysis: Analysis, id: string): string {
   return entry ? labelOf(entry) : id
 }
 
-const mapName = ({ instances }: Analysis, id: string) => instances.find((map) => map.id === id)?.name || id
+const mapName = ({ instances }: Analysis, id: string) =>
+  instances.find((map) => map.id === id)?.name || id
 
 function Unfit({ analysis }: { analysis: Analysis }) {
   const { unfit } = analysis
@@ -267,4 +276,3 @@ function Reservations() {
 
 const inList = (words: string[]) =>
   new Intl.ListFormat(language.value, { type: 'unit', style: 'long' }).format(new Set(words))
-

@@ -19,7 +19,9 @@ import { Claims } from './claims'
 import { Strip, stripScale } from './run_strip'
 
 export function hasReported({ instances, verdicts, unfit }: Analysis): boolean {
-  return verdicts.length > 0 || unfit.length > 0 || instances.some((map) => reported(map).length > 0)
+  return (
+    verdicts.length > 0 || unfit.length > 0 || instances.some((map) => reported(map).length > 0)
+  )
 }
 
 const reported = ({ entries }: MapAnalysis) =>
