@@ -82,7 +82,7 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
     let nothing = JudgedClaim {
         claim: index,
         instance,
-        claimed: question.claimed_size(claim, place),
+        claimed: question.claimed_size(claim, place).and_then(|size| in_unit(claim.measure, size, None)),
         relevant: claim.relevant(),
         paired: false,
         runs: [0, 0],
@@ -162,8 +162,9 @@ fn of_values(
     let baseline = statistic.of(&counted.baseline).or_else(|| statistic.of(&all[1]));
     let bound = is_bound(&comparison.maps[nothing.instance], claim.measure, entries);
     let optimal = samples.values(nothing.instance, entries[1], RunMeasure::Optimal);
+    let size = comparison.question.claimed_size(claim, &comparison.question.instances[nothing.instance]);
     let judged = JudgedClaim {
-        claimed: nothing.claimed.and_then(|size| in_unit(claim.measure, size, baseline)),
+        claimed: size.and_then(|size| in_unit(claim.measure, size, baseline)),
         paired: both.paired,
         runs: both.runs(),
         finite: finite.runs(),
@@ -225,7 +226,7 @@ fn of_times(
     JudgedClaim { verdict, ..judged }
 }
 
-/// A claimed size is a part of the baseline's value; the effect of a share is a difference.
+/// A claimed size is a part of the baseline's value; the effect of a share is a difference, which is none without that value.
 fn in_unit(measure: RunMeasure, size: f64, baseline: Option<f64>) -> Option<f64> {
     if measure.is_share() { baseline.map(|share| share * size) } else { Some(size) }
 }

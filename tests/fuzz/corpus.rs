@@ -58,11 +58,13 @@ fn add_folder(folder: &Path, files: &mut Vec<File>) {
 }
 
 const QUESTION: &str = r#""question": {"format": "formicarium/question@1", "title": "t", "asks": "?", "seeds": {"from": 1, "count": 2},
-"instances": [{"id": "open", "map": "open.json"}], "budget": {"axis": "iterations", "amount": 20},
+"instances": [{"id": "open", "map": "open.json", "group": "one"}], "budget": {"axis": "iterations", "amount": 20},
 "entries": [{"id": "ants", "label": "ants", "role": "improved", "planner": "ant-system", "set": {"iterations": 5, "ants": 4}},
 {"id": "exact", "label": "A*", "role": "other", "planner": "astar", "published": {"open": {"length": 3.4, "turns": 1}}},
 {"id": "mine", "label": "mine", "role": "other", "results": "mine.csv"}],
-"claims": [{"id": "c", "says": "shorter", "improved": "ants", "baseline": "exact", "measure": "length", "direction": "less"}]}"#;
+"claims": [{"id": "c", "says": "shorter", "improved": "ants", "baseline": "exact", "measure": "length", "direction": "less", "relevant": 0.02},
+{"id": "d", "says": "sooner", "improved": "ants", "baseline": "mine", "measure": "running-time", "direction": "less", "target": 0.1, "axis": "moves"}],
+"facts": [{"group": "one", "optimum_at_most": 3.5, "optimum_of": "exact", "arrives": ["ants"], "in_at_least": 0.9, "says": "table 1"}]}"#;
 
 fn comparison(question: &str) -> Vec<u8> {
     let map = r#"{"format": "formicarium/scenario@1", "name": "", "width": 3, "height": 2, "start": [0,0], "goals": [{"at": [2,1]}],

@@ -246,6 +246,8 @@ const WORDS: &[&str] = &[
     "budget",
     "axis",
     "claims",
+    "facts",
+    "group",
     "given",
     "recorded",
     "null",

@@ -207,10 +207,12 @@ fn shares_differ_by_points() {
     };
     let rows: Vec<Row> = of(0, 36).chain(of(2, 20)).collect();
     let claim = json!({ "id": "c", "says": "", "improved": "a", "baseline": "c", "measure": "success", "direction": "more", "size": 0.5 });
-    let judged = judged_of(&three(claim), &rows);
+    let comparison = three(claim);
+    let judged = judged_of(&comparison, &rows);
     // 90 % against 50 %: 40 points. Half as much again as 50 % is 25 points.
     assert_eq!((judged.effect.unwrap().value, judged.claimed, judged.relevant), (0.4, Some(0.25), 0.05));
     assert_eq!(judged.verdict, Verdict::Reproduced);
+    assert_eq!(judged_of(&comparison, &of(0, 36).collect::<Vec<_>>()).claimed, None);
 }
 
 #[test]
