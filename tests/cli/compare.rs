@@ -150,10 +150,10 @@ fn the_table_for_a_paper_is_whole_latex() {
     let count = |what: &str| tex.matches(what).count();
     assert_eq!(
         (count("\\begin{table}"), count("\\end{table}"), count("\\begin{tabular}"), count("\\end{tabular}")),
-        (2, 2, 2, 2)
+        (3, 3, 3, 3)
     );
-    assert_eq!((count("\n  \\resizebox{"), count("\\end{tabular}}\n")), (2, 2));
-    assert_eq!((count("\\toprule"), count("\\midrule"), count("\\bottomrule"), count("\\caption{")), (2, 2, 2, 2));
+    assert_eq!((count("\n  \\resizebox{"), count("\\end{tabular}}\n")), (3, 3));
+    assert_eq!((count("\\toprule"), count("\\midrule"), count("\\bottomrule"), count("\\caption{")), (3, 3, 3, 3));
     assert!(tex.contains("colony\\_1 \\& 50 \\% of \\{$\\eta$\\}") && tex.contains("seeds 5 to 44"), "{tex}");
     // Braces that are not escaped come in pairs, dollars too, and every row has as many fields as there are columns.
     let bare = tex.replace("\\\\", "\n").replace("\\{", "").replace("\\}", "").replace("\\$", "");
@@ -162,7 +162,8 @@ fn the_table_for_a_paper_is_whole_latex() {
     let columns = tex.split("\\begin{tabular}{").nth(1).unwrap().find('}').unwrap();
     let rows: Vec<usize> =
         tex.lines().filter(|l| l.ends_with("\\\\")).map(|l| l.replace("\\&", "").matches('&').count()).collect();
-    assert_eq!(rows, vec![columns - 1; 2 * (1 + 3)]);
+    // Two maps with three entries, then two claims over maps.
+    assert_eq!(rows, [vec![columns - 1; 2 * (1 + 3)], vec![5; 1 + 2]].concat());
     assert_eq!(folder.compare(&["q.toml", "--out", "out", "--files", "tests-csv,summary-markdown"]).0, 0);
     let tests = folder.read("out/q.tests.csv");
     // One pair on each map; on the wall no run finds a path, and none differs.

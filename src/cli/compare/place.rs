@@ -111,6 +111,7 @@ fn begins_as(file: ResultFile, text: &str) -> bool {
         ResultFile::Csv => text.starts_with(HEADER),
         ResultFile::TestsCsv => text.starts_with("instance,test,first,second,statistic,p,"),
         ResultFile::SummaryCsv => text.starts_with("instance,entry,label,role,origin,measure,"),
+        ResultFile::ClaimsCsv => text.starts_with("instance,claim,improved,baseline,measure,direction,"),
         ResultFile::MatrixCsv => text.starts_with("instance,entry,measure,objective,runs,"),
         ResultFile::Json | ResultFile::Link => is_json_of(text, "formicarium/comparison@"),
         ResultFile::SummaryJson => is_json_of(text, "formicarium/summary@"),
