@@ -279,7 +279,7 @@ export const zhCNEngine = {
     printed: '按印刷公式',
     weighed: '照常权衡',
     enter: '直接进入',
-    'iteration-best': '本代最优',
+    'iteration-best': '本次迭代最优',
     'best-so-far': '至今最优',
     weighted: '加权更新（式 14）',
     'all-ants': '全体更新（式 12）',
@@ -346,7 +346,7 @@ export const zhCNEngine = {
     },
     depositors: {
       'all-ants': '式 12：每只到达的蚂蚁，同蚂蚁系统',
-      'iteration-best': '第 3 步：只有本代路径最短的蚂蚁',
+      'iteration-best': '第 3 步：只有本次迭代中路径最短的蚂蚁',
       'best-so-far': '第 2 与 3 步：只有至今所有迭代的最短路径',
     },
     rule: {

@@ -183,7 +183,7 @@ export const zhCNSources: Record<string, string> = {
   'an x_min above 0, so that paths keep nearer to the greedy one; the paper gives no value, 0.8 is ours':
     'x_min 大于 0，路径因此更接近贪婪路径；论文未给出数值，0.8 由我们选取',
   "an x_min above 0 (eq. 6; the paper gives no value, 0.8 is ours), and the iteration's best path alone leaves trail (step 3)":
-    'x_min 大于 0（式 6；论文未给出数值，0.8 由我们选取），且只有本代最优路径留下信息素（第 3 步）',
+    'x_min 大于 0（式 6；论文未给出数值，0.8 由我们选取），且只有本次迭代最优路径留下信息素（第 3 步）',
   'basic ACO, repaired: its ρ = 0.3 evaporates (0.7 stays), as its text says; Q is not given, 1':
     '基本蚁群，按正文修正：ρ = 0.3 为挥发部分（保留 0.7），与正文相同；Q 未给出，取 1',
   'basic ACO, as printed in its eq. 4: ρ = 0.3 multiplies what stays, so 0.7 leaves':
