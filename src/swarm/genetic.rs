@@ -7,8 +7,8 @@
 //! | step | source |
 //! |---|---|
 //! | selection | tournament: the cheapest of k positions drawn with replacement (Goldberg, Deb, "A comparative analysis of selection schemes used in genetic algorithms", FOGA 1991, 69–93, doi:10.1016/B978-0-08-050684-5.50008-2) |
-//! | crossover `blend` | BLX-α: each number uniformly from the parents' interval, α of its length longer on either side (Eshelman, Schaffer, "Real-coded genetic algorithms and interval-schemata", FOGA 1992, 1993, 187–202, doi:10.1016/B978-0-08-094832-4.50018-0) |
-//! | crossover `uniform` | each number from either parent (Syswerda, "Uniform crossover in genetic algorithms", ICGA 1989, 2–9) |
+//! | crossover `blx` | BLX-α: each number uniformly from the parents' interval, α of its length longer on either side (Eshelman, Schaffer, "Real-coded genetic algorithms and interval-schemata", FOGA 1992, 1993, 187–202, doi:10.1016/B978-0-08-094832-4.50018-0) |
+//! | crossover `exchange` | each number from either parent (Syswerda, "Uniform crossover in genetic algorithms", ICGA 1989, 2–9) |
 //! | mutation | a number is drawn anew from its range (Michalewicz, *Genetic Algorithms + Data Structures = Evolution Programs*, Springer 1996, uniform mutation) |
 //! | survivors | the children, and the elite of the generation before (De Jong 1975, in Goldberg, *Genetic Algorithms in Search, Optimization, and Machine Learning*, Addison-Wesley 1989) |
 //!
@@ -36,9 +36,9 @@ param_choice! {
     /// What a child has of its two parents.
     pub enum Crossover {
         /// each number from the interval between the parents' numbers, and a share of its length beyond: BLX-α
-        Blend = "blend",
+        Blx = "blx",
         /// each number from one of the parents, either as likely
-        Uniform = "uniform",
+        Exchange = "exchange",
     }
 }
 
@@ -52,13 +52,13 @@ params! {
         /// how likely a child has two parents; else it is a copy of one
         crossover_rate: f64 = 0.9, "p_c", [0.0..=1.0], "", "our choice: no paper gives it";
         /// what a child has of its two parents
-        crossover: Crossover = Crossover::Blend, "", [], "", "Eshelman and Schaffer 1993; Syswerda 1989";
+        crossover: Crossover = Crossover::Blx, "", [], "", "Eshelman and Schaffer 1993; Syswerda 1989";
         /// how far beyond the parents' numbers a child's may lie, as a share of their distance
-        blend: f64 = 0.5, "α", [0.0..=2.0], "", "Eshelman and Schaffer 1993: BLX-0.5", when(crossover: "blend");
+        blend: f64 = 0.5, "α", [0.0..=2.0], "", "Eshelman and Schaffer 1993: BLX-0.5", when(crossover: "blx");
         /// numbers of a child that are drawn anew, on average
         mutations: f64 = 1.0, "", [0.0..=100.0], "numbers", "our choice: one, as is usual; no paper gives it";
         /// cheapest positions that stay as they are
-        elite: u32 = 1, "", [0..=256], "positions", "De Jong 1975, in Goldberg 1989";
+        survivors: u32 = 1, "", [0..=256], "positions", "De Jong 1975, in Goldberg 1989";
     }
 }
 
@@ -128,15 +128,15 @@ impl Genetic {
     }
 
     /// How many positions stay.
-    fn elite(&self) -> usize {
-        self.rows.elite.min(self.rows.population) as usize
+    fn survivors(&self) -> usize {
+        self.rows.survivors.min(self.rows.population) as usize
     }
 
     /// Adds a child of each place that the elite leaves.
     fn breed(&self, population: &mut Population, number: u32, streams: Streams) {
         let (rows, dimensions) = (&self.rows, population.dimensions());
         let (parents, rate) = (population.len(), rows.mutations / dimensions as f64);
-        for i in self.elite()..parents {
+        for i in self.survivors()..parents {
             let stream = &mut streams.ant(number, i as u32);
             let costs = &population.costs()[..parents];
             let (mother, father) = (tournament(costs, rows.tournament, stream), tournament(costs, rows.tournament, stream));
@@ -154,8 +154,8 @@ impl Genetic {
 
     fn crossed(&self, a: f64, b: f64, u: f64) -> f64 {
         match self.rows.crossover {
-            Crossover::Blend => blended(a, b, self.rows.blend, u),
-            Crossover::Uniform => [a, b][usize::from(u >= 0.5)],
+            Crossover::Blx => blended(a, b, self.rows.blend, u),
+            Crossover::Exchange => [a, b][usize::from(u >= 0.5)],
         }
     }
 
@@ -164,7 +164,7 @@ impl Genetic {
         let parents = self.rows.population as usize;
         let mut order: Vec<usize> = (0..parents).collect();
         order.sort_by(|&a, &b| population.costs()[a].total_cmp(&population.costs()[b]));
-        order.truncate(self.elite());
+        order.truncate(self.survivors());
         order.extend(parents..population.len());
         population.keep(&order);
     }
@@ -219,7 +219,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
         source: "Syswerda 1989, ICGA, 2–9",
         meaning: "uniform crossover in place of BLX-0.5: each number from either parent",
         numbers: &[],
-        choices: &[("crossover", "uniform")],
+        choices: &[("crossover", "exchange")],
     }],
     components: &[],
     layers: &[Layer::Priority, Layer::Visits],

@@ -120,6 +120,57 @@ pub const TERRAINS: &[TerrainGolden] = &[
         seed: 32,
         digest: "9c7d49227e9b9127",
     },
+    TerrainGolden {
+        way: Way::Slices(Measure::Cost),
+        planner: "terrain-aco",
+        values: &[("local_rule", "acs"), ("initial_trail", "0.01")],
+        seed: 33,
+        digest: "",
+    },
+    TerrainGolden {
+        way: Way::Slices(Measure::Cost),
+        planner: "terrain-epf",
+        values: &[("local_rule", "acs"), ("initial_trail", "0.01"), ("level_height", "0.2"), ("directions", "eight")],
+        seed: 34,
+        digest: "",
+    },
+    TerrainGolden {
+        way: Way::Surface(Moves::Sixteen, 90.0),
+        planner: "terrain-epf",
+        values: &[("local_rule", "acs"), ("initial_trail", "0.01"), ("directions", "eight"), ("iterations", "40")],
+        seed: 35,
+        digest: "",
+    },
+    TerrainGolden { way: Way::Slices(Measure::Cost), planner: "terrain-textbook", values: &[], seed: 36, digest: "" },
+    TerrainGolden {
+        way: Way::Slices(Measure::Cost),
+        planner: "terrain-textbook",
+        values: &[("reading", "printed"), ("local_rho", "0.5"), ("alpha", "1.3"), ("beta", "2.7")],
+        seed: 37,
+        digest: "",
+    },
+    TerrainGolden {
+        way: Way::Slices(Measure::Cost),
+        planner: "terrain-textbook",
+        values: &[("ants", "50"), ("beta", "7")],
+        seed: 38,
+        digest: "",
+    },
+    TerrainGolden {
+        way: Way::Slices(Measure::Cost),
+        planner: "acs-slices",
+        values: &[("q0", "0.7"), ("heuristic", "cost-and-distance")],
+        seed: 39,
+        digest: "",
+    },
+    TerrainGolden {
+        way: Way::Slices(Measure::Length),
+        planner: "mmas-slices",
+        values: &[("beta", "2.5"), ("best_every", "7"), ("restart_after", "20")],
+        seed: 40,
+        digest: "",
+    },
+    TerrainGolden { way: Way::Slices(Measure::Cost), planner: "ga", values: &[("iterations", "60")], seed: 41, digest: "" },
 ];
 
 /// 40 × 30 cells of 30 m: ridges and valleys up to 630 m, rough by up to 40 m, with a hole without data.

@@ -5,7 +5,7 @@
 //! | override point | source |
 //! |---|---|
 //! | initial trail | box 3.1: 1 / (n·C), n the steps of every path, C what the straight way would cost (`cost.rs`) |
-//! | heuristic | 1 / c_ij, the cost of the step for the distance d_ij; `both` adds the distance that is left |
+//! | heuristic | 1 / c_ij, the cost of the step for the distance d_ij; `cost-and-distance` adds the distance that is left |
 //! | selection | eq. 3.10: pseudo-random proportional rule |
 //! | on each move | eq. 3.12: τ ← (1 − ξ)·τ + ξ·τ0 on the step just taken |
 //! | update | eq. 3.11: τ ← (1 − ρ)·τ + ρ/C_bs on the steps of the best path so far, and there only |

@@ -10,7 +10,7 @@ param_choice! {
         /// η = 1 / c_ij: what the step costs, its level included, as 1/d_ij of a tour
         Cost = "cost",
         /// η = 1 / (c_ij + d(j, goal)): the cost of the step and the straight distance that is left
-        Both = "both",
+        CostAndDistance = "cost-and-distance",
     }
 }
 
@@ -20,7 +20,7 @@ impl SliceHeuristic {
         let cost = slices.cost(from, to);
         match self {
             Self::Cost => 1.0 / cost,
-            Self::Both => 1.0 / (cost + straight(slices, to, slices.goal())),
+            Self::CostAndDistance => 1.0 / (cost + straight(slices, to, slices.goal())),
         }
     }
 }

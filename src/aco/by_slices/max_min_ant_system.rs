@@ -4,7 +4,7 @@
 //! | override point | source |
 //! |---|---|
 //! | initial trail | box 3.1: the upper limit, 1 / (ρ·C), C what the straight way would cost (`cost.rs`) |
-//! | heuristic | 1 / c_ij, the cost of the step for the distance d_ij; `both` adds the distance that is left |
+//! | heuristic | 1 / c_ij, the cost of the step for the distance d_ij; `cost-and-distance` adds the distance that is left |
 //! | selection | as Ant System |
 //! | on each move | nothing |
 //! | update | eq. 3.9: evaporate, 1/C on the iteration-best or the best-so-far path; then τ_min ≤ τ ≤ τ_max |

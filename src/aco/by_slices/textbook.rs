@@ -24,7 +24,7 @@
 //!
 //! Ours: the last step obeys the rules of the scenario as all others do; the program puts the goal behind column 20 however far it is. So ants
 //! can miss it, and `dead_end` decides. Rows and levels are those of the scenario; the program stays within 1 to 19. The program's run before
-//! its loop of 100 is one of the iterations. K is `deposit`.
+//! its loop of 100 is one of the iterations. K is `reward`.
 
 use std::sync::Arc;
 
@@ -50,14 +50,14 @@ params! {
             alpha = 1.0, "the textbook's program";
             beta = 1.0, "the textbook's program";
         };
-        /// by slices: as how many cells ants see the height of one level, in distances and directions
+        /// by slices: as how many cells one level counts in the distances of η
         level_height: f64 = 0.2, "", [0.0..=10.0], "cells", "the textbook's program";
         /// evaporation rate: the part that leaves in each iteration, on the best path so far only
         rho: f64 = 0.2, "ρ", [0.0..=1.0], "", "the textbook's program";
         /// local evaporation rate: the part of a place's trail that an ant takes away by stepping there
         local_rho: f64 = 0.1, "λ_local", [0.0..=1.0], "", "the textbook's program: decr, its words; 0.5 is what runs";
         /// the trail towards which the best path so far pulls is K / cost
-        deposit: f64 = 100.0, "K", [1e-6..=1e6], "", "the textbook's program";
+        reward: f64 = 100.0, "K", [1e-6..=1e6], "", "the textbook's program";
         /// trail of every place before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "the textbook's program";
         ..walk: WalkParams;
@@ -121,7 +121,7 @@ impl Rules for Textbook {
         let Some(best) = built.best else { return };
         let between = best.path.len().saturating_sub(2);
         for &place in best.path.iter().skip(1).take(between) {
-            trails.blend(place, 0, self.params.rho, self.params.deposit / best.length);
+            trails.blend(place, 0, self.params.rho, self.params.reward / best.length);
         }
     }
 }
@@ -131,20 +131,31 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     Ok(Box::new(SliceColony::new(scenario, rules, ENTRY.id, seed)?))
 }
 
+const SOURCE: &str = "Shi, Wang, Yu, Hu 2011, 30 case studies of intelligent algorithms in MATLAB (in Chinese), Beihang University Press: its program on three dimensions";
+
 /// The textbook's colony in the catalog.
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "terrain-textbook",
     name: "Textbook's 3-D colony",
     family: Family::AntColony,
     summary: "The textbook's colony by slices: trails lie on places, ants prefer low and short steps, and the best path so far pulls the trails towards K/cost.",
-    source: "Shi, Wang, Yu, Hu 2011, MATLAB智能算法30个案例分析, Beihang University Press: its program on three dimensions",
-    presets: &[Preset {
-        name: "printed",
-        source: "Shi, Wang, Yu, Hu 2011, MATLAB智能算法30个案例分析, Beihang University Press: its program on three dimensions",
-        meaning: "the program as it runs: half of a trail leaves one column beyond the place entered, the distance left by the row before the step",
-        numbers: &[("local_rho", 0.5)],
-        choices: &[("reading", "printed")],
-    }],
+    source: SOURCE,
+    presets: &[
+        Preset {
+            name: "printed",
+            source: SOURCE,
+            meaning: "the program as it runs: half of a trail leaves one column beyond the place entered, the distance left by the row before the step",
+            numbers: &[("local_rho", 0.5)],
+            choices: &[("reading", "printed")],
+        },
+        Preset {
+            name: "terrain",
+            source: "terrain paper, Table 1",
+            meaning: "50 ants, 100 iterations, α = 1 and β = 7, the numbers of the colonies that it is compared with; the rest stays",
+            numbers: &[("ants", 50.0), ("iterations", 100.0), ("alpha", 1.0), ("beta", 7.0)],
+            choices: &[],
+        },
+    ],
     components: &[],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,

@@ -42,7 +42,7 @@ params! {
         q0: f64 = 0.8, "q0", [0.0..=1.0], "", "table 1, the selection threshold";
         /// what an ant sees of a step
         heuristic: Heuristic = Heuristic::Goal, "η", [], "", "the paper's words; step: its eq. 2";
-        /// by slices: as how many cells ants see the height of one level, in distances and directions
+        /// by slices: as how many cells one level counts in the distances of η
         level_height: f64 = 1.0, "", [0.0..=10.0], "cells", "our choice: not given; the textbook's program 0.2";
         /// which of the scenario's steps ants take
         directions: Directions = Directions::All, "", [], "", "section 4.4: 16 directions in place of 8";

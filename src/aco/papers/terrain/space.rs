@@ -22,7 +22,7 @@ param_choice! {
     }
 }
 
-/// The places of a scenario and the steps between them. Lengths and positions in cells; by slices a level counts as so many as ants see.
+/// The places of a scenario and the steps between them. Lengths and positions in cells; by slices a level counts as one.
 pub trait Space: Clone + Send {
     /// What a path is measured by.
     const OBJECTIVE: Objective;
@@ -39,17 +39,19 @@ pub trait Space: Clone + Send {
     fn step(&self, from: Place, k: usize, way: Way) -> Option<Place>;
     /// What a step adds to a place's number.
     fn delta(&self, k: usize, way: Way) -> i32;
-    /// L_ij of a feasible step.
+    /// L_ij of a feasible step, as η counts it.
     fn length(&self, from: Place, to: Place, k: usize) -> f64;
     /// What a path from start to goal is worth, by the scenario's measure.
     fn value(&self, path: &[Place]) -> f64;
-    /// x, y, z, as ants see them.
+    /// x, y, z.
     fn position(&self, place: Place) -> [f64; 3];
-    /// z of a place without regard to how ants see it; by slices its level.
-    fn height(&self, place: Place) -> f64;
+    /// The same as the distances of η count it: by slices a level may be more or less than one cell.
+    fn seen_at(&self, place: Place) -> [f64; 3] {
+        self.position(place)
+    }
     /// ρ, the distance to the ground, at least 1, which is the distance between two places.
     fn clearance(&self, place: Place) -> f64;
-    /// Height of the highest place.
+    /// z of the highest place.
     fn top(&self) -> f64;
 
     /// Where ants that go this way set out.
@@ -125,11 +127,7 @@ impl Space for Surface {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let p = self.scenario.grid.point(place);
-        [f64::from(p.x), f64::from(p.y), self.height(place)]
-    }
-
-    fn height(&self, place: Place) -> f64 {
-        self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))
+        [f64::from(p.x), f64::from(p.y), self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))]
     }
 
     /// On the ground there is nothing between it and the ant.
@@ -149,7 +147,7 @@ pub struct Layered {
     slices: Arc<Slices>,
     /// Levels per unit of the heights.
     scale: f64,
-    /// Cells that a level counts as.
+    /// Cells that a level counts as in the distances of η.
     level_height: f64,
     directions: Directions,
     /// +1 where the goal lies to the right of the start, −1 to the left.
@@ -165,7 +163,7 @@ impl Layered {
         Self { scenario, slices, scale, level_height: 1.0, directions: Directions::All, onward }
     }
 
-    /// The same with these steps alone, and with levels that ants see as so many cells high.
+    /// The same with these steps alone, and with levels that the distances of η count as so many cells.
     pub fn seen_as(self, directions: Directions, level_height: f64) -> Self {
         Self { directions, level_height, ..self }
     }
@@ -213,11 +211,12 @@ impl Space for Layered {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let (x, y, level) = self.slices.at(place);
-        [f64::from(x), f64::from(y), f64::from(level) * self.level_height]
+        [f64::from(x), f64::from(y), f64::from(level)]
     }
 
-    fn height(&self, place: Place) -> f64 {
-        f64::from(self.slices.at(place).2)
+    fn seen_at(&self, place: Place) -> [f64; 3] {
+        let [x, y, level] = self.position(place);
+        [x, y, level * self.level_height]
     }
 
     fn clearance(&self, place: Place) -> f64 {
