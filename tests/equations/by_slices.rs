@@ -45,7 +45,9 @@ fn planner(id: &str, scenario: &Arc<Scenario>, set: &[(&str, &str)], seed: u32) 
 /// The trail of every cell after so many iterations in the corridor.
 fn trails(id: &str, set: &[(&str, &str)], iterations: u32) -> Vec<f64> {
     let mut planner = planner(id, &corridor(), set, 1);
-    (0..iterations).for_each(|_| drop(planner.advance(Granularity::Iteration)));
+    for _ in 0..iterations {
+        planner.advance(Granularity::Iteration);
+    }
     let mut out = Vec::new();
     assert!(planner.layer(Layer::Trail, &mut out));
     out.into_iter().map(f64::from).collect()

@@ -167,17 +167,23 @@ fn eq_3_as_ant_colony_system_has_it_blends_tau_0_in() {
 fn eq_2_a_level_counts_as_many_cells_as_it_is_told() {
     let s = by_slices();
     let (flat, slices) = (layered(&s).seen_as(Directions::All, 0.2), s.slices.as_ref().expect("by slices"));
-    let (to, goal) = (slices.place(1, 5, 4), slices.goal());
-    let k = (0..flat.steps()).find(|&k| slices.offset(k) == (2, 2)).expect("a step");
-    // Two levels are 0.4 cells: √(1 + 4 + 0.16) = √5.16, and one level less √(36 + 9 + 0.04) to the goal.
-    assert!(close(flat.length(slices.start(), to, k), 5.16f64.sqrt()));
-    assert!(close(distance(flat.seen_at(to), flat.seen_at(goal)), 45.04f64.sqrt()));
+    let (to, goal) = (slices.place(1, 4, 4), slices.goal());
+    let k = (0..flat.steps()).find(|&k| slices.offset(k) == (1, 2)).expect("a step");
+    // Two levels are 0.4 cells: √(1 + 1 + 0.16) = √2.16, and one level less √(36 + 4 + 0.04) to the goal.
+    assert!(close(flat.length(slices.start(), to, k), 2.16f64.sqrt()));
+    assert!(close(distance(flat.seen_at(to), flat.seen_at(goal)), 40.04f64.sqrt()));
     let eyes = Eyes { way: Way::Forward, heuristic: Heuristic::Both, beta: 1.0, force: None };
     let eta = eyes.eta(&flat, slices.start(), 1.0).find(|&(end, _)| end == to).expect("a step").1;
-    assert!(close(eta, 1.0 / (5.16f64.sqrt() + 45.04f64.sqrt())));
+    assert!(close(eta, 1.0 / (2.16f64.sqrt() + 40.04f64.sqrt())));
     // The field does not change, and with one cell a level nothing does.
     let field = |space: &Layered| Field::new(space, Way::Forward, gains(Reading::Repaired)).trail(space, to);
     assert_eq!(field(&flat), field(&layered(&s)));
+    // In a field of its own measure (3, 2, 5) is (4, 0, −0.4) from the goal, √16.16 of d0 = √(49 + 1 + 0.04); heights push as ever.
+    let low = layered(&s).field_by(0.2);
+    let [near, all] = [16.16f64.sqrt(), 50.04f64.sqrt()];
+    let push = 2.0 * (1.0 / 1.4 - 0.5) / 1.96 * 0.75;
+    let field = Field::new(&low, Way::Forward, gains(Reading::Repaired));
+    assert!(close(field.trail(&low, slices.place(3, 2, 5)), 3.0 * all / (all + near) - push));
     let run = |set: &[(&str, &str)]| {
         let mut planner = planner("terrain-epf", &s, set, 3);
         planner.run();
@@ -185,6 +191,7 @@ fn eq_2_a_level_counts_as_many_cells_as_it_is_told() {
     };
     assert_eq!(run(&[("level_height", "1")]), run(&[]));
     assert_ne!(run(&[("level_height", "0.2")]), run(&[]));
+    assert_ne!(run(&[("field_level_height", "0.2")]), run(&[]));
 }
 
 #[test]

@@ -31,7 +31,7 @@
 //! Computation 1, 53–66, eq. 5), whose name the paper gives its basic ACO. F_tot is a scalar in Eq. 14, the pull less the push as in Eq. 9, and a vector in η: the pull to the goal, the
 //! push straight down, for heights push and nothing says whereto.
 //!
-//! Where the paper is silent, we: let a level of slices count as one cell in the distances of η (`level_height`) and in the field; give the baseline Table 1 too, which is headed EPF-ACO; count 50 ants in both teams together; take ρ for
+//! Where the paper is silent, we: let a level of slices count as one cell in the distances of η (`level_height`) and in the field (`field_level_height`); give the baseline Table 1 too, which is headed EPF-ACO; count 50 ants in both teams together; take ρ for
 //! the height above the ground, at least 1, and 1 on a surface; measure distances for k in parts of the distance from start to goal and
 //! heights for θ in parts of the highest place's, so that k = θ = 1 and a = e do on any map; keep Eq. 14 at or above 1 % of τ0; mirror all
 //! of it for the backward team (its goal is the start, its base height the goal's); let an ant meet the first ant of the other team that
@@ -71,7 +71,9 @@ fn colony(scenario: &Arc<Scenario>, params: EpfParams, seed: u32) -> Result<Box<
             Box::new(FieldColony::new(space, scenario, params, seed)?)
         }
         Some(slices) => {
-            let space = Layered::new(Arc::clone(scenario), Arc::clone(slices)).seen_as(directions, level_height);
+            let space = Layered::new(Arc::clone(scenario), Arc::clone(slices))
+                .seen_as(directions, level_height)
+                .field_by(params.field_level_height);
             Box::new(FieldColony::new(space, scenario, params, seed)?)
         }
     })

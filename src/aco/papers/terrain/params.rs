@@ -81,6 +81,8 @@ params! {
         attraction: f64 = 1.0, "k", [0.0..=100.0], "", "our choice: not given";
         /// push of the heights above the start
         repulsion: f64 = 1.0, "θ", [0.0..=100.0], "", "our choice: not given; near the ground of the highest place half of the pull";
+        /// by slices: as how many cells one level counts in the field, in its distances and directions
+        field_level_height: f64 = 1.0, "", [0.0..=10.0], "cells", "our choice: not given; the textbook's program 0.2";
         /// distance to the ground within which heights push
         repulsion_range: f64 = 2.0, "ρ0", [1.0..=100.0], "cells or levels", "table 1";
         ..common: BasicParams;

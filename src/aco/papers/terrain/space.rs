@@ -43,15 +43,17 @@ pub trait Space: Clone + Send {
     fn length(&self, from: Place, to: Place, k: usize) -> f64;
     /// What a path from start to goal is worth, by the scenario's measure.
     fn value(&self, path: &[Place]) -> f64;
-    /// x, y, z.
+    /// x, y, z, as the field counts them: by slices a level may be more or less than one cell.
     fn position(&self, place: Place) -> [f64; 3];
+    /// z as it is: by slices the level.
+    fn height(&self, place: Place) -> f64;
     /// The same as the distances of η count it: by slices a level may be more or less than one cell.
     fn seen_at(&self, place: Place) -> [f64; 3] {
         self.position(place)
     }
     /// ρ, the distance to the ground, at least 1, which is the distance between two places.
     fn clearance(&self, place: Place) -> f64;
-    /// z of the highest place.
+    /// Height of the highest place.
     fn top(&self) -> f64;
 
     /// Where ants that go this way set out.
@@ -127,7 +129,11 @@ impl Space for Surface {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let p = self.scenario.grid.point(place);
-        [f64::from(p.x), f64::from(p.y), self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))]
+        [f64::from(p.x), f64::from(p.y), self.height(place)]
+    }
+
+    fn height(&self, place: Place) -> f64 {
+        self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))
     }
 
     /// On the ground there is nothing between it and the ant.
@@ -149,6 +155,8 @@ pub struct Layered {
     scale: f64,
     /// Cells that a level counts as in the distances of η.
     level_height: f64,
+    /// The same in the field.
+    field_level_height: f64,
     directions: Directions,
     /// +1 where the goal lies to the right of the start, −1 to the left.
     onward: i32,
@@ -160,12 +168,17 @@ impl Layered {
         let unit = scenario.spec.terrain.map_or(1.0, |terrain| terrain.vertical_unit);
         let onward = if slices.at(slices.goal()).0 > slices.at(slices.start()).0 { 1 } else { -1 };
         let scale = unit / slices.rules().level;
-        Self { scenario, slices, scale, level_height: 1.0, directions: Directions::All, onward }
+        Self { scenario, slices, scale, level_height: 1.0, field_level_height: 1.0, directions: Directions::All, onward }
     }
 
     /// The same with these steps alone, and with levels that the distances of η count as so many cells.
     pub fn seen_as(self, directions: Directions, level_height: f64) -> Self {
         Self { directions, level_height, ..self }
+    }
+
+    /// The same with levels that the distances and directions of the field count as so many cells.
+    pub fn field_by(self, field_level_height: f64) -> Self {
+        Self { field_level_height, ..self }
     }
 }
 
@@ -211,12 +224,16 @@ impl Space for Layered {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let (x, y, level) = self.slices.at(place);
-        [f64::from(x), f64::from(y), f64::from(level)]
+        [f64::from(x), f64::from(y), f64::from(level) * self.field_level_height]
+    }
+
+    fn height(&self, place: Place) -> f64 {
+        f64::from(self.slices.at(place).2)
     }
 
     fn seen_at(&self, place: Place) -> [f64; 3] {
-        let [x, y, level] = self.position(place);
-        [x, y, level * self.level_height]
+        let (x, y, level) = self.slices.at(place);
+        [f64::from(x), f64::from(y), f64::from(level) * self.level_height]
     }
 
     fn clearance(&self, place: Place) -> f64 {

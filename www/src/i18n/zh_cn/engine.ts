@@ -178,6 +178,7 @@ export const zhCNEngine = {
     best_so_far: '至今最优路径是否也留下信息素',
     limits: '信息素是否保持在上下限之间',
     level_height: '按切片时，η 的距离中一层算几格',
+    field_level_height: '按切片时，势场的距离与方向中一层算几格',
     directions: '蚂蚁走场景中的哪些步',
     local_rule: '蚂蚁走到一个位置时对其信息素做什么',
     reward: '至今最优路径把信息素拉向 K / 代价',

@@ -59,6 +59,7 @@ export const zhCNParamNames = {
   elite: '精英比例',
   two_colonies: '双向蚁群',
   level_height: '层高',
+  field_level_height: '势场层高',
   directions: '搜索方向',
   local_rule: '局部更新规则',
   reward: '最优路径强度',
