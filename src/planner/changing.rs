@@ -10,7 +10,9 @@
 
 use std::sync::Arc;
 
-use super::{Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, held};
+use super::{
+    Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, held,
+};
 use crate::error::{ParamError, ScenarioError};
 use crate::map::{Cell, Grid};
 use crate::metrics::Metrics;
