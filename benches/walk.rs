@@ -11,11 +11,11 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::catalog::CATALOG;
-use formicarium::map::{Generator, Grid, Movement, Moves, Point, generate};
+use formicarium::map::{Generator, Grid, Movement, Moves, Point, SliceRules, generate};
 use formicarium::params::Values;
 use formicarium::planner::playback::Playback;
-use formicarium::planner::{Family, Granularity, Planner};
-use formicarium::scenario::{Scenario, ScenarioSpec};
+use formicarium::planner::{Family, Granularity, Ground, Planner, PlannerEntry};
+use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 
 #[path = "reference/mod.rs"]
 mod reference;
@@ -23,6 +23,15 @@ mod reference;
 fn random_map(side: u32) -> Arc<Scenario> {
     let made = generate(Generator::Random, side, side, 1, 0.2).expect("a valid size");
     Arc::new(Scenario::on(made.grid, Movement::default(), made.start, made.goal).expect("a valid scenario"))
+}
+
+/// Hills, by slices from west to east.
+fn terrain(side: u32) -> Arc<Scenario> {
+    let made = generate(Generator::Hills, side, side, 1, 0.5).expect("a valid size");
+    let rules = SliceRules::fitting_map(&made.grid, 1.0, made.start, made.goal, None);
+    let terrain = Some(TerrainSpec { moves: TerrainMoves::Slices(rules), ..TerrainSpec::default() });
+    let spec = ScenarioSpec { terrain, ..ScenarioSpec::new(&made.grid, made.start, made.goal) };
+    Arc::new(Scenario::new(made.grid, spec).expect("a valid scenario"))
 }
 
 /// 50 ants each, so that what an iteration costs for the whole map is spread over as many walks; a hybrid's first stage is over at once.
@@ -128,15 +137,19 @@ fn arena2(c: &mut Criterion) {
     group.finish();
 }
 
-/// Every colony of the catalog, otherwise with its defaults, beside Ant System.
+/// Every colony of the catalog, otherwise with its defaults, beside Ant System; those that need a terrain, on one.
 fn colonies(c: &mut Criterion) {
-    let mut group = c.benchmark_group("ant move by colony, 100x100, 20 % walls, 50 ants");
-    group.throughput(Throughput::Elements(1));
-    let scenario = random_map(100);
-    for entry in CATALOG.iter().filter(|e| e.family == Family::AntColony) {
-        bench_colony(&mut group, entry.id, entry.id, &scenario);
+    for (name, scenario) in [("100x100, 20 % walls", random_map(100)), ("hills 60x60", terrain(60))] {
+        let mut group = c.benchmark_group(format!("ant move by colony, {name}, 50 ants"));
+        group.throughput(Throughput::Elements(1));
+        let ground = Ground::of(&scenario);
+        let walks =
+            |e: &&&PlannerEntry| e.grounds.contains(&ground) && (ground == Ground::Plane || !e.grounds.contains(&Ground::Plane));
+        for entry in CATALOG.iter().filter(|e| e.family == Family::AntColony).filter(walks) {
+            bench_colony(&mut group, entry.id, entry.id, &scenario);
+        }
+        group.finish();
     }
-    group.finish();
 }
 
 /// An ESRI ASCII grid: six lines of names and numbers, then heights.

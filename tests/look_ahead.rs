@@ -2,18 +2,20 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;
+#[path = "common/terrains.rs"]
+mod terrains;
 
 use std::sync::Arc;
 
 use formicarium::catalog;
 use formicarium::drawn::{Standing, standing, towards};
 use formicarium::error::DrawnError;
-use formicarium::map::{CornerRule, Movement, Moves, Point};
+use formicarium::map::{CornerRule, Measure, Movement, Moves, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
 use formicarium::path::Flaw;
 use formicarium::planner::ahead::Ahead;
-use formicarium::planner::{Family, Fate, Granularity, Layer, Objective, Planner};
+use formicarium::planner::{Family, Fate, Granularity, Ground, Layer, Objective, Planner, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 use common::{drawn, gallery, random, with_goals};
@@ -70,16 +72,25 @@ fn follow_an_iteration(what: &str, run: &mut dyn Planner) -> u32 {
     seen
 }
 
-fn with_ants() -> impl Iterator<Item = &'static formicarium::planner::PlannerEntry> {
+fn with_ants() -> impl Iterator<Item = &'static PlannerEntry> {
     catalog::CATALOG.iter().copied().filter(|entry| entry.family == Family::AntColony)
+}
+
+fn takes(entry: &PlannerEntry, scenario: &Scenario) -> bool {
+    scenario.goals.len() as u32 <= entry.max_goals && entry.grounds.contains(&Ground::of(scenario))
+}
+
+fn by_slices() -> Arc<Scenario> {
+    terrains::hilly_slices(10, 7, 1, terrains::rules(Measure::Cost))
 }
 
 #[test]
 fn every_ant_does_what_the_look_ahead_shows() {
     let mut maps = gallery(Movement::default());
     maps.push(("tour", with_goals(&random(12, 0.1, 3, Movement::default()), &[(11, 0), (0, 11), (11, 11)])));
+    maps.extend([("slices", by_slices()), ("ridge", terrains::ridge(Measure::Cost))]);
     for entry in with_ants() {
-        for (name, scenario) in maps.iter().filter(|(_, s)| s.goals.len() as u32 <= entry.max_goals) {
+        for (name, scenario) in maps.iter().filter(|(_, s)| takes(entry, s)) {
             let what = format!("{} on {name}", entry.id);
             let mut run = planner(entry.id, scenario);
             // The order of a tour is chosen, and the first stage of a hybrid passed, before ants walk.
@@ -97,9 +108,9 @@ fn every_ant_does_what_the_look_ahead_shows() {
 
 #[test]
 fn a_run_that_was_looked_into_ends_as_one_that_was_not() {
-    let scenario = random(16, 0.2, 7, Movement::default());
-    for entry in with_ants() {
-        let (mut looked, mut left) = (planner(entry.id, &scenario), planner(entry.id, &scenario));
+    let maps = [random(16, 0.2, 7, Movement::default()), by_slices()];
+    for (entry, scenario) in with_ants().flat_map(|entry| maps.iter().filter(|s| takes(entry, s)).map(move |s| (entry, s))) {
+        let (mut looked, mut left) = (planner(entry.id, scenario), planner(entry.id, scenario));
         while !looked.status().is_finished() {
             for ant in [0, 3, 5] {
                 let _ = looked.turn_of(ant);

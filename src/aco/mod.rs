@@ -18,6 +18,7 @@
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
+//! | colonies by slices: the classics, and the textbook's own | `by_slices/` |
 //! | the same colony on problems that have no map | `order_run.rs` |
 //!
 //! | variant | initial trail | η | selection | on each move | update | daemon |
@@ -35,9 +36,12 @@
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
 //! | `terrain-aco` | τ0, on places | goal | pseudo-random proportional | evaporate the place | evaporate, every arrived ant deposits Q/L | – |
 //! | `terrain-epf` | by a potential field | goal, times a power of the field's force | as `terrain-aco` | as `terrain-aco`; ants of two teams that meet join | as `terrain-aco`, and more and more by the elite | – |
+//! | `terrain-textbook` | τ0, on places | low and short steps | as Ant System | evaporate the place | blend K/C_bs in by ρ on the best so far | – |
+//! | `acs-slices`, `mmas-slices` | as the classics, by the cost of the straight way | 1 / cost of the step | as the classics | as the classics | as the classics, by cost | as the classics |
 //! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;
+pub mod by_slices;
 pub mod colony;
 pub mod custom;
 pub mod dead_end;

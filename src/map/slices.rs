@@ -206,6 +206,14 @@ impl Slices {
         self.is_free(to).then_some(to)
     }
 
+    /// The number of the step between two places; they are a step apart.
+    pub fn step_between(&self, from: Cell, to: Cell) -> usize {
+        let ((_, y, h), (_, to_y, to_h)) = (self.at(from), self.at(to));
+        let rank = |from: u32, to: u32, reach: u32| (to + reach - from) as usize;
+        let across = 2 * self.rules.max_climb as usize + 1;
+        rank(y, to_y, self.rules.max_aside) * across + rank(h, to_h, self.rules.max_climb)
+    }
+
     /// √(1 + Δy² + Δh²) of a step between two places, cells and levels counting 1 each.
     #[inline]
     pub fn length(&self, from: Cell, to: Cell) -> f64 {
@@ -323,6 +331,9 @@ mod tests {
         assert_eq!(next, [s.place(1, 0, 2)]);
         let back: Vec<Cell> = (0..s.directions()).filter_map(|k| s.step(s.goal(), k, Way::Backward)).collect();
         assert_eq!(back, [s.place(1, 0, 2), s.place(1, 0, 3), s.place(1, 1, 3)]);
+        for k in 0..s.directions() {
+            assert!(s.step(s.start(), k, Way::Forward).is_none_or(|to| s.step_between(s.start(), to) == k));
+        }
         let path = [s.start(), next[0], s.goal()];
         assert_eq!(s.value(&path), (2f64.sqrt() + 2.0) + (1.0 + 2.0));
         assert!(s.reachable());

@@ -10,7 +10,9 @@
 
 use std::sync::Arc;
 
-use super::{Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, held};
+use super::{
+    Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, held,
+};
 use crate::error::{ParamError, ScenarioError};
 use crate::map::{Cell, Grid};
 use crate::metrics::Metrics;
@@ -216,6 +218,14 @@ impl Planner for Changing {
 
     fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
         self.planner.moves_from(cell)
+    }
+
+    fn ant(&self, number: u32) -> Option<Walked> {
+        self.planner.ant(number)
+    }
+
+    fn turn_of(&self, number: u32) -> Option<Turn> {
+        self.planner.turn_of(number)
     }
 
     fn objective(&self) -> Objective {

@@ -12,6 +12,7 @@
 //! | their formulas (Eq. 2–9) | `explosion.rs` |
 //! | particles, the seeder of `pso-aco` | `particle_swarm.rs` |
 //! | particles as a planner of their own, `pso` | `pso.rs` |
+//! | generations, `ga` | `genetic.rs` |
 //! | from rows and levels to a path by slices | `slices.rs` |
 //!
 //! A move is one decoded path. `constructed_paths` counts decoded paths; `ant_moves` counts what a decoding walks, steps and steps back.
@@ -19,6 +20,7 @@
 pub mod decode;
 pub mod explosion;
 pub mod fireworks;
+pub mod genetic;
 pub mod particle_swarm;
 pub mod population;
 pub mod pso;

@@ -140,6 +140,27 @@ test('one panel can have the page to itself', async ({ page }) => {
   await expect(page.getByTestId('map-menu')).toBeVisible()
 })
 
+for (const [width, height] of [
+  [390, 844],
+  [1280, 720],
+] as const)
+  test(`in focus, and with several goals, controls stay in sight at ${width} × ${height}`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height })
+    const race = new RacePage(page)
+    await race.openAtRest()
+    await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+    await page.getByTestId('focus-1').click()
+    await nothingCutOff(page)
+    await page.getByTestId('leave-focus').click()
+    await race.menu('map-menu', 'gallery-paper-fire')
+    await expect(page.getByTestId('panel-3')).toBeVisible()
+    await page.getByTestId('play').click()
+    await expect.poll(async () => (await race.result(1)).summary?.metrics ?? null).not.toBeNull()
+    await nothingCutOff(page)
+  })
+
 test('the wheel scrolls over a whole map, and zooms with Ctrl or over a magnified one', async ({
   page,
 }) => {
@@ -215,8 +236,10 @@ async function mapShare(race: RacePage): Promise<number> {
 async function nothingCutOff(page: Page): Promise<void> {
   const found = await page.evaluate(() => {
     const wide = document.documentElement.scrollWidth - innerWidth
+    // The page itself is as tall as the window: only its parts scroll.
+    const tall = document.documentElement.scrollHeight - innerHeight
     const controls = document.querySelectorAll(
-      '.panel-head :is(button, select), .header button, .play-bar button',
+      '.panel-head :is(button, select), .header button, .play-bar :is(button, input)',
     )
     const cut = [...controls].filter((control) => {
       const box = control.getBoundingClientRect()
@@ -225,10 +248,11 @@ async function nothingCutOff(page: Page): Promise<void> {
     })
     return {
       wide,
+      tall,
       cut: cut.map(
         (control) => control.getAttribute('data-testid') ?? control.outerHTML.slice(0, 80),
       ),
     }
   })
-  expect(found).toEqual({ wide: 0, cut: [] })
+  expect(found).toEqual({ wide: 0, tall: 0, cut: [] })
 }

@@ -91,6 +91,17 @@ test.describe('stops', () => {
     expect(phase).toBe('finished')
   })
 
+  test('a search has contours and no iterations: only colonies meet such stops', async ({
+    page,
+  }) => {
+    const race = await open(page, { stops: [{ when: 'iteration', iterations: 3 }] })
+    await page.getByTestId('play').click()
+    await expect(page.getByTestId('play')).toHaveAttribute('data-phase', /paused/)
+    const [colony, search] = await race.results()
+    expect(colony?.stops).toEqual([{ when: 'iteration', iterations: 3 }])
+    expect(search?.stops).toEqual([])
+  })
+
   test('by keyboard: End asks whether stops count', async ({ page }) => {
     const race = await open(page, { stops: [{ when: 'iteration', iterations: 3 }] })
     await page.locator('body').press('End')

@@ -8,6 +8,12 @@ const digest = async (race: RacePage) => (await race.result(1)).summary?.digest
 async function runs(page: Page, iterations: number): Promise<RacePage> {
   const race = new RacePage(page)
   await race.openAtRest()
+  // Words of the legend come a moment after the picture: the pictures are compared without it.
+  await page.evaluate(() => {
+    const sheet = new CSSStyleSheet()
+    sheet.replaceSync('.legend-space { visibility: hidden }')
+    document.adoptedStyleSheets.push(sheet)
+  })
   await page.evaluate((count) => window.formicarium.run({ iterations: count }), iterations)
   await expect(page.getByTestId('scrubber')).toBeEnabled()
   return race

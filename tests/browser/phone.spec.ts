@@ -55,6 +55,8 @@ test('the sheet opens over the maps, and goes', async ({ page }) => {
   await page.getByTestId('parameters-2').click()
   const tab = page.locator('.panel-tab').nth(1)
   await expect(tab).toHaveAttribute('aria-pressed', 'true')
+  await page.getByTestId('speed').fill('2')
+  expect((await race.session()).speed).toBe(2)
   await page.getByTestId('seed').fill('7')
   await page.getByTestId('seed').press('Enter')
   expect((await race.session()).seed).toBe(7)

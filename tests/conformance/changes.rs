@@ -77,6 +77,7 @@ fn without_changes_a_run_is_as_ever() {
             let (mut plain, mut other) = (planner(entry, scenario, 5), changing(entry, scenario, 5));
             while !plain.advance(by).is_finished() {
                 assert_eq!(other.advance(by), plain.status(), "{what}");
+                assert_eq!((other.ant(0), other.turn_of(0)), (plain.ant(0), plain.turn_of(0)), "{what}");
             }
             other.advance(by);
             assert_eq!((end(&*other), other.effort()), (end(&*plain), plain.effort()), "{what}");

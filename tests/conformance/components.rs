@@ -21,8 +21,10 @@ fn maps() -> Vec<Arc<Scenario>> {
     let movement = Movement::default();
     let traps = drawn(&["S.......", ".#.#.#.#", ".#.#.#.#", "........", "#.#.#.#.", ".......G"], movement);
     let slices = terrains::hilly_slices(10, 7, 1, terrains::rules(Measure::Cost));
+    // Where the best path is soon found, colonies by slices stand still long enough.
+    let small = terrains::hilly_slices(5, 4, 1, terrains::rules(Measure::Cost));
     let several = tours(movement).into_iter().map(|(_, scenario)| scenario);
-    [random(24, 0.25, 3, movement), traps, slices].into_iter().chain(several).collect()
+    [random(24, 0.25, 3, movement), traps, slices, small].into_iter().chain(several).collect()
 }
 
 fn digest(scenario: &Arc<Scenario>, entry: &PlannerEntry, values: Values) -> String {

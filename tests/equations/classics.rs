@@ -162,7 +162,7 @@ mod rank_based_ant_system {
 
 mod max_min_ant_system {
     use super::*;
-    use formicarium::aco::max_min_ant_system::{Limits, MaxMinAntSystem, MaxMinAntSystemParams};
+    use formicarium::aco::max_min_ant_system::{Limits, MaxMinAntSystem, MaxMinAntSystemParams, MaxMinRows};
 
     /// τ_max = 1/(0.02·10) = 5. p = 0.5^10: ¹⁰√p = 0.5, τ_min = 5·0.5/((6 − 1)·0.5) = 1.
     #[test]
@@ -196,7 +196,10 @@ mod max_min_ant_system {
         let room = room();
         let ants = [walked(&room, &[SE, NE])];
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
-        let params = MaxMinAntSystemParams { rho: 0.25, p_best: 0.9, best_every: 3, ..Default::default() };
+        let params = MaxMinAntSystemParams {
+            rules: MaxMinRows { rho: 0.25, p_best: 0.9, best_every: 3, ..Default::default() },
+            ..Default::default()
+        };
         for number in 2..=6 {
             let iteration = Iteration {
                 scenario: &room,

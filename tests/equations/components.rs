@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
-use formicarium::aco::ant_colony_system::{AntColonySystem, AntColonySystemParams};
+use formicarium::aco::ant_colony_system::{AntColonySystem, AntColonySystemParams, ColonySystemRows};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::elitist_ant_system::{ElitistAntSystem, ElitistAntSystemParams};
 use formicarium::aco::fireworks::{ColonyRows, seed_trail};
-use formicarium::aco::max_min_ant_system::{MaxMinAntSystem, MaxMinAntSystemParams};
+use formicarium::aco::max_min_ant_system::{MaxMinAntSystem, MaxMinAntSystemParams, MaxMinRows};
 use formicarium::aco::rank_based_ant_system::{RankBasedAntSystem, RankBasedAntSystemParams};
 use formicarium::aco::ship::{MEAN_WEIGHTS, Ship, ShipParams, Update, eta, omega, path_weights, seen};
 use formicarium::aco::threshold::{Acomsp, AcomspParams};
@@ -242,7 +242,7 @@ mod classics {
     #[test]
     fn max_min_ant_system_without_limits_lets_trails_grow_and_fall() {
         let after = |limits| {
-            let p = MaxMinAntSystemParams { rho: 0.5, limits, ..Default::default() };
+            let p = MaxMinAntSystemParams { rules: MaxMinRows { rho: 0.5, limits, ..Default::default() }, ..Default::default() };
             updated(MaxMinAntSystem::new(p), 4.0, 1)
         };
         all_close(after(true), [1.0, 1.0, 1.0]);
@@ -251,7 +251,10 @@ mod classics {
 
     #[test]
     fn ant_colony_system_without_q0_and_without_the_local_update() {
-        let without = AntColonySystem::new(AntColonySystemParams { q0: 0.0, xi: 0.0, ..Default::default() });
+        let without = AntColonySystem::new(AntColonySystemParams {
+            rules: ColonySystemRows { q0: 0.0, xi: 0.0, ..Default::default() },
+            ..Default::default()
+        });
         assert!(are_proportional(shares(|stream| without.choose(&WEIGHTS, stream))));
         let mut trails = Trails::new(6, 0.75);
         without.on_move(&mut trails, Step { from: 0, direction: E, walked: 1.0 });

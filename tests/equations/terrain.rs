@@ -7,7 +7,7 @@ use std::sync::Arc;
 use formicarium::aco::terrain::field::{Field, Gains, LEAST, along, attraction, distance, first_trail, repulsion};
 use formicarium::aco::terrain::params::{BasicParams, EpfParams, Initial};
 use formicarium::aco::terrain::sight::{Eyes, Heuristic, Sight, force_factor, force_weight, visibility};
-use formicarium::aco::terrain::space::{Layered, Place, Space, Surface};
+use formicarium::aco::terrain::space::{Directions, Layered, Place, Space, Surface};
 use formicarium::aco::terrain::trails::{PlaceTrails, elite_count, elite_weight};
 use formicarium::aco::terrain::walk::{Walker, alone, join, select, weigh};
 use formicarium::catalog;
@@ -141,6 +141,82 @@ fn eq_3_and_4_trails_fade_evaporate_and_grow() {
         }
         assert!((0..3).all(|place| trails.get(place) > 0.0 && trails.get(place).is_finite()), "{lambda}");
     }
+}
+
+#[test]
+fn eq_3_as_ant_colony_system_has_it_blends_tau_0_in() {
+    // 0.9·1 + 0.1·0.01 = 0.901; ·0.8 = 0.7208; 0.9·0.7208 + 0.001 = 0.64972, and a trail of τ0 stays.
+    let mut trails = PlaceTrails::new([1.0, 0.01].into_iter());
+    (0..2).for_each(|place| trails.blend(place, 0.1, 0.01));
+    assert!(close(trails.get(0), 0.901) && close(trails.get(1), 0.01));
+    trails.evaporate(0.2);
+    trails.blend(0, 0.1, 0.01);
+    assert!(close(trails.get(0), 0.64972), "{}", trails.get(0));
+    // Four ants on one step, τ0 = 1: nothing changes locally at first, 0.8 + 4 = 4.8. Then four times 0.9·τ + 0.1: 3.49318, and
+    // 0.8·3.49318 + 4 = 6.794544; on the origin, where no ant steps, 0.8·4.8 + 4 = 7.84.
+    let mut planner = planner("terrain-aco", &corridor(2), &[("ants", "4"), ("iterations", "3"), ("local_rule", "acs")], 1);
+    for expected in [[4.8, 4.8], [7.84, 6.794544]] {
+        planner.advance(formicarium::planner::Granularity::Iteration);
+        let mut trails = Vec::new();
+        assert!(planner.layer(Layer::Trail, &mut trails));
+        assert!(trails.iter().zip(expected).all(|(&t, e)| close(f64::from(t), e)), "{trails:?}");
+    }
+}
+
+#[test]
+fn eq_2_a_level_counts_as_many_cells_as_it_is_told() {
+    let s = by_slices();
+    let (flat, slices) = (layered(&s).seen_as(Directions::All, 0.2), s.slices.as_ref().expect("by slices"));
+    let (to, goal) = (slices.place(1, 4, 4), slices.goal());
+    let k = (0..flat.steps()).find(|&k| slices.offset(k) == (1, 2)).expect("a step");
+    // Two levels are 0.4 cells: √(1 + 1 + 0.16) = √2.16, and one level less √(36 + 4 + 0.04) to the goal.
+    assert!(close(flat.length(slices.start(), to, k), 2.16f64.sqrt()));
+    assert!(close(distance(flat.seen_at(to), flat.seen_at(goal)), 40.04f64.sqrt()));
+    let eyes = Eyes { way: Way::Forward, heuristic: Heuristic::Both, beta: 1.0, force: None };
+    let eta = eyes.eta(&flat, slices.start(), 1.0).find(|&(end, _)| end == to).expect("a step").1;
+    assert!(close(eta, 1.0 / (2.16f64.sqrt() + 40.04f64.sqrt())));
+    // The field does not change, and with one cell a level nothing does.
+    let field = |space: &Layered| Field::new(space, Way::Forward, gains(Reading::Repaired)).trail(space, to);
+    assert_eq!(field(&flat), field(&layered(&s)));
+    // In a field of its own measure (3, 2, 5) is (4, 0, −0.4) from the goal, √16.16 of d0 = √(49 + 1 + 0.04); heights push as ever.
+    let low = layered(&s).field_by(0.2);
+    let [near, all] = [16.16f64.sqrt(), 50.04f64.sqrt()];
+    let push = 2.0 * (1.0 / 1.4 - 0.5) / 1.96 * 0.75;
+    let field = Field::new(&low, Way::Forward, gains(Reading::Repaired));
+    assert!(close(field.trail(&low, slices.place(3, 2, 5)), 3.0 * all / (all + near) - push));
+    let run = |set: &[(&str, &str)]| {
+        let mut planner = planner("terrain-epf", &s, set, 3);
+        planner.run();
+        planner.digest().hex()
+    };
+    assert_eq!(run(&[("level_height", "1")]), run(&[]));
+    assert_ne!(run(&[("level_height", "0.2")]), run(&[]));
+    assert_ne!(run(&[("field_level_height", "0.2")]), run(&[]));
+}
+
+#[test]
+fn section_4_4_with_eight_directions_ants_step_to_neighbours_alone() {
+    let s = by_slices();
+    let (space, slices) = (layered(&s).seen_as(Directions::Eight, 1.0), s.slices.as_ref().expect("by slices"));
+    let rows = |space: &Layered| -> Vec<i64> {
+        let ends = (0..space.steps()).filter_map(|k| space.step(slices.place(2, 3, 6), k, Way::Forward));
+        let mut rows: Vec<i64> = ends.map(|to| i64::from(slices.at(to).1) - 3).collect();
+        rows.dedup();
+        rows
+    };
+    assert_eq!((rows(&space), rows(&layered(&s))), (vec![-1, 0, 1], vec![-2, -1, 0, 1, 2]));
+    let surface = Surface::new(on_surface(Moves::Sixteen)).only(Directions::Eight);
+    assert_eq!((surface.steps(), Surface::new(on_surface(Moves::Sixteen)).steps()), (8, 16));
+    check_steps(&space);
+    check_steps(&surface);
+    // On a map with eight moves there is nothing to leave out; with 16 moves the path of eight is one of a scenario with eight.
+    let path = |scenario: &Arc<Scenario>, directions| {
+        let mut planner = planner("terrain-aco", scenario, &[("iterations", "5"), ("directions", directions)], 1);
+        planner.run();
+        planner.digest().hex()
+    };
+    assert_eq!(path(&on_surface(Moves::Eight), "eight"), path(&on_surface(Moves::Eight), "all"));
+    assert_eq!(path(&on_surface(Moves::Sixteen), "eight"), path(&on_surface(Moves::Eight), "all"));
 }
 
 #[test]

@@ -199,6 +199,14 @@ pub const GOLDENS: &[Golden] = &[
         digest: "3110c83169eaa046",
     },
     Golden {
+        map: (Generator::Random, 24, 24, 29, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "ga",
+        values: &[("crossover", "exchange"), ("mutations", "3.5"), ("iterations", "40")],
+        seed: 29,
+        digest: "da97f5abcc0fb6fd",
+    },
+    Golden {
         map: (Generator::Rooms, 60, 60, 15, 0.0),
         movement: eight(CornerRule::OneFree),
         planner: "any-angle",

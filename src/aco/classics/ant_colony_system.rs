@@ -34,17 +34,24 @@ use crate::rng::Stream;
 use crate::scenario::Scenario;
 
 params! {
-    /// Parameters of Ant Colony System.
-    pub struct AntColonySystemParams {
-        /// ants that build a path in each iteration
-        ants: u32 = 10, "m", [1..=1024], "ants", "Dorigo and Stützle 2004, box 3.1";
-        ..selection: SelectionParams;
+    /// The numbers of its own rules, also by slices.
+    pub struct ColonySystemRows {
         /// evaporation rate: the part that leaves in each iteration, on the best path so far only
         rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// probability of taking the best step instead of drawing one
         q0: f64 = 0.9, "q0", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// local evaporation: the part of a step's trail that an ant replaces by τ0 as it passes
         xi: f64 = 0.1, "ξ", [0.0..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
+    }
+}
+
+params! {
+    /// Parameters of Ant Colony System.
+    pub struct AntColonySystemParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 10, "m", [1..=1024], "ants", "Dorigo and Stützle 2004, box 3.1";
+        ..selection: SelectionParams;
+        ..rules: ColonySystemRows;
         ..sight: SightParams;
         ..walk: WalkParams;
     }
@@ -71,7 +78,7 @@ impl Variant for AntColonySystem {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
+        settings(p.ants, p.rules.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {
@@ -88,22 +95,22 @@ impl Variant for AntColonySystem {
 
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
-        pseudo_random_proportional(weights, self.params.q0, stream)
+        pseudo_random_proportional(weights, self.params.rules.q0, stream)
     }
 
     fn odds(&self, weights: &Row) -> Vec<f64> {
-        odds::pseudo_random_proportional(weights, self.params.q0)
+        odds::pseudo_random_proportional(weights, self.params.rules.q0)
     }
 
     fn on_move(&self, trails: &mut Trails, step: Step) {
-        trails.blend(step.from, step.direction, self.params.xi, self.initial);
+        trails.blend(step.from, step.direction, self.params.rules.xi, self.initial);
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let Some(best) = iteration.best_so_far else { return };
         for step in best.path.windows(2) {
             let direction = iteration.scenario.moves.direction(step[0], step[1]);
-            trails.blend(step[0], direction, self.params.rho, 1.0 / best.length);
+            trails.blend(step[0], direction, self.params.rules.rho, 1.0 / best.length);
         }
     }
 }
@@ -113,6 +120,22 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ENTRY.id, seed, 0)))
 }
 
+/// What the paper adds to Ant System, as far as it can be taken out.
+pub const COMPONENTS: &[Component] = &[
+    Component {
+        id: "greedy-choice",
+        name: "mostly the best step (q0)",
+        adds: "with probability q0 an ant takes the best step (eq. 3.10); without: every step by its probability (eq. 3.2)",
+        without: &[("q0", "0")],
+    },
+    Component {
+        id: "local-update",
+        name: "local update",
+        adds: "an ant wears off the trail of each step it takes (eq. 3.12); without: it changes nothing as it walks",
+        without: &[("xi", "0")],
+    },
+];
+
 /// Ant Colony System in the catalog.
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "ant-colony-system",
@@ -121,20 +144,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     summary: "Ants mostly take the best step, wear off the trail they walk on, and only the best path so far is reinforced.",
     source: "Dorigo, Gambardella 1997, IEEE Trans. Evolutionary Computation 1, 53–66, doi:10.1109/4235.585892",
     presets: &[],
-    components: &[
-        Component {
-            id: "greedy-choice",
-            name: "mostly the best step (q0)",
-            adds: "with probability q0 an ant takes the best step (eq. 3.10); without: every step by its probability (eq. 3.2)",
-            without: &[("q0", "0")],
-        },
-        Component {
-            id: "local-update",
-            name: "local update",
-            adds: "an ant wears off the trail of each step it takes (eq. 3.12); without: it changes nothing as it walks",
-            without: &[("xi", "0")],
-        },
-    ],
+    components: COMPONENTS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

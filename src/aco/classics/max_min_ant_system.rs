@@ -38,11 +38,8 @@ use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, So
 use crate::scenario::Scenario;
 
 params! {
-    /// Parameters of MAX–MIN Ant System.
-    pub struct MaxMinAntSystemParams {
-        /// ants that build a path in each iteration
-        ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
-        ..selection: SelectionParams;
+    /// The numbers of its own rules, also by slices.
+    pub struct MaxMinRows {
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.02, "ρ", [0.001..=1.0], "", "Dorigo and Stützle 2004, box 3.1";
         /// whether trails stay between the limits
@@ -53,6 +50,28 @@ params! {
         best_every: u32 = 25, "u_gb", [0..=100_000], "iterations", "Stützle's program ACOTSP, without local search";
         /// all trails start again at the upper limit after this many iterations without a shorter path; 0 = never
         restart_after: u32 = 250, "", [0..=100_000], "iterations", "Stützle's program ACOTSP";
+    }
+}
+
+impl MaxMinRows {
+    /// Whether this iteration is the turn of the best-so-far path.
+    pub fn turn_of_best(&self, number: u32) -> bool {
+        self.best_every > 0 && number.is_multiple_of(self.best_every)
+    }
+
+    /// Whether all trails start again after so many iterations without a shorter path.
+    pub fn restarts(&self, since: u32) -> bool {
+        self.restart_after > 0 && since >= self.restart_after
+    }
+}
+
+params! {
+    /// Parameters of MAX–MIN Ant System.
+    pub struct MaxMinAntSystemParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 50, "m", [1..=1024], "ants", "papers' common value; the book takes m = n cities";
+        ..selection: SelectionParams;
+        ..rules: MaxMinRows;
         ..sight: SightParams;
         ..walk: WalkParams;
     }
@@ -96,13 +115,8 @@ impl MaxMinAntSystem {
     }
 
     fn limits_of(&self, best: &Solution) -> Limits {
-        let p = &self.params;
+        let p = &self.params.rules;
         Limits::new(p.rho, p.p_best, best.length, best.path.len() as u32 - 1, self.options)
-    }
-
-    /// Whether this iteration is the turn of the best-so-far path.
-    fn turn_of_best(&self, number: u32) -> bool {
-        self.params.best_every > 0 && number.is_multiple_of(self.params.best_every)
     }
 }
 
@@ -119,11 +133,11 @@ fn mean_options(scenario: &Scenario) -> f64 {
 impl Variant for MaxMinAntSystem {
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, 1.0, &p.selection, &p.walk)
+        settings(p.ants, p.rules.rho, 1.0, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, scenario: &Scenario) -> f64 {
-        1.0 / (self.params.rho * open_map_length(scenario))
+        1.0 / (self.params.rules.rho * open_map_length(scenario))
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
@@ -135,9 +149,9 @@ impl Variant for MaxMinAntSystem {
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
-        trails.evaporate(self.params.rho);
+        trails.evaporate(self.params.rules.rho);
         let Some(best) = iteration.best_so_far else { return };
-        if self.turn_of_best(iteration.number) {
+        if self.params.rules.turn_of_best(iteration.number) {
             deposit::along_path(trails, iteration.scenario, &best.path, 1.0 / best.length);
         } else if let Some((ant, length)) = iteration.iteration_best() {
             deposit::along(trails, iteration.scenario, ant, 1.0 / length);
@@ -145,7 +159,7 @@ impl Variant for MaxMinAntSystem {
         if self.limits.is_none() || best.iteration == iteration.number {
             self.limits = Some(self.limits_of(best));
         }
-        if let Some(Limits { min, max }) = self.limits.filter(|_| self.params.limits) {
+        if let Some(Limits { min, max }) = self.limits.filter(|_| self.params.rules.limits) {
             trails.limit(min, max);
         }
     }
@@ -153,7 +167,7 @@ impl Variant for MaxMinAntSystem {
     fn daemon_actions(&mut self, trails: &mut Trails, iteration: Iteration) {
         let (Some(best), Some(limits)) = (iteration.best_so_far, self.limits) else { return };
         let since = iteration.number - best.iteration.max(self.restarted);
-        if self.params.restart_after > 0 && since >= self.params.restart_after {
+        if self.params.rules.restarts(since) {
             trails.reset(limits.max);
             self.restarted = iteration.number;
         }
@@ -165,6 +179,28 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     Ok(Box::new(Colony::new(Arc::clone(scenario), variant, ENTRY.id, seed, 0)))
 }
 
+/// What the paper adds to Ant System, as far as it can be taken out.
+pub const COMPONENTS: &[Component] = &[
+    Component {
+        id: "limits",
+        name: "limits of trails",
+        adds: "trails stay between τ_min and τ_max (section 3.3.4); without: they have no limits",
+        without: &[("limits", "false")],
+    },
+    Component {
+        id: "turns-of-the-best",
+        name: "turns of the best so far",
+        adds: "now and then the best path so far deposits in place of the iteration's best (eq. 3.9); without: the iteration's best alone",
+        without: &[("best_every", "0")],
+    },
+    Component {
+        id: "restart",
+        name: "restart",
+        adds: "all trails start again after many iterations without a shorter path (section 3.3.4); without: never; it needs a budget above `restart_after`",
+        without: &[("restart_after", "0")],
+    },
+];
+
 /// MAX–MIN Ant System in the catalog.
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "max-min-ant-system",
@@ -173,26 +209,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     summary: "Only the best path of an iteration deposits, and trails stay between two limits, so that no way is ever given up.",
     source: "Stützle, Hoos 2000, Future Generation Computer Systems 16, 889–914, doi:10.1016/S0167-739X(00)00043-1",
     presets: &[],
-    components: &[
-        Component {
-            id: "limits",
-            name: "limits of trails",
-            adds: "trails stay between τ_min and τ_max (section 3.3.4); without: they have no limits",
-            without: &[("limits", "false")],
-        },
-        Component {
-            id: "turns-of-the-best",
-            name: "turns of the best so far",
-            adds: "now and then the best path so far deposits in place of the iteration's best (eq. 3.9); without: the iteration's best alone",
-            without: &[("best_every", "0")],
-        },
-        Component {
-            id: "restart",
-            name: "restart",
-            adds: "all trails start again after many iterations without a shorter path (section 3.3.4); without: never; it needs a budget above `restart_after`",
-            without: &[("restart_after", "0")],
-        },
-    ],
+    components: COMPONENTS,
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
     grounds: Ground::NEIGHBOURS,

@@ -154,10 +154,10 @@ donors! { $
         { heuristic_of: [sight.heuristic], update_of: [ranking, best_so_far] }
     /// MAX–MIN Ant System
     MaxMin: max_min_ant_system::{ENTRY, MaxMinAntSystem::new(MaxMinAntSystemParams)}
-        { heuristic_of: [sight.heuristic], update_of: [limits, p_best, best_every], daemon_of: [restart_after] }
+        { heuristic_of: [sight.heuristic], update_of: [rules.limits, rules.p_best, rules.best_every], daemon_of: [rules.restart_after] }
     /// Ant Colony System
     AntColonySystem: ant_colony_system::{ENTRY, AntColonySystem::new(AntColonySystemParams)}
-        { heuristic_of: [sight.heuristic], selection_of: [q0], local_update_of: [xi] }
+        { heuristic_of: [sight.heuristic], selection_of: [rules.q0], local_update_of: [rules.xi] }
     /// Best-Worst Ant System
     BestWorst: best_worst_ant_system::{ENTRY, BestWorstAntSystem::new(BestWorstAntSystemParams)}
         { heuristic_of: [sight.heuristic], update_of: [worst_evaporates],

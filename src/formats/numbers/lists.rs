@@ -26,7 +26,9 @@ pub(super) fn check(table: &Table) -> Result<(), FormatError> {
         let what = "two columns, with numbers that no cell has: a list of places or moves";
         return Err(FormatError::syntax(line, what, "a grid of cells; a path is checked by `formicarium check`"));
     }
-    if width == 3 && is_points(table) {
+    // Of four points with heights of 0 and 1 nobody speaks: that is a map of three columns.
+    let is_binary = || table.numbers().all(|number| number == 0.0 || number == 1.0);
+    if width == 3 && !is_binary() && is_points(table) {
         let what = "three columns of x, y and a height: a list of points";
         return Err(FormatError::syntax(line, what, "a grid: gdal_translate in.xyz out.asc, or gdal_grid for scattered points"));
     }
@@ -78,12 +80,18 @@ mod tests {
             ("moves = [[0,1],[1,0],[0,-1],[-1,0]]", "a list of places or moves"),
             ("0,0\n1,1\n2,2\n3,3\n", "a list of places or moves"),
             ("500 40 158\n510 40 159\n500 50 160\n510 50 161\n", "a list of points"),
-            ("0 0 1\n0 1 1\n1 0 1\n1 1 0\n", "a list of points"),
+            ("0 0 1\n0 1 1\n1 0 2\n1 1 5\n", "a list of points"),
         ] {
             let error = read(text, None).map(|_| ()).unwrap_err().to_string();
             assert!(error.contains(told), "{text:?}: {error}");
         }
-        for text in ["0 1\n1 0\n", "0 1\n1 0\n0 1\n1 1\n", "0 1 0\n1 0 0\n0 0 0\n1 1 0\n", "5 6 7\n8 9 4\n3 2 1\n7 7 7\n"] {
+        for text in [
+            "0 1\n1 0\n",
+            "0 1\n1 0\n0 1\n1 1\n",
+            "0 1 0\n1 0 0\n0 0 0\n1 1 0\n",
+            "5 6 7\n8 9 4\n3 2 1\n7 7 7\n",
+            "0 0 1\n0 1 1\n1 0 1\n1 1 0\n",
+        ] {
             assert!(read(text, None).is_ok(), "{text:?}");
         }
     }

@@ -129,6 +129,7 @@ fn table_1_is_the_default_and_the_preset() {
             };
             assert_eq!(run(Some("paper")), run(None), "{id}");
             assert_ne!(run(Some("printed")), run(None), "{id}");
+            assert_ne!(run(Some("second-reading")), run(None), "{id}");
         }
     }
 }

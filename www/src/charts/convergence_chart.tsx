@@ -55,11 +55,15 @@ function ConvergenceChart() {
             </tr>
           </thead>
           <tbody>
-            {reached.map(({ panel: { id, slot }, best, iterationBest, mean }) => (
+            {reached.map(({ panel: { id, slot, live }, best, iterationBest, mean }) => (
               <tr key={id} style={{ '--panel-colour': slotColour(slot) }}>
                 <th scope="row">
                   <span class="line-sample best" aria-hidden="true" />
                   {panelTitle(id)}
+                  {/* What the search found; the panel has the refined path. */}
+                  {(live.value.summary?.unrefined_length ?? null) !== null && (
+                    <span class="hint"> · {t('metrics.unrefinedLength')}</span>
+                  )}
                 </th>
                 <td>{written(best)}</td>
                 <td>{written(iterationBest)}</td>

@@ -6,8 +6,9 @@ import { t } from '../i18n'
 import { Goals } from '../panels/goals'
 import { MetricsTable } from '../panels/metrics_table'
 import { Parameters } from '../panels/parameters'
-import { compact, lookedAt, openColumn } from '../state'
+import { compact, lookedAt, narrow, openColumn } from '../state'
 import { SeedField, SyncField } from '../toolbar/run_settings'
+import { SpeedField } from '../toolbar/speed_field'
 import { IconButton } from '../ui/buttons'
 import { lazily } from '../ui/lazily'
 import { Section } from '../ui/section'
@@ -55,6 +56,7 @@ function RunSettings() {
   return (
     <fieldset class="run-settings" aria-label={t('run.group')}>
       <SyncField />
+      {narrow.value && <SpeedField />}
       <SeedField />
     </fieldset>
   )

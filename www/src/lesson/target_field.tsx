@@ -44,8 +44,9 @@ export function TargetField() {
             invalid={wrong}
             describedBy={wrong ? 'target-wrong' : undefined}
             testId="target-value"
-            onType={(value) => setWrong(!(value > 0 && value <= 1e9))}
+            live
             onChange={(beat) => {
+              setWrong(!(beat > 0 && beat <= 1e9))
               if (beat > 0 && beat <= 1e9) changeLesson({ target: { objective, beat } })
             }}
           />

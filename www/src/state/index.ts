@@ -47,7 +47,7 @@ export {
   toggle,
 } from './runs'
 export * from './scenarios'
-export { compact } from './screen'
+export { compact, narrow } from './screen'
 export { currentSession, loadSession, openFragment, readied, startOver } from './sessions'
 export { slotColour } from './slot_colours'
 export { chooseSpeed } from './speed'

@@ -1,4 +1,4 @@
-import { compact, phase, wholeEngine } from '../state'
+import { compact, narrow, phase, wholeEngine } from '../state'
 import { lazily } from '../ui/lazily'
 import { SeedField } from './run_settings'
 import { SpeedField } from './speed_field'
@@ -11,7 +11,7 @@ export function PlayBar() {
   return (
     <div class="play-bar">
       <Transport />
-      <SpeedField />
+      {!narrow.value && <SpeedField />}
       <ScrubberPlace />
       {!compact.value && <SeedField />}
     </div>

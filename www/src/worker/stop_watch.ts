@@ -60,10 +60,20 @@ function isMet(stop: Stop, before: RunSummary, now: RunSummary): boolean {
       return found !== null && better !== found
     case 'panel-ends':
       return before.status === 'running' && now.status !== 'running'
+    // A search has contours where colonies have iterations: nobody asked about those.
     case 'iteration':
-      return before.iteration < stop.iterations && now.iteration >= stop.iterations
+      return (
+        now.iteration_budget !== null &&
+        before.iteration < stop.iterations &&
+        now.iteration >= stop.iterations
+      )
     case 'stagnation':
-      return better !== null && since(before) < stop.iterations && since(now) >= stop.iterations
+      return (
+        now.iteration_budget !== null &&
+        better !== null &&
+        since(before) < stop.iterations &&
+        since(now) >= stop.iterations
+      )
   }
 }
 

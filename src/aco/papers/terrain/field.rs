@@ -65,14 +65,15 @@ impl Field {
     /// Of the ants that go this way.
     pub fn new(space: &impl Space, way: Way, gains: Gains) -> Self {
         let (origin, target) = (space.position(space.origin(way)), space.position(space.target(way)));
-        let (base, span) = (origin[2], (space.top() - origin[2]).max(1.0));
+        let base = space.height(space.origin(way));
+        let span = (space.top() - base).max(1.0);
         Self { gains, target, base, span, whole: distance(origin, target).max(1.0) }
     }
 
     /// |F_att| and F'_rep at a place.
     fn sizes(&self, space: &impl Space, place: Place) -> (f64, f64) {
         let at = space.position(place);
-        let rise = (at[2] - self.base) / self.span;
+        let rise = (space.height(place) - self.base) / self.span;
         let pull = attraction(&self.gains, distance(at, self.target), self.whole);
         (pull, repulsion(&self.gains, space.clearance(place), rise))
     }

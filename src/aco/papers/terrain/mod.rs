@@ -7,13 +7,13 @@
 //! | initial trail | τ0 | Eq. 14: τ0·F'_tot (`initial`) |
 //! | heuristic | Eq. 2 | second "Eq. 12": a^(F_tot·cos φ)·Eq. 2 (`force`), weaker and weaker (`force_fades`) |
 //! | selection | Eq. 1, with q0 of Table 1 | as `terrain-aco` |
-//! | on each move | local evaporation of Table 1 by Eq. 3 | as `terrain-aco` |
+//! | on each move | local evaporation of Table 1 by Eq. 3, or Ant Colony System's rule (`local_rule`) | as `terrain-aco` |
 //! | update | Eq. 3 and 4 | and Eq. 10 and 11: the best 5 % deposit once more (`elite`) |
 //! | construction | from the start | from both ends, joined where two ants meet (`two_colonies`) |
 //!
 //! Each addition has a parameter that turns it off ([`COMPONENTS`]); with all of them off `terrain-epf` is `terrain-aco`, bit for bit. But
-//! for the 16 directions of section 4.4: how one moves belongs to the scenario, and whoever plans there has them. Both go over places
-//! ([`space::Space`]): the cells of a plane or a surface, with as many moves as the scenario has, or the places of slices. Trails lie on
+//! for the 16 directions of section 4.4: how one moves belongs to the scenario, and whoever plans there has them; `directions` leaves both
+//! with 8. Both go over places ([`space::Space`]): the cells of a plane or a surface, with as many moves as the scenario has, or the places of slices. Trails lie on
 //! places, not on steps, as in Eq. 14.
 //!
 //! `reading` decides where the print does not do what its text says:
@@ -26,10 +26,12 @@
 //!
 //! Where the print does not decide: η is 1/d(j, E), as the words before Eq. 1 have it; `heuristic=step` is 1/L_ij, as Eq. 2 has it. Eq. 3 is
 //! called a local update, but Δτ of Eq. 4 needs the whole path: a step evaporates by the local λ, the end of the iteration evaporates by
-//! the global one and adds Δτ. F_tot is a scalar in Eq. 14, the pull less the push as in Eq. 9, and a vector in η: the pull to the goal, the
+//! the global one and adds Δτ. `local_rule=acs` reads the words before it otherwise, "mainly increase and evaporation of trails" after each
+//! step, with a rate of its own in Table 1: that is the local rule of Ant Colony System (Dorigo, Gambardella 1997, IEEE Trans. Evolutionary
+//! Computation 1, 53–66, eq. 5), whose name the paper gives its basic ACO. F_tot is a scalar in Eq. 14, the pull less the push as in Eq. 9, and a vector in η: the pull to the goal, the
 //! push straight down, for heights push and nothing says whereto.
 //!
-//! Where the paper is silent, we: give the baseline Table 1 too, which is headed EPF-ACO; count 50 ants in both teams together; take ρ for
+//! Where the paper is silent, we: let a level of slices count as one cell in the distances of η (`level_height`) and in the field (`field_level_height`); give the baseline Table 1 too, which is headed EPF-ACO; count 50 ants in both teams together; take ρ for
 //! the height above the ground, at least 1, and 1 on a surface; measure distances for k in parts of the distance from start to goal and
 //! heights for θ in parts of the highest place's, so that k = θ = 1 and a = e do on any map; keep Eq. 14 at or above 1 % of τ0; mirror all
 //! of it for the backward team (its goal is the start, its base height the goal's); let an ant meet the first ant of the other team that
@@ -62,10 +64,16 @@ use crate::scenario::Scenario;
 
 /// The colony in the scenario's space.
 fn colony(scenario: &Arc<Scenario>, params: EpfParams, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
+    let BasicParams { directions, level_height, .. } = params.common;
     Ok(match &scenario.slices {
-        None => Box::new(FieldColony::new(Surface::new(Arc::clone(scenario)), scenario, params, seed)?),
+        None => {
+            let space = Surface::new(Arc::clone(scenario)).only(directions);
+            Box::new(FieldColony::new(space, scenario, params, seed)?)
+        }
         Some(slices) => {
-            let space = Layered::new(Arc::clone(scenario), Arc::clone(slices));
+            let space = Layered::new(Arc::clone(scenario), Arc::clone(slices))
+                .seen_as(directions, level_height)
+                .field_by(params.field_level_height);
             Box::new(FieldColony::new(space, scenario, params, seed)?)
         }
     })
@@ -84,6 +92,15 @@ const SOURCE: &str = "elitist potential-field ACO in three dimensions (Hans Publ
 /// Table 1, as far as both planners have it.
 const TABLE_1: &[(&str, f64)] =
     &[("ants", 50.0), ("iterations", 100.0), ("alpha", 1.0), ("beta", 7.0), ("q0", 0.8), ("local_rho", 0.1), ("rho", 0.2)];
+
+/// Table 1's three rates as those of Ant Colony System.
+const SECOND_READING: Preset = Preset {
+    name: "second-reading",
+    source: "the paper's words before eq. 3 and table 1; Dorigo, Gambardella 1997",
+    meaning: "trails grow and evaporate at each step, by Ant Colony System's local rule with τ0 = 0.01; else as we read it",
+    numbers: &[("initial_trail", 0.01)],
+    choices: &[("local_rule", "acs")],
+};
 
 /// The paper's basic ACO in the catalog.
 pub const ACO: PlannerEntry = PlannerEntry {
@@ -107,6 +124,7 @@ pub const ACO: PlannerEntry = PlannerEntry {
             numbers: &[("q0", 0.0), ("local_rho", 0.0)],
             choices: &[("heuristic", "step")],
         },
+        SECOND_READING,
     ],
     components: &[],
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
@@ -172,6 +190,7 @@ pub const EPF: PlannerEntry = PlannerEntry {
             numbers: &[],
             choices: &[("reading", "printed"), ("heuristic", "step")],
         },
+        SECOND_READING,
     ],
     components: COMPONENTS,
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],

@@ -2,6 +2,7 @@
 
 use super::field::Gains;
 use super::sight::Heuristic;
+use super::space::Directions;
 use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::map::Way;
 use crate::planner::Reading;
@@ -14,6 +15,16 @@ param_choice! {
         Field = "field",
         /// τ0 everywhere
         Uniform = "uniform",
+    }
+}
+
+param_choice! {
+    /// What an ant does to the trail of the place that it steps on.
+    pub enum LocalRule {
+        /// τ ← (1 − λ)·τ: it takes a part away, as eq. 3 does without Δτ, which needs the whole path
+        Evaporate = "evaporate",
+        /// τ ← (1 − λ)·τ + λ·τ0: "increase and evaporation" at each step, as in Ant Colony System, whose name the paper gives its basic ACO
+        Acs = "acs",
     }
 }
 
@@ -31,10 +42,16 @@ params! {
         q0: f64 = 0.8, "q0", [0.0..=1.0], "", "table 1, the selection threshold";
         /// what an ant sees of a step
         heuristic: Heuristic = Heuristic::Goal, "η", [], "", "the paper's words; step: its eq. 2";
+        /// by slices: as how many cells one level counts in the distances of η
+        level_height: f64 = 1.0, "", [0.0..=10.0], "cells", "our choice: not given; the textbook's program 0.2";
+        /// which of the scenario's steps ants take
+        directions: Directions = Directions::All, "", [], "", "section 4.4: 16 directions in place of 8";
         /// evaporation rate: the part of every trail that leaves in each iteration
         rho: f64 = 0.2, "λ", [0.0..=1.0], "", "table 1, global";
         /// local evaporation rate: the part of a place's trail that an ant takes away by stepping there
         local_rho: f64 = 0.1, "λ_local", [0.0..=1.0], "", "table 1, local";
+        /// what an ant does to the trail of a place by stepping there
+        local_rule: LocalRule = LocalRule::Evaporate, "", [], "", "ours: eq. 3 and the words before it; acs: Dorigo and Gambardella 1997";
         /// an arrived ant leaves Q / length on each place of its path; by slices Q / cost
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "eq. 4: 1 / length";
         /// trail of every place before the first iteration; where a field makes it, in these parts
@@ -64,6 +81,8 @@ params! {
         attraction: f64 = 1.0, "k", [0.0..=100.0], "", "our choice: not given";
         /// push of the heights above the start
         repulsion: f64 = 1.0, "θ", [0.0..=100.0], "", "our choice: not given; near the ground of the highest place half of the pull";
+        /// by slices: as how many cells one level counts in the field, in its distances and directions
+        field_level_height: f64 = 1.0, "", [0.0..=10.0], "cells", "our choice: not given; the textbook's program 0.2";
         /// distance to the ground within which heights push
         repulsion_range: f64 = 2.0, "ρ0", [1.0..=100.0], "cells or levels", "table 1";
         ..common: BasicParams;

@@ -64,9 +64,9 @@ pub struct Eyes {
 impl Eyes {
     /// η without the force, and F_tot·cos φ, of a feasible step.
     fn step(&self, space: &impl Space, from: Place, to: Place, k: usize, force: [f64; 3]) -> (f64, f64) {
-        let end = space.position(to);
-        let left = distance(end, space.position(space.target(self.way)));
-        (visibility(self.heuristic, space.length(from, to, k), left), along(force, space.position(from), end))
+        let left = distance(space.seen_at(to), space.seen_at(space.target(self.way)));
+        let seen = visibility(self.heuristic, space.length(from, to, k), left);
+        (seen, along(force, space.position(from), space.position(to)))
     }
 
     fn force_at(&self, space: &impl Space, place: Place) -> [f64; 3] {

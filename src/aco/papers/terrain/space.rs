@@ -5,11 +5,22 @@
 use std::sync::Arc;
 
 use crate::map::{ALL_DIRECTIONS, Cell, DIRECTIONS, Direction, Moves, Slices, Way};
+use crate::param_choice;
 use crate::planner::Objective;
 use crate::scenario::Scenario;
 
 /// A place: a cell, or `cell + area · level`.
 pub type Place = Cell;
+
+param_choice! {
+    /// Which of the scenario's steps ants take: section 4.4 has 16 directions in place of 8.
+    pub enum Directions {
+        /// every step that the scenario allows: with 16 moves 16 directions, by slices as far aside as its rules go
+        All = "all",
+        /// steps to neighbours alone, of the paper's figure 1(a): at most the 8 around a cell, by slices one row aside at most
+        Eight = "eight",
+    }
+}
 
 /// The places of a scenario and the steps between them. Lengths and positions in cells; by slices a level counts as one.
 pub trait Space: Clone + Send {
@@ -28,15 +39,21 @@ pub trait Space: Clone + Send {
     fn step(&self, from: Place, k: usize, way: Way) -> Option<Place>;
     /// What a step adds to a place's number.
     fn delta(&self, k: usize, way: Way) -> i32;
-    /// L_ij of a feasible step.
+    /// L_ij of a feasible step, as η counts it.
     fn length(&self, from: Place, to: Place, k: usize) -> f64;
     /// What a path from start to goal is worth, by the scenario's measure.
     fn value(&self, path: &[Place]) -> f64;
-    /// x, y, z.
+    /// x, y, z, as the field counts them: by slices a level may be more or less than one cell.
     fn position(&self, place: Place) -> [f64; 3];
+    /// z as it is: by slices the level.
+    fn height(&self, place: Place) -> f64;
+    /// The same as the distances of η count it: by slices a level may be more or less than one cell.
+    fn seen_at(&self, place: Place) -> [f64; 3] {
+        self.position(place)
+    }
     /// ρ, the distance to the ground, at least 1, which is the distance between two places.
     fn clearance(&self, place: Place) -> f64;
-    /// z of the highest place.
+    /// Height of the highest place.
     fn top(&self) -> f64;
 
     /// Where ants that go this way set out.
@@ -55,15 +72,21 @@ pub trait Space: Clone + Send {
 pub struct Surface {
     scenario: Arc<Scenario>,
     top: f64,
+    directions: Directions,
 }
 
 impl Surface {
-    /// Of a scenario that does not move by slices.
+    /// Of a scenario that does not move by slices, with all of its steps.
     pub fn new(scenario: Arc<Scenario>) -> Self {
         let height = |c| scenario.moves.relief().map_or(0.0, |relief| relief.height(c));
         let free = (0..scenario.grid.len() as Cell).filter(|&c| !scenario.grid.is_blocked(c));
         let top = free.map(height).fold(f64::NEG_INFINITY, f64::max);
-        Self { scenario, top }
+        Self { scenario, top, directions: Directions::All }
+    }
+
+    /// The same with these steps alone.
+    pub fn only(self, directions: Directions) -> Self {
+        Self { directions, ..self }
     }
 }
 
@@ -83,7 +106,8 @@ impl Space for Surface {
     }
 
     fn steps(&self) -> usize {
-        if self.scenario.spec.movement.moves == Moves::Sixteen { ALL_DIRECTIONS } else { DIRECTIONS }
+        let sixteen = self.scenario.spec.movement.moves == Moves::Sixteen && self.directions == Directions::All;
+        if sixteen { ALL_DIRECTIONS } else { DIRECTIONS }
     }
 
     fn step(&self, from: Place, k: usize, _: Way) -> Option<Place> {
@@ -105,7 +129,11 @@ impl Space for Surface {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let p = self.scenario.grid.point(place);
-        [f64::from(p.x), f64::from(p.y), self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))]
+        [f64::from(p.x), f64::from(p.y), self.height(place)]
+    }
+
+    fn height(&self, place: Place) -> f64 {
+        self.scenario.moves.relief().map_or(0.0, |relief| relief.height(place))
     }
 
     /// On the ground there is nothing between it and the ant.
@@ -125,17 +153,32 @@ pub struct Layered {
     slices: Arc<Slices>,
     /// Levels per unit of the heights.
     scale: f64,
+    /// Cells that a level counts as in the distances of η.
+    level_height: f64,
+    /// The same in the field.
+    field_level_height: f64,
+    directions: Directions,
     /// +1 where the goal lies to the right of the start, −1 to the left.
     onward: i32,
 }
 
 impl Layered {
-    /// Of a scenario that moves by these slices.
+    /// Of a scenario that moves by these slices, with all of its steps; a level counts as one cell.
     pub fn new(scenario: Arc<Scenario>, slices: Arc<Slices>) -> Self {
         let unit = scenario.spec.terrain.map_or(1.0, |terrain| terrain.vertical_unit);
         let onward = if slices.at(slices.goal()).0 > slices.at(slices.start()).0 { 1 } else { -1 };
         let scale = unit / slices.rules().level;
-        Self { scenario, slices, scale, onward }
+        Self { scenario, slices, scale, level_height: 1.0, field_level_height: 1.0, directions: Directions::All, onward }
+    }
+
+    /// The same with these steps alone, and with levels that the distances of η count as so many cells.
+    pub fn seen_as(self, directions: Directions, level_height: f64) -> Self {
+        Self { directions, level_height, ..self }
+    }
+
+    /// The same with levels that the distances and directions of the field count as so many cells.
+    pub fn field_by(self, field_level_height: f64) -> Self {
+        Self { field_level_height, ..self }
     }
 }
 
@@ -159,7 +202,8 @@ impl Space for Layered {
     }
 
     fn step(&self, from: Place, k: usize, way: Way) -> Option<Place> {
-        self.slices.is_free(from).then(|| self.slices.step(from, k, way))?
+        let taken = self.directions == Directions::All || self.slices.offset(k).0.abs() <= 1;
+        (taken && self.slices.is_free(from)).then(|| self.slices.step(from, k, way))?
     }
 
     fn delta(&self, k: usize, way: Way) -> i32 {
@@ -169,7 +213,9 @@ impl Space for Layered {
     }
 
     fn length(&self, from: Place, to: Place, _: usize) -> f64 {
-        self.slices.length(from, to)
+        let ((_, y, h), (_, to_y, to_h)) = (self.slices.at(from), self.slices.at(to));
+        let (dy, dh) = (f64::from(y.abs_diff(to_y)), f64::from(h.abs_diff(to_h)) * self.level_height);
+        libm::sqrt(1.0 + dy * dy + dh * dh)
     }
 
     fn value(&self, path: &[Place]) -> f64 {
@@ -178,7 +224,16 @@ impl Space for Layered {
 
     fn position(&self, place: Place) -> [f64; 3] {
         let (x, y, level) = self.slices.at(place);
-        [f64::from(x), f64::from(y), f64::from(level)]
+        [f64::from(x), f64::from(y), f64::from(level) * self.field_level_height]
+    }
+
+    fn height(&self, place: Place) -> f64 {
+        f64::from(self.slices.at(place).2)
+    }
+
+    fn seen_at(&self, place: Place) -> [f64; 3] {
+        let (x, y, level) = self.slices.at(place);
+        [f64::from(x), f64::from(y), f64::from(level) * self.level_height]
     }
 
     fn clearance(&self, place: Place) -> f64 {

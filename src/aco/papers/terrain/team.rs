@@ -1,7 +1,7 @@
 //! A team of ants (of the paper's two colonies; together they are one colony of ours), its trails and what it sees; the moves of all ants, and how two of different teams meet (section 4.2).
 
 use super::field::Field;
-use super::params::{EpfParams, Initial};
+use super::params::{EpfParams, Initial, LocalRule};
 use super::sight::{Eyes, Sight};
 use super::space::{Place, Space};
 use super::trails::{PlaceTrails, elite_count, elite_weight};
@@ -150,7 +150,10 @@ impl Tables {
         };
         let to = ant.place().wrapping_add_signed(team.deltas[step]);
         ant.step(to);
-        team.trails.fade(to, common.local_rho);
+        match common.local_rule {
+            LocalRule::Evaporate => team.trails.fade(to, common.local_rho),
+            LocalRule::Acs => team.trails.blend(to, common.local_rho, common.initial_trail),
+        }
         team.note(to);
         if self.teams.get(1 - side).is_some_and(|other| other.lists(to)) {
             self.meet(space, side, k, to);

@@ -46,6 +46,13 @@ impl PlaceTrails {
         *t = (*t * (1.0 - lambda) as f32).max(FLOOR);
     }
 
+    /// τ ← (1 − λ)·τ + λ·target on one place: the local update of Ant Colony System, with τ0 as target.
+    #[inline(always)]
+    pub fn blend(&mut self, place: Place, lambda: f64, target: f64) {
+        let t = &mut self.stored[place as usize];
+        *t = ((f64::from(*t) * (1.0 - lambda) + lambda * target / self.scale) as f32).max(FLOOR);
+    }
+
     /// The first term of Eq. 3 and 10 with the global λ: τ ← (1 − λ)·τ everywhere.
     pub fn evaporate(&mut self, lambda: f64) {
         self.scale *= 1.0 - lambda;

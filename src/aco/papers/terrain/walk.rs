@@ -131,6 +131,13 @@ impl Walker {
         self.fate = Fate::Lost;
     }
 
+    /// It has walked alone from start to goal, at this cost: its list is its path.
+    pub fn arrive_alone(&mut self, cost: f64) {
+        self.route.clone_from(&self.list);
+        self.cost = cost;
+        self.fate = Fate::Arrived;
+    }
+
     /// It has a path: what [`join`] made of its list, with what that costs.
     pub fn arrive(&mut self, route: &[Place], cost: f64) {
         self.route.clear();
@@ -171,6 +178,12 @@ pub fn weigh(ant: &Walker, seen: &[f32], deltas: &[i32], trails: &PlaceTrails, a
         *weight = if seen > 0.0 && !ant.is_tabu(to) { trails.relative(to) } else { 0.0 };
         largest = if *weight > largest { *weight } else { largest };
     }
+    combine(weights, seen, largest, alpha);
+}
+
+/// From the trails τ of the steps that are left to τ^α·η^β by what `seen` has of η; τ is divided by the largest. 0 stays 0.
+#[inline(always)]
+pub fn combine(weights: &mut [f32], seen: &[f32], largest: f32, alpha: f64) {
     if alpha == 1.0 {
         // Without branches, for SIMD.
         for (weight, &seen) in weights.iter_mut().zip(seen) {

@@ -17,6 +17,7 @@ export const enLab = {
     howMany: 'Runs',
     map: 'map',
     addMap: 'Add a map',
+    mapThere: '{{name}} is in the comparison already.',
     currentMap: 'The map of “Watch”',
     mapFile: 'From a file…',
     mapFileHint: 'Every format that “Import” reads',

@@ -32,6 +32,21 @@ export const zhCNEngine = {
       summary:
         '两队蚂蚁从起点和终点相向而行，相遇即连成路径；势场给出初始信息素并影响启发信息，最好的蚂蚁留下的信息素逐渐增多。',
     },
+    'terrain-textbook': {
+      name: '教材三维蚁群',
+      summary:
+        '教材的三维蚁群，按切片移动：信息素留在位置上，蚂蚁偏爱低处与短步，至今最优路径把信息素拉向 K/代价。',
+    },
+    'acs-slices': {
+      name: '切片蚁群系统',
+      summary:
+        '按切片移动的蚁群系统：蚂蚁多半按代价选最好的一步，边走边减弱走过的信息素，只有至今最优路径得到加强。',
+    },
+    'mmas-slices': {
+      name: '切片最大最小蚂蚁系统',
+      summary:
+        '按切片移动的最大最小蚂蚁系统：每次迭代只有最优路径留下信息素，信息素保持在上下限之间。',
+    },
     'elitist-ant-system': {
       name: '精英蚂蚁系统（EAS）',
       summary: '在蚂蚁系统上，每次迭代都给至今最优路径额外的信息素，如同精英蚂蚁又走了一遍。',
@@ -76,6 +91,11 @@ export const zhCNEngine = {
       summary:
         '粒子飞向自身与全群的最好位置；位置在分层移动时是每一列的行与高度层，否则是各格的优先值。',
     },
+    ga: {
+      name: '遗传算法（GA）',
+      summary:
+        '一代又一代的位置：代价低的成为亲代，子代介于亲代之间，少数数值重新抽取；位置在分层移动时是每一列的行与高度层，否则是各格的优先值。',
+    },
     'pso-aco': {
       name: '先粒子群后蚁群',
       summary: '先由粒子群在各格优先值上搜索，其最优路径先得到信息素，再由蚁群继续。',
@@ -117,6 +137,8 @@ export const zhCNEngine = {
     paper: '论文',
     basic: '论文的基本算法',
     printed: '按印刷公式',
+    'second-reading': '第二种理解',
+    uniform: '均匀交叉',
     fire: '多火源论文',
     'fire-printed': '多火源论文（按印刷）',
     ship: '船舶机舱论文',
@@ -128,7 +150,6 @@ export const zhCNEngine = {
     cells: '逐格路径，不拉直',
     evaporating: '0.9 为挥发部分',
     unseeded: '不留引导信息素',
-    'second-reading': '第二种读法',
     'max-min-ant-system': '最大最小蚂蚁系统',
     'ant-colony-system': '蚁群系统',
     acost: 'ACOST',
@@ -157,6 +178,18 @@ export const zhCNEngine = {
     ranking: '信息素是否按名次加权；否则每只到达的蚂蚁留下 Q / 长度，同蚂蚁系统',
     best_so_far: '至今最优路径是否也留下信息素',
     limits: '信息素是否保持在上下限之间',
+    level_height: '按切片时，η 的距离中一层算几格',
+    field_level_height: '按切片时，势场的距离与方向中一层算几格',
+    directions: '蚂蚁走场景中的哪些步',
+    local_rule: '蚂蚁走到一个位置时对其信息素做什么',
+    reward: '至今最优路径把信息素拉向 K / 代价',
+    population: '每一代的位置数',
+    tournament: '从多少个位置中取代价最低者作亲代',
+    crossover_rate: '子代有两个亲代的概率；否则是一个亲代的副本',
+    crossover: '子代从两个亲代得到什么',
+    blend: '子代的数值可超出亲代多远，以两者之差计',
+    mutations: '子代中平均重新抽取的数值个数',
+    survivors: '原样保留的代价最低的位置数',
     local_rho: '局部挥发率：蚂蚁走到一个位置时带走的那部分信息素',
     order: '各目标的次序使什么最小',
     order_rule: '蚂蚁如何选择下一个目标',
@@ -241,6 +274,8 @@ export const zhCNEngine = {
     sparks: '个火花',
     fireworks: '个烟花',
     particles: '个粒子',
+    positions: '个位置',
+    numbers: '个数值',
     '× (width + height)': '× (宽 + 高)',
     '× m': '× m',
     '× x_max': '× x_max',
@@ -279,7 +314,7 @@ export const zhCNEngine = {
     printed: '按印刷公式',
     weighed: '照常权衡',
     enter: '直接进入',
-    'iteration-best': '本代最优',
+    'iteration-best': '本次迭代最优',
     'best-so-far': '至今最优',
     weighted: '加权更新（式 14）',
     'all-ants': '全体更新（式 12）',
@@ -287,6 +322,14 @@ export const zhCNEngine = {
     next: '逐点检查，直到看不见为止',
     none: '不拉直',
     die: '死亡',
+    evaporate: '只挥发',
+    acs: '蚁群系统的规则',
+    all: '场景的全部',
+    eight: '只到相邻 8 格',
+    cost: '这一步的代价',
+    'cost-and-distance': '代价与剩余距离之和',
+    blx: '区间交叉 BLX-α',
+    exchange: '均匀交叉',
   },
   meanings: {
     heuristic: {
@@ -294,6 +337,8 @@ export const zhCNEngine = {
       goal: 'η = 1 / d(j, 终点)，欧氏距离',
       step: 'η = 1 / d_ij，即这一步的长度：按印刷的公式，只偏爱直步',
       both: 'η = 1 / (d_ij + d(j, 终点))：两者之和，与教材程序相同',
+      cost: 'η = 1 / c_ij：这一步的代价，含所在层，如同巡回的 1/d_ij',
+      'cost-and-distance': 'η = 1 / (c_ij + d(j, 终点))：这一步的代价加剩余的直线距离',
     },
     dead_end: {
       backtrack: '蚂蚁逐格回退，直到还有可走的邻格；退出的格子留在禁忌表中',
@@ -346,8 +391,20 @@ export const zhCNEngine = {
     },
     depositors: {
       'all-ants': '式 12：每只到达的蚂蚁，同蚂蚁系统',
-      'iteration-best': '第 3 步：只有本代路径最短的蚂蚁',
+      'iteration-best': '第 3 步：只有本次迭代中路径最短的蚂蚁',
       'best-so-far': '第 2 与 3 步：只有至今所有迭代的最短路径',
+    },
+    local_rule: {
+      evaporate: 'τ ← (1 − λ)·τ：取走一部分，即没有 Δτ 的式 3，因为 Δτ 需要整条路径',
+      acs: 'τ ← (1 − λ)·τ + λ·τ0：每一步都“增加和挥发”，同蚁群系统，论文对其基本蚁群正用此名',
+    },
+    directions: {
+      all: '场景允许的每一步：16 方向时为 16 个，按切片时横向到其规则的限度',
+      eight: '只到相邻的格，即论文图 1(a)：至多周围 8 格，按切片时横向至多一行',
+    },
+    crossover: {
+      blx: '每个数值取自两个亲代之间，并可超出其差的一部分：BLX-α',
+      exchange: '每个数值取自任一亲代，机会均等',
     },
     rule: {
       threshold: '在概率不超过阈值的步中轮盘赌；没有这样的步时取任一步',

@@ -19,6 +19,7 @@ export const zhCNLab: DictionaryShape<typeof enLab> = {
     howMany: '运行',
     map: '地图',
     addMap: '添加地图',
+    mapThere: '“{{name}}”已在比较中。',
     currentMap: '“观看”中的地图',
     mapFile: '从文件…',
     mapFileHint: '“导入”能读的所有格式',

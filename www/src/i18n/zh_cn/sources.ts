@@ -183,7 +183,7 @@ export const zhCNSources: Record<string, string> = {
   'an x_min above 0, so that paths keep nearer to the greedy one; the paper gives no value, 0.8 is ours':
     'x_min 大于 0，路径因此更接近贪婪路径；论文未给出数值，0.8 由我们选取',
   "an x_min above 0 (eq. 6; the paper gives no value, 0.8 is ours), and the iteration's best path alone leaves trail (step 3)":
-    'x_min 大于 0（式 6；论文未给出数值，0.8 由我们选取），且只有本代最优路径留下信息素（第 3 步）',
+    'x_min 大于 0（式 6；论文未给出数值，0.8 由我们选取），且只有本次迭代最优路径留下信息素（第 3 步）',
   'basic ACO, repaired: its ρ = 0.3 evaporates (0.7 stays), as its text says; Q is not given, 1':
     '基本蚁群，按正文修正：ρ = 0.3 为挥发部分（保留 0.7），与正文相同；Q 未给出，取 1',
   'basic ACO, as printed in its eq. 4: ρ = 0.3 multiplies what stays, so 0.7 leaves':
@@ -235,4 +235,38 @@ export const zhCNSources: Record<string, string> = {
   'all rules of ACOMSP: the same runs': '全用 ACOMSP 的规则：运行相同',
   'all rules of the fireworks hybrid: the same runs': '全用先烟花后蚁群的规则：运行相同',
   'all rules of the particle hybrid: the same runs': '全用先粒子群后蚁群的规则：运行相同',
+  'Shi, Wang, Yu, Hu 2011, 30 case studies of intelligent algorithms in MATLAB (in Chinese), Beihang University Press: its program on three dimensions':
+    '史峰、王辉、郁磊、胡斐 2011，MATLAB智能算法30个案例分析，北京航空航天大学出版社：其三维路径规划程序',
+  "the textbook's program": '教材的程序',
+  "the textbook's program: decr, its words; 0.5 is what runs":
+    '教材的程序：按其文字取 decr；实际运行的是 0.5',
+  'the program as it runs: half of a trail leaves one column beyond the place entered, the distance left by the row before the step':
+    '照程序实际运行：信息素在所到位置的前一列处减半，剩余距离按走这一步之前的行计',
+  '50 ants, 100 iterations, α = 1 and β = 7, the numbers of the colonies that it is compared with; the rest stays':
+    '50 只蚂蚁、100 次迭代、α = 1、β = 7，即与之比较的蚁群的数值；其余不变',
+  "ours: see the planner's file": '我们的理解：见该规划器的文件',
+  "our choice: not given; the textbook's program 0.2": '我们的选择：论文未给出；教材的程序为 0.2',
+  'section 4.4: 16 directions in place of 8': '第 4.4 节：以 16 方向代替 8 方向',
+  'ours: eq. 3 and the words before it; acs: Dorigo and Gambardella 1997':
+    '我们的理解：式 3 及其前的文字；acs：Dorigo 与 Gambardella 1997',
+  "the paper's words before eq. 3 and table 1; Dorigo, Gambardella 1997":
+    '论文式 3 之前的文字与表 1；Dorigo、Gambardella 1997',
+  "trails grow and evaporate at each step, by Ant Colony System's local rule with τ0 = 0.01; else as we read it":
+    '信息素在每一步增加和挥发，按蚁群系统的局部规则，τ0 = 0.01；其余按我们的理解',
+  'Dorigo and Gambardella 1997: 1/d_ij, here by cost':
+    'Dorigo 与 Gambardella 1997：1/d_ij，此处按代价',
+  'Stützle and Hoos 2000: 1/d_ij, here by cost': 'Stützle 与 Hoos 2000：1/d_ij，此处按代价',
+  'our choice: as many as the terrain paper has ants': '我们的选择：与地形论文的蚂蚁一样多',
+  'Goldberg and Deb 1991: binary tournament': 'Goldberg 与 Deb 1991：二元锦标赛',
+  'our choice: no paper gives it': '我们的选择：没有论文给出',
+  'Eshelman and Schaffer 1993; Syswerda 1989': 'Eshelman 与 Schaffer 1993；Syswerda 1989',
+  'Eshelman and Schaffer 1993: BLX-0.5': 'Eshelman 与 Schaffer 1993：BLX-0.5',
+  'our choice: one, as is usual; no paper gives it': '我们的选择：照惯例为一个；没有论文给出',
+  'De Jong 1975, in Goldberg 1989': 'De Jong 1975，见 Goldberg 1989',
+  'our choice: as many as the terrain paper has': '我们的选择：与地形论文一样多',
+  "Goldberg 1989, Genetic Algorithms in Search, Optimization, and Machine Learning, Addison-Wesley; Eshelman, Schaffer 1993, FOGA 2, 187–202, doi:10.1016/B978-0-08-094832-4.50018-0; named in the terrain paper's introduction":
+    'Goldberg 1989，Genetic Algorithms in Search, Optimization, and Machine Learning，Addison-Wesley；Eshelman、Schaffer 1993，FOGA 2，187–202，doi:10.1016/B978-0-08-094832-4.50018-0；地形论文的引言提到',
+  'Syswerda 1989, ICGA, 2–9': 'Syswerda 1989，ICGA，2–9',
+  'uniform crossover in place of BLX-0.5: each number from either parent':
+    '以均匀交叉代替 BLX-0.5：每个数值取自任一亲代',
 }

@@ -1,9 +1,11 @@
 /** The draft of a comparison: what the builder is putting together. */
 import type { Budget } from '@pkg/formicarium'
 import { batch, computed, effect, signal, untracked } from '@preact/signals'
+import { t } from '../../i18n/lab'
 import type { DraftEntry, DraftMap, Filling } from '../../model/draft'
+import { askSame } from '../../model/goals'
 import type { Scenario } from '../../model/session'
-import { caption, panels, plannerEntry, scenario, view } from '../../state'
+import { caption, notify, panels, plannerEntry, scenario, view } from '../../state'
 import { mapName } from '../../words/map_names'
 
 const USUAL_SEEDS = 30
@@ -96,9 +98,22 @@ export function addCurrentMap(): void {
   if (now) addMap(mapName(), now)
 }
 
+/** Whether two scenarios ask the same on equal maps, however they have been opened. */
+const isSame = (a: Scenario, b: Scenario): boolean =>
+  a === b || (askSame(a.spec, b.spec) && sameNumbers(a.cells, b.cells) && sameHeights(a, b))
+
+const sameNumbers = (a: ArrayLike<number>, b: ArrayLike<number>) =>
+  a.length === b.length && Array.prototype.every.call(a, (value, i) => Object.is(value, b[i]))
+
+const sameHeights = ({ heights: a }: Scenario, { heights: b }: Scenario) =>
+  a === null || b === null ? a === b : sameNumbers(a, b)
+
 /** A map that is there already is not added again. */
 export function addMap(name: string, added: Scenario): void {
-  if (maps.peek().some((map) => map.scenario === added)) return
+  if (maps.peek().some((map) => isSame(map.scenario, added))) {
+    notify('info', t('lab.build.mapThere', { name }))
+    return
+  }
   change(() => {
     maps.value = [...maps.peek(), { key: nextKey++, name, scenario: added }]
   })
