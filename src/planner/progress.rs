@@ -42,7 +42,7 @@ impl Effort {
 pub struct Record {
     /// From 1.
     pub iteration: u32,
-    /// Shortest length of all iterations so far.
+    /// Length of the best path of all iterations so far: the shortest, unless more than its length makes a path the best.
     pub best_so_far: Option<f64>,
     /// Shortest length of this iteration.
     pub iteration_best: Option<f64>,
