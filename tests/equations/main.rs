@@ -4,6 +4,7 @@
 mod cards;
 mod classics;
 mod components;
+mod f_rrt_star;
 mod fire;
 mod fireworks;
 mod pso;
