@@ -103,7 +103,7 @@ fn with_many_samples_it_finds_the_shortest_polyline_around_the_bend() {
 fn its_paths_are_legal_under_every_rule_and_get_no_longer() {
     for corner_rule in CornerRule::ALL {
         for moves in [Moves::Four, Moves::Eight] {
-            let made = generate(Generator::Random, 40, 30, 3, 0.25).expect("a valid size");
+            let made = generate(Generator::Random, 24, 20, 3, 0.1).expect("a valid size");
             let s = Arc::new(Scenario::on(made.grid, Movement { moves, corner_rule }, made.start, made.goal).expect("usable"));
             for step in [0.0, 1.0, 5.0] {
                 let mut planner = built(&s, &[("step", step), ("iterations", 40.0)], 2);
