@@ -16,8 +16,7 @@
 //! rounded to a cell; a made node must see both the sample and the parent, and is taken only where it shortens the way. A cell that is
 //! sampled again looks for a shorter way. Samples are cells that can be reached by steps, with a probability (`goal_bias`) the goal itself;
 //! the goal joins as any other. There is no step by default: the tree reaches for the sample itself. With one (`step`) the tree goes so
-//! far towards it, and near is no farther (as in RRT*). γ is in multiples of the least that makes RRT* optimal in the limit, 2·√(3/2)·√(free cells / π). An
-//! iteration is a batch of samples, as many as the ship paper's colonies have ants. With 4 moves there is sight along rows and columns only.
+//! far towards it, and near is no farther (as in RRT*). γ is in multiples of the least that makes RRT* optimal in the limit, √(3·free cells / π). An iteration is a batch of samples, as many as the ship paper's colonies have ants. With 4 moves there is sight along rows and columns only.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -91,10 +90,10 @@ pub fn create_node(tree: &mut Tree, scenario: &Scenario, reachest: Cell, sample:
     (by(made) < by(reachest) - SAME_LENGTH).then_some(made)
 }
 
-/// γ·√(ln n / n) for n nodes, γ = `near`·2·√(3/2)·√(free cells / π), and no more than the step where there is one.
+/// γ·√(ln n / n) for n nodes, γ = `near`·√(3·free cells / π), and no more than the step where there is one.
 pub fn radius(p: &FRrtStarParams, free: usize, nodes: usize) -> f64 {
     let n = nodes as f64;
-    let radius = p.near * 2.0 * libm::sqrt(1.5 * free as f64 / PI) * libm::sqrt(libm::log(n) / n);
+    let radius = p.near * libm::sqrt(3.0 * free as f64 / PI) * libm::sqrt(libm::log(n) / n);
     if p.step > 0 { radius.min(f64::from(p.step)) } else { radius }
 }
 
@@ -255,18 +254,14 @@ impl Planner for FRrtStar {
         Objective::PolylineLength
     }
 
-    /// The tree: how many of its segments cross a cell, and how long the way to there is.
+    /// The tree: how long the way to each cell is that its segments cross.
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         out.clear();
-        let beyond = if kind == Layer::Cost { f32::INFINITY } else { 0.0 };
-        out.resize(self.scenario.grid.len(), beyond);
-        let tree = self.tables.iter().map(|tables| &tables.tree);
-        match kind {
-            Layer::Visits => tree.for_each(|t| t.draw(&self.scenario, |c, _| out[c as usize] += 1.0)),
-            Layer::Cost => tree.for_each(|t| t.draw(&self.scenario, |c, way| out[c as usize] = out[c as usize].min(way as f32))),
-            _ => return false,
+        out.resize(self.scenario.grid.len(), f32::INFINITY);
+        if let Some(tables) = &self.tables {
+            tables.tree.draw(&self.scenario, |c, way| out[c as usize] = out[c as usize].min(way as f32));
         }
-        true
+        kind == Layer::Cost
     }
 }
 
@@ -283,7 +278,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     source: "Liao, Wan, Hua, Ma, Zhu, Qing 2021, Expert Systems with Applications 184, 115457, doi:10.1016/j.eswa.2021.115457",
     presets: &[],
     components: &[],
-    layers: &[Layer::Cost, Layer::Visits],
+    layers: &[Layer::Cost],
     max_goals: 1,
     grounds: Ground::PLANE,
     specs: FRrtStarParams::specs,

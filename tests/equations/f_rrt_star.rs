@@ -72,10 +72,10 @@ fn create_node_by_bisection() {
 
 #[test]
 fn near_shrinks_as_the_tree_grows_and_is_no_farther_than_a_step() {
-    // 100 free cells: γ* = 2·√(1.5·100/π) = 13.8197660. n = 1: ln 1 = 0. n = 8: √(ln 8 / 8) = 0.5098335, times γ* = 7.0457796.
+    // 100 free cells: γ* = √(3·100/π) = 9.7720502. n = 1: ln 1 = 0. n = 8: √(ln 8 / 8) = 0.5098335, times γ* = 4.9821185.
     let p = FRrtStarParams { near: 1.0, ..FRrtStarParams::default() };
     assert_eq!(radius(&p, 100, 1), 0.0);
-    assert!(close(radius(&p, 100, 8), 7.0457796), "{}", radius(&p, 100, 8));
+    assert!(close(radius(&p, 100, 8), 4.9821185), "{}", radius(&p, 100, 8));
     assert_eq!(radius(&FRrtStarParams { step: 3, ..p }, 100, 8), 3.0);
 }
 
@@ -129,11 +129,10 @@ fn the_tree_is_drawn_with_the_way_to_each_of_its_cells() {
     let s = Arc::new(bend());
     let mut planner = built(&s, &[("samples", 1.0), ("goal_bias", 0.0)], 1);
     planner.advance(Granularity::Iteration);
-    let [mut cost, mut visits] = [Vec::new(), Vec::new()];
-    assert!(planner.layer(Layer::Cost, &mut cost) && planner.layer(Layer::Visits, &mut visits));
-    assert_eq!((cost[0], visits[0]), (0.0, 1.0));
+    let mut cost = Vec::new();
+    assert!(planner.layer(Layer::Cost, &mut cost));
+    assert!(cost[0] == 0.0 && cost.iter().filter(|way| way.is_finite()).count() > 1);
     for (c, &way) in cost.iter().enumerate() {
-        assert_eq!(way.is_finite(), visits[c] > 0.0);
         // One segment from the start at most: the way is the straight distance.
         let straight = s.grid.point(0).distance(s.grid.point(c as Cell)) as f32;
         assert!(way.is_infinite() || (way - straight).abs() < 1e-6);

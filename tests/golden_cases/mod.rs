@@ -337,20 +337,20 @@ pub const GOLDENS: &[Golden] = &[
         digest: "ccb3721e3548d25c",
     },
     Golden {
-        map: (Generator::Random, 40, 30, 36, 0.15),
+        map: (Generator::Random, 40, 30, 36, 0.07),
         movement: eight(CornerRule::BothFree),
         planner: "f-rrt-star",
         values: &[],
         seed: 36,
-        digest: "69577f87a2d0bfa8",
+        digest: "56df4df4487b5520",
     },
     Golden {
-        map: (Generator::Rooms, 60, 45, 37, 0.0),
+        map: (Generator::Cave, 40, 30, 37, 0.0),
         movement: eight(CornerRule::OneFree),
         planner: "f-rrt-star",
         values: &[("step", "7"), ("near", "2.5"), ("dichotomy", "3"), ("goal_bias", "0.13"), ("samples", "80")],
         seed: 37,
-        digest: "7fbef0748c063a76",
+        digest: "1e6f4e8415b55dbd",
     },
 ];
 
