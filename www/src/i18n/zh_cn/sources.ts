@@ -34,8 +34,7 @@ export const zhCNSources: Record<string, string> = {
   'Fan et al. 2026, eq. 8, 9 and 11': '范学兴等 2026，式 8、9 与 11',
   'Fan et al. 2026, section 3.3; next: its words taken one by one':
     '范学兴等 2026，第 3.3 节；“逐点检查”：逐字照其文字',
-  'Fan et al. 2026, sections 3.2 and 4, in words alone':
-    '范学兴等 2026，第 3.2 与 4 节，只有文字',
+  'Fan et al. 2026, sections 3.2 and 4, in words alone': '范学兴等 2026，第 3.2 与 4 节，只有文字',
   'Fan et al. 2026, steps 3 and 4': '范学兴等 2026，第 3 与 4 步',
   'Fan et al. 2026, section 4': '范学兴等 2026，第 4 节',
   'Fan et al. 2026, section 4, where it is called the initial trail':
