@@ -16,7 +16,9 @@
 //! rounded to a cell; a made node must see both the sample and the parent, and is taken only where it shortens the way. A cell that is
 //! sampled again looks for a shorter way. Samples are cells that can be reached by steps, with a probability (`goal_bias`) the goal itself;
 //! the goal joins as any other. There is no step by default: the tree reaches for the sample itself. With one (`step`) the tree goes so
-//! far towards it, and near is no farther (as in RRT*). γ is in multiples of the least that makes RRT* optimal in the limit, √(3·free cells / π). An iteration is a batch of samples, as many as the ship paper's colonies have ants. With 4 moves there is sight along rows and columns only.
+//! far towards it, and near is no farther (as in RRT*). γ is in multiples of the least that makes RRT* optimal in the limit,
+//! √(3·free cells / π). An iteration is a batch of samples, as many as the ship paper's colonies have ants. With 4 moves there is sight
+//! along rows and columns only.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

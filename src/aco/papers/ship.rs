@@ -27,19 +27,20 @@
 //! given); weaken no step below `trail_min` (its proof needs positive trails); take what lies beyond the border for an obstacle; take
 //! d(i, E) as at least 1; let ants at a dead end step back. Its section 4 calls Q = 10 the initial trail, Eq. 5 and 10 the intensity of a
 //! deposit: we use it as the equations do. Its steps 3 and 4 count the ants on each path: Eq. 12 sums over them anyway, and `count_ants` has
-//! Eq. 8, 10 and 11 take each path's Q/L as often as ants of the iteration walked it. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here. Its step 6
-//! refines once, after the last iteration; we refine each new best path, which shows the same path in the end: the shortest one is
-//! chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the farthest later one in sight, as
-//! its introduction says of ref. 22, the default; or node by node up to the first one out of sight (`refinement`).
+//! Eq. 8, 10 and 11 take each path's Q/L as often as ants of the iteration walked it. Its step 4 updates by Eq. 12, its convergence proof by
+//! Eq. 14, the default here. Its step 6 refines once, after the last iteration; we refine each new best path, which shows the same path in
+//! the end: the shortest one is chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the
+//! farthest later one in sight, as its introduction says of ref. 22, the default; or node by node up to the first one out of sight
+//! (`refinement`).
 //!
 //! Section 4 has ρ = 0.8 as the *initial* evaporation factor, section 3.2 a *dynamic non-linear* evaporation rate that takes the difference
 //! between best and worst path as its regulator, and no equation has either: ρ is a constant in all of them, the default. `evaporation`
 //! offers both in words of ours ([`evaporation`]). Which part of a trail ρ is the papers of this kind do not agree on: Eq. 3 and 9 have it
-//! leave, a sibling paper's 0.8 stays (`rho_part`, preset `second-reading`).
+//! leave, papers that print ρ·τ have it stay (`rho_part`, preset `second-reading`).
 //!
-//! Everything that the paper adds can be taken out alone ([`COMPONENTS`]), but for that evaporation rate, which is not in the default. What adapts to time (Eq. 6, 10 and 11) is replaced by its mean over the run, so that the
-//! adaptation is taken out and not the strength, which is ours. With all of μ^f_a, d^h and exp(−γ·α_obs) out, η is 1/d_ij (Eq. 2); with
-//! Eq. 12 and without Δω\*, the update is Ant System's.
+//! Everything that the paper adds can be taken out alone ([`COMPONENTS`]), but for that evaporation rate, which is not in the default. What
+//! adapts to time (Eq. 6, 10 and 11) is replaced by its mean over the run, so that the adaptation is taken out and not the strength, which is
+//! ours. With all of μ^f_a, d^h and exp(−γ·α_obs) out, η is 1/d_ij (Eq. 2); with Eq. 12 and without Δω\*, the update is Ant System's.
 
 use std::sync::Arc;
 
