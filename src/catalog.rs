@@ -19,7 +19,7 @@ use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 #[cfg(feature = "whole")]
 use crate::scenario::{MAX_CHANGES, MAX_GOALS};
-use crate::{aco, exact, swarm};
+use crate::{aco, exact, sampling, swarm};
 
 /// In every build: what a first visit to the page needs.
 const OPENING: bool = true;
@@ -57,6 +57,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &swarm::fireworks::IFWA),
     (MORE, &swarm::pso::ENTRY),
     (MORE, &swarm::genetic::ENTRY),
+    (MORE, &sampling::f_rrt_star::ENTRY),
     (MORE, &aco::fireworks::FWA_ACO),
     (MORE, &aco::fireworks::PSO_ACO),
     (MORE, &aco::custom::ENTRY),

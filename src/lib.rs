@@ -52,6 +52,7 @@ pub mod params;
 pub mod path;
 pub mod planner;
 pub mod rng;
+pub mod sampling;
 pub mod scenario;
 pub mod swarm;
 

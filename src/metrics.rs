@@ -87,13 +87,24 @@ impl Metrics {
             length_metres: metres,
             steps: path.len().saturating_sub(1) as u32,
             turns,
-            turn_index: length + (TURN_WEIGHT - 1.0) * turning,
+            turn_index: weighed(length, turning),
             min_clearance,
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
             terrain: terrain(scenario, path),
         }
     }
+}
+
+/// V(d, r) of a path of either kind, in cells: what [`Metrics::turn_index`] is, without the rest.
+pub fn turn_index(scenario: &Scenario, path: &[Cell]) -> f64 {
+    let (_, turning) = turning(scenario, path, &scenario.cells_of(path));
+    weighed(scenario.path_length(path), turning)
+}
+
+/// V(d, r) of a length and of the part of it that turns.
+fn weighed(length: f64, turning: f64) -> f64 {
+    length + (TURN_WEIGHT - 1.0) * turning
 }
 
 /// Number of turns, and the length of the steps or segments that turn. By slices the levels count as a third axis.

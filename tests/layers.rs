@@ -13,7 +13,7 @@ const LAYERS: [&[&str]; 13] = [
     &["path"],
     &["metrics", "drawn"],
     &["planner"],
-    &["exact", "swarm"],
+    &["exact", "swarm", "sampling"],
     &["aco"],
     &["catalog"],
     &["comparison"],

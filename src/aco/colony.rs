@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::map::Cell;
-use crate::metrics::obstacle_density;
+use crate::metrics::{SAME_LENGTH, obstacle_density};
 use crate::path::{Refinement, refine};
 use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
@@ -20,6 +20,7 @@ use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
+use super::criterion::{Criterion, way};
 use super::lanes;
 use super::on_demand::OnDemand;
 use super::selection::without;
@@ -201,11 +202,11 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         let number = self.progress.effort.iterations;
         let (scenario, budget) = (&*self.scenario, self.settings.iterations);
         let iteration = Iteration { scenario, ants, number, budget, best_so_far: None, streams: self.streams };
-        let leader = iteration.iteration_best();
-        if let Some((ant, length)) = leader
-            && self.progress.best.as_ref().is_none_or(|b| length < b.length)
+        let criterion = self.variant.criterion();
+        if let Some((ant, length)) = leader(&iteration, criterion)
+            && self.progress.best.as_ref().is_none_or(|b| better(scenario, criterion, (ant, length), b))
         {
-            let path = cells(scenario, ant);
+            let path = way(scenario, ant);
             let refined = refined(scenario, &path, self.variant.refinement());
             self.progress.best = Some(Solution { path, length, iteration: number, refined });
         }
@@ -251,20 +252,32 @@ fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, a
     step
 }
 
-/// An ant's way as cells.
-#[inline(never)]
-fn cells(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
-    let mut at = scenario.start;
-    let rest = ant.steps().iter().map(|&d| {
-        at = scenario.moves.step(at, d);
-        at
-    });
-    std::iter::once(scenario.start).chain(rest).collect()
+/// The arrived ant with the best way and its length; the first of equals.
+#[inline(always)]
+fn leader<'a>(iteration: &Iteration<'a>, criterion: Criterion) -> Option<(&'a Ant, f64)> {
+    if criterion == Criterion::Length {
+        return iteration.iteration_best();
+    }
+    let judged = iteration.arrived().filter_map(|a| Some((a, criterion.of_ant(iteration.scenario, a.0)?)));
+    judged.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(arrived, _)| arrived)
+}
+
+/// Whether an arrived ant's way, of this length, is better than the best so far.
+#[inline(always)]
+fn better(scenario: &Scenario, criterion: Criterion, (ant, length): (&Ant, f64), best: &Solution) -> bool {
+    match criterion {
+        Criterion::Length => length < best.length,
+        // Equal ones may differ by what rounding leaves of adding.
+        Criterion::TurnIndex => {
+            let found = criterion.of_ant(scenario, ant).unwrap_or(f64::INFINITY);
+            found < criterion.of_solution(scenario, best) - SAME_LENGTH
+        }
+    }
 }
 
 /// How far an ant has come.
 fn walked(scenario: &Scenario, ant: &Ant) -> Walked {
-    Walked { way: cells(scenario, ant), fate: ant.fate() }
+    Walked { way: way(scenario, ant), fate: ant.fate() }
 }
 
 /// The iteration's record.
@@ -326,7 +339,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
     }
 
     fn objective(&self) -> Objective {
-        objective(self.variant.refinement())
+        objective(&self.variant)
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
@@ -344,7 +357,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
             (Layer::Trail, Some(tables)) => strongest(&tables.trails, out),
             (Layer::Visits, Some(tables)) => {
                 for ant in &tables.ants {
-                    cells(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
+                    way(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
                 }
             }
             (Layer::Trail | Layer::Visits, None) => {}
@@ -370,9 +383,13 @@ fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refine
     (how != Refinement::None).then(refined)
 }
 
-/// What the result of a colony with this refinement is measured by.
-pub(super) fn objective(refinement: Refinement) -> Objective {
-    if refinement == Refinement::None { Objective::Length } else { Objective::PolylineLength }
+/// What the result of a colony of this variant is measured by: a refined path by its length, whatever it was chosen by.
+pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
+    match (variant.refinement(), variant.criterion()) {
+        (Refinement::None, Criterion::Length) => Objective::Length,
+        (Refinement::None, Criterion::TurnIndex) => Objective::TurnIndex,
+        _ => Objective::PolylineLength,
+    }
 }
 
 /// The strongest trail that leaves each cell.

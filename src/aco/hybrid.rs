@@ -121,7 +121,7 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
     }
 
     fn objective(&self) -> Objective {
-        colony::objective(self.second.refinement())
+        colony::objective(&self.second)
     }
 
     fn budget(&self) -> Option<u32> {

@@ -15,6 +15,7 @@
 //! | one ant: its way, its tabu list, its random stream | `ant.rs` |
 //! | four ants in SIMD lanes, the same walk | `lanes.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
+//! | what makes one finished path better than another | `criterion.rs` |
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
@@ -32,7 +33,7 @@
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
-//! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System | – |
+//! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System, or Q/V | – |
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
 //! | `terrain-aco` | τ0, on places | goal | pseudo-random proportional | evaporate the place | evaporate, every arrived ant deposits Q/L | – |
 //! | `terrain-epf` | by a potential field | goal, times a power of the field's force | as `terrain-aco` | as `terrain-aco`; ants of two teams that meet join | as `terrain-aco`, and more and more by the elite | – |
@@ -43,6 +44,7 @@
 pub mod ant;
 pub mod by_slices;
 pub mod colony;
+pub mod criterion;
 pub mod custom;
 pub mod dead_end;
 pub mod deposit;

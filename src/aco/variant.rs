@@ -7,6 +7,7 @@ use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
 use super::ant::Ant;
+use super::criterion::Criterion;
 use super::dead_end::DeadEnd;
 use super::deposit;
 use super::odds;
@@ -155,6 +156,11 @@ pub trait Variant: Clone + Send {
         let settings = self.settings();
         trails.evaporate(settings.rho);
         deposit::ant_cycle(trails, iteration.scenario, iteration.ants, settings.deposit);
+    }
+
+    /// What makes one finished path better than another.
+    fn criterion(&self) -> Criterion {
+        Criterion::Length
     }
 
     /// How the best path is refined by line of sight; a refined path is measured as a polyline.

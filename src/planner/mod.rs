@@ -293,6 +293,8 @@ pub enum Family {
     AntColony,
     /// Particle swarms and fireworks.
     Swarm,
+    /// Trees that grow by random samples.
+    Sampling,
     /// Searches without a proof.
     Search,
     /// Searches with a proof.

@@ -15,10 +15,10 @@ use crate::scenario::Scenario;
 pub struct Effort {
     /// Finished iterations.
     pub iterations: u32,
-    /// Walks that were begun and ended: at the goal, at a dead end, or at the cap on moves.
+    /// Walks that were begun and ended: at the goal, at a dead end, or at the cap on moves. Of sampling trees, samples.
     pub constructed_paths: u64,
     /// Moves of ants: steps, steps back, and the move in which an ant finds itself lost at a dead end. Of swarms, the steps and steps back
-    /// by which positions are decoded into paths.
+    /// by which positions are decoded into paths; of sampling trees, the cells along which sight was tried.
     pub ant_moves: u64,
     /// Cells taken from the open list of a search.
     pub cell_expansions: u64,
@@ -42,7 +42,7 @@ impl Effort {
 pub struct Record {
     /// From 1.
     pub iteration: u32,
-    /// Shortest length of all iterations so far.
+    /// Length of the best path of all iterations so far: the shortest, unless more than its length makes a path the best.
     pub best_so_far: Option<f64>,
     /// Shortest length of this iteration.
     pub iteration_best: Option<f64>,

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
+use formicarium::aco::criterion::Criterion;
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fire::{Fire, FireParams, LegLength, Order, Rule};
 use formicarium::aco::tour::{OrderColony, TourSettings, choose, heuristic};
@@ -12,10 +13,11 @@ use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
+use formicarium::exact::{Reference, reference};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::Metrics;
 use formicarium::params::{Value, Values};
-use formicarium::planner::Reading;
+use formicarium::planner::{Objective, Reading};
 use formicarium::rng::Streams;
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
@@ -148,6 +150,63 @@ fn eq_4_and_5_trails_of_the_legs_in_both_readings() {
         let expected = [stays + 0.5, stays + 0.353_553_4, stays];
         assert!(got.iter().zip(expected).all(|(&a, b)| near(a, b, 1e-6)), "{reading:?}: {got:?}");
     }
+}
+
+#[test]
+fn eq_10_as_the_criterion_divides_the_deposit() {
+    // V of the straight way is 2, of the other √2 + 1.2·√2 = 3.1112698: Q/V = 1/2 and 0.3214122.
+    let got = updated(FireParams { criterion: Criterion::TurnIndex, ..FireParams::default() });
+    assert!(got.iter().zip([1.2, 1.021_412_2, 0.7]).all(|(&a, b)| near(a, b, 1e-6)), "{got:?}");
+    assert_eq!(FireParams::default().criterion, Criterion::Length);
+}
+
+#[test]
+fn eq_10_as_the_criterion_decides_which_path_is_best() {
+    // From (0, 0) to (3, 1) three paths are shortest, 2 + √2 = 3.4142136: E E SE has V = 2 + 1.2·√2 = 3.6970563, E SE E turns twice,
+    // SE E E has V = √2 + 1.2 + 1 = 3.6142136, the least there is.
+    let grid = Grid::open(4, 3).expect("a usable size");
+    let s = Arc::new(Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(3, 1)).expect("usable"));
+    let run = |preset: &str, seed| {
+        let values: Values = [("legs".to_string(), Value::from("basic")), ("beta".to_string(), Value::Number(1.0))].into();
+        let mut planner = catalog::build(&s, "fire", Some(preset), &values, seed).expect("valid");
+        planner.run();
+        planner
+    };
+    let mut others = 0;
+    for seed in 1..=20 {
+        let judged = run("second-reading", seed);
+        let best = judged.best().expect("a path");
+        assert_eq!((judged.objective(), &best.path), (Objective::TurnIndex, &vec![0, 5, 6, 7]), "seed {seed}");
+        let value = judged.value(&Metrics::of(&s, &best.path)).expect("a value");
+        assert!(near(value, 3.614_213_6, 1e-6) && near(best.length, 2.0 + SQRT2, 1e-12));
+        assert!(matches!(reference(&s, judged.objective()), Reference::Proven { value: least } if near(least, value, 1e-9)));
+        let by_length = run("paper", seed);
+        assert_eq!(by_length.objective(), Objective::Length);
+        others += u32::from(by_length.best().expect("a path").path != vec![0, 5, 6, 7]);
+    }
+    assert!(others > 0, "by its length any of the three is best");
+}
+
+#[test]
+fn eq_10_an_ants_v_by_hand() {
+    // From (0, 0) to (2, 2) on open ground.
+    let grid = Grid::open(3, 3).expect("a usable size");
+    let s = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(2, 2)).expect("usable");
+    let walk = Walk { moves: &s.moves, goal: s.goal, dead_end: DeadEnd::Die, max_moves: 9 };
+    let value = |way: &[u8]| {
+        let stream = || Streams::new(1, "test", 0).ant(0, 0);
+        let mut ant = Ant::new(3, 3, stream());
+        ant.begin(3, s.start, stream());
+        way.iter().for_each(|&d| ant.go(&walk, Some(d)));
+        [Criterion::Length, Criterion::TurnIndex].map(|c| c.of_ant(&s, &ant))
+    };
+    let (south, d) = (6, 2.0 * SQRT2);
+    assert_eq!(value(&[SE, SE]), [Some(d), Some(d)]);
+    // E E S S turns once, E S E S three times: 4.2 and 4.6 of the same length 4.
+    let (one, three) = (value(&[E, E, south, south]), value(&[E, south, E, south]));
+    assert_eq!((one[0], three[0]), (Some(4.0), Some(4.0)));
+    assert!(near(one[1].expect("arrived"), 4.2, 1e-12) && near(three[1].expect("arrived"), 4.6, 1e-12));
+    assert_eq!(value(&[E]), [None, None], "not arrived");
 }
 
 #[test]

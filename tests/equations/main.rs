@@ -5,6 +5,7 @@ mod by_slices;
 mod cards;
 mod classics;
 mod components;
+mod f_rrt_star;
 mod fire;
 mod fireworks;
 mod genetic;

@@ -7,14 +7,16 @@ use formicarium::aco::ant_system::{AntSystem, AntSystemParams};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::heuristic::Heuristic;
 use formicarium::aco::on_demand::OnDemand;
-use formicarium::aco::ship::{Ship, ShipParams, Update, eta, extra_trail, log_eta, omega, path_weights, sight};
+use formicarium::aco::ship::{
+    Evaporation, RhoPart, Ship, ShipParams, Update, eta, evaporation, extra_trail, log_eta, omega, path_weights, sight,
+};
 use formicarium::aco::trails::Trails;
 use formicarium::aco::variant::{Iteration, Variant};
 use formicarium::aco::weights::Weights;
 use formicarium::catalog;
 use formicarium::map::{Cell, Direction, Generator, Grid, Movement, Point, generate, length_on_plane, step_length};
 use formicarium::metrics::obstacle_density;
-use formicarium::params::Values;
+use formicarium::params::{Value, Values};
 use formicarium::path::{Refinement, refine};
 use formicarium::planner::Reading;
 use formicarium::planner::{Layer, Objective, Solution};
@@ -200,7 +202,11 @@ impl Corridor {
     /// τ of a step of the short way, of one of the long way and of one that nobody took, after the update at t of 100; before it all are
     /// 10, and half evaporates.
     fn updated(&self, reading: Reading, update: Update, t: u32) -> [f64; 3] {
-        let mut ship = Ship::new(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() });
+        self.updated_by(ShipParams { reading, update, rho: 0.5, ..ShipParams::default() }, t)
+    }
+
+    fn updated_by(&self, params: ShipParams, t: u32) -> [f64; 3] {
+        let mut ship = Ship::new(params);
         let mut trails = Trails::new(self.scenario.grid.len(), 10.0);
         let best = Solution { path: vec![0, 1, 2], length: 2.0, iteration: 1, refined: None };
         let iteration = Iteration {
@@ -255,6 +261,63 @@ fn eq_12_in_both_readings() {
     all_close(both.updated(Reading::Repaired, Update::AllAnts, 50), [15.0, 5.0, 5.0]);
     // printed: 5 + 5 + 1.4644661, 5 + 3.5355339 + 1.4644661, 5 + 1.4644661
     all_close(both.updated(Reading::Printed, Update::AllAnts, 50), [11.4644661, 10.0, 6.4644661]);
+}
+
+#[test]
+fn eq_9_rho_leaves_or_stays() {
+    // Nobody arrived and no path is known: 10·(1 − 0.8) or 10·0.8 of every trail.
+    let unused = |rho_part| Corridor::walked(&[[SE, 3]]).updated_by(ShipParams { rho_part, ..ShipParams::default() }, 50)[2];
+    assert!(close(unused(RhoPart::Leaves), 2.0) && close(unused(RhoPart::Stays), 8.0));
+    assert_eq!(ShipParams::default().rho_part, RhoPart::Leaves);
+    let preset = catalog::find("ship").expect("listed").presets.iter().find(|p| p.name == "second-reading").expect("offered");
+    assert_eq!(preset.values(), [("rho_part".to_string(), Value::from("stays"))].into());
+}
+
+#[test]
+fn section_4_rho_as_the_initial_factor_shrinks_to_its_least() {
+    let p = ShipParams { evaporation: Evaporation::Shrinking, ..ShipParams::default() };
+    // 0.8, 0.8·0.95, 0.8·0.95², …, 0.8·0.95^40 = 0.1028097, and 0.8·0.95^41 < 0.1.
+    let at = [1, 2, 3, 41, 42, 100].map(|t| evaporation(&p, t, Some((2.0, 3.0))));
+    let expected = [0.8, 0.76, 0.722, 0.1028097, 0.1, 0.1];
+    assert!(at.iter().zip(expected).all(|(&a, b)| close(a, b)), "{at:?}");
+    // Of what stays, 0.2 leaves at first; where less leaves than the least from the beginning, it goes on leaving.
+    assert!(close(evaporation(&ShipParams { rho_part: RhoPart::Stays, ..p }, 2, None), 0.19));
+    assert_eq!(evaporation(&ShipParams { rho: 0.05, ..p }, 7, None), 0.05);
+    // t = 2: 10·(1 − 0.76).
+    assert!(close(Corridor::walked(&BOTH).updated_by(p, 2)[2], 2.4));
+}
+
+#[test]
+fn section_3_2_the_difference_of_best_and_worst_regulates_evaporation() {
+    let p = ShipParams { evaporation: Evaporation::ByLengths, ..ShipParams::default() };
+    // Best 2, worst 2√2: 0.1 + 0.7·(1 − 0.7071068) = 0.3050252. All equally long, or none arrived: 0.1.
+    assert!(close(evaporation(&p, 9, Some((2.0, 2.0 * SQRT2))), 0.3050252));
+    assert!(close(evaporation(&p, 9, Some((3.0, 3.0))), 0.1) && close(evaporation(&p, 9, None), 0.1));
+    // Two ways: 10·(1 − 0.3050252); one alone: 10·0.9.
+    assert!(close(Corridor::walked(&BOTH).updated_by(p, 50)[2], 6.9497475));
+    assert!(close(Corridor::walked(&[[E, E]]).updated_by(p, 50)[2], 9.0));
+    // The constant rate of every equation looks at neither.
+    assert_eq!(evaporation(&ShipParams::default(), 99, Some((2.0, 9.0))), 0.8);
+}
+
+#[test]
+fn steps_3_and_4_paths_count_by_their_ants() {
+    let p = ShipParams { count_ants: true, rho: 0.5, ..ShipParams::default() };
+    // Two ants on the short way, which is the best so far as well, one on the long way. t = 50:
+    // 5 + 2·(0.75·5 + 0.75·5 + 5), 5 − (0 + 1)·3.5355339, 5.
+    let two_short = Corridor::walked(&[[E, E], [SE, NE], [E, E]]);
+    all_close(two_short.updated_by(p, 50), [30.0, 1.4644661, 5.0]);
+    // Printed, Δω* = 2·5 − 3.5355339 = 6.4644661 on every step: 5 + 2·7.5 + Δω*, 5 + Δω*.
+    all_close(two_short.updated_by(ShipParams { reading: Reading::Printed, ..p }, 50), [26.4644661, 11.4644661, 11.4644661]);
+    // Two on the long way, Q = 4: 5 + 0.75·2 + 0.75·2 + 2, 5 − 2·1.4142136.
+    let two_long = Corridor::walked(&[[SE, NE], [E, E], [SE, NE]]);
+    all_close(two_long.updated_by(ShipParams { deposit: 4.0, ..p }, 50), [10.0, 2.1715729, 5.0]);
+    // The best so far counts once where nobody walked it: 5 + 1·5.
+    all_close(Corridor::walked(&[[SE, 3]]).updated_by(p, 100), [10.0, 5.0, 5.0]);
+    // Eq. 12 sums over the ants anyway: 5 + 2·5 + 5, and 5 + 3.5355339 − 3.5355339.
+    let all = |count_ants| two_short.updated_by(ShipParams { count_ants, update: Update::AllAnts, ..p }, 50);
+    all_close(all(true), [20.0, 5.0, 5.0]);
+    assert_eq!(all(true), all(false));
 }
 
 #[test]

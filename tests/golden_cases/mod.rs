@@ -312,6 +312,54 @@ pub const GOLDENS: &[Golden] = &[
         seed: 22,
         digest: "434f8b33f25df82d",
     },
+    Golden {
+        map: (Generator::Cave, 40, 30, 32, 0.0),
+        movement: eight(CornerRule::BothFree),
+        planner: "ship",
+        values: &[("rho_part", "stays")],
+        seed: 32,
+        digest: "995c58d8932c5d93",
+    },
+    Golden {
+        map: (Generator::Random, 30, 30, 33, 0.25),
+        movement: eight(CornerRule::OneFree),
+        planner: "ship",
+        values: &[("evaporation", "shrinking"), ("count_ants", "true"), ("iterations", "60")],
+        seed: 33,
+        digest: "a112a85722e90227",
+    },
+    Golden {
+        map: (Generator::Random, 30, 30, 34, 0.25),
+        movement: eight(CornerRule::BothFree),
+        planner: "ship",
+        values: &[("evaporation", "by-lengths"), ("reading", "printed"), ("count_ants", "true"), ("iterations", "60")],
+        seed: 34,
+        digest: "0ae377e2bff21158",
+    },
+    Golden {
+        map: (Generator::Random, 40, 30, 35, 0.2),
+        movement: eight(CornerRule::OneFree),
+        planner: "fire",
+        values: &[("criterion", "turn-index"), ("legs", "basic"), ("beta", "2.5"), ("iterations", "60")],
+        seed: 35,
+        digest: "ccb3721e3548d25c",
+    },
+    Golden {
+        map: (Generator::Random, 40, 30, 36, 0.07),
+        movement: eight(CornerRule::BothFree),
+        planner: "f-rrt-star",
+        values: &[],
+        seed: 36,
+        digest: "56df4df4487b5520",
+    },
+    Golden {
+        map: (Generator::Cave, 40, 30, 37, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "f-rrt-star",
+        values: &[("step", "7"), ("near", "2.5"), ("dichotomy", "3"), ("goal_bias", "0.13"), ("samples", "80")],
+        seed: 37,
+        digest: "1e6f4e8415b55dbd",
+    },
 ];
 
 /// Frozen runs by this many goals.
@@ -345,6 +393,17 @@ pub const TOURS: &[(u32, Golden)] = &[
             ],
             seed: 20,
             digest: "29d51ee496023f3b",
+        },
+    ),
+    (
+        4,
+        Golden {
+            map: (Generator::Random, 30, 30, 38, 0.2),
+            movement: eight(CornerRule::BothFree),
+            planner: "fire",
+            values: &[("leg_length", "euclidean"), ("criterion", "turn-index")],
+            seed: 38,
+            digest: "490a043e250e74eb",
         },
     ),
     (

@@ -164,11 +164,13 @@ donors! { $
           daemon_of: [mutation_probability, mutation_strength, restart_below] }
     /// multi-fire ACO (Zhang et al. 2020)
     Fire: fire::{ENTRY, Fire::new(FireParams)}
-        { selection_of: [legs] }
+        { selection_of: [legs], update_of: [criterion] }
     /// engine-room ACO (Fan et al. 2026)
     Ship: ship::{ENTRY, Ship::new(ShipParams)}
         { heuristic_of: [direction, growing_pull, goal_pull, omega_min, omega_max, obstacle_push],
-          update_of: [update, shifting_weights, weaken_worst, k_best, k_worst, trail_min], refinement_of: [refinement] }
+          update_of: [rho_part, evaporation, rho_shrink, rho_min, update, shifting_weights, weaken_worst, count_ants, k_best, k_worst,
+                      trail_min],
+          refinement_of: [refinement] }
     /// ACOST (Lai and Guo 2014)
     Acost: threshold::{ACOST, Acost::new(AcostParams)}
         { heuristic_of: [common.goal_step, common.goal_distance], selection_of: [rule], local_update_of: [move_deposit], update_of: [common.path_deposit] }

@@ -8,7 +8,7 @@
 //! | selection | the planner named by `selection_of` |
 //! | on each move | the planner named by `local_update_of` |
 //! | dead end | `dead_end` |
-//! | update | the planner named by `update_of` |
+//! | update, and what makes a path the best | the planner named by `update_of` |
 //! | daemon actions | the planner named by `daemon_of`; refinement: by `refinement_of` |
 //!
 //! Nothing is written twice: a donor is the planner's own variant, made from the same numbers, and lends one of its hooks. So a planner's
@@ -24,6 +24,7 @@ mod rows;
 
 use std::sync::Arc;
 
+use super::criterion::Criterion;
 use super::hybrid::Hybrid;
 use super::legs::{self, OrderLevel};
 use super::papers::fire::FireParams;
@@ -116,6 +117,10 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         lent!(self, update_of, update_trails(trails, iteration));
+    }
+
+    fn criterion(&self) -> Criterion {
+        lent!(self, update_of, criterion())
     }
 
     fn refinement(&self) -> Refinement {

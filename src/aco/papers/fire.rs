@@ -9,7 +9,7 @@
 //! | heuristic of a leg | text of Eq. 3: 1/d_j, d_j Euclidean from j to the leg's goal |
 //! | selection of a step | Eq. 9: pseudo-random proportional; Eq. 3, random proportional, in the basic algorithm |
 //! | on each move | as Ant System (nothing) |
-//! | update | Eq. 4–5: as Ant System, on both levels |
+//! | update | Eq. 4–5: as Ant System, on both levels; a leg's Q/L is Q/V where V is the criterion (`criterion`) |
 //! | daemon actions | none |
 //!
 //! `reading` decides about ρ: the text calls it the evaporation coefficient, Eq. 4 multiplies what stays by it. *repaired*: ρ = 0.3 leaves;
@@ -27,19 +27,24 @@
 //! The paper measures the ways between fires by straight lines. Walls may make the best order by lines a bad one to walk, so the default
 //! is the length of the shortest path on the map (`leg_length=grid`, ours); presets keep the lines.
 //!
-//! Eq. 10, V(d, r), judges finished paths and steers nothing: [`crate::metrics::Metrics::turn_index`]. So it is no component that could be
-//! taken out, though it is the third of the paper's improvements. With one goal there is no order, and nothing to take out of it.
+//! Eq. 10, V(d, r), evaluates "the whole path" in section 3.4; its conclusion takes it "as the criterion by which paths are good or bad".
+//! By default it is measured alone ([`crate::metrics::Metrics::turn_index`]). With `criterion=turn-index` (preset `second-reading`) the best
+//! path of a leg is the one of the least V, and an ant leaves Q/V instead of the Q/L of Eq. 5; the way into a leg's first cell is no part of
+//! its V, so a turn at a goal counts in none. V is then no component that could be taken out of the default, though it is the third of the
+//! paper's improvements. With one goal there is no order, and nothing to take out of it; then the exact V is the yardstick.
 
 use std::sync::Arc;
 
+use crate::aco::criterion::Criterion;
+use crate::aco::deposit;
 use crate::aco::heuristic::{AT_GOAL, goal_distance};
 use crate::aco::legs::{self, OrderLevel};
 use crate::aco::odds;
 use crate::aco::selection::{pseudo_random_proportional, random_proportional};
 use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::tour::TourSettings;
-use crate::aco::trails::Row;
-use crate::aco::variant::{Settings, Variant};
+use crate::aco::trails::{Row, Trails};
+use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
@@ -91,6 +96,8 @@ params! {
         order_iterations: u32 = 100, "K", [1..=10_000], "iterations", "section 4";
         /// how an ant selects the next step of a leg
         legs: Rule = Rule::Improved, "", [], "", "eq. 9";
+        /// what makes one path of a leg better than another, and what an ant's deposit is divided by
+        criterion: Criterion = Criterion::Length, "V", [], "", "eq. 5: length; section 5 takes V of eq. 10 as the criterion";
         /// whether ρ of the paper leaves (repaired) or stays (printed)
         reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
         /// ants of each level and leg that build a path in each iteration
@@ -102,7 +109,7 @@ params! {
         };
         /// ρ of the paper: the part of every trail that leaves in each iteration; as printed, the part that stays
         rho: f64 = 0.3, "ρ", [0.0..=1.0], "", "section 4, eq. 4";
-        /// an ant leaves Q / length of its path or tour on each step of it
+        /// an ant leaves Q / length (by the criterion, Q / V) of its path or tour on each step of it
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "eq. 5; our choice: not given";
         /// by the improved rule, the probability of taking the best step or goal instead of drawing one
         r0: f64 = 0.7, "r0", [0.0..=1.0], "", "eq. 9: 0.6 to 0.8";
@@ -176,6 +183,21 @@ impl Variant for Fire {
         }
     }
 
+    fn criterion(&self) -> Criterion {
+        self.params.criterion
+    }
+
+    /// Eq. 4–5, with V of Eq. 10 in the place of L where it is the criterion.
+    fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
+        let p = &self.params;
+        trails.evaporate(p.evaporation());
+        for (ant, _) in iteration.arrived() {
+            if let Some(value) = p.criterion.of_ant(iteration.scenario, ant) {
+                deposit::along(trails, iteration.scenario, ant, p.deposit / value);
+            }
+        }
+    }
+
     fn odds(&self, weights: &Row) -> Vec<f64> {
         match self.params.legs {
             Rule::Improved => odds::pseudo_random_proportional(weights, self.params.r0),
@@ -205,6 +227,13 @@ const PRESETS: &[Preset] = &[
         meaning: "its own baseline: shortest order by straight lines, random proportional rule on both levels",
         numbers: &[],
         choices: &[("order", "distance"), ("leg_length", "euclidean"), ("legs", "basic")],
+    },
+    Preset {
+        name: "second-reading",
+        source: SOURCE,
+        meaning: "its improved algorithm with V of eq. 10 as the criterion of a path, as its section 5 says; the order by straight lines",
+        numbers: &[],
+        choices: &[("leg_length", "euclidean"), ("criterion", "turn-index")],
     },
     Preset {
         name: "printed",

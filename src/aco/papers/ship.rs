@@ -8,7 +8,7 @@
 //! | heuristic | Eq. 6–7: pull of the goal, direction (`direction`), obstacle density, with a weight ω(t) that grows (`growing_pull`) |
 //! | selection | Eq. 1: as Ant System |
 //! | on each move | as Ant System (nothing) |
-//! | update | Eq. 9–11 (`shifting_weights`, `weaken_worst`) and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`) |
+//! | update | Eq. 9–11 (`shifting_weights`, `weaken_worst`) and 14 with Eq. 8; or Eq. 12 with Eq. 8 (`update`); what evaporates: `rho_part`, `evaporation` |
 //! | daemon actions | section 3.3: the best path is refined by line of sight (`refinement`); ants and trails know nothing of it |
 //!
 //! `reading` decides where the printed formula does not do what its text says:
@@ -26,15 +26,21 @@
 //! second half of the iterations, all linearly (Eq. 10–11 give no formula); set μ = 10, γ = 1, ω from 2 to 4, both k = 1 (no value is
 //! given); weaken no step below `trail_min` (its proof needs positive trails); take what lies beyond the border for an obstacle; take
 //! d(i, E) as at least 1; let ants at a dead end step back. Its section 4 calls Q = 10 the initial trail, Eq. 5 and 10 the intensity of a
-//! deposit: we use it as the equations do. Its step 4 updates by Eq. 12, its convergence proof by Eq. 14, the default here. Its step 6
-//! refines once, after the last iteration; we refine each new best path, which shows the same path in the end: the shortest one is
-//! chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the farthest later one in sight, as
-//! its introduction says of ref. 22, the default; or node by node up to the first one out of sight (`refinement`).
+//! deposit: we use it as the equations do. Its steps 3 and 4 count the ants on each path: Eq. 12 sums over them anyway, and `count_ants` has
+//! Eq. 8, 10 and 11 take each path's Q/L as often as ants of the iteration walked it. Its step 4 updates by Eq. 12, its convergence proof by
+//! Eq. 14, the default here. Its step 6 refines once, after the last iteration; we refine each new best path, which shows the same path in
+//! the end: the shortest one is chosen by its length before refinement. Section 3.3 can be read in two ways: from each kept node to the
+//! farthest later one in sight, as its introduction says of ref. 22, the default; or node by node up to the first one out of sight
+//! (`refinement`).
 //!
-//! Everything that the paper adds can be taken out alone ([`COMPONENTS`]), but for the "dynamic non-linear evaporation rate" of its section
-//! 3.2, which no equation has: ρ is constant. What adapts to time (Eq. 6, 10 and 11) is replaced by its mean over the run, so that the
-//! adaptation is taken out and not the strength, which is ours. With all of μ^f_a, d^h and exp(−γ·α_obs) out, η is 1/d_ij (Eq. 2); with
-//! Eq. 12 and without Δω\*, the update is Ant System's.
+//! Section 4 has ρ = 0.8 as the *initial* evaporation factor, section 3.2 a *dynamic non-linear* evaporation rate that takes the difference
+//! between best and worst path as its regulator, and no equation has either: ρ is a constant in all of them, the default. `evaporation`
+//! offers both in words of ours ([`evaporation`]). Which part of a trail ρ is the papers of this kind do not agree on: Eq. 3 and 9 have it
+//! leave, papers that print ρ·τ have it stay (`rho_part`, preset `second-reading`).
+//!
+//! Everything that the paper adds can be taken out alone ([`COMPONENTS`]), but for that evaporation rate, which is not in the default. What
+//! adapts to time (Eq. 6, 10 and 11) is replaced by its mean over the run, so that the adaptation is taken out and not the strength, which is
+//! ours. With all of μ^f_a, d^h and exp(−γ·α_obs) out, η is 1/d_ij (Eq. 2); with Eq. 12 and without Δω\*, the update is Ant System's.
 
 use std::sync::Arc;
 
@@ -63,6 +69,28 @@ param_choice! {
     }
 }
 
+param_choice! {
+    /// Which part of every trail ρ is.
+    pub enum RhoPart {
+        /// ρ leaves in each iteration: equations 3 and 9
+        Leaves = "leaves",
+        /// ρ stays, 1 − ρ leaves: as in papers that print ρ·τ
+        Stays = "stays",
+    }
+}
+
+param_choice! {
+    /// How the part that leaves changes with time.
+    pub enum Evaporation {
+        /// it does not: every equation
+        Constant = "constant",
+        /// the "initial" factor of section 4: from iteration to iteration it shrinks, down to its least
+        Shrinking = "shrinking",
+        /// the "dynamic non-linear" rate of section 3.2: the larger, the more the iteration's worst path is longer than its best
+        ByLengths = "by-lengths",
+    }
+}
+
 params! {
     /// Parameters of the engine-room planner.
     pub struct ShipParams {
@@ -77,8 +105,16 @@ params! {
             alpha = 1.0, "Fan et al. 2026, section 4";
             beta = 2.0, "Fan et al. 2026, section 4";
         };
-        /// evaporation rate: the part of every trail that leaves in each iteration
+        /// ρ of the paper: the part of every trail that leaves in each iteration, or that stays
         rho: f64 = 0.8, "ρ", [0.0..=1.0], "", "Fan et al. 2026, section 4";
+        /// whether ρ leaves or stays
+        rho_part: RhoPart = RhoPart::Leaves, "", [], "", "Fan et al. 2026, eq. 3 and 9; sibling papers have it stay";
+        /// how the part of every trail that leaves changes with time
+        evaporation: Evaporation = Evaporation::Constant, "ρ(t)", [], "", "Fan et al. 2026, sections 3.2 and 4, in words alone";
+        /// factor by which the part that leaves shrinks in each iteration
+        rho_shrink: f64 = 0.95, "λ", [0.5..=1.0], "", "our choice: not given", when(evaporation: "shrinking");
+        /// least part that leaves, unless less leaves from the beginning
+        rho_min: f64 = 0.1, "ρ_min", [0.0..=1.0], "", "our choice: not given", when(evaporation: "shrinking" | "by-lengths");
         /// intensity of every deposit: Q / length
         deposit: f64 = 10.0, "Q", [1e-6..=1e6], "cells", "Fan et al. 2026, section 4, where it is called the initial trail";
         /// whether d(i, E)^h pulls in the direction of the goal; else η has no such factor
@@ -97,6 +133,8 @@ params! {
         shifting_weights: bool = true, "α(t), β(t), γ(t)", [], "", "Fan et al. 2026, eq. 10–11", when(update: "weighted");
         /// whether the iteration's worst path loses trail, by Δτ⁻ and by the second term of the additional trail
         weaken_worst: bool = true, "Δτ⁻", [], "", "Fan et al. 2026, eq. 8, 9 and 11";
+        /// whether each path's Q / length counts as often as ants of the iteration walked that path
+        count_ants: bool = false, "", [], "", "Fan et al. 2026, steps 3 and 4", when(update: "weighted");
         /// weight of the iteration's best path in the additional trail
         k_best: f64 = 1.0, "k_best", [0.0..=100.0], "", "our choice: not given";
         /// weight of the iteration's worst path in the additional trail
@@ -209,6 +247,35 @@ pub fn path_weights(t: u32, budget: u32) -> PathWeights {
 /// The means of [`path_weights`] over the run.
 pub const MEAN_WEIGHTS: PathWeights = PathWeights { global_best: 0.75, iteration_best: 0.75, iteration_worst: 0.125 };
 
+impl ShipParams {
+    /// The part of every trail that leaves, before it changes with time.
+    pub fn leaving(&self) -> f64 {
+        match self.rho_part {
+            RhoPart::Leaves => self.rho,
+            RhoPart::Stays => 1.0 - self.rho,
+        }
+    }
+}
+
+/// The part of every trail that leaves in iteration t, from 1. With r, the part by ρ, and m the smaller of r and ρ_min it is r; or
+/// max(r·λ^(t − 1), m), as ρ is made to shrink in adaptive colonies for tours; or m + (r − m)·(1 − L_best / L_worst) by the iteration's own
+/// paths, and m where no ant arrived. Both formulas are ours: the paper has words alone.
+pub fn evaporation(p: &ShipParams, t: u32, lengths: Option<(f64, f64)>) -> f64 {
+    let r = p.leaving();
+    let least = p.rho_min.min(r);
+    match p.evaporation {
+        Evaporation::Constant => r,
+        Evaporation::Shrinking => (r * libm::pow(p.rho_shrink, f64::from(t.saturating_sub(1)))).max(least),
+        Evaporation::ByLengths => least + (r - least) * lengths.map_or(0.0, |(best, worst)| 1.0 - best / worst),
+    }
+}
+
+/// How many ants of an iteration walked these steps; at least 1, for a path that an earlier one has found.
+pub fn ants_on(ants: &[Ant], steps: &[Direction]) -> f64 {
+    let count = ants.iter().filter(|ant| ant.length().is_some() && ant.steps() == steps).count();
+    count.max(1) as f64
+}
+
 /// The two terms of Eq. 8, Δω* = k_best·Q/L_best − k_worst·Q/L_worst; the worst path's is 0 where it is not weakened.
 pub fn extra_trail(p: &ShipParams, best: f64, worst: f64) -> (f64, f64) {
     let loss = if p.weaken_worst { p.k_worst * p.deposit / worst } else { 0.0 };
@@ -229,19 +296,32 @@ impl Ship {
         Self { params, omega: omega(&params, 0) }
     }
 
+    /// How often the Q / length of a path with these steps counts.
+    fn times(&self, iteration: &Iteration, steps: &[Direction]) -> f64 {
+        let counts = self.params.count_ants && self.params.update == Update::Weighted;
+        if counts { ants_on(iteration.ants, steps) } else { 1.0 }
+    }
+
     /// Eq. 9–11 without what evaporates: +Δτ⁺ on the best paths; what Δτ⁻ takes from the worst is returned.
     fn weighted(&self, trails: &mut Trails, iteration: &Iteration) -> f64 {
-        let (q, shifting) = (self.params.deposit, self.params.shifting_weights);
+        let (q, shifting, scenario) = (self.params.deposit, self.params.shifting_weights, iteration.scenario);
         let weights = if shifting { path_weights(iteration.number, iteration.budget) } else { MEAN_WEIGHTS };
         if let Some(best) = iteration.best_so_far {
-            deposit::along_path(trails, iteration.scenario, &best.path, weights.global_best * q / best.length);
+            let times = self.times(iteration, &steps_of(scenario, &best.path));
+            deposit::along_path(trails, scenario, &best.path, times * weights.global_best * q / best.length);
         }
         if let Some((ant, length)) = iteration.iteration_best() {
-            deposit::along(trails, iteration.scenario, ant, weights.iteration_best * q / length);
+            let times = self.times(iteration, ant.steps());
+            deposit::along(trails, scenario, ant, times * weights.iteration_best * q / length);
         }
         let worst = iteration.iteration_worst().filter(|_| self.params.weaken_worst);
-        worst.map_or(0.0, |(_, length)| weights.iteration_worst * q / length)
+        worst.map_or(0.0, |(ant, length)| self.times(iteration, ant.steps()) * weights.iteration_worst * q / length)
     }
+}
+
+/// The steps of a path of neighbouring cells.
+fn steps_of(scenario: &Scenario, path: &[Cell]) -> Vec<Direction> {
+    path.windows(2).map(|step| scenario.moves.direction(step[0], step[1])).collect()
 }
 
 /// Takes the same amount from each step of a walk, not below `floor`.
@@ -258,7 +338,7 @@ impl Variant for Ship {
 
     fn settings(&self) -> Settings {
         let p = &self.params;
-        settings(p.ants, p.rho, p.deposit, &p.selection, &p.walk)
+        settings(p.ants, p.leaving(), p.deposit, &p.selection, &p.walk)
     }
 
     fn initial_trail(&self, _: &Scenario) -> f64 {
@@ -293,7 +373,8 @@ impl Variant for Ship {
     /// Eq. 14, or Eq. 12. What is taken from the worst path is taken last, so that the floor holds for the sum.
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let p = &self.params;
-        trails.evaporate(p.rho);
+        let ends = iteration.iteration_best().zip(iteration.iteration_worst());
+        trails.evaporate(evaporation(p, iteration.number, ends.map(|((_, best), (_, worst))| (best, worst))));
         let mut taken = match p.update {
             Update::Weighted => self.weighted(trails, &iteration),
             Update::AllAnts => {
@@ -301,10 +382,9 @@ impl Variant for Ship {
                 0.0
             }
         };
-        let (Some((best, shortest)), Some((worst, longest))) = (iteration.iteration_best(), iteration.iteration_worst()) else {
-            return;
-        };
+        let Some(((best, shortest), (worst, longest))) = ends else { return };
         let (gain, loss) = extra_trail(p, shortest, longest);
+        let (gain, loss) = (gain * self.times(&iteration, best.steps()), loss * self.times(&iteration, worst.steps()));
         match p.reading {
             Reading::Printed => trails.shift(gain - loss),
             Reading::Repaired => {
@@ -330,6 +410,13 @@ const PRESETS: &[Preset] = &[
         meaning: "everything literally: eq. 7 and 8 as printed, eq. 12 for the update, as its step 4 says, and section 3.3 node by node",
         numbers: &[],
         choices: &[("reading", "printed"), ("update", "all-ants"), ("refinement", "next")],
+    },
+    Preset {
+        name: "second-reading",
+        source: "rescue robot in a ship's engine room (Fan et al. 2026)",
+        meaning: "its ρ = 0.8 as the part of every trail that stays, as papers of its kind print it; all else as we read it",
+        numbers: &[],
+        choices: &[("rho_part", "stays")],
     },
     Preset {
         name: "cells",

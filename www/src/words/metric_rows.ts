@@ -97,7 +97,7 @@ export function bestOf(values: (number | null)[], better: MetricRow['better']): 
 }
 
 function iterative(id: MetricId, value: MetricRow['value']): MetricRow {
-  return { id, better: null, families: ['ant-colony', 'swarm'], value, format: whole }
+  return { id, better: null, families: ['ant-colony', 'swarm', 'sampling'], value, format: whole }
 }
 
 type Tour = NonNullable<RunSummary['tour']>

@@ -8,7 +8,7 @@ import { panels, paramValue, plannerEntry, scenario } from '../state'
 import { type Named, names } from '../state/lazy_parts'
 
 /** In the order in which people meet them. */
-export const FAMILIES = ['ant-colony', 'swarm', 'search', 'exact'] as const
+export const FAMILIES = ['ant-colony', 'swarm', 'sampling', 'search', 'exact'] as const
 
 /** Searches count the cells they look at; colonies and swarms their iterations. */
 export function isSearch(planner: string): boolean {

@@ -130,6 +130,7 @@ export const en = {
   family: {
     'ant-colony': 'Ant colonies',
     swarm: 'Swarms',
+    sampling: 'Sampling trees',
     search: 'Searches without a proof',
     exact: 'Exact planners',
   },
@@ -294,8 +295,8 @@ export const en = {
       iterations: 'Iterations finished',
       iterationOfBest: 'Iteration in which the best path was found',
       constructedPaths:
-        'Complete paths that ants have built or particles and fireworks were read as',
-      antMoves: 'Single moves of single ants, or steps of decoded paths',
+        'Complete paths that ants have built or particles and fireworks were read as; samples',
+      antMoves: 'Single moves of single ants, steps of decoded paths, or cells along segments',
       cellExpansions: 'Cells a search has looked at',
       digest: 'Fingerprint of path, length and history: equal digests mean equal runs',
     },

@@ -96,6 +96,11 @@ export const zhCNEngine = {
       summary:
         '一代又一代的位置：代价低的成为亲代，子代介于亲代之间，少数数值重新抽取；位置在分层移动时是每一列的行与高度层，否则是各格的优先值。',
     },
+    'f-rrt-star': {
+      name: 'F-RRT*',
+      summary:
+        '一棵树从起点以任意角度的线段伸向随机的格；每个新格的父节点建在挡路的障碍旁，附近的节点若绕经新格更短就改挂其下（Liao 等 2021）。',
+    },
     'pso-aco': {
       name: '先粒子群后蚁群',
       summary: '先由粒子群在各格优先值上搜索，其最优路径先得到信息素，再由蚁群继续。',
@@ -240,6 +245,17 @@ export const zhCNEngine = {
     path_deposit: '本次迭代最短路径的每一步得到 Q2 / 长度',
     rule: '蚂蚁如何选择下一步',
     reading: '论文公式与其正文不一致之处如何取舍',
+    rho_part: 'ρ 是挥发的部分，还是保留的部分',
+    evaporation: '每次迭代中挥发的部分如何随时间变化',
+    rho_shrink: '挥发的部分每次迭代乘以此数',
+    rho_min: '挥发部分的下限；若一开始就更小，则保持更小',
+    count_ants: '一条路径的 Q / 长度是否按本次迭代中走过它的蚂蚁数计算多次',
+    criterion: '路段上路径优劣的标准，也是蚂蚁留下信息素时的除数',
+    samples: '每次迭代的采样数',
+    goal_bias: '采样直接取终点的概率',
+    step: '树每次向采样点伸出多远；0 表示直到采样点',
+    near: '在多大半径内，节点绕经新节点更短时改挂其下；以保证渐近最优的最小值的倍数计',
+    dichotomy: '障碍旁的节点找得多精确：区间不长于此值时二分结束',
     goal_step: '到终点的一步使式 4 除以 0，应如何理解',
     goal_distance: '蚂蚁看终点本身时，代替距离 0 的值',
     update: '采用论文两个信息素更新公式中的哪一个',
@@ -276,6 +292,8 @@ export const zhCNEngine = {
     particles: '个粒子',
     positions: '个位置',
     numbers: '个数值',
+    samples: '个采样',
+    '× γ*': '× γ*',
     '× (width + height)': '× (宽 + 高)',
     '× m': '× m',
     '× x_max': '× x_max',
@@ -312,6 +330,12 @@ export const zhCNEngine = {
     proportional: '轮盘赌',
     repaired: '按正文修正',
     printed: '按印刷公式',
+    leaves: '挥发',
+    stays: '保留',
+    constant: '不变',
+    shrinking: '逐次减小',
+    'by-lengths': '按长度差',
+    'turn-index': '转弯指数 V',
     weighed: '照常权衡',
     enter: '直接进入',
     'iteration-best': '本次迭代最优',
@@ -371,6 +395,19 @@ export const zhCNEngine = {
     update: {
       weighted: '式 9–11 与 14：全局最优与本次迭代最优路径加权留下信息素，本次迭代最差路径减去',
       'all-ants': '式 12，论文第 4 步所指：到达的蚂蚁都留下信息素，同蚂蚁系统',
+    },
+    rho_part: {
+      leaves: 'ρ 是每次迭代中挥发的部分：式 3 与 9',
+      stays: 'ρ 是保留的部分，挥发 1 − ρ：同印作 ρ·τ 的论文',
+    },
+    evaporation: {
+      constant: '不随时间变化：每个公式都如此',
+      shrinking: '第 4 节的“初始”挥发因子：逐次迭代减小，直到下限',
+      'by-lengths': '第 3.2 节的“动态非线性”挥发率：本次迭代最差路径比最优路径长得越多，挥发越多',
+    },
+    criterion: {
+      length: '路径的长度',
+      'turn-index': 'V(d, r)，转弯的步按 1.2 倍计的长度：灭火机器人论文式 10',
     },
     refinement: {
       farthest: '视线内最远的后续点',

@@ -128,6 +128,7 @@ export const zhCN: DictionaryShape<typeof en> = {
   family: {
     'ant-colony': '蚁群算法',
     swarm: '群智能算法',
+    sampling: '采样树',
     search: '无证明的搜索',
     exact: '精确规划器',
   },
@@ -287,8 +288,8 @@ export const zhCN: DictionaryShape<typeof en> = {
       levelCost: '各步的 Σ √(1 + Δy² + Δh²) + |h|，以格与层计',
       iterations: '已完成的迭代',
       iterationOfBest: '找到最优路径的那次迭代',
-      constructedPaths: '蚂蚁构造的、或由粒子与烟花解码出的完整路径数',
-      antMoves: '单只蚂蚁的单步数，或解码路径的步数',
+      constructedPaths: '蚂蚁构造的、或由粒子与烟花解码出的完整路径数；采样树的采样数',
+      antMoves: '单只蚂蚁的单步数、解码路径的步数，或沿线段查看的格数',
       cellExpansions: '搜索检查过的格数',
       digest: '路径、长度与历史的指纹：摘要相同即运行相同',
     },

@@ -39,6 +39,12 @@ export const zhCNParamNames = {
 
   // The papers.
   reading: '公式的理解',
+  rho_part: 'ρ 的含义',
+  evaporation: '挥发规律',
+  rho_shrink: '挥发率衰减',
+  rho_min: '挥发率下限',
+  count_ants: '按蚂蚁数计',
+  criterion: '路径的优劣标准',
   update: '更新公式',
   direction: '方向引导',
   goal_pull: '目标引力',
@@ -104,6 +110,13 @@ export const zhCNParamNames = {
   survivors: '保留个数',
   seed_iterations: '第一阶段迭代次数',
   seed_ants: '引导信息素',
+
+  // Sampling trees.
+  samples: '采样数',
+  goal_bias: '终点采样概率',
+  step: '步长上限',
+  near: '邻近半径',
+  dichotomy: '二分精度',
 
   // The composer: whose rule it is.
   initial_trail_of: '初始信息素来源',

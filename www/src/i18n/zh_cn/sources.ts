@@ -27,11 +27,15 @@ export const zhCNSources: Record<string, string> = {
   'Fan et al. 2026': '范学兴等 2026',
   'Fan et al. 2026, eq. 10–11': '范学兴等 2026，式 10–11',
   'Fan et al. 2026, eq. 14; its step 4 names eq. 12': '范学兴等 2026，式 14；其第 4 步所指为式 12',
+  'Fan et al. 2026, eq. 3 and 9; sibling papers have it stay':
+    '范学兴等 2026，式 3 与 9；同类论文中为保留的部分',
   'Fan et al. 2026, eq. 6': '范学兴等 2026，式 6',
   'Fan et al. 2026, eq. 7': '范学兴等 2026，式 7',
   'Fan et al. 2026, eq. 8, 9 and 11': '范学兴等 2026，式 8、9 与 11',
   'Fan et al. 2026, section 3.3; next: its words taken one by one':
     '范学兴等 2026，第 3.3 节；“逐点检查”：逐字照其文字',
+  'Fan et al. 2026, sections 3.2 and 4, in words alone': '范学兴等 2026，第 3.2 与 4 节，只有文字',
+  'Fan et al. 2026, steps 3 and 4': '范学兴等 2026，第 3 与 4 步',
   'Fan et al. 2026, section 4': '范学兴等 2026，第 4 节',
   'Fan et al. 2026, section 4, where it is called the initial trail':
     '范学兴等 2026，第 4 节，该处称为信息素初始值',
@@ -41,6 +45,7 @@ export const zhCNSources: Record<string, string> = {
     'Hart、Nilsson、Raphael 1968，IEEE Trans. Systems Science and Cybernetics 4，100–107，doi:10.1109/TSSC.1968.300136',
   'Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*':
     'Held、Karp 1962，J. SIAM 10，196–210，doi:10.1137/0110015；路段由 A* 求得',
+  'Karaman and Frazzoli 2011, theorem 38: above 1': 'Karaman 与 Frazzoli 2011，定理 38：大于 1',
   'Lai, Guo 2014': '赖智铭、郭躬德 2014',
   'Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning':
     '赖智铭、郭躬德 2014，基于自适应阈值蚁群算法的路径规划算法',
@@ -50,6 +55,9 @@ export const zhCNSources: Record<string, string> = {
   'Lai, Guo 2014, table 1: ACO': '赖智铭、郭躬德 2014，表 1：ACO',
   'Lai, Guo 2014, table 1: ACOMSP, after Tang, Zhang, Jiang, Zhang 2012, J. Comput. Inf. Syst. 8, 10325–10332':
     '赖智铭、郭躬德 2014，表 1：ACOMSP，依据 Tang、Zhang、Jiang、Zhang 2012，J. Comput. Inf. Syst. 8，10325–10332',
+  'Liao et al. 2021; our choice: a cell': 'Liao 等 2021；我们的选择：一格',
+  'Liao, Wan, Hua, Ma, Zhu, Qing 2021, Expert Systems with Applications 184, 115457, doi:10.1016/j.eswa.2021.115457':
+    'Liao、Wan、Hua、Ma、Zhu、Qing 2021，Expert Systems with Applications 184，115457，doi:10.1016/j.eswa.2021.115457',
   'Nash, Daniel, Koenig, Felner 2007, AAAI-07, 1177–1183; Daniel, Nash, Koenig, Felner 2010, JAIR 39, 533–579, doi:10.1613/jair.2994':
     'Nash、Daniel、Koenig、Felner 2007，AAAI-07，1177–1183；Daniel、Nash、Koenig、Felner 2010，JAIR 39，533–579，doi:10.1613/jair.2994',
   'Shi and Eberhart 1999': 'Shi 与 Eberhart 1999',
@@ -103,6 +111,8 @@ export const zhCNSources: Record<string, string> = {
   'eq. 14': '式 14',
   'eq. 4: 1 / length': '式 4：1 / 长度',
   'eq. 5; our choice: not given': '式 5；我们的选择：论文未给出',
+  'eq. 5: length; section 5 takes V of eq. 10 as the criterion':
+    '式 5：长度；第 5 节以式 10 的 V 为标准',
   'eq. 6–8': '式 6–8',
   'eq. 9': '式 9',
   'eq. 9: 0.6 to 0.8': '式 9：0.6 至 0.8',
@@ -121,6 +131,9 @@ export const zhCNSources: Record<string, string> = {
   'our choice, as in Ant System: eq. 4 divides by 0 at the goal':
     '我们的选择，同蚂蚁系统：式 4 在终点处除以 0',
   'our choice: L of eq. 1 is 1 / 0 at the goal': '我们的选择：式 1 的 L 在终点处为 1 / 0',
+  "our choice: as many as the ship paper's colonies have": '我们的选择：与船舶论文的蚁群一样多',
+  "our choice: as many as the ship paper's colonies have ants":
+    '我们的选择：与船舶论文蚁群的蚂蚁一样多',
   'our choice: as many as the fireworks have': '我们的选择：与烟花算法一样多',
   'our choice: eq. 10 does not say how much; as many as the colony has':
     '我们的选择：式 10 未说明多少；取与蚁群同样的蚂蚁数',
@@ -140,6 +153,7 @@ export const zhCNSources: Record<string, string> = {
   'our choice: the fireworks decode about 40 paths an iteration':
     '我们的选择：烟花算法每次迭代约解码 40 条路径',
   "our choice: the paper's proof needs positive trails": '我们的选择：论文的证明要求信息素为正',
+  'our choice; Karaman and Frazzoli 2011: a constant': '我们的选择；Karaman 与 Frazzoli 2011：常数',
   'our choice; papers differ or are silent': '我们的选择；各论文不一致或未说明',
   'our choice; papers: goal or step': '我们的选择；论文：到终点的距离或步长',
   'our choice; the paper: euclidean': '我们的选择；论文：直线距离',
@@ -177,6 +191,10 @@ export const zhCNSources: Record<string, string> = {
   'the planners that lend the rules': '提供规则的各规划器',
 
   // What presets mean.
+  'its improved algorithm with V of eq. 10 as the criterion of a path, as its section 5 says; the order by straight lines':
+    '其改进算法，并按第 5 节以式 10 的 V 为路径的标准；按直线距离确定次序',
+  'its ρ = 0.8 as the part of every trail that stays, as papers of its kind print it; all else as we read it':
+    'ρ = 0.8 取为信息素保留的部分，同印作如此的同类论文；其余同我们的读法',
   'an ant beside the goal enters it: eq. 4 is undefined there, not a reason to bar the step':
     '与终点相邻的蚂蚁直接进入：式 4 在此没有定义，并不是禁止这一步的理由',
   'eq. 11 and 12 reward the shortest path m times': '式 11 与 12 奖励最短路径 m 次',

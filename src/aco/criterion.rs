@@ -1,0 +1,50 @@
+//! What an ant's finished path is judged by: which one is the best, and what a paper's deposit is divided by.
+
+use crate::map::Cell;
+use crate::metrics::turn_index;
+use crate::param_choice;
+use crate::planner::Solution;
+use crate::scenario::Scenario;
+
+use super::ant::Ant;
+
+param_choice! {
+    /// What makes one path better than another.
+    pub enum Criterion {
+        /// its length
+        Length = "length",
+        /// V(d, r), its length in which a turning step counts 1.2 times: equation 10 of the fire-fighting paper
+        TurnIndex = "turn-index",
+    }
+}
+
+impl Criterion {
+    /// Of an arrived ant, in cells; the less, the better. None of a lost one.
+    #[inline]
+    pub fn of_ant(self, scenario: &Scenario, ant: &Ant) -> Option<f64> {
+        match self {
+            Self::Length => ant.length(),
+            Self::TurnIndex => ant.length().map(|_| turn_index(scenario, &way(scenario, ant))),
+        }
+    }
+
+    /// Of a path that was found, in cells.
+    #[inline]
+    pub fn of_solution(self, scenario: &Scenario, found: &Solution) -> f64 {
+        match self {
+            Self::Length => found.length,
+            Self::TurnIndex => turn_index(scenario, &found.path),
+        }
+    }
+}
+
+/// An ant's way as cells.
+#[inline(never)]
+pub(super) fn way(scenario: &Scenario, ant: &Ant) -> Vec<Cell> {
+    let mut at = scenario.start;
+    let rest = ant.steps().iter().map(|&d| {
+        at = scenario.moves.step(at, d);
+        at
+    });
+    std::iter::once(scenario.start).chain(rest).collect()
+}
