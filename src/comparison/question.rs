@@ -132,6 +132,10 @@ pub struct Entry {
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, number | string | boolean>"))]
     pub set: Values,
+    /// Iterations of a first stage, which the publication does not count: the iteration of the best is without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub first_stage: Option<u32>,
     /// What is published of it, by the instance that stands for the publication's map, or by the group of all that do.
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, Published>"))]

@@ -226,7 +226,7 @@ function Unfit({ analysis }: { analysis: Analysis }) {
       <p class="hint">{t('lab.claims.unfitHint')}</p>
       <ul class="reservations">
         {unfit.map((map) => (
-          <li key={map.instance}>{unfitWords(map, analysis)}</li>
+          <li key={`${map.instance} ${map.entry}`}>{unfitWords(map, analysis)}</li>
         ))}
       </ul>
     </section>
