@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use formicarium::comparison::report::{HEADER, line};
-use formicarium::comparison::{Comparison, Question, Task};
+use formicarium::comparison::{Comparison, Instance, Question, Task};
 use formicarium::formats;
 use formicarium::map::CornerRule;
 use formicarium::scenario::Scenario;
@@ -86,20 +86,58 @@ fn our_maps_have_a_path_without_cut_corners() {
     }
 }
 
-/// On a public grid that is not ours to commit.
+/// So many maps that a verdict over maps can be given.
 #[test]
-fn the_records_on_the_classic_grid_are_what_the_engine_gives() {
+fn no_claim_rests_on_one_map() {
+    for name in names(&folder(), "toml") {
+        let question = question(&name);
+        for claim in &question.claims {
+            let maps = question.instances.iter().filter(|i| claim.is_about(i)).count();
+            assert!(maps >= 6, "{name}: {} is about {maps} maps", claim.id);
+        }
+    }
+}
+
+/// On public maps, which are not ours to commit: those that a record names, in the order of its runs.
+#[test]
+fn the_records_on_public_maps_are_what_the_engine_gives() {
     let Some(data) = std::env::var_os("FORMICARIUM_DATA") else {
         println!("skipped: FORMICARIUM_DATA is not set");
         return;
     };
-    let grid = scenario(&Path::new(&data).join("papers/G20_classic.csv"));
-    assert_eq!((grid.spec.movement.corner_rule, grid.grid.width()), (CornerRule::BothFree, 20));
-    let asked = [("ship", "ship-20x20"), ("threshold", "threshold-2"), ("classics", "criss-cross"), ("fireworks", "criss-cross")];
-    for (name, instance) in asked {
+    for (name, group) in [("classics", "plane"), ("fireworks", "criss-cross"), ("ship", "ship-20x20"), ("threshold", "environment-2")] {
+        let record = folder().join(format!("records/public/{name}.csv"));
         let mut question = question(name);
-        question.keep_instances(&[instance.into()]).expect("an instance");
-        let comparison = Comparison::new(question, vec![Arc::clone(&grid)]).expect("the same entries");
-        assert_recorded(&comparison, &folder().join(format!("records/G20_classic/{name}.csv")), &[1, 2, 50]);
+        let files = grids_of(&read(&record));
+        question.instances = files.iter().map(|(id, _)| instance(id, group)).collect();
+        let ids: Vec<String> = files.iter().map(|(id, _)| id.clone()).collect();
+        question.keep_instances(&ids).expect("instances");
+        let papers = Path::new(&data).join("papers");
+        let is_reversed = |place: usize| name == "threshold" && place % 2 == 1;
+        let maps = files.iter().enumerate().map(|(place, (_, file))| grid(&papers.join(file), is_reversed(place))).collect();
+        assert_recorded(&Comparison::new(question, maps).expect("the same entries"), &record, &[1, 100]);
     }
+}
+
+/// The maps of a record by their ids, with the files of the data folder that they stand for.
+fn grids_of(record: &str) -> Vec<(String, String)> {
+    let mut ids: Vec<&str> = record.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    ids.dedup();
+    let file = |id: &str| format!("G{}.csv", id.trim_start_matches('g').replace('-', "_"));
+    ids.into_iter().map(|id| (id.to_string(), file(id))).collect()
+}
+
+fn instance(id: &str, group: &str) -> Instance {
+    Instance { id: id.into(), map: String::new(), note: String::new(), group: Some(group.into()) }
+}
+
+/// From corner to corner, or from the goal to the start.
+fn grid(path: &Path, is_reversed: bool) -> Arc<Scenario> {
+    let bytes = std::fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let mut map = formats::import(&bytes, &path.display().to_string()).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    if is_reversed {
+        std::mem::swap(&mut map.spec.start, &mut map.spec.goals[0].at);
+    }
+    assert_eq!((map.spec.movement.corner_rule, map.grid.width()), (CornerRule::BothFree, 20));
+    Arc::new(Scenario::new(map.grid, map.spec).expect("usable"))
 }
