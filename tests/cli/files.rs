@@ -12,6 +12,7 @@ fn catalog_is_a_table_and_json() {
     folder.run(&["catalog"]).ends(0).says(&["ant-system · Ant System", "rho", "dijkstra", "--preset"]);
     let all = folder.run(&["catalog", "--json"]).ends(0).json();
     assert_eq!(schema::violations(&schema::load("catalog"), &all), Vec::<String>::new());
+    folder.run(&["catalog", "fwa"]).ends(0).says(&["reading: as-read", "reading: printed", "reading: second-reading"]);
     let one = folder.run(&["catalog", "astar", "--json"]).ends(0).json();
     assert_eq!((one["planners"].as_array().unwrap().len(), &one["planners"][0]["id"]), (1, &"astar".into()));
     folder.run(&["catalog", "bee"]).ends(2).says(&["there is no planner `bee`"]);
