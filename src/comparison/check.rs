@@ -111,6 +111,7 @@ impl Question {
         if let Some(wrong) = claim.relevant.filter(|v| !(*v > 0.0 && *v < 1.0)) {
             return Err(QuestionError::field(at("relevant"), wrong, "above 0 and below 1: a part of the baseline's value"));
         }
+        self.check_reading(claim)?;
         check_running_time(claim)
     }
 

@@ -11,6 +11,7 @@ mod matrix;
 mod names;
 mod numbers;
 mod printed;
+mod readings;
 mod table;
 mod tests;
 mod verdicts;

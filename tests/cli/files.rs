@@ -12,6 +12,7 @@ fn catalog_is_a_table_and_json() {
     folder.run(&["catalog"]).ends(0).says(&["ant-system · Ant System", "rho", "dijkstra", "--preset"]);
     let all = folder.run(&["catalog", "--json"]).ends(0).json();
     assert_eq!(schema::violations(&schema::load("catalog"), &all), Vec::<String>::new());
+    folder.run(&["catalog", "fwa"]).ends(0).says(&["reading: as-read", "reading: printed", "reading: second-reading"]);
     let one = folder.run(&["catalog", "astar", "--json"]).ends(0).json();
     assert_eq!((one["planners"].as_array().unwrap().len(), &one["planners"][0]["id"]), (1, &"astar".into()));
     folder.run(&["catalog", "bee"]).ends(2).says(&["there is no planner `bee`"]);
@@ -47,7 +48,10 @@ fn generate_repeats_itself_and_checks_its_arguments() {
     assert_eq!(folder.read("maze.csv").lines().count(), 9);
     folder.run(&["generate", "random", "--size", "9x9", "--density", "0.95"]).ends(2).says(&["density = 0.95"]);
     folder.run(&["generate", "random", "--size", "5000x9"]).ends(2).says(&["a map of 5000 × 9 cells"]);
-    folder.run(&["generate", "forest", "--size", "9x9"]).ends(2).says(&["random, maze, rooms, cave, hills, fractal"]);
+    folder
+        .run(&["generate", "forest", "--size", "9x9"])
+        .ends(2)
+        .says(&["random, maze, rooms, cave, blocks, bars, hills, fractal"]);
     folder.run(&["generate", "maze", "--size", "9"]).ends(2).says(&["40x30"]);
 }
 
