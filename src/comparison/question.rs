@@ -227,13 +227,14 @@ impl Question {
         self.entries.iter().find(|e| e.id == id)
     }
 
-    /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts.
+    /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts; none where
+    /// their published numbers are the same.
     pub fn claimed_size(&self, claim: &Claim, instance: &Instance) -> Option<f64> {
         if claim.size.is_some() {
             return claim.size;
         }
         let published = |id: &str| claim.measure.published(self.entry(id)?.published_for(instance)?);
         let (improved, baseline) = (published(&claim.improved)?, published(&claim.baseline)?);
-        (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
+        (baseline > 0.0 && improved != baseline).then(|| claim.direction.signed(improved - baseline) / baseline)
     }
 }

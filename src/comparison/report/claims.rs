@@ -80,8 +80,9 @@ fn unfit_table(words: &Words, out: &mut String, comparison: &Comparison, unfit: 
     }
     let columns = words.claims.unfit_columns.join(" | ");
     let _ = writeln!(out, "\n## {}\n\n| {columns} |\n|---|---|---|", words.claims.unfit_title);
-    for map in unfit {
-        let why = cell(&unfit_words(words, comparison, map)).into_owned();
+    for of_map in unfit.chunk_by(|a, b| a.instance == b.instance && a.says == b.says) {
+        let why: Vec<_> = of_map.iter().map(|map| unfit_words(words, comparison, map)).collect();
+        let (map, why) = (&of_map[0], cell(&why.join(words.signs.parts)).into_owned());
         let _ = writeln!(out, "| {} | {why} | {} |", map.instance, cell(&prose(&map.says)));
     }
 }
