@@ -96,7 +96,7 @@ fn formicarium() -> Command {
 
 fn compare(name: &str) -> Command {
     let mut command = formicarium();
-    command.args(["compare", &question(name), "--files", "csv,markdown,tests"]);
+    command.args(["compare", &question(name), "--files", "csv,markdown"]);
     command
 }
 
