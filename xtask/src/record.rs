@@ -9,6 +9,7 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 
+use crate::cards;
 use crate::tools::{self, root, run};
 
 #[derive(Args)]
@@ -63,7 +64,7 @@ pub fn record(options: &Options) -> Result<()> {
         }
     }
     println!("record: {:.0} s in all", start.elapsed().as_secs_f64());
-    Ok(())
+    cards::update()
 }
 
 fn timed(what: &str, of: impl FnOnce() -> Result<()>) -> Result<()> {
