@@ -2,6 +2,8 @@
 //!
 //! A place for one begins with `<!-- From records/NAME.md: HEADING -->` and ends with `<!-- End -->`.
 
+mod orders;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -14,8 +16,9 @@ use crate::tools::root;
 const BEGIN: &str = "<!-- From records/";
 const END: &str = "<!-- End -->";
 
-/// Writes the tables of every card anew.
+/// Writes the tables of every card anew, and draws the one figure that is ours to draw.
 pub fn update() -> Result<()> {
+    orders::draw()?;
     let chinese = Chinese::read()?;
     for folder in ["docs/papers", "docs/zh/papers"] {
         let is_chinese = folder.contains("/zh/");
