@@ -7,8 +7,24 @@ use std::sync::Arc;
 use formicarium::comparison::report::{HEADER, line};
 use formicarium::comparison::{Comparison, Instance, Question, Task};
 use formicarium::formats;
-use formicarium::map::CornerRule;
-use formicarium::scenario::Scenario;
+use formicarium::formats::Export;
+use formicarium::map::{CornerRule, Generator, Moves, SliceRules, generate};
+use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+
+/// The maps that were drawn, and the first terrains.
+const OTHER_MAPS: [&str; 11] = [
+    "criss-cross-20x20",
+    "engine-room",
+    "fire-20x20",
+    "hills-20",
+    "hills-30",
+    "hills-50",
+    "hills-64-surface",
+    "ship-20x20",
+    "ship-30x30",
+    "threshold-1",
+    "threshold-2",
+];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments")
@@ -84,6 +100,59 @@ fn our_maps_have_a_path_without_cut_corners() {
         let optimum = formicarium::exact::optimum(&Arc::new(scenario.leg(scenario.start, scenario.goal)));
         assert!(optimum.is_some_and(|o| o >= formicarium::map::octile(a, b)), "{name}");
     }
+}
+
+/// The rows of the suite's table: group, density, seeds.
+fn suite() -> Vec<(String, f64, Vec<u32>)> {
+    let readme = read(&folder().join("maps/README.md"));
+    let table = readme.split("<!-- Made by `cargo xtask maps` -->").nth(1).expect("the suite's table");
+    let table = table.split("<!-- End -->").next().unwrap_or_default();
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let seeds = cells[4].split(", ").map(|seed| seed.parse().expect("a seed")).collect();
+        // Terrains have the generator's own roughness.
+        (cells[0].to_owned(), cells[3].parse().unwrap_or(0.5), seeds)
+    };
+    table.lines().filter(|line| line.starts_with("| ")).skip(1).map(row).collect()
+}
+
+#[test]
+fn the_suite_is_what_the_generators_make() {
+    let suite = suite();
+    assert!(suite.len() >= 11, "{suite:?}");
+    for (group, density, seeds) in &suite {
+        assert!(seeds.len() >= 8 && seeds.is_sorted() && seeds[seeds.len() - 1] <= 1000, "{group}: {seeds:?}");
+        for (place, &seed) in seeds.iter().enumerate() {
+            let path = folder().join(format!("maps/{group}-{:02}.json", place + 1));
+            let committed = scenario(&path);
+            let name = &committed.spec.name;
+            let (kind, rest) = name.split_once('-').expect("generator, size and seed");
+            let kind = Generator::ALL.into_iter().find(|k| k.id() == kind).expect("a generator");
+            let made = generate(kind, committed.spec.width, committed.spec.height, seed, *density).expect("a map");
+            let (width, height) = (made.grid.width(), made.grid.height());
+            assert_eq!(rest, format!("{width}x{height}-seed{seed}"), "{}", path.display());
+            let (start, goals) = (committed.spec.start, committed.spec.goals.clone());
+            let own = made.spec(name.clone());
+            let mut spec = ScenarioSpec { start, goals, ..own };
+            if kind.is_terrain() {
+                if committed.by_slices().is_some() {
+                    let rules = SliceRules::fitting_map(&made.grid, 1.0, start, spec.goals[0].at, None);
+                    spec.terrain = Some(TerrainSpec { moves: TerrainMoves::Slices(rules), ..TerrainSpec::default() });
+                } else {
+                    spec.movement.moves = Moves::Sixteen;
+                }
+            }
+            let bytes = formats::export(&made.grid, &spec, Export::Scenario);
+            assert_eq!(read(&path), bytes, "{}: make it again with `cargo xtask maps`", path.display());
+        }
+    }
+    // Every other file is one of those that are no part of it.
+    let is_listed = |name: &String| {
+        let of = name.rsplit_once('-').and_then(|(group, number)| Some((group, number.parse::<usize>().ok()?)));
+        of.is_some_and(|(of, number)| suite.iter().any(|(group, _, seeds)| group == of && (1..=seeds.len()).contains(&number)))
+    };
+    let others: Vec<String> = names(&folder().join("maps"), "json").into_iter().filter(|name| !is_listed(name)).collect();
+    assert_eq!(others, OTHER_MAPS);
 }
 
 /// So many maps that a verdict over maps can be given.

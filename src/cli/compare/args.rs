@@ -81,10 +81,11 @@ pub struct Args {
     /// What a run may spend, in place of the question's budget: iterations, constructed-paths, ant-moves, cell-expansions or moves
     #[arg(long, value_name = "AXIS=AMOUNT", value_parser = budget)]
     pub budget: Option<Budget>,
-    /// Only this instance; may be repeated
+    /// Only this instance, or all of this group; may be repeated
     #[arg(long, value_name = "ID")]
     pub only: Vec<String>,
-    /// Another map in place of an instance's; with --ablate a map, its ID= may be left out; may be repeated
+    /// Another map in place of an instance's; GROUP/ID=FILE one more beside those of a group; with --ablate a map, its ID= may be left out;
+    /// may be repeated
     #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
     pub map: Vec<(Option<String>, PathBuf)>,
     /// Imported results, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
