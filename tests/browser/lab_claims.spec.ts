@@ -140,7 +140,7 @@ test.describe('claims by reading', () => {
     ])
     await expect(table.getByRole('row')).toHaveCount(2)
     await expect(table.getByRole('cell')).toHaveText([
-      /^Reproduced7 of 7 maps8\.0.*\(5\.0.* to 11\.0/,
+      /^Reproduced7 of 7 maps\+8\.0% \(\+5\.0% to \+11\.0%\)$/,
       /^Partly7 of 7 maps/,
     ])
     const all = page.getByTestId('verdicts').locator('tbody')
@@ -162,7 +162,7 @@ test.describe('claims by reading', () => {
     const results = new ResultsPage(page)
     await results.show(withReadings())
     await results.tab('reported')
-    await page.getByTestId('claims-reading').getByText('as printed').click()
+    await page.getByTestId('claims-reading-printed').check()
     await results.tab('summary')
     await results.tab('reported')
     await expect(page.getByTestId('claims-reading-printed')).toBeChecked()
