@@ -1,4 +1,4 @@
-//! `cargo xtask record`: runs the questions in experiments/ and leaves their records beside them.
+//! `cargo xtask record`: runs the questions in experiments/ and experiments/tuning/ and leaves their records beside them.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use crate::tools::{self, root, run};
 
 #[derive(Args)]
 pub struct Options {
-    /// Only these questions, by their file names without `.toml`
+    /// Only these questions, by their file names without `.toml`: `ship`, `tuning/ship`
     names: Vec<String>,
 }
 
@@ -29,7 +29,7 @@ pub fn record(options: &Options) -> Result<()> {
         if !root().join(question(name)).is_file() {
             bail!("there is no {}: the questions are {}", question(name), questions()?.join(", "));
         }
-        run(compare(name).args(["--out", "experiments/records"]))?;
+        run(compare(name).args(["--out", &records(name)]))?;
         match (&grid, ON_GRID.iter().find(|(question, _)| question == name)) {
             (Some(grid), Some((_, instance))) => on_grid(name, instance, grid)?,
             (None, Some(_)) => println!("record: {name} on {GRID} is left as it is, because FORMICARIUM_DATA is not set"),
@@ -43,13 +43,23 @@ fn question(name: &str) -> String {
     format!("experiments/{name}.toml")
 }
 
-/// Every question, in the order of the names.
+/// The folder of a question's record: `records` beside the question.
+fn records(name: &str) -> String {
+    let folder = name.rfind('/').map_or("", |slash| &name[..=slash]);
+    format!("experiments/{folder}records")
+}
+
+/// Every question, in the order of the names; those of planners that were tuned are last.
 fn questions() -> Result<Vec<String>> {
-    let folder = root().join("experiments");
+    Ok([questions_in("")?, questions_in("tuning/")?].concat())
+}
+
+fn questions_in(part: &str) -> Result<Vec<String>> {
+    let folder = root().join("experiments").join(part);
     let files = folder.read_dir().with_context(|| format!("cannot read {}", folder.display()))?;
     let paths: Vec<PathBuf> = files.map(|file| Ok(file?.path())).collect::<Result<_>>()?;
-    let stem = |path: &PathBuf| path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let mut names: Vec<String> = paths.iter().filter(|p| p.extension().is_some_and(|e| e == "toml")).filter_map(stem).collect();
+    let name = |path: &PathBuf| path.file_stem().map(|stem| format!("{part}{}", stem.to_string_lossy()));
+    let mut names: Vec<String> = paths.iter().filter(|p| p.extension().is_some_and(|e| e == "toml")).filter_map(name).collect();
     names.sort();
     Ok(names)
 }
