@@ -315,7 +315,7 @@ fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
     })
 }
 
-/// Makes a seeded map; `density` (0..=0.9) counts for `random`, and is the roughness of the terrains `fractal` and `hills`.
+/// Makes a seeded map; `density` (0..=0.9) counts for `random`, `blocks` and `bars`, and is the roughness of the terrains `fractal` and `hills`.
 #[wasm_bindgen]
 pub fn generate(kind: Ts<Generator>, width: &Number, height: &Number, seed: &Number, density: &Number) -> Answer<Ts<Generated>> {
     let (width, height, seed) = (width.whole("width")?, height.whole("height")?, seed.whole("seed")?);

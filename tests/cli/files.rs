@@ -47,7 +47,10 @@ fn generate_repeats_itself_and_checks_its_arguments() {
     assert_eq!(folder.read("maze.csv").lines().count(), 9);
     folder.run(&["generate", "random", "--size", "9x9", "--density", "0.95"]).ends(2).says(&["density = 0.95"]);
     folder.run(&["generate", "random", "--size", "5000x9"]).ends(2).says(&["a map of 5000 × 9 cells"]);
-    folder.run(&["generate", "forest", "--size", "9x9"]).ends(2).says(&["random, maze, rooms, cave, hills, fractal"]);
+    folder
+        .run(&["generate", "forest", "--size", "9x9"])
+        .ends(2)
+        .says(&["random, maze, rooms, cave, blocks, bars, hills, fractal"]);
     folder.run(&["generate", "maze", "--size", "9"]).ends(2).says(&["40x30"]);
 }
 

@@ -57,6 +57,8 @@ export const enMaps = {
       maze: 'Maze',
       rooms: 'Rooms',
       cave: 'Cave',
+      blocks: 'Blocks',
+      bars: 'Bars',
       hills: 'Hills',
       fractal: 'Fractal terrain',
     } satisfies Record<Generator, string>,

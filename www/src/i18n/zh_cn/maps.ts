@@ -58,6 +58,8 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
       maze: '迷宫',
       rooms: '房间',
       cave: '洞穴',
+      blocks: '块状障碍',
+      bars: '条形墙',
       hills: '丘陵',
       fractal: '分形地形',
     },
