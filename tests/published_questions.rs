@@ -113,14 +113,16 @@ fn tuned_entries_have_the_values_of_the_tuning() {
 #[test]
 fn what_may_be_tuned_is_a_parameter_and_in_its_range() {
     let folder = folder().join("tuning");
-    let planners: serde_json::Map<String, serde_json::Value> = serde_json::from_str(&read(&folder.join("planners.json"))).expect("planners");
+    let planners: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&read(&folder.join("planners.json"))).expect("planners");
     for (name, tuned) in &planners {
         let planner = tuned["planner"].as_str().expect("an id");
         let lines = read(&folder.join(format!("parameters/{name}.txt")));
         let keys: Vec<&str> = lines.lines().map(|line| line.split_once(' ').expect("key and range").0).collect();
         assert_eq!(tuned["keys"], serde_json::json!(keys), "{name}");
         for line in lines.lines() {
-            let (key, range) = (line.split(' ').next().expect("a key"), &line[line.rfind('(').expect("a range") + 1..line.len() - 1]);
+            let (key, range) =
+                (line.split(' ').next().expect("a key"), &line[line.rfind('(').expect("a range") + 1..line.len() - 1]);
             for end in range.split(", ") {
                 let set = Values::from([(key.to_owned(), Value::Number(end.parse().expect("a number")))]);
                 catalog::values(planner, None, &set).unwrap_or_else(|e| panic!("{name}: {e}"));
