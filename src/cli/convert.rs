@@ -185,8 +185,8 @@ fn read(args: &Args) -> Result<Imported, CliError> {
     Ok(args.reading.import(&args.input)?.piece(options)?)
 }
 
-/// What the format does not hold.
-fn tell_of_losses(format: Format, map: &Imported) {
+/// Tells what the format does not hold.
+pub fn tell_of_losses(format: Format, map: &Imported) {
     let is_terrain = map.spec.terrain.is_some();
     let has_ends = matches!(format, Format::MovingaiScen | Format::Scenario);
     if !has_ends && !map.ends_were_chosen() {

@@ -4,21 +4,30 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::formats::{Imported, Kind};
-use formicarium::map::{Generator, generate};
+use formicarium::map::{Generator, Point, generate};
+use formicarium::scenario::Scenario;
 
-use super::convert::Format;
+use super::convert::{Format, tell_of_losses};
 use super::error::CliError;
-use super::{Outcome, input, output};
+use super::input::MovementArgs;
+use super::reading::ReadingArgs;
+use super::terrain::TerrainArgs;
+use super::{Outcome, input, output, text};
 
-/// Makes a map: random obstacles, a maze, rooms with doors, a cave, or a terrain (fractal, hills)
+/// Makes a map: random obstacles, a maze, rooms with doors, a cave, blocks, bars, or a terrain (fractal, hills)
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
   formicarium generate maze --size 41x31
   formicarium generate random --size 100x100 --density 0.35 --seed 9 --out random.json
+  formicarium generate blocks --size 40x30 --density 0.2 --from 0,29 --to 39,0 > engine-room.json
+  formicarium generate bars --size 20x20 --ends-of fires.json --out fires-7.json --seed 7
   formicarium generate cave --size 64x48 --as matrix > cave.csv
   formicarium generate hills --size 129x129 --roughness 0.6 --out hills.tif
+  formicarium generate hills --size 21x21 --model slices --from 0,10 --to 20,8 --out slices.json
 
+Start and goal lie near the upper-left and the lower-right corner and are connected. Of those that are given here that is not so: on a wall
+they are refused, and no wall is opened between them.
 Terrains have cells of 30 m and heights from 0 to 12 % of the longer side.")]
 pub struct Args {
     /// What to make
@@ -30,15 +39,28 @@ pub struct Args {
     /// The same seed gives the same map on every machine
     #[arg(long, default_value_t = 1, allow_negative_numbers = true)]
     seed: u32,
-    /// Share of obstacles of random, 0 to 0.9 [default: 0.3]; of fractal and hills the roughness [default: 0.5]
+    /// Share of obstacles of random, blocks and bars, 0 to 0.9 [default: 0.3]; of fractal and hills the roughness [default: 0.5]
     #[arg(long, alias = "roughness", allow_negative_numbers = true)]
     density: Option<f64>,
+    /// Start: a cell
+    #[arg(long, value_name = "X,Y", value_parser = input::point)]
+    from: Option<Point>,
+    /// Goal: a cell; repeated for several goals
+    #[arg(long, value_name = "X,Y", value_parser = input::point)]
+    to: Vec<Point>,
+    /// Start and goals, with their names and weights, of this scenario
+    #[arg(long, value_name = "F.json", conflicts_with_all = ["from", "to"])]
+    ends_of: Option<PathBuf>,
+    #[command(flatten)]
+    movement: MovementArgs,
+    #[command(flatten)]
+    terrain: TerrainArgs,
     /// File to write; its ending tells the format [default: standard output]
-    #[arg(long)]
+    #[arg(long, help_heading = "Options")]
     out: Option<PathBuf>,
-    /// movingai-map, movingai-scen, matrix, or scenario, which keeps start and goal; terrains also esri-ascii, height-table, geotiff, srtm
-    /// [default: movingai-map, of terrains scenario]
-    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
+    /// movingai-map, movingai-scen, matrix, or scenario, which keeps start, goals and moves; terrains also esri-ascii, height-table, geotiff,
+    /// srtm [default: movingai-map; scenario of terrains, and where ends or moves are given]
+    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT", help_heading = "Options")]
     format: Option<Format>,
 }
 
@@ -56,10 +78,34 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let density = args.density.unwrap_or(if is_terrain { 0.5 } else { 0.3 });
     let made = generate(args.kind, width, height, args.seed, density)?;
     let spec = made.spec(format!("{}-{width}x{height}-seed{}", args.kind.id(), args.seed));
-    let map = Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new() };
+    let mut map = Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new() };
+    let is_asked = ask(args, &mut map)?;
     let by_ending = args.out.as_deref().and_then(Format::of);
-    let usual = if is_terrain { Format::Scenario } else { Format::MovingaiMap };
+    let usual = if is_terrain || is_asked { Format::Scenario } else { Format::MovingaiMap };
     let format = args.format.or(by_ending).unwrap_or(usual).suited(is_terrain);
+    if is_asked {
+        tell_of_losses(format, &map);
+    }
     output::write(args.out.as_deref(), &format.write(&map)?)?;
     Ok(Outcome::fine(String::new()))
+}
+
+/// Puts the ends and the moves that are given in the place of the generator's, and tells whether any are.
+fn ask(args: &Args, map: &mut Imported) -> Result<bool, CliError> {
+    let own = map.spec.clone();
+    if let Some(file) = &args.ends_of {
+        let ends = ReadingArgs::default().import(file)?;
+        text::notes(&ends.notices);
+        (map.spec.start, map.spec.goals) = (ends.spec.start, ends.spec.goals);
+    }
+    input::set_ends(map, args.from, &args.to);
+    args.movement.apply(map);
+    args.terrain.apply(map)?;
+    let is_asked = args.ends_of.is_some() || args.from.is_some() || !args.to.is_empty() || map.spec != own;
+    if is_asked {
+        // The generator's own ends are free and connected.
+        let scenario = Scenario::new(map.grid.clone(), map.spec.clone())?;
+        text::notes(&scenario.notices());
+    }
+    Ok(is_asked)
 }

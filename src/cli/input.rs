@@ -200,7 +200,7 @@ impl ScenarioArgs {
 
 /// Puts start and goals where they are asked for. As many goals as the map has are moved and keep their names and weights; another
 /// number takes their place.
-fn set_ends(map: &mut Imported, start: Option<Point>, goals: &[Point]) {
+pub fn set_ends(map: &mut Imported, start: Option<Point>, goals: &[Point]) {
     map.spec.start = start.unwrap_or(map.spec.start);
     if goals.len() == map.spec.goals.len() {
         map.spec.goals.iter_mut().zip(goals).for_each(|(goal, &at)| goal.at = at);

@@ -1,4 +1,4 @@
-//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`.
+//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`, `maps`.
 //!
 //! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
@@ -7,6 +7,7 @@
 mod deny;
 mod fuzz;
 mod install;
+mod maps;
 mod page;
 mod record;
 mod serve;
@@ -55,6 +56,8 @@ enum Command {
     },
     /// Run the questions in experiments/ again and replace their records
     Record(record::Options),
+    /// Make the suite of maps in experiments/maps again, with the table in their README
+    Maps(maps::Options),
     /// Run a wasm test file, called by cargo
     #[command(hide = true)]
     TestRunner {
@@ -89,6 +92,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Fuzz(options) => fuzz::fuzz(&options),
         Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
         Command::Record(options) => record::record(&options),
+        Command::Maps(options) => maps::maps(&options),
         Command::TestRunner { args } => wasm::run_tests(args),
     }
 }
