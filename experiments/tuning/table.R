@@ -36,3 +36,26 @@ for (name in unique(training$name)) {
   cells <- c(name, values(name), trained(name, "preset"), trained(name, "tuned"), held_out(name, "preset"), held_out(name, "tuned"))
   cat("|", paste(cells, collapse = " | "), "|\n")
 }
+
+# Which way a verdict tells of a claim.
+side <- function(verdict) {
+  if (grepl("^reproduced|^direction|^partly", verdict)) "for" else if (grepl("opposite", verdict)) "against" else if (grepl("^cannot", verdict)) "untold" else "neither"
+}
+
+# The claims over maps of a record, in pairs: with the preset's values, and the same with tuned ones.
+verdicts <- function(question) {
+  lines <- readLines(file.path("records", paste0(question, ".md")))
+  lines <- lines[grep("^## Claims", lines):grep("^### Map by map", lines)]
+  rows <- strsplit(grep("^\\|.*\\*\\*", lines, value = TRUE), " *\\| *")
+  told <- function(row) c(sub(".*\\*\\*(.*)\\*\\*.*", "\\1", row[7]), paste0(sub("cannot tell.*", "–", row[6]), "; ", sub(" maps.*", "", row[3])))
+  lapply(seq(1, length(rows), 2), function(first) {
+    preset <- told(rows[[first]])
+    tuned <- told(rows[[first + 1]])
+    sides <- c(side(preset[1]), side(tuned[1]))
+    flips <- if (preset[1] == tuned[1]) "" else if (sides[1] == sides[2]) "changes" else if ("untold" %in% sides) "told by one alone" else "**flips**"
+    c(question, rows[[first]][2], preset, tuned, flips)
+  })
+}
+
+cat("\n| | claim | preset: verdict over maps | effect; better on | tuned: verdict over maps | effect; better on | |\n|---|---|---|---|---|---|---|\n")
+for (row in unlist(lapply(names(measures), verdicts), recursive = FALSE)) cat("|", paste(row, collapse = " | "), "|\n")
