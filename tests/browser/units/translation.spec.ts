@@ -102,9 +102,14 @@ async function questions(): Promise<Question[]> {
   return files.map((file) => parse(readFileSync(join(QUESTIONS, file), 'utf8')))
 }
 
+/** The name of a map; null for one that a generator has made, which is told by kind, size and seed. */
+function nameOf(map: string): string | null {
+  const { name } = JSON.parse(readFileSync(join(QUESTIONS, map), 'utf8'))
+  return /^[a-z]+-\d+x\d+-seed\d+$/.test(name) ? null : name
+}
+
 /** What the page shows of a question. */
 function textsOf({ title, paper, asks, instances, entries, claims = [] }: Question) {
-  const nameOf = (map: string) => JSON.parse(readFileSync(join(QUESTIONS, map), 'utf8')).name
   return [
     title,
     paper,

@@ -13,6 +13,7 @@ import type {
   UnfitMap,
   VerdictLine,
 } from '../../model/analysis'
+import { madeMapName } from '../../words/made_maps'
 import { analysis, type OpenComparison, openComparison } from './signals'
 
 type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>
@@ -26,12 +27,15 @@ export const shownAnalysis = computed(() => analysis.value && ofAnalysis(analysi
 const told = <T extends string | null | undefined>(text: T) =>
   (text ? translated(text) : text) as T | string
 
+/** Of a map: one that a generator has made is told by kind, size and seed. */
+const toldName = (name: string) => madeMapName(name) ?? told(name)
+
 function ofComparison({ id, title, question, maps }: OpenComparison): ShownComparison {
   return {
     id,
     title: told(title),
     question: ofQuestion(question),
-    maps: maps.map((map) => ({ ...map, name: told(map.name) })),
+    maps: maps.map((map) => ({ ...map, name: toldName(map.name) })),
   }
 }
 
@@ -59,5 +63,5 @@ function ofAnalysis(of: Analysis): Analysis {
 
 function ofMap(map: MapAnalysis): MapAnalysis {
   const entries = map.entries.map((one): EntryAnalysis => ({ ...one, label: told(one.label) }))
-  return { ...map, name: told(map.name), note: told(map.note), entries }
+  return { ...map, name: toldName(map.name), note: told(map.note), entries }
 }
