@@ -4,11 +4,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use formicarium::catalog;
 use formicarium::comparison::report::{HEADER, line};
 use formicarium::comparison::{Comparison, Instance, Question, Task};
 use formicarium::formats;
 use formicarium::formats::Export;
 use formicarium::map::{CornerRule, Generator, Moves, SliceRules, generate};
+use formicarium::params::{Value, Values};
 use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 
 /// The maps that were drawn, and the first terrains.
@@ -86,6 +88,62 @@ fn every_record_is_what_the_engine_gives() {
         let page = read(&folder().join(format!("records/{name}.md")));
         assert!(page.starts_with(&format!("# {}\n", comparison.question.title)), "{name}");
         assert!(page.contains(&format!("`formicarium compare {name}.toml --out DIR`")), "{name}");
+    }
+}
+
+/// What experiments/tuning/tuned/NAME.toml says: an entry's planner, preset and values.
+#[derive(serde::Deserialize, Debug, PartialEq)]
+#[serde(deny_unknown_fields)]
+struct Tuned {
+    planner: String,
+    preset: Option<String>,
+    set: Values,
+}
+
+#[test]
+fn every_record_of_tuned_planners_is_what_the_engine_gives() {
+    let names = names(&folder().join("tuning"), "toml");
+    assert_eq!(names, ["fire", "fireworks", "ship", "terrain", "threshold"]);
+    for name in names {
+        let comparison = comparison(&format!("tuning/{name}"));
+        assert_recorded(&comparison, &folder().join(format!("tuning/records/{name}.csv")), &[1]);
+    }
+}
+
+#[test]
+fn tuned_entries_have_the_values_of_the_tuning() {
+    for name in names(&folder().join("tuning/tuned"), "toml") {
+        let tuned: Tuned = toml::from_str(&read(&folder().join(format!("tuning/tuned/{name}.toml")))).expect("an entry's values");
+        let (paper, entry) = name.split_once('-').expect("PAPER-ENTRY");
+        let entries = question(&format!("tuning/{paper}")).entries;
+        let find = |id: &str| entries.iter().find(|e| e.id == id).unwrap_or_else(|| panic!("{paper} has no entry {id}"));
+        let (preset, asked) = (find(entry), find(&format!("{entry}-tuned")));
+        let asked = Tuned { planner: asked.planner.clone().expect("runs"), preset: asked.preset.clone(), set: asked.set.clone() };
+        assert_eq!(asked, tuned, "{name}");
+        assert_eq!((preset.planner.as_ref(), &preset.preset), (Some(&tuned.planner), &tuned.preset), "{name}");
+        assert!(preset.set.is_empty(), "{name}");
+    }
+}
+
+/// The search of a tuning has the ranges of the engine, or narrower ones.
+#[test]
+fn what_may_be_tuned_is_a_parameter_and_in_its_range() {
+    let folder = folder().join("tuning");
+    let planners: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&read(&folder.join("planners.json"))).expect("planners");
+    for (name, tuned) in &planners {
+        let planner = tuned["planner"].as_str().expect("an id");
+        let lines = read(&folder.join(format!("parameters/{name}.txt")));
+        let keys: Vec<&str> = lines.lines().map(|line| line.split_once(' ').expect("key and range").0).collect();
+        assert_eq!(tuned["keys"], serde_json::json!(keys), "{name}");
+        for line in lines.lines() {
+            let (key, range) =
+                (line.split(' ').next().expect("a key"), &line[line.rfind('(').expect("a range") + 1..line.len() - 1]);
+            for end in range.split(", ") {
+                let set = Values::from([(key.to_owned(), Value::Number(end.parse().expect("a number")))]);
+                catalog::values(planner, None, &set).unwrap_or_else(|e| panic!("{name}: {e}"));
+            }
+        }
     }
 }
 

@@ -1,5 +1,5 @@
-//! `cargo xtask record`: runs the questions in experiments/ and leaves their records beside them. Broken off, it goes on where it was when it
-//! is started again: every finished run is kept in NAME.partial.
+//! `cargo xtask record`: runs the questions in experiments/ and experiments/tuning/ and leaves their records beside them. Broken off, it goes
+//! on where it was when it is started again: every finished run is kept in NAME.partial.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::tools::{self, root, run};
 
 #[derive(Args)]
 pub struct Options {
-    /// Only these questions, by their file names without `.toml`
+    /// Only these questions, by their file names without `.toml`: `ship`, `tuning/ship`
     names: Vec<String>,
 }
 
@@ -56,7 +56,7 @@ pub fn record(options: &Options) -> Result<()> {
     let data = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()).map(|data| root().join(data));
     let start = Instant::now();
     for name in &names {
-        timed(name, || run(compare(name).args(["--out", "experiments/records"])))?;
+        timed(name, || run(compare(name).args(["--out", &records(name)])))?;
         let Some(public) = ON_PUBLIC_MAPS.iter().find(|public| public.question == name) else { continue };
         match &data {
             Some(data) => timed(&format!("{name} on public maps"), || on_public_maps(public, &data.join("papers")))?,
@@ -78,13 +78,23 @@ fn question(name: &str) -> String {
     format!("experiments/{name}.toml")
 }
 
-/// Every question, in the order of the names.
+/// The folder of a question's record: `records` beside the question.
+fn records(name: &str) -> String {
+    let folder = name.rfind('/').map_or("", |slash| &name[..=slash]);
+    format!("experiments/{folder}records")
+}
+
+/// Every question, in the order of the names; those of planners that were tuned are last.
 fn questions() -> Result<Vec<String>> {
-    let folder = root().join("experiments");
+    Ok([questions_in("")?, questions_in("tuning/")?].concat())
+}
+
+fn questions_in(part: &str) -> Result<Vec<String>> {
+    let folder = root().join("experiments").join(part);
     let files = folder.read_dir().with_context(|| format!("cannot read {}", folder.display()))?;
     let paths: Vec<PathBuf> = files.map(|file| Ok(file?.path())).collect::<Result<_>>()?;
-    let stem = |path: &PathBuf| path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let mut names: Vec<String> = paths.iter().filter(|p| p.extension().is_some_and(|e| e == "toml")).filter_map(stem).collect();
+    let name = |path: &PathBuf| path.file_stem().map(|stem| format!("{part}{}", stem.to_string_lossy()));
+    let mut names: Vec<String> = paths.iter().filter(|p| p.extension().is_some_and(|e| e == "toml")).filter_map(name).collect();
     names.sort();
     Ok(names)
 }
