@@ -31,7 +31,7 @@ Examples:
   formicarium compare experiments/ship.toml --out /tmp/look --seeds 10 --files markdown,latex
   formicarium compare experiments/ship.toml --out /tmp/zh --files markdown,latex --language zh-CN
   formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
-  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
+  formicarium compare experiments/ship.toml --out /tmp/mine --only mine --map ship-20x20/mine=mine.csv
   formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
   formicarium compare experiments/ship.toml --results-template > mine.csv
   formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
@@ -172,6 +172,6 @@ pub fn named_map(text: &str) -> Result<(Option<String>, PathBuf), String> {
     match text.split_once('=') {
         None if !text.is_empty() => Ok((None, text.into())),
         Some((id, file)) if !id.is_empty() && !file.is_empty() => Ok((Some(id.into()), file.into())),
-        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv")),
+        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20-01=mine.csv, or GROUP/ID=FILE")),
     }
 }

@@ -118,7 +118,7 @@ fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Que
     question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = folder.join(&*file).display().to_string());
     if let Some((_, map)) = args.map.iter().find(|(id, _)| id.is_none()) {
         let message = format!("`{}` stands in for no map", map.display());
-        return Err(CliError::usage(message, "write ID=FILE such as ship-20x20=mine.csv"));
+        return Err(CliError::usage(message, "write ID=FILE such as ship-20x20-01=mine.csv, or GROUP/ID=FILE"));
     }
     let all = question.instances.clone();
     narrow(args, &mut question).map_err(|e| args.wrong(e))?;
