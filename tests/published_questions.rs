@@ -232,7 +232,9 @@ fn the_records_on_public_maps_are_what_the_engine_gives() {
         println!("skipped: FORMICARIUM_DATA is not set");
         return;
     };
-    for (name, group) in [("classics", "plane"), ("fireworks", "criss-cross"), ("ship", "ship-20x20"), ("threshold", "environment-2")] {
+    for (name, group) in
+        [("classics", "plane"), ("fireworks", "criss-cross"), ("ship", "ship-20x20"), ("threshold", "environment-2")]
+    {
         let record = folder().join(format!("records/public/{name}.csv"));
         let mut question = question(name);
         let files = grids_of(&read(&record));

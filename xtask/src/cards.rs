@@ -101,7 +101,8 @@ struct Chinese(BTreeMap<String, String>);
 impl Chinese {
     fn read() -> Result<Self> {
         let from = root().join("www/src/i18n/zh_cn/questions.ts");
-        let program = format!("import({:?}).then((m) => console.log(JSON.stringify(m.zhCNQuestions)))", from.display().to_string());
+        let program =
+            format!("import({:?}).then((m) => console.log(JSON.stringify(m.zhCNQuestions)))", from.display().to_string());
         let told = Command::new("node").args(["--no-warnings", "--experimental-strip-types", "--eval", &program]).output();
         let told = told.context("cannot run node")?;
         if !told.status.success() {
@@ -168,7 +169,11 @@ mod tests {
     use super::*;
 
     fn chinese() -> Chinese {
-        Chinese([("shorter paths", "路径更短"), ("ACO", "ACO"), ("ACO, as printed", "ACO，按印刷公式")].map(|(a, b)| (a.into(), b.into())).into())
+        Chinese(
+            [("shorter paths", "路径更短"), ("ACO", "ACO"), ("ACO, as printed", "ACO，按印刷公式")]
+                .map(|(a, b)| (a.into(), b.into()))
+                .into(),
+        )
     }
 
     #[test]

@@ -48,7 +48,10 @@ fn fire(goal: &Value) -> Option<Fire> {
 fn ways(start: [f64; 2], fires: &[Fire], order: &[usize]) -> Vec<(f64, f64)> {
     let places = std::iter::once(start).chain(order.iter().map(|&i| fires[i].at));
     let length = |([x, y], fire): ([f64; 2], &Fire)| (fire.at[0] - x).hypot(fire.at[1] - y);
-    places.zip(order.iter().map(|&i| &fires[i])).map(|(from, fire)| (length((from, fire)), length((from, fire)) * fire.b)).collect()
+    places
+        .zip(order.iter().map(|&i| &fires[i]))
+        .map(|(from, fire)| (length((from, fire)), length((from, fire)) * fire.b))
+        .collect()
 }
 
 /// The order of the least sum, of all that there are.
@@ -85,7 +88,11 @@ fn svg(curves: &[(String, Vec<f64>); 2]) -> String {
     );
     for tick in (0..=top as u32).step_by(5) {
         let at = y(tick.into());
-        let _ = writeln!(out, "<path d=\"M60 {at:.1}H440\" stroke=\"#dddddd\"/><text x=\"50\" y=\"{:.1}\" text-anchor=\"end\">{tick}</text>", at + 4.0);
+        let _ = writeln!(
+            out,
+            "<path d=\"M60 {at:.1}H440\" stroke=\"#dddddd\"/><text x=\"50\" y=\"{:.1}\" text-anchor=\"end\">{tick}</text>",
+            at + 4.0
+        );
     }
     for way in 0..curves[0].1.len() {
         let _ = writeln!(out, "<text x=\"{}\" y=\"280\" text-anchor=\"middle\">way {}</text>", x(way), way + 1);
@@ -93,12 +100,24 @@ fn svg(curves: &[(String, Vec<f64>); 2]) -> String {
     for (place, ((name, weights), (colour, dashes))) in curves.iter().zip(STYLES).enumerate() {
         let points = weights.iter().enumerate().map(|(way, weight)| format!("{},{:.1}", x(way), y(*weight)));
         let points = points.collect::<Vec<_>>().join(" ");
-        let _ = writeln!(out, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-dasharray=\"{dashes}\"/>");
+        let _ = writeln!(
+            out,
+            "<polyline points=\"{points}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-dasharray=\"{dashes}\"/>"
+        );
         for (way, weight) in weights.iter().enumerate() {
-            let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{:.1}\" r=\"4\" fill=\"{colour}\"><title>{weight:.2}</title></circle>", x(way), y(*weight));
+            let _ = writeln!(
+                out,
+                "<circle cx=\"{}\" cy=\"{:.1}\" r=\"4\" fill=\"{colour}\"><title>{weight:.2}</title></circle>",
+                x(way),
+                y(*weight)
+            );
         }
         let at = 305 + 20 * place;
-        let _ = writeln!(out, "<path d=\"M60 {}h30\" stroke=\"{colour}\" stroke-width=\"2\" stroke-dasharray=\"{dashes}\"/><text x=\"100\" y=\"{at}\">{name}</text>", at - 4);
+        let _ = writeln!(
+            out,
+            "<path d=\"M60 {}h30\" stroke=\"{colour}\" stroke-width=\"2\" stroke-dasharray=\"{dashes}\"/><text x=\"100\" y=\"{at}\">{name}</text>",
+            at - 4
+        );
     }
     out + "<text x=\"60\" y=\"24\">weight R of a way, by straight lines</text>\n</svg>\n"
 }
