@@ -111,7 +111,7 @@ test.describe('claims over maps', () => {
     await page.getByTestId('language').click()
     await page.getByTestId('language-zh-CN').click()
     await expect(unfit.getByRole('listitem')).toHaveText([
-      'map-7：精确最优为 10.00，论文报告 9.5（table 1）',
+      'map-7：精确最优为 10.00，论文报告 9.5（表 1）',
     ])
     await expect(page.getByTestId('claim-length')).toContainText('7 张地图中的 7 张')
   })
@@ -140,7 +140,7 @@ test.describe('claims by reading', () => {
     ])
     await expect(table.getByRole('row')).toHaveCount(2)
     await expect(table.getByRole('cell')).toHaveText([
-      /^Reproduced7 of 7 maps\+8\.0% \(\+5\.0% to \+11\.0%\)$/,
+      /^Reproduced7 of 7 maps\+10\.0% \(\+5\.0% to \+10\.0%\)$/,
       /^Partly7 of 7 maps/,
     ])
     const all = page.getByTestId('verdicts').locator('tbody')
