@@ -95,16 +95,20 @@ const WORDS: [(&str, &str); 32] = [
 const CELLS: [(&str, &str); 5] =
     [("claim", "主张"), ("measure", "衡量标准"), ("length", "路径长度"), ("turns", "转弯次数"), ("cost", "路径代价")];
 
+/// Prints a dictionary of the page as JSON; the page's own tool reads TypeScript.
+const AS_JSON: &str = "\
+import { runnerImport } from 'vite'
+const { module } = await runnerImport(process.argv[1], { configFile: false, logLevel: 'error' })
+console.log(JSON.stringify(module.zhCNQuestions))";
+
 /// What the page says in Chinese of the questions' own texts.
 struct Chinese(BTreeMap<String, String>);
 
 impl Chinese {
     fn read() -> Result<Self> {
         let from = root().join("www/src/i18n/zh_cn/questions.ts");
-        let program =
-            format!("import({:?}).then((m) => console.log(JSON.stringify(m.zhCNQuestions)))", from.display().to_string());
-        let told = Command::new("node").args(["--no-warnings", "--experimental-strip-types", "--eval", &program]).output();
-        let told = told.context("cannot run node")?;
+        let node = Command::new("node").current_dir(root().join("www")).args(["--input-type=module", "--eval", AS_JSON]).arg(&from).output();
+        let told = node.context("cannot run node")?;
         if !told.status.success() {
             bail!("{}: {}", from.display(), String::from_utf8_lossy(&told.stderr));
         }
