@@ -44,7 +44,7 @@ fn filled(card: &str, told: impl Fn(&str) -> Result<String>) -> Result<String> {
         let (_, rest) = rest.split_once(END).ok_or_else(|| anyhow!("no {END} after the place for {from}"))?;
         let (record, heading) = from.split_once(": ").ok_or_else(|| anyhow!("{from} names no heading"))?;
         let record = fs::read_to_string(root().join("experiments/records").join(record))?;
-        made += &format!("{BEGIN}{from} -->\n{}{END}{rest}", told(&table(&record, heading)?)?);
+        made += &format!("{BEGIN}{from} -->\n\n{}\n{END}{rest}", told(&table(&record, heading)?)?);
     }
     Ok(made)
 }
@@ -107,7 +107,11 @@ struct Chinese(BTreeMap<String, String>);
 impl Chinese {
     fn read() -> Result<Self> {
         let from = root().join("www/src/i18n/zh_cn/questions.ts");
-        let node = Command::new("node").current_dir(root().join("www")).args(["--input-type=module", "--eval", AS_JSON]).arg(&from).output();
+        let node = Command::new("node")
+            .current_dir(root().join("www"))
+            .args(["--input-type=module", "--eval", AS_JSON])
+            .arg(&from)
+            .output();
         let told = node.context("cannot run node")?;
         if !told.status.success() {
             bail!("{}: {}", from.display(), String::from_utf8_lossy(&told.stderr));
