@@ -31,8 +31,6 @@ export const zhCNQuestions: Record<string, string> = {
   // What they ask.
   "Do the successors of Ant System find shorter paths than it does, as they do on tours (Dorigo and Stützle 2004, chapter 3), when each constructs 5000 paths? Parameters are the defaults here: the book's where it has them. A question of our own: no size is claimed.":
     '各构造 5000 条路径时，蚂蚁系统的后继算法能否如在旅行商问题上那样（Dorigo 与 Stützle 2004，第 3 章）找到比它更短的路径？参数取此处的默认值：书中给出的取书中的值。这是我们自己的问题：没有所称的大小。',
-  "Do the weighted order and the pseudo-random proportional rule give a path of less weight R, with fewer turns and sooner, with the paper's parameters? The paper's walls are a figure, so many maps of ours stand for it; start, fires and their weights give its order table (table 1, figure 4). The table's index, 54.02 and 49.71, is called R in the text, the length of each leg times the weight of its fire, though legs of these lengths cannot weigh that much; only its relative difference is compared. Each claim is asked as we read the paper, as printed, and with its index V as the criterion of a path, as its conclusion says.":
-    '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此由我们的多张地图代表；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此只比较相对差别。每项主张分别按我们的理解、按印刷公式，以及以其指标 V 为路径标准（如其结束语所说）来检验。',
   "Does the hybrid find shorter paths than its parts, and sooner, with the paper's parameters? The paper's map is a figure, so many maps of ours stand for it, of its size and in its style. The hybrids begin with 50 iterations of fireworks or particles. The paper's curve begins with the ants, and so does the iteration of the best here; constructed paths count both stages. Each claim is asked as we read the paper, as printed, and with an x_min above 0 and a trail of the iteration's best path alone.":
     '采用论文的参数，混合算法能否比其组成部分更快地找到更短的路径？论文的地图只是一张图，因此由我们的多张地图代表，大小与风格相同。混合算法先用烟花或粒子迭代 50 次。论文的曲线从蚂蚁开始，这里的最优所在迭代也是如此；构造的路径数把两个阶段都计入。每项主张分别按我们的理解、按印刷公式，以及取大于 0 的 x_min 且只由本次迭代的最优路径留下信息素来检验。',
   "Does the improved algorithm find shorter paths with fewer turns in fewer iterations than the basic ant colony, with the paper's parameters? The paper's maps are figures, so many maps of ours stand for each, of its size and in its style. Its improved paths are refined by line of sight (section 3.3); so are ours, and length and turns are those of the refined path. The basic colony's are not refined, in the paper neither; so the search is also compared by itself, with both unrefined and with both refined, without a claimed size. Each claim is asked as we read the paper, as printed, and with ρ = 0.8 as the part of a trail that stays.":
@@ -45,6 +43,8 @@ export const zhCNQuestions: Record<string, string> = {
     '沿地面以 16 个方向移动时，改进算法能否比基本蚁群和粒子群找到更短的路径？这是我们自己的问题：论文按切片移动。这些地形不代表论文的任何地图。',
   "Does ACOST find shorter paths than ACOMSP, and in the harder environment than ACO, with the paper's parameters? The paper's environments are figures, so many maps of ours stand for each, of its size and in its style, half of them walked from the other end, as the paper does not say which way; the open ones have fewer obstacles, so that ACOMSP arrives on more of them. In environment I the paper gives ACOST and ACO the same length; nothing is claimed about the two there. Each claim is asked as we read the paper, as printed, and with ants that enter the goal when they are beside it.":
     '采用论文的参数，ACOST 能否找到比 ACOMSP 更短的路径，并在较难的环境中优于 ACO？论文的环境只是图，因此每个由我们的多张地图代表，大小与风格相同；论文没有说明走向，所以其中一半从另一端出发；开阔的一组障碍较少，使 ACOMSP 在更多的地图上能够到达。在环境 I 中，论文给出的 ACOST 与 ACO 长度相同；对这两者在该处没有主张。每项主张分别按我们的理解、按印刷公式，以及让与终点相邻的蚂蚁直接进入终点来检验。',
+  "Do the weighted order and the pseudo-random proportional rule give a path of less weight R, with fewer turns and sooner, with the paper's parameters? The paper's walls are a figure, so many maps of ours stand for it; start, fires and their weights give its order table (table 1, figure 4). The table's index, 54.02 and 49.71, is called R in the text, the length of each leg times the weight of its fire, though legs of these lengths cannot weigh that much; so the size of the claim on R is that of the orders, 24.45 to 21.47. Each claim is asked as we read the paper, as printed, and with its index V as the criterion of a path, as its conclusion says.":
+    '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此由我们的多张地图代表；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此关于 R 的主张取两种次序的差别，24.45 至 21.47。每项主张分别按我们的理解、按印刷公式，以及以其指标 V 为路径标准（如其结束语所说）来检验。',
 
   // Maps.
   'Compartment, 20 × 20': '船舱，20 × 20',
@@ -249,6 +249,8 @@ export const zhCNQuestions: Record<string, string> = {
     '论文没有说明其粒子群；我们的会截断越界的粒子、把路径抬出地面，并与蚁群预算相同。',
   "Eq. 2 prints the step's length, the words before eq. 1 say distance to the goal; what is improved depends on it.":
     '式 2 印的是步长，式 1 之前的文字说的是到终点的距离；改进与否取决于此。',
+  'The size is that of the two orders by straight lines, 24.45 and 21.47 (figure 4): the index of table 2, 54.02 and 49.71, cannot be R.':
+    '所称的大小取按直线的两种次序，24.45 与 21.47（图 4）：表 2 的指标 54.02 与 49.71 不可能是 R。',
 
   // Where a publication says of its maps what it says.
   'table 1': '表 1',
