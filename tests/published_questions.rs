@@ -40,7 +40,9 @@ fn scenario(path: &Path) -> Arc<Scenario> {
 
 fn comparison(name: &str) -> Comparison {
     let question = question(name);
-    let maps = question.instances.iter().map(|i| scenario(&folder().join(&i.map))).collect();
+    let path = folder().join(name);
+    let beside = path.parent().expect("a folder");
+    let maps = question.instances.iter().map(|i| scenario(&beside.join(&i.map))).collect();
     Comparison::new(question, maps).unwrap_or_else(|e| panic!("{name}: {e}"))
 }
 
