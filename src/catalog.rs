@@ -15,7 +15,7 @@ use crate::params::{ParamSpec, Values};
 use crate::planner::Changing;
 #[cfg(feature = "whole")]
 use crate::planner::GroundRule;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 #[cfg(feature = "whole")]
 use crate::scenario::{MAX_CHANGES, MAX_GOALS};
@@ -314,6 +314,10 @@ pub struct CatalogEntry {
     pub source: String,
     /// Named parameter sets.
     pub presets: Vec<PresetEntry>,
+    /// Which reading of its publication its defaults are; absent where they are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub reading: Option<PaperReading>,
     /// What its publication adds.
     pub components: Vec<ComponentEntry>,
     /// Its parameters.
@@ -339,6 +343,10 @@ pub struct PresetEntry {
     /// Values by key.
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, number | string | boolean>"))]
     pub values: Values,
+    /// Which reading of the planner's publication it is; absent where it is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub reading: Option<PaperReading>,
 }
 
 /// One component as data.
@@ -375,6 +383,7 @@ pub fn catalog() -> Catalog {
         source: p.source.into(),
         meaning: p.meaning.into(),
         values: p.values(),
+        reading: p.reading,
     };
     let component =
         |c: &Component| ComponentEntry { id: c.id.into(), name: c.name.into(), adds: c.adds.into(), without: c.values() };
@@ -386,7 +395,8 @@ pub fn catalog() -> Catalog {
         summary: e.summary.into(),
         source: e.source.into(),
         presets: e.presets.iter().map(preset).collect(),
-        // No planner of the opening build has any; it is spared the reading of numbers.
+        // No planner of the opening build has any readings or components; it is spared the reading of numbers.
+        reading: if MORE { e.reading_of(None) } else { None },
         components: if MORE { e.components.iter().map(component).collect() } else { Vec::new() },
         params: (e.specs)(),
         layers: e.layers.to_vec(),

@@ -78,3 +78,45 @@ fn every_file_that_is_named_exists() {
     assert_eq!(wrong, Vec::<String>::new());
     assert!(paths(&text("docs/architecture.md")).len() > 20, "paths are not found");
 }
+
+/// The tables that a card takes over: the record, its heading, and the lines.
+fn taken(card: &str) -> Vec<(String, String, Vec<String>)> {
+    let part = |part: &str| {
+        let (from, rest) = part.split_once(" -->\n").expect("a record");
+        let (record, heading) = from.split_once(": ").expect("a heading");
+        let table = rest.split("<!-- End -->").next().unwrap_or_default();
+        (record.to_owned(), heading.to_owned(), table.lines().filter(|line| !line.is_empty()).map(Into::into).collect())
+    };
+    card.split("<!-- From records/").skip(1).map(part).collect()
+}
+
+/// Numbers as they stand in a line, in their order but for those of "3 of 5 maps", which Chinese turns round.
+fn numbers(line: &str) -> Vec<String> {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '−' | '+');
+    let mut found: Vec<String> =
+        line.split(|c| !is_part(c)).filter(|word| word.contains(|c: char| c.is_ascii_digit())).map(Into::into).collect();
+    found.sort();
+    found
+}
+
+#[test]
+fn cards_say_what_the_records_say() {
+    for card in ["fire", "fireworks", "ship", "terrain", "threshold"] {
+        let english = taken(&text(&format!("docs/papers/{card}.md")));
+        let chinese = taken(&text(&format!("docs/zh/papers/{card}.md")));
+        assert!(!english.is_empty(), "{card} takes nothing from its record");
+        for ((record, heading, table), (of, at, translated)) in english.iter().zip(&chinese) {
+            assert_eq!((record, heading), (of, at), "{card}");
+            let lines = text(&format!("experiments/records/{record}"));
+            let (_, below) = lines.split_once(&format!("\n## {heading}\n\n")).unwrap_or_else(|| panic!("{record}: no {heading}"));
+            let recorded: Vec<&str> = below.lines().take_while(|line| line.starts_with('|')).collect();
+            assert!(recorded.len() > 2 && *table == recorded, "{card}: write it anew with `cargo xtask cards`");
+            for (row, translated) in table.iter().zip(translated).skip(2) {
+                let (_, cells) = row.split_once(" | ").expect("cells");
+                let (_, same) = translated.split_once(" | ").expect("cells");
+                assert_eq!(numbers(cells), numbers(same), "{card}: {row}\n{translated}");
+            }
+        }
+        assert_eq!(english.len(), chinese.len(), "{card}");
+    }
+}

@@ -6,11 +6,27 @@ use std::sync::Arc;
 
 use formicarium::catalog;
 use formicarium::comparison::report::{HEADER, line};
-use formicarium::comparison::{Comparison, Question, Task};
+use formicarium::comparison::{Comparison, Instance, Question, Task};
 use formicarium::formats;
-use formicarium::map::CornerRule;
+use formicarium::formats::Export;
+use formicarium::map::{CornerRule, Generator, Moves, SliceRules, generate};
 use formicarium::params::{Value, Values};
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+
+/// The maps that were drawn, and the first terrains.
+const OTHER_MAPS: [&str; 11] = [
+    "criss-cross-20x20",
+    "engine-room",
+    "fire-20x20",
+    "hills-20",
+    "hills-30",
+    "hills-50",
+    "hills-64-surface",
+    "ship-20x20",
+    "ship-30x30",
+    "threshold-1",
+    "threshold-2",
+];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments")
@@ -139,6 +155,10 @@ fn our_maps_have_a_path_without_cut_corners() {
         let scenario = scenario(&folder().join(format!("maps/{name}.json")));
         assert_eq!(scenario.spec.movement.corner_rule, CornerRule::BothFree, "{name}");
         assert!(scenario.reachable() && !scenario.spec.name.is_empty(), "{name}");
+        // By slices one goes above the ground: there are no corners.
+        if scenario.by_slices().is_some() {
+            continue;
+        }
         // Around the walls: longer than on an open map, for every goal that is not in sight of the start.
         let (a, b) = (scenario.spec.start, scenario.spec.goals[0].at);
         let optimum = formicarium::exact::optimum(&Arc::new(scenario.leg(scenario.start, scenario.goal)));
@@ -146,20 +166,113 @@ fn our_maps_have_a_path_without_cut_corners() {
     }
 }
 
-/// On a public grid that is not ours to commit.
+/// The rows of the suite's table: group, density, seeds.
+fn suite() -> Vec<(String, f64, Vec<u32>)> {
+    let readme = read(&folder().join("maps/README.md"));
+    let table = readme.split("<!-- Made by `cargo xtask maps` -->").nth(1).expect("the suite's table");
+    let table = table.split("<!-- End -->").next().unwrap_or_default();
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let seeds = cells[4].split(", ").map(|seed| seed.parse().expect("a seed")).collect();
+        // Terrains have the generator's own roughness.
+        (cells[0].to_owned(), cells[3].parse().unwrap_or(0.5), seeds)
+    };
+    table.lines().filter(|line| line.starts_with("| ")).skip(1).map(row).collect()
+}
+
 #[test]
-fn the_records_on_the_classic_grid_are_what_the_engine_gives() {
+fn the_suite_is_what_the_generators_make() {
+    let suite = suite();
+    assert!(suite.len() >= 11, "{suite:?}");
+    for (group, density, seeds) in &suite {
+        assert!(seeds.len() >= 8 && seeds.is_sorted() && seeds[seeds.len() - 1] <= 1000, "{group}: {seeds:?}");
+        for (place, &seed) in seeds.iter().enumerate() {
+            let path = folder().join(format!("maps/{group}-{:02}.json", place + 1));
+            let committed = scenario(&path);
+            let name = &committed.spec.name;
+            let (kind, rest) = name.split_once('-').expect("generator, size and seed");
+            let kind = Generator::ALL.into_iter().find(|k| k.id() == kind).expect("a generator");
+            let made = generate(kind, committed.spec.width, committed.spec.height, seed, *density).expect("a map");
+            let (width, height) = (made.grid.width(), made.grid.height());
+            assert_eq!(rest, format!("{width}x{height}-seed{seed}"), "{}", path.display());
+            let (start, goals) = (committed.spec.start, committed.spec.goals.clone());
+            let own = made.spec(name.clone());
+            let mut spec = ScenarioSpec { start, goals, ..own };
+            if kind.is_terrain() {
+                if committed.by_slices().is_some() {
+                    let rules = SliceRules::fitting_map(&made.grid, 1.0, start, spec.goals[0].at, None);
+                    spec.terrain = Some(TerrainSpec { moves: TerrainMoves::Slices(rules), ..TerrainSpec::default() });
+                } else {
+                    spec.movement.moves = Moves::Sixteen;
+                }
+            }
+            let bytes = formats::export(&made.grid, &spec, Export::Scenario);
+            assert_eq!(read(&path), bytes, "{}: make it again with `cargo xtask maps`", path.display());
+        }
+    }
+    // Every other file is one of those that are no part of it.
+    let is_listed = |name: &String| {
+        let of = name.rsplit_once('-').and_then(|(group, number)| Some((group, number.parse::<usize>().ok()?)));
+        of.is_some_and(|(of, number)| suite.iter().any(|(group, _, seeds)| group == of && (1..=seeds.len()).contains(&number)))
+    };
+    let others: Vec<String> = names(&folder().join("maps"), "json").into_iter().filter(|name| !is_listed(name)).collect();
+    assert_eq!(others, OTHER_MAPS);
+}
+
+/// So many maps that a verdict over maps can be given.
+#[test]
+fn no_claim_rests_on_one_map() {
+    for name in names(&folder(), "toml") {
+        let question = question(&name);
+        for claim in &question.claims {
+            let maps = question.instances.iter().filter(|i| claim.is_about(i)).count();
+            assert!(maps >= 6, "{name}: {} is about {maps} maps", claim.id);
+        }
+    }
+}
+
+/// On public maps, which are not ours to commit: those that a record names, in the order of its runs.
+#[test]
+fn the_records_on_public_maps_are_what_the_engine_gives() {
     let Some(data) = std::env::var_os("FORMICARIUM_DATA") else {
         println!("skipped: FORMICARIUM_DATA is not set");
         return;
     };
-    let grid = scenario(&Path::new(&data).join("papers/G20_classic.csv"));
-    assert_eq!((grid.spec.movement.corner_rule, grid.grid.width()), (CornerRule::BothFree, 20));
-    let asked = [("ship", "ship-20x20"), ("threshold", "threshold-2"), ("classics", "criss-cross"), ("fireworks", "criss-cross")];
-    for (name, instance) in asked {
+    for (name, group) in
+        [("classics", "plane"), ("fireworks", "criss-cross"), ("ship", "ship-20x20"), ("threshold", "environment-2")]
+    {
+        let record = folder().join(format!("records/public/{name}.csv"));
         let mut question = question(name);
-        question.keep_instances(&[instance.into()]).expect("an instance");
-        let comparison = Comparison::new(question, vec![Arc::clone(&grid)]).expect("the same entries");
-        assert_recorded(&comparison, &folder().join(format!("records/G20_classic/{name}.csv")), &[1, 2, 50]);
+        let files = grids_of(&read(&record));
+        question.instances = files.iter().map(|(id, _)| instance(id, group)).collect();
+        let ids: Vec<String> = files.iter().map(|(id, _)| id.clone()).collect();
+        question.keep_instances(&ids).expect("instances");
+        let papers = Path::new(&data).join("papers");
+        let is_reversed = |place: usize| name == "threshold" && place % 2 == 1;
+        let maps = files.iter().enumerate().map(|(place, (_, file))| grid(&papers.join(file), is_reversed(place))).collect();
+        assert_recorded(&Comparison::new(question, maps).expect("the same entries"), &record, &[1, 100]);
     }
+}
+
+/// The maps of a record by their ids, with the files of the data folder that they stand for.
+fn grids_of(record: &str) -> Vec<(String, String)> {
+    let mut ids: Vec<&str> = record.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    ids.dedup();
+    let file = |id: &str| format!("G{}.csv", id.trim_start_matches('g').replace('-', "_"));
+    ids.into_iter().map(|id| (id.to_string(), file(id))).collect()
+}
+
+fn instance(id: &str, group: &str) -> Instance {
+    Instance { id: id.into(), map: String::new(), note: String::new(), group: Some(group.into()) }
+}
+
+/// From corner to corner, or from the goal to the start.
+fn grid(path: &Path, is_reversed: bool) -> Arc<Scenario> {
+    let bytes = std::fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let mut map = formats::import(&bytes, &path.display().to_string()).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    if is_reversed {
+        std::mem::swap(&mut map.spec.start, &mut map.spec.goals[0].at);
+    }
+    assert_eq!((map.spec.movement.corner_rule, map.grid.width()), (CornerRule::BothFree, 20));
+    Arc::new(Scenario::new(map.grid, map.spec).expect("usable"))
 }

@@ -63,8 +63,14 @@ function listed(name: string) {
     runs: entries.filter(({ planner }) => planner !== undefined).length * instances.length,
     moves: movesOf(name, seeds.count),
     onTerrain: instances.every(({ map }) => 'terrain' in mapOf(map)),
-    card: readdirSync(CARDS).includes(`${name}.md`),
+    card: cardOf(name),
   }
+}
+
+/** The card of a paper is called like its question, or like the beginning of one of several. */
+function cardOf(name: string): string | null {
+  const cards = readdirSync(CARDS).map((file) => basename(file, '.md'))
+  return cards.find((card) => name === card || name.startsWith(`${card}-`)) ?? null
 }
 
 /** Ant moves of all runs with one seed, as recorded: how long it takes is reckoned from them. */

@@ -45,9 +45,14 @@ fn table(planner: &CatalogEntry) -> String {
         let gap = if i == 0 { "\n" } else { "" };
         let _ = writeln!(out, "{gap}  {k:<key$}  {d:>default$}  {r:<range$}  {meaning}");
     }
+    if let Some(reading) = planner.reading {
+        let _ = writeln!(out, "\n  without a preset\n    reading: {}", reading.id());
+    }
     for preset in &planner.presets {
         let values: Vec<String> = preset.values.iter().map(|(k, v)| format!("{k}={v}")).collect();
-        let _ = writeln!(out, "\n  --preset {}: {} ({})\n    {}", preset.name, preset.meaning, preset.source, values.join(" "));
+        let reading = preset.reading.map_or_else(String::new, |reading| format!("\n    reading: {}", reading.id()));
+        let (name, meaning, source) = (&preset.name, &preset.meaning, &preset.source);
+        let _ = writeln!(out, "\n  --preset {name}: {meaning} ({source})\n    {}{reading}", values.join(" "));
     }
     for component in &planner.components {
         let values: Vec<String> = component.without.iter().map(|(k, v)| format!("--set {k}={v}")).collect();

@@ -10,6 +10,7 @@ use formicarium::map::{Movement, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
+use super::input::RouteArgs;
 use super::reading::ReadingArgs;
 use super::streams::say;
 use super::{Outcome, input, output, text};
@@ -29,7 +30,8 @@ Examples:
   formicarium convert figure.png figure.json --figure
   formicarium convert lab.yaml lab.json --unknown free
   formicarium convert N40W106.hgt valley.json --square
-  formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100")]
+  formicarium convert N40W106.hgt valley.json --crop 400,300,300,200 --size 150x100
+  formicarium convert heights.csv question.json --model slices --from 0,9 --from-level 4 --to 20,7 --to-level 5")]
 pub struct Args {
     /// The file to read
     input: PathBuf,
@@ -50,9 +52,8 @@ pub struct Args {
     /// Heights whose cells are longer than wide, as in degrees, are interpolated at square ones
     #[arg(long, conflicts_with = "size")]
     square: bool,
-    /// Metres per cell, where the file says nothing or something else
-    #[arg(long, value_name = "M", value_parser = input::metres, allow_negative_numbers = true)]
-    resolution: Option<f64>,
+    #[command(flatten)]
+    route: RouteArgs,
     #[command(flatten)]
     reading: ReadingArgs,
 }
@@ -140,7 +141,8 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     if args.invert {
         map = map.invert()?;
     }
-    map.spec.resolution = args.resolution.unwrap_or(map.spec.resolution);
+    args.route.correct_note(&mut map, false);
+    args.route.apply(&mut map)?;
     // What could not be read again is not written.
     map.spec.check(&map.grid)?;
     text::notes(&map.notices);

@@ -51,17 +51,17 @@ pub struct Args {
     /// Start and goals, with their names and weights, of this scenario
     #[arg(long, value_name = "F.json", conflicts_with_all = ["from", "to"])]
     ends_of: Option<PathBuf>,
+    /// File to write; its ending tells the format [default: standard output]
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// movingai-map, movingai-scen, matrix, or scenario, which keeps start, goals and moves; terrains also esri-ascii, height-table, geotiff,
+    /// srtm [default: movingai-map; scenario of terrains, and where ends or moves are given]
+    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
+    format: Option<Format>,
     #[command(flatten)]
     movement: MovementArgs,
     #[command(flatten)]
     terrain: TerrainArgs,
-    /// File to write; its ending tells the format [default: standard output]
-    #[arg(long, help_heading = "Options")]
-    out: Option<PathBuf>,
-    /// movingai-map, movingai-scen, matrix, or scenario, which keeps start, goals and moves; terrains also esri-ascii, height-table, geotiff,
-    /// srtm [default: movingai-map; scenario of terrains, and where ends or moves are given]
-    #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT", help_heading = "Options")]
-    format: Option<Format>,
 }
 
 fn kinds() -> impl TypedValueParser<Value = Generator> {

@@ -22,12 +22,6 @@ pub struct ScenarioArgs {
     /// The map: MovingAI .map, a matrix of 0 and 1, a raster of heights, or a scenario as JSON
     #[arg(required_unless_present = "scenario")]
     map: Option<PathBuf>,
-    /// Start: a cell, or a place of a ROS map in metres such as -1.5m,2m
-    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
-    from: Option<Place>,
-    /// Goal: a cell, or a place in metres; repeated for several goals
-    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
-    to: Vec<Place>,
     /// Start and goal from a line of a MovingAI .scen, counted from 1 as in an editor
     #[arg(long, value_name = "FILE:LINE", conflicts_with_all = ["from", "to", "scenario"])]
     scen: Option<String>,
@@ -35,11 +29,35 @@ pub struct ScenarioArgs {
     #[arg(long, value_name = "F.json", conflicts_with = "map")]
     scenario: Option<PathBuf>,
     #[command(flatten)]
+    route: RouteArgs,
+    #[command(flatten)]
+    reading: ReadingArgs,
+}
+
+/// Where one goes on a map, and how one moves.
+#[derive(clap::Args)]
+pub struct RouteArgs {
+    /// Start: a cell, or a place of a ROS map in metres such as -1.5m,2m
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
+    from: Option<Place>,
+    /// Goal: a cell, or a place in metres; repeated for several goals
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
+    to: Vec<Place>,
+    #[command(flatten)]
     movement: MovementArgs,
     #[command(flatten)]
     terrain: TerrainArgs,
-    #[command(flatten)]
-    reading: ReadingArgs,
+}
+
+impl RouteArgs {
+    /// Lets the arguments override a map's ends and rules.
+    pub fn apply(&self, map: &mut Imported) -> Result<(), CliError> {
+        let start = self.from.map(|place| place.on(map)).transpose()?;
+        let goals = self.to.iter().map(|place| place.on(map)).collect::<Result<Vec<_>, _>>()?;
+        set_ends(map, start, &goals);
+        self.movement.apply(map);
+        self.terrain.apply(map)
+    }
 }
 
 /// A place that was asked for.
@@ -160,7 +178,7 @@ impl ScenarioArgs {
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));
         let mut map = self.reading.import(path)?;
-        self.correct_note(&mut map);
+        self.route.correct_note(&mut map, self.scen.is_some());
         if let Some(place) = &self.scen {
             let line = scen_line(place)?;
             map.notices.extend(other_map(&line.map, path));
@@ -168,11 +186,7 @@ impl ScenarioArgs {
             map.notices.extend(formats::misfit(&line, &map.grid).filter(|n| n.kind == "scen-size"));
             set_ends(&mut map, Some(line.start), &[line.goal]);
         }
-        let start = self.from.map(|place| place.on(&map)).transpose()?;
-        let goals = self.to.iter().map(|place| place.on(&map)).collect::<Result<Vec<_>, _>>()?;
-        set_ends(&mut map, start, &goals);
-        self.movement.apply(&mut map);
-        self.terrain.apply(&mut map)?;
+        self.route.apply(&mut map)?;
         let scenario = Scenario::new(map.grid, map.spec)?;
         text::notes(&map.notices);
         text::notes(&scenario.notices());
@@ -180,11 +194,11 @@ impl ScenarioArgs {
     }
 }
 
-impl ScenarioArgs {
-    /// The note about ends that a map does not name tells only of those that are not given here either.
-    fn correct_note(&self, map: &mut Imported) {
+impl RouteArgs {
+    /// The note about ends that a map does not name tells only of those that are not given here either, or all `from_scen`.
+    pub fn correct_note(&self, map: &mut Imported, from_scen: bool) {
         let goal = map.spec.goals.first().map_or(map.spec.start, |g| g.at);
-        let left = match (self.scen.is_some(), &self.from, self.to.is_empty()) {
+        let left = match (from_scen, &self.from, self.to.is_empty()) {
             (false, None, true) => return,
             (false, None, false) => Some(format!("the map names no start: {} is used", text::cell(map.spec.start))),
             (false, Some(_), true) => Some(format!("the map names no goal: {} is used", text::cell(goal))),

@@ -37,6 +37,7 @@ pub fn ablation(planner: &str, preset: Option<&str>, set: &Values) -> Result<Vec
         results: None,
         preset: preset.map(Into::into),
         set,
+        first_stage: None,
         published: [].into(),
     };
     let full = make(FULL.into(), String::new(), Role::Improved, set.clone());

@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use super::ablation::roles;
 use super::budget::Axis;
+use super::by_reading::ByReading;
 use super::facts::{UnfitMap, unfit};
 use super::intervals::Intervals;
 use super::judge::{JudgedClaim, judge};
@@ -55,6 +56,8 @@ pub struct Analysis {
     pub verdicts: Vec<VerdictLine>,
     /// The same claims over all of their maps; none where no intervals were asked for.
     pub over_maps: Vec<OverMaps>,
+    /// Claims that name a reading of the publication, one row for those that say the same.
+    pub by_reading: ByReading,
     /// The maps that contradict what the publication says of its own, as far as the runs tell.
     pub unfit: Vec<UnfitMap>,
     /// What the verdicts follow from.
@@ -116,6 +119,7 @@ pub fn analyse(samples: &Samples, axis: Axis, mut intervals: Option<&mut Interva
         ranks: ranks::over_maps(&ranked),
         verdicts,
         over_maps,
+        by_reading: ByReading::of(&comparison.question.claims),
         unfit,
         judged,
     }

@@ -98,7 +98,7 @@ impl Question {
         let at = |field: &str| format!("claims.{}.{field}", claim.id);
         for (field, id) in [("improved", &claim.improved), ("baseline", &claim.baseline)] {
             if self.entry(id).is_none() {
-                return Err(QuestionError::field(at(field), id, format!("one of {}", list(self.entries.iter().map(|e| &e.id)))));
+                return Err(QuestionError::field(at(field), id, one_of(self.entries.iter().map(|e| e.id.as_str()))));
             }
         }
         claim.instances.iter().try_for_each(|i| self.check_instance_or_group(&at("instances"), i))?;
@@ -111,6 +111,7 @@ impl Question {
         if let Some(wrong) = claim.relevant.filter(|v| !(*v > 0.0 && *v < 1.0)) {
             return Err(QuestionError::field(at("relevant"), wrong, "above 0 and below 1: a part of the baseline's value"));
         }
+        self.check_reading(claim)?;
         check_running_time(claim)
     }
 
@@ -121,13 +122,13 @@ impl Question {
                 return Err(QuestionError::field(at("group"), group, "the group of an instance"));
             }
             if !fact.instances.is_empty() {
-                return Err(QuestionError::field(at("instances"), list(fact.instances.iter()), "absent where there is a group"));
+                return Err(QuestionError::field(at("instances"), fact.instances.join(", "), "absent where there is a group"));
             }
         }
         fact.instances.iter().try_for_each(|i| self.check_instance_or_group(&at("instances"), i))?;
         for (field, id) in fact.entries() {
             if self.entry(id).is_none() {
-                return Err(QuestionError::field(at(field), id, format!("one of {}", list(self.entries.iter().map(|e| &e.id)))));
+                return Err(QuestionError::field(at(field), id, one_of(self.entries.iter().map(|e| e.id.as_str()))));
             }
         }
         if fact.optimum_at_most.is_none() && (fact.arrives.is_empty() || fact.optimum_of.is_some()) {
@@ -148,21 +149,24 @@ impl Question {
         }
     }
 
-    fn check_instance_or_group(&self, field: &str, id: &str) -> Result<(), QuestionError> {
-        let is_group = self.instances.iter().any(|i| i.group.as_deref() == Some(id));
-        if is_group { Ok(()) } else { self.check_instance(field, id) }
+    pub(super) fn check_instance_or_group(&self, field: &str, id: &str) -> Result<(), QuestionError> {
+        if self.instances.iter().any(|i| i.goes_by(id)) {
+            return Ok(());
+        }
+        Err(QuestionError::field(field, id, one_of(self.instances.iter().map(|i| i.id.as_str()).chain(self.groups()))))
     }
 
     pub(super) fn check_instance(&self, field: &str, id: &str) -> Result<(), QuestionError> {
         if self.instances.iter().any(|i| i.id == id) {
             return Ok(());
         }
-        Err(QuestionError::field(field, id, format!("one of {}", list(self.instances.iter().map(|i| &i.id)))))
+        Err(QuestionError::field(field, id, one_of(self.instances.iter().map(|i| i.id.as_str()))))
     }
 }
 
-fn list<'a>(ids: impl Iterator<Item = &'a String>) -> String {
-    ids.map(String::as_str).collect::<Vec<_>>().join(", ")
+/// What may stand where one of these ids must.
+pub(super) fn one_of<'a>(ids: impl IntoIterator<Item = &'a str>) -> String {
+    format!("one of {}", ids.into_iter().collect::<Vec<_>>().join(", "))
 }
 
 /// What only a running time has, and what none can be counted in.

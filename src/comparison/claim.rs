@@ -6,6 +6,7 @@ use super::budget::Axis;
 use super::measure::RunMeasure;
 use super::question::Instance;
 use super::statistics::{mean, quantile, sorted};
+use crate::planner::PaperReading;
 
 /// Which way the improved entry is said to differ from the baseline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -91,6 +92,10 @@ pub struct Claim {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Exclude<Axis, \"time\"> | null"))]
     pub axis: Option<Axis>,
+    /// The reading of the publication that its entries are run by. Claims that say the same of several readings stand side by side.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "PaperReading | null"))]
+    pub reading: Option<PaperReading>,
 }
 
 impl Claim {
@@ -116,6 +121,12 @@ impl Claim {
     /// over the runs that happened to find a path would favour the entry that fails on the hard ones. Then medians decide, whatever was asked for.
     pub fn statistic(&self, every_run_counts: bool) -> Statistic {
         if every_run_counts { self.statistic.unwrap_or(Statistic::Mean) } else { Statistic::Median }
+    }
+
+    /// Whether another claim says the same, be it of another reading, of other entries or of other maps.
+    pub fn says_the_same(&self, other: &Self) -> bool {
+        let said = |claim: &Self| (claim.measure, claim.direction, claim.axis());
+        self.says == other.says && said(self) == said(other) && self.target().total_cmp(&other.target()).is_eq()
     }
 
     /// Whether it is about an instance.

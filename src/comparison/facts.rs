@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::claim::Claim;
 use super::gap::is_below;
 use super::judge::FEWEST_RUNS;
 use super::printed_digits::half_unit;
@@ -9,7 +10,8 @@ use super::question::Instance;
 use super::samples::Samples;
 use crate::exact::Reference;
 
-/// What a publication says of a map. A map of ours that contradicts it cannot stand for it: of claims about it nothing can be told.
+/// What a publication says of a map. A map of ours that contradicts it cannot stand for it: of claims about it nothing can be told; where
+/// somebody does not arrive, of claims about this entry.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -92,14 +94,31 @@ pub enum Unfit {
     Arrives,
 }
 
-/// The maps that contradict a fact, each with the first thing that it contradicts.
+impl UnfitMap {
+    /// Whether nothing can be told of a claim here: an optimum speaks of the map, and who does not arrive of his own claims alone.
+    pub(super) fn concerns(&self, claim: &Claim) -> bool {
+        match self.why {
+            Unfit::Optimum => true,
+            Unfit::Arrives => self.entry.as_ref().is_some_and(|entry| [&claim.improved, &claim.baseline].contains(&entry)),
+        }
+    }
+}
+
+/// What maps contradict: of each the first optimum that it has not, and everybody who does not arrive, each once.
 pub(super) fn unfit(samples: &Samples) -> Vec<UnfitMap> {
     let question = &samples.comparison().question;
     let of_map = |(index, instance): (usize, &Instance)| {
-        let mut about = question.facts.iter().filter(|fact| fact.is_about(instance));
-        about.find_map(|fact| too_far(samples, index, fact).or_else(|| not_arriving(samples, index, fact)))
+        let about: Vec<&Fact> = question.facts.iter().filter(|fact| fact.is_about(instance)).collect();
+        let too_far = about.iter().find_map(|fact| too_far(samples, index, fact));
+        let mut told: Vec<UnfitMap> = too_far.into_iter().collect();
+        for missing in about.iter().flat_map(|fact| not_arriving(samples, index, fact)) {
+            if !told.iter().any(|map| map.why == Unfit::Arrives && map.entry == missing.entry) {
+                told.push(missing);
+            }
+        }
+        told
     };
-    question.instances.iter().enumerate().filter_map(of_map).collect()
+    question.instances.iter().enumerate().flat_map(of_map).collect()
 }
 
 /// Only a proven optimum contradicts, and only by more than the published number's rounding.
@@ -118,7 +137,7 @@ fn too_far(samples: &Samples, index: usize, fact: &Fact) -> Option<UnfitMap> {
 }
 
 /// Of fewer runs than a verdict needs nothing is said.
-fn not_arriving(samples: &Samples, index: usize, fact: &Fact) -> Option<UnfitMap> {
+fn not_arriving(samples: &Samples, index: usize, fact: &Fact) -> Vec<UnfitMap> {
     let question = &samples.comparison().question;
     let demanded = fact.in_at_least.unwrap_or(Fact::HALF);
     let share = |id: &String| {
@@ -127,11 +146,16 @@ fn not_arriving(samples: &Samples, index: usize, fact: &Fact) -> Option<UnfitMap
         let with_path = runs.iter().filter(|seen| seen.row.found.is_some()).count();
         (runs.len() >= FEWEST_RUNS).then(|| with_path as f64 / runs.len() as f64)
     };
-    let mut fewer = fact.arrives.iter().filter_map(|id| Some((id, share(id).filter(|s| *s < demanded)?)));
-    let (entry, found) = fewer.next()?;
-    let instance = question.instances[index].id.clone();
-    let (says, entry) = (fact.says.clone(), Some(entry.clone()));
-    Some(UnfitMap { instance, says, why: Unfit::Arrives, entry, found: Some(found), demanded })
+    let fewer = fact.arrives.iter().filter_map(|id| Some((id, share(id).filter(|s| *s < demanded)?)));
+    let told = |(entry, found): (&String, f64)| UnfitMap {
+        instance: question.instances[index].id.clone(),
+        says: fact.says.clone(),
+        why: Unfit::Arrives,
+        entry: Some(entry.clone()),
+        found: Some(found),
+        demanded,
+    };
+    fewer.map(told).collect()
 }
 
 #[cfg(test)]

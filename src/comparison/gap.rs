@@ -43,7 +43,8 @@ impl Comparison {
     }
 
     /// A measure of a run, as [`Row::value`] tells it, or whether it found the proven optimum. A planner without iterations has no iteration
-    /// of the best.
+    /// of the best; those of a first stage are not counted, and a run whose best is of that stage
+    /// tells no iteration of the next.
     pub fn value(&self, row: &Row, measure: RunMeasure) -> Option<f64> {
         match measure {
             RunMeasure::Optimal => {
@@ -51,6 +52,10 @@ impl Comparison {
                 Some(f64::from(u8::from(is_optimal)))
             }
             RunMeasure::IterationOfBest if self.needs_no_seed(row.task.entry) => None,
+            RunMeasure::IterationOfBest => {
+                let before = self.question.entries.get(row.task.entry).and_then(|entry| entry.first_stage).unwrap_or(0);
+                row.value(measure).map(|iteration| iteration - f64::from(before)).filter(|iteration| *iteration > 0.0)
+            }
             other => row.value(other),
         }
     }

@@ -68,7 +68,11 @@ pub fn judge(samples: &Samples, intervals: &mut Intervals, unfit: &[UnfitMap]) -
     };
     let all = (0..question.claims.len()).flat_map(about);
     let judged = all.map(|(claim, instance)| compare(samples, intervals, claim, instance));
-    let fitting = |c: JudgedClaim| match unfit.iter().any(|map| map.instance == question.instances[c.instance].id) {
+    let contradicts = |c: &JudgedClaim| {
+        let here = unfit.iter().filter(|map| map.instance == question.instances[c.instance].id);
+        here.into_iter().any(|map| map.concerns(&question.claims[c.claim]))
+    };
+    let fitting = |c: JudgedClaim| match contradicts(&c) {
         true => JudgedClaim { verdict: Verdict::CannotTell(WhyNot::Contradicted), ..c },
         false => c,
     };

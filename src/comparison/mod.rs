@@ -10,6 +10,7 @@
 pub mod ablation;
 pub mod analysis;
 mod budget;
+mod by_reading;
 mod check;
 mod claim;
 mod contrast;
@@ -47,6 +48,7 @@ use crate::scenario::Scenario;
 pub use ablation::{Ablated, AblationRole, Effect, Finding, effects};
 pub use analysis::{Analysis, analyse};
 pub use budget::{Axis, Budget};
+pub use by_reading::{ByReading, ReadingRow};
 pub use claim::{Claim, Direction, Statistic};
 pub use contrast::EffectSize;
 pub use facts::{Fact, Unfit, UnfitMap};

@@ -11,6 +11,7 @@ use super::question::Question;
 use super::signs::{median_within, sign_test};
 use super::statistics::{CONFIDENCE, quantile, sorted, wilson};
 use super::verdict::{Verdict, by_interval};
+use crate::planner::PaperReading;
 
 /// Fewest maps of which a verdict over maps is drawn: of fewer no interval of a median holds at 95 %.
 pub const FEWEST_MAPS: usize = 6;
@@ -155,6 +156,10 @@ pub struct OverMaps {
     pub confidence: Option<f64>,
     /// What follows.
     pub verdict: OverallVerdict,
+    /// The reading of the publication that the claim is about; absent where it names none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub reading: Option<PaperReading>,
 }
 
 fn finite<S: Serializer>(value: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
@@ -202,6 +207,7 @@ fn one(claim: &Claim, all: &[&JudgedClaim]) -> OverMaps {
         high: within.map(|(ends, _)| ends[1]),
         confidence: within.map(|(_, holds)| holds),
         verdict: verdict(&effects, &counts, claimed, claim.relevant()),
+        reading: claim.reading,
     }
 }
 

@@ -1,10 +1,11 @@
 //! The question as it is written down: `formicarium/question@1`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
 use super::budget::Budget;
+use super::check::one_of;
 use super::claim::Claim;
 use super::facts::Fact;
 use crate::catalog;
@@ -132,6 +133,10 @@ pub struct Entry {
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, number | string | boolean>"))]
     pub set: Values,
+    /// Iterations of a first stage, which the publication does not count: the iteration of the best is without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub first_stage: Option<u32>,
     /// What is published of it, by the instance that stands for the publication's map, or by the group of all that do.
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "Record<string, Published>"))]
@@ -178,13 +183,14 @@ impl Entry {
 }
 
 impl Question {
-    /// Leaves out every other instance, what is published about it, and claims and facts that are about none that is left.
+    /// Keeps the instances of these ids, a group's id for all of its instances. Leaves out every other one, what is published about it, and
+    /// claims and facts that are about none that is left.
     ///
     /// # Errors
-    /// [`QuestionError`] for an id that no instance has.
+    /// [`QuestionError`] for an id that no instance and no group has.
     pub fn keep_instances(&mut self, ids: &[String]) -> Result<(), QuestionError> {
-        ids.iter().try_for_each(|id| self.check_instance("instances", id))?;
-        self.instances.retain(|i| ids.contains(&i.id));
+        ids.iter().try_for_each(|id| self.check_instance_or_group("instances", id))?;
+        self.instances.retain(|i| ids.iter().any(|id| i.goes_by(id)));
         let left = &self.instances;
         let is_left = |id: &String| left.iter().any(|i| i.goes_by(id));
         self.entries.iter_mut().for_each(|e| e.published.retain(|id, _| is_left(id)));
@@ -202,6 +208,28 @@ impl Question {
     pub fn instance_mut(&mut self, id: &str) -> Result<&mut Instance, QuestionError> {
         self.check_instance("instances", id)?;
         self.instances.iter_mut().find(|i| i.id == id).ok_or_else(|| QuestionError::outside("instance"))
+    }
+
+    /// The groups of the instances, each once.
+    pub(super) fn groups(&self) -> BTreeSet<&str> {
+        self.instances.iter().filter_map(|i| i.group.as_deref()).collect()
+    }
+
+    /// Adds one more instance to those of its group.
+    ///
+    /// # Errors
+    /// [`QuestionError`] if no instance has this group, or if one has this id already.
+    pub fn add_instance(&mut self, added: Instance) -> Result<(), QuestionError> {
+        let groups = self.groups();
+        if !added.group.as_deref().is_some_and(|group| groups.contains(group)) {
+            let allowed = if groups.is_empty() { "absent: the question has no groups".into() } else { one_of(groups) };
+            return Err(QuestionError::field("instances.group", added.group.unwrap_or_default(), allowed));
+        }
+        if self.instances.iter().any(|i| i.goes_by(&added.id)) {
+            return Err(QuestionError::field("instances.id", added.id, "different from the id of every instance and group"));
+        }
+        self.instances.push(added);
+        Ok(())
     }
 
     /// The place of an instance among the question's.
@@ -223,13 +251,14 @@ impl Question {
         self.entries.iter().find(|e| e.id == id)
     }
 
-    /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts.
+    /// By which part of the baseline's value a claim's entries are said to differ on an instance, counted as the claim counts; none where
+    /// their published numbers are the same.
     pub fn claimed_size(&self, claim: &Claim, instance: &Instance) -> Option<f64> {
         if claim.size.is_some() {
             return claim.size;
         }
         let published = |id: &str| claim.measure.published(self.entry(id)?.published_for(instance)?);
         let (improved, baseline) = (published(&claim.improved)?, published(&claim.baseline)?);
-        (baseline > 0.0).then(|| claim.direction.signed(improved - baseline) / baseline)
+        (baseline > 0.0 && improved != baseline).then(|| claim.direction.signed(improved - baseline) / baseline)
     }
 }

@@ -11,6 +11,7 @@ mod matrix;
 mod names;
 mod numbers;
 mod printed;
+mod readings;
 mod table;
 mod tests;
 mod verdicts;
@@ -44,10 +45,10 @@ pub use words::ReportLanguage;
 fn markdown(words: &Words, comparison: &Comparison, rows: &[Row], analysis: &Analysis, command: &str) -> String {
     let mut out = head(words, comparison, analysis, command);
     entries(words, &mut out, comparison);
+    claims::tables(words, &mut out, comparison, analysis);
     for (map, of) in comparison.maps.iter().zip(&analysis.instances) {
         map_table(words, &mut out, comparison, map, of);
     }
-    claims::tables(words, &mut out, comparison, analysis);
     ablation::tables(words, &mut out, comparison, &effects(&Samples::new(comparison, rows.iter().map(Seen::from))));
     out
 }

@@ -5,6 +5,7 @@ use super::maps::Yardstick;
 use super::measure::RunMeasure;
 use super::row::Row;
 use super::run::Timed;
+use crate::planner::Objective;
 
 /// A run, and when its improvements came.
 #[derive(Debug, Clone, Copy)]
@@ -80,22 +81,24 @@ impl<'a> Samples<'a> {
 
     /// The best value on a map by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
     pub fn best_known(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
-        let map = &self.comparison.maps[instance];
-        let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| y.measure == measure).collect();
-        let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
-        if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
-            known
-        } else {
-            self.best_of_runs(instance, measure).into_iter().chain(known).reduce(f64::min)
-        }
+        self.best(instance, |objective| RunMeasure::of(objective) == measure)
     }
 
-    fn best_of_runs(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
+    /// The same by an objective alone: of steps, not of polylines.
+    pub fn best_by(&self, instance: usize, objective: Objective) -> Option<f64> {
+        self.best(instance, |other| other == objective)
+    }
+
+    fn best(&self, instance: usize, is_meant: impl Fn(Objective) -> bool) -> Option<f64> {
         let map = &self.comparison.maps[instance];
-        let of_measure = |&entry: &usize| map.objective(entry).is_some_and(|o| RunMeasure::of(o) == measure);
-        let entries = (0..self.comparison.question.entries.len()).filter(of_measure);
+        let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| is_meant(y.objective)).collect();
+        let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
+        if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
+            return known;
+        }
+        let entries = (0..self.comparison.question.entries.len()).filter(|&entry| map.objective(entry).is_some_and(&is_meant));
         let values = entries.flat_map(|entry| self.of(instance, entry)).filter_map(|seen| Some(seen.row.found?.value));
-        values.reduce(f64::min)
+        values.chain(known).reduce(f64::min)
     }
 }
 

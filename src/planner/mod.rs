@@ -34,7 +34,7 @@ pub(crate) use memory::{held, nested};
 pub use moves::MoveOdds;
 pub use progress::{Effort, Progress, Record, Refined, Solution, Tally, Tour};
 pub(crate) use progress::{Iterations, advance, stand_ready};
-pub use reading::{AT_GOAL, GoalStep, Reading};
+pub use reading::{AT_GOAL, GoalStep, PaperReading, Reading};
 pub use turn::{Fate, Turn, Walked};
 
 /// How far one call of [`Planner::advance`] goes.
@@ -321,6 +321,8 @@ pub struct Preset {
     pub numbers: &'static [(&'static str, f64)],
     /// Ids of choices, `true` or `false` of flags, by key; what is absent keeps the default.
     pub choices: &'static [(&'static str, &'static str)],
+    /// Which reading of the planner's publication it is; none where it is something else. A planner has at most one preset of each.
+    pub reading: Option<PaperReading>,
 }
 
 impl Preset {

@@ -35,7 +35,7 @@ use rand::Rng;
 use crate::error::ParamError;
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::{Stream, Streams, unit_f32};
 use crate::scenario::Scenario;
 
@@ -251,6 +251,7 @@ pub const PRINTED: Preset = Preset {
     meaning: "eq. 4 literally: an explosion only ever adds to a priority",
     numbers: &[],
     choices: &[("reading", "printed")],
+    reading: Some(PaperReading::Printed),
 };
 
 const SECOND_READING: Preset = Preset {
@@ -259,6 +260,7 @@ const SECOND_READING: Preset = Preset {
     meaning: "an x_min above 0, so that paths keep nearer to the greedy one; the paper gives no value, 0.8 is ours",
     numbers: &[("range_min", 0.8)],
     choices: &[],
+    reading: Some(PaperReading::SecondReading),
 };
 
 /// What the paper adds to the fireworks of Tan and Zhu 2010; its Eq. 9 has both.

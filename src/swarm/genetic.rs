@@ -221,6 +221,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
         meaning: "uniform crossover in place of BLX-0.5: each number from either parent",
         numbers: &[],
         choices: &[("crossover", "exchange")],
+        reading: None,
     }],
     components: &[],
     layers: &[Layer::Priority, Layer::Visits],

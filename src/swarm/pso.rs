@@ -85,6 +85,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             meaning: "50 particles and 100 iterations, the colony's numbers: our reading, the table names no particle; the rest stays",
             numbers: &[("particles", 50.0), ("iterations", 100.0)],
             choices: &[],
+            reading: None,
         },
         Preset {
             name: "constriction",
@@ -92,6 +93,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             meaning: "the weights of the constricted swarm for φ = 4.1: w = 0.72984, c1 = c2 = 1.49618",
             numbers: &[("inertia_start", 0.729_84), ("inertia_end", 0.729_84), ("cognitive", 1.496_18), ("social", 1.496_18)],
             choices: &[],
+            reading: None,
         },
     ],
     components: &[],

@@ -22,7 +22,7 @@ const given = (instance: number, entry: number, seed: number) => {
 }
 
 /** Eight corridors, of which the last one cannot stand for the publication's. */
-const document = JSON.stringify({
+const asked = {
   format: 'formicarium/comparison@1',
   question: {
     format: 'formicarium/question@1',
@@ -60,7 +60,20 @@ const document = JSON.stringify({
       Array.from({ length: SEEDS }, (_, i) => given(instance, entry, i + 1)),
     ),
   ),
-})
+}
+
+const document = JSON.stringify(asked)
+
+/** The first claim by two readings, the second one by none. */
+function withReadings(): string {
+  const [length, time] = asked.question.claims
+  const claims = [
+    { ...length, reading: 'printed' },
+    { ...length, id: 'length-second', size: 0.3, reading: 'second-reading' },
+    time,
+  ]
+  return JSON.stringify({ ...asked, question: { ...asked.question, claims } })
+}
 
 test.describe('claims over maps', () => {
   test('a claim is told over its maps, and unfolds to each', async ({ page }) => {
@@ -98,7 +111,7 @@ test.describe('claims over maps', () => {
     await page.getByTestId('language').click()
     await page.getByTestId('language-zh-CN').click()
     await expect(unfit.getByRole('listitem')).toHaveText([
-      'map-7：精确最优为 10.00，论文报告 9.5（table 1）',
+      'map-7：精确最优为 10.00，论文报告 9.5（表 1）',
     ])
     await expect(page.getByTestId('claim-length')).toContainText('7 张地图中的 7 张')
   })
@@ -111,5 +124,72 @@ test.describe('claims over maps', () => {
     expect(lines).toHaveLength(1 + 2 * MAPS + 2)
     expect(lines[1 + 2 * MAPS]).toMatch(/^,length,new,old,.*,reproduced,$/)
     expect(await results.file('markdown')).toContain('| 7 of 7 maps [65 %, 100 %] |')
+  })
+})
+
+test.describe('claims by reading', () => {
+  test('all stand side by side first, and the switch shows those of one', async ({ page }) => {
+    const results = new ResultsPage(page)
+    await results.show(withReadings())
+    await results.tab('reported')
+    const table = page.getByTestId('claims-by-reading')
+    await expect(table.getByRole('columnheader')).toHaveText([
+      'Claim',
+      'as printed',
+      'second reading',
+    ])
+    await expect(table.getByRole('row')).toHaveCount(2)
+    await expect(table.getByRole('cell')).toHaveText([
+      /^Reproduced7 of 7 maps\+10\.0% \(\+5\.0% to \+10\.0%\)$/,
+      /^Partly7 of 7 maps/,
+    ])
+    const all = page.getByTestId('verdicts').locator('tbody')
+    await expect(all).toHaveCount(3)
+    await expect(page.getByTestId('claim-length')).toContainText('as printed')
+    const { violations } = await new AxeBuilder({ page }).include('.results').analyze()
+    expect(violations).toEqual([])
+    // By keys, as every radio group.
+    await page.getByTestId('claims-reading-all').focus()
+    await page.keyboard.press('ArrowRight')
+    await page.keyboard.press('ArrowRight')
+    await expect(page.getByTestId('claims-reading-second-reading')).toBeChecked()
+    await expect(table).toHaveCount(0)
+    await expect(all).toHaveCount(1)
+    await expect(page.getByTestId('claim-length-second')).toBeVisible()
+  })
+
+  test('the choice is kept while the page is open', async ({ page }) => {
+    const results = new ResultsPage(page)
+    await results.show(withReadings())
+    await results.tab('reported')
+    await page.getByTestId('claims-reading-printed').check()
+    await results.tab('summary')
+    await results.tab('reported')
+    await expect(page.getByTestId('claims-reading-printed')).toBeChecked()
+    await page.getByTestId('language').click()
+    await page.getByTestId('language-zh-CN').click()
+    await expect(page.getByTestId('claims-reading').locator('label')).toHaveText([
+      '全部',
+      '按印刷公式',
+      '第二种读法',
+    ])
+  })
+
+  test('a question without readings has no switch', async ({ page }) => {
+    const results = new ResultsPage(page)
+    await results.show(document)
+    await results.tab('reported')
+    await expect(page.getByTestId('verdicts')).toBeVisible()
+    await expect(page.getByTestId('claims-reading')).toHaveCount(0)
+    await expect(page.getByTestId('claims-by-reading')).toHaveCount(0)
+  })
+
+  test('files tell of the readings', async ({ page }) => {
+    const results = new ResultsPage(page)
+    await results.show(withReadings())
+    const lines = (await results.file('claims-csv')).trim().split('\n')
+    expect(lines[0]).toMatch(/,reading$/)
+    expect(lines[1]).toMatch(/,printed$/)
+    expect(await results.file('markdown')).toContain('## Claims by reading')
   })
 })

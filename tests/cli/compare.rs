@@ -211,6 +211,48 @@ fn a_question_can_be_narrowed_and_asked_on_another_map() {
 }
 
 #[test]
+fn a_map_can_stand_beside_those_of_a_group() {
+    let folder = Folder::with_question("group");
+    folder.write("q.toml", &QUESTION.replace("map = \"wall.csv\" }", "map = \"wall.csv\", group = \"walls\" }"));
+    folder.write("Open 2.csv", "0,0,0\n0,0,0\n");
+    let asked = |more: &[&str]| folder.compare(&[&["q.toml", "--out", "out", "--seeds", "2"], more].concat());
+    let instances = || {
+        let csv = folder.read("out/q.csv");
+        let mut ids: Vec<String> = csv.lines().skip(1).map(|row| row.split(',').next().unwrap().to_owned()).collect();
+        ids.dedup();
+        ids
+    };
+    let (code, said) = asked(&["--map", "walls/open=Open 2.csv"]);
+    assert!(code == 0 && instances() == ["small", "wall", "open"], "{said}");
+    let page = folder.read("out/q.md");
+    assert!(
+        page.contains("--map walls/open=Open 2.csv`") && page.contains("Open 2 beside the question's maps of walls."),
+        "{page}"
+    );
+    assert_eq!(asked(&["--map", "walls/open=Open 2.csv", "--only", "walls"]).0, 0);
+    assert_eq!(instances(), ["wall", "open"]);
+    assert_eq!(asked(&["--map", "walls/open=Open 2.csv", "--only", "open"]).0, 0);
+    assert_eq!(instances(), ["open"]);
+    for (map, message) in [
+        ("doors/open=small.csv", "q.toml: instances.group = doors cannot be used: it must be one of walls"),
+        ("small/open=small.csv", "instances.group = small"),
+        ("walls/small=small.csv", "instances.id = small"),
+        ("walls/walls=small.csv", "instances.id = walls"),
+        ("walls/Open=small.csv", "instances.id = Open"),
+        ("walls/=small.csv", "instances.id = "),
+        ("walls=small.csv", "instances = walls cannot be used: it must be one of small, wall"),
+    ] {
+        let (code, said) = asked(&["--map", map]);
+        assert!(code == 2 && said.contains(message), "{map}: {said}");
+    }
+    let (code, said) = asked(&["--only", "doors"]);
+    assert!(code == 2 && said.contains("instances = doors cannot be used: it must be one of small, wall, walls"), "{said}");
+    folder.write("q.toml", QUESTION);
+    let (code, said) = asked(&["--map", "walls/open=small.csv"]);
+    assert!(code == 2 && said.contains("the question has no groups"), "{said}");
+}
+
+#[test]
 fn what_cannot_be_asked_is_named_with_code_2() {
     let folder = Folder::with_question("errors");
     let changed = |from: &str, to: &str| QUESTION.replacen(from, to, 1);

@@ -12,6 +12,7 @@ fn catalog_is_a_table_and_json() {
     folder.run(&["catalog"]).ends(0).says(&["ant-system · Ant System", "rho", "dijkstra", "--preset"]);
     let all = folder.run(&["catalog", "--json"]).ends(0).json();
     assert_eq!(schema::violations(&schema::load("catalog"), &all), Vec::<String>::new());
+    folder.run(&["catalog", "fwa"]).ends(0).says(&["reading: as-read", "reading: printed", "reading: second-reading"]);
     let one = folder.run(&["catalog", "astar", "--json"]).ends(0).json();
     assert_eq!((one["planners"].as_array().unwrap().len(), &one["planners"][0]["id"]), (1, &"astar".into()));
     folder.run(&["catalog", "bee"]).ends(2).says(&["there is no planner `bee`"]);
@@ -52,6 +53,35 @@ fn generate_repeats_itself_and_checks_its_arguments() {
         .ends(2)
         .says(&["random, maze, rooms, cave, blocks, bars, hills, fractal"]);
     folder.run(&["generate", "maze", "--size", "9"]).ends(2).says(&["40x30"]);
+}
+
+#[test]
+fn generate_takes_ends_and_moves() {
+    let folder = Folder::with_map("generate-ends");
+    let make = |kind: &str, more: &[&str]| {
+        folder.run(&[&["generate", kind, "--size", "20x20", "--density", "0.2", "--seed", "2"], more].concat())
+    };
+    let plain = make("blocks", &[]).ends(0).out;
+    assert!(plain.starts_with("type octile\n"), "{plain}");
+    // A scenario where something is asked, on the same map.
+    let asked = make("blocks", &["--from", "19,19", "--to", "0,0", "--to", "3,10", "--moves", "4"]).ends(0).json();
+    assert_eq!((&asked["start"], &asked["movement"]["moves"]), (&serde_json::json!([19, 19]), &4.into()));
+    assert_eq!((&asked["goals"][1]["at"], &asked["name"]), (&serde_json::json!([3, 10]), &"blocks-20x20-seed2".into()));
+    let rows: Vec<&str> = asked["map"]["rows"].as_array().unwrap().iter().map(|row| row.as_str().unwrap()).collect();
+    assert_eq!(plain.lines().skip(4).collect::<Vec<_>>(), rows);
+    folder.write("two.json", &serde_json::to_string(&asked).unwrap());
+    let same = make("blocks", &["--ends-of", "two.json"]).ends(0).json();
+    assert_eq!((&same["goals"], &same["start"], &same["movement"]["moves"]), (&asked["goals"], &asked["start"], &8.into()));
+    make("blocks", &["--from", "19,19", "--as", "matrix"]).ends(0).says(&["not start (19, 19) and goal (19, 19)"]);
+    // What is asked is not made fit.
+    make("blocks", &["--from", "5,0"]).ends(2).says(&["the start (5, 0) lies on a blocked cell"]);
+    make("blocks", &["--to", "20,0"]).ends(2).says(&["the goal (20, 0)"]);
+    make("blocks", &["--ends-of", "two.json", "--from", "0,0"]).ends(2).says(&["cannot be used with"]);
+    make("blocks", &["--model", "slices"]).ends(2).says(&["--model is for terrains"]);
+    folder.run(&["generate", "maze", "--size", "9x9", "--from", "1,1", "--to", "1,1"]).ends(0).says(&["the same cell"]);
+    let slices = ["--model", "slices", "--from", "0,10", "--to", "19,8", "--levels", "12"];
+    let terrain = make("hills", &slices).ends(0).json();
+    assert_eq!((&terrain["terrain"]["slices"]["levels"], &terrain["start"]), (&12.into(), &serde_json::json!([0, 10])));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use formicarium::catalog::{self, CATALOG};
 use formicarium::error::ParamError;
 use formicarium::map::{Measure, Movement};
 use formicarium::params::{ParamKind, ParamSpec, Value, Values};
-use formicarium::planner::{Granularity, Layer, PlannerEntry};
+use formicarium::planner::{Granularity, Layer, PaperReading, PlannerEntry};
 use formicarium::scenario::Scenario;
 
 use super::common::{random, with_goals};
@@ -108,6 +108,37 @@ fn what_would_run_out_of_memory_is_refused() {
     let several = with_goals(&scenario, &[(9, 9), (4000, 9), (9, 4000)]);
     let report = catalog::build(&several, "fire", None, &Values::new(), 1).err().expect("three colonies").report();
     assert_eq!((report.kind.as_str(), report.field.as_str()), ("memory", "ants"));
+}
+
+#[test]
+fn a_planner_has_one_preset_of_each_reading() {
+    for entry in CATALOG {
+        for reading in PaperReading::ALL {
+            let of_it: Vec<_> = entry.presets.iter().filter(|p| p.reading == Some(reading)).map(|p| p.name).collect();
+            assert!(of_it.len() < 2, "{}: {} is {of_it:?}", entry.id, reading.id());
+        }
+        // Questions and people take the names for the readings.
+        for preset in entry.presets.iter().filter(|p| ["printed", "second-reading"].contains(&p.name)) {
+            assert_eq!(preset.reading.map(PaperReading::id), Some(preset.name), "{}", entry.id);
+        }
+    }
+}
+
+#[test]
+fn defaults_are_as_we_read_it_unless_a_preset_is() {
+    let of = |id: &str, preset: Option<&str>| catalog::find(id).expect("listed").reading_of(preset);
+    assert_eq!(of("ship", None), Some(PaperReading::AsRead));
+    assert_eq!(of("ship", Some("cells")), None);
+    assert_eq!(of("ship", Some("printed")), Some(PaperReading::Printed));
+    assert_eq!(of("ship", Some("no such preset")), None);
+    // The paper orders its fires by straight lines, the defaults by paths on the map.
+    assert_eq!((of("fire", None), of("fire", Some("paper"))), (None, Some(PaperReading::AsRead)));
+    // The paper's own numbers are the defaults.
+    assert_eq!(
+        (of("terrain-epf", None), of("terrain-epf", Some("paper"))),
+        (Some(PaperReading::AsRead), Some(PaperReading::AsRead))
+    );
+    assert_eq!((of("ant-system", None), of("ant-system", Some("fire-printed"))), (None, None));
 }
 
 #[test]

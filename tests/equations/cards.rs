@@ -1,7 +1,7 @@
 //! A card in docs/papers has a table of equations; a row that names a file and functions (`src/….rs`, then `name`, …) is checked here. So are
 //! its tables of components, which are the catalog's.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use formicarium::catalog::{self, CatalogEntry};
 
@@ -23,11 +23,16 @@ fn named(card: &str) -> Vec<(&str, &str)> {
     pairs
 }
 
+/// The cards; drawings stand beside them.
+fn cards() -> Vec<PathBuf> {
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/papers").read_dir().expect("the cards");
+    files.map(|file| file.expect("readable").path()).filter(|path| path.extension().is_some_and(|e| e == "md")).collect()
+}
+
 #[test]
 fn every_function_that_a_card_names_is_in_its_file() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let cards = root.join("docs/papers").read_dir().expect("the cards");
-    for card in cards.map(|c| c.expect("readable").path()) {
+    for card in cards() {
         let text = std::fs::read_to_string(&card).expect("text");
         let pairs = named(&text);
         assert!(!pairs.is_empty(), "{} names no function", card.display());
@@ -50,9 +55,8 @@ fn components(planner: &CatalogEntry) -> String {
 
 #[test]
 fn every_card_has_the_components_of_its_planners() {
-    let cards = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/papers").read_dir().expect("the cards");
     let planners = catalog::catalog().planners;
-    for card in cards.map(|c| c.expect("readable").path()) {
+    for card in cards() {
         let text = std::fs::read_to_string(&card).expect("text");
         let line = text.lines().find(|l| l.starts_with("Planners:")).expect("its planners");
         let own: Vec<&CatalogEntry> =

@@ -1,9 +1,10 @@
-//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`, `maps`.
+//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`, `cards`, `maps`.
 //!
 //! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
 //! after what is missing.
 
+mod cards;
 mod deny;
 mod fuzz;
 mod install;
@@ -56,6 +57,8 @@ enum Command {
     },
     /// Run the questions in experiments/ again and replace their records
     Record(record::Options),
+    /// Write the tables of the papers' cards anew from the records
+    Cards,
     /// Make the suite of maps in experiments/maps again, with the table in their README
     Maps(maps::Options),
     /// Run a wasm test file, called by cargo
@@ -92,6 +95,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Fuzz(options) => fuzz::fuzz(&options),
         Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
         Command::Record(options) => record::record(&options),
+        Command::Cards => cards::update(),
         Command::Maps(options) => maps::maps(&options),
         Command::TestRunner { args } => wasm::run_tests(args),
     }

@@ -1,12 +1,15 @@
-//! `cargo xtask record`: runs the questions in experiments/ and experiments/tuning/ and leaves their records beside them.
+//! `cargo xtask record`: runs the questions in experiments/ and experiments/tuning/ and leaves their records beside them. Broken off, it goes
+//! on where it was when it is started again: every finished run is kept in NAME.partial.
 
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
 
+use crate::cards;
 use crate::tools::{self, root, run};
 
 #[derive(Args)]
@@ -15,27 +18,59 @@ pub struct Options {
     names: Vec<String>,
 }
 
-/// The public grid on which the questions are asked as well: (question, the instance it stands in for). The grid itself is not ours to
-/// commit, so these records are made where the data folder is.
-const GRID: &str = "papers/G20_classic.csv";
-const ON_GRID: [(&str, &str); 4] =
-    [("ship", "ship-20x20"), ("threshold", "threshold-2"), ("classics", "criss-cross"), ("fireworks", "criss-cross")];
+/// The public grids on which questions are asked as well, without their ending. They are not ours to commit: these records are made where
+/// the data folder is.
+const GRIDS: [&str; 6] =
+    ["G20_classic", "G20_idx32291551799_xunlu", "G20_idx7911825111", "G20_maaco_fig7", "G20_search_dense", "G20_winsleo_walls"];
+
+/// A question that is asked on public maps, and the group of its instances that these join.
+struct OnPublicMaps {
+    question: &'static str,
+    group: &'static str,
+    maps: Maps,
+}
+
+enum Maps {
+    /// [`GRIDS`] from corner to corner.
+    Grids,
+    /// The same, every other one walked from its goal to its start.
+    GridsBothWays,
+    /// The terrain of the textbook, with the ends and levels of the paper.
+    Textbook,
+}
+
+const ON_PUBLIC_MAPS: [OnPublicMaps; 5] = [
+    OnPublicMaps { question: "classics", group: "plane", maps: Maps::Grids },
+    OnPublicMaps { question: "fireworks", group: "criss-cross", maps: Maps::Grids },
+    OnPublicMaps { question: "ship", group: "ship-20x20", maps: Maps::Grids },
+    OnPublicMaps { question: "terrain", group: "hills-20", maps: Maps::Textbook },
+    OnPublicMaps { question: "threshold", group: "environment-2", maps: Maps::GridsBothWays },
+];
 
 pub fn record(options: &Options) -> Result<()> {
     let names = if options.names.is_empty() { questions()? } else { options.names.clone() };
+    if let Some(unknown) = names.iter().find(|name| !root().join(question(name)).is_file()) {
+        bail!("there is no {}: the questions are {}", question(unknown), questions()?.join(", "));
+    }
     run(tools::cargo().args(["build", "--release", "--package", "formicarium", "--bin", "formicarium"]))?;
-    let grid = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()).map(|data| root().join(data).join(GRID));
+    let data = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()).map(|data| root().join(data));
+    let start = Instant::now();
     for name in &names {
-        if !root().join(question(name)).is_file() {
-            bail!("there is no {}: the questions are {}", question(name), questions()?.join(", "));
-        }
-        run(compare(name).args(["--out", &records(name)]))?;
-        match (&grid, ON_GRID.iter().find(|(question, _)| question == name)) {
-            (Some(grid), Some((_, instance))) => on_grid(name, instance, grid)?,
-            (None, Some(_)) => println!("record: {name} on {GRID} is left as it is, because FORMICARIUM_DATA is not set"),
-            _ => {}
+        timed(name, || run(compare(name).args(["--out", &records(name)])))?;
+        let Some(public) = ON_PUBLIC_MAPS.iter().find(|public| public.question == name) else { continue };
+        match &data {
+            Some(data) => timed(&format!("{name} on public maps"), || on_public_maps(public, &data.join("papers")))?,
+            None => println!("record: {name} on public maps is left as it is, because FORMICARIUM_DATA is not set"),
         }
     }
+    println!("record: {:.0} s in all", start.elapsed().as_secs_f64());
+    cards::update()
+}
+
+fn timed(what: &str, of: impl FnOnce() -> Result<()>) -> Result<()> {
+    let start = Instant::now();
+    of()?;
+    println!("record: {what} took {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
 }
 
@@ -64,13 +99,59 @@ fn questions_in(part: &str) -> Result<Vec<String>> {
     Ok(names)
 }
 
-fn compare(name: &str) -> Command {
+fn formicarium() -> Command {
     let mut command = Command::new(tools::target_dir().join("release/formicarium"));
-    command.current_dir(root()).args(["compare", &question(name), "--files", "csv,markdown,tests"]);
+    command.current_dir(root());
     command
 }
 
-fn on_grid(name: &str, instance: &str, grid: &Path) -> Result<()> {
-    let map = format!("{instance}={}", grid.display());
-    run(compare(name).args(["--out", "experiments/records/G20_classic", "--only", instance, "--map", &map]))
+fn compare(name: &str) -> Command {
+    let mut command = formicarium();
+    command.args(["compare", &question(name), "--files", "csv,markdown"]);
+    command
+}
+
+fn on_public_maps(public: &OnPublicMaps, papers: &Path) -> Result<()> {
+    let maps = match public.maps {
+        Maps::Grids => grids(papers),
+        Maps::GridsBothWays => both_ways(papers)?,
+        Maps::Textbook => vec![("textbook".into(), textbook(papers)?)],
+    };
+    let mut command = compare(public.question);
+    command.args(["--out", "experiments/records/public"]);
+    for (id, map) in &maps {
+        command.args(["--only", id, "--map", &format!("{}/{id}={}", public.group, map.display())]);
+    }
+    run(&mut command)
+}
+
+fn grids(papers: &Path) -> Vec<(String, PathBuf)> {
+    GRIDS.map(|name| (id_of(name), papers.join(format!("{name}.csv")))).into()
+}
+
+fn id_of(grid: &str) -> String {
+    grid.to_lowercase().replace('_', "-")
+}
+
+fn both_ways(papers: &Path) -> Result<Vec<(String, PathBuf)>> {
+    let mut maps = grids(papers);
+    for (_, map) in maps.iter_mut().skip(1).step_by(2) {
+        *map = converted(map, &["--from", "19,19", "--to", "0,0"])?;
+    }
+    Ok(maps)
+}
+
+fn textbook(papers: &Path) -> Result<PathBuf> {
+    let moves = ["--model", "slices", "--level", "200", "--levels", "19"];
+    let ends = ["--from", "0,9", "--from-level", "4", "--to", "20,7", "--to-level", "5"];
+    converted(&papers.join("HeightData_21x21.csv"), &[&moves[..], &ends[..]].concat())
+}
+
+/// A map as a scenario of the same name, with these ends and rules.
+fn converted(map: &Path, arguments: &[&str]) -> Result<PathBuf> {
+    let folder = tools::target_dir().join("public-maps");
+    std::fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    let to = folder.join(map.file_name().context("a map has a name")?).with_extension("json");
+    run(formicarium().arg("convert").arg(map).arg(&to).args(arguments))?;
+    Ok(to)
 }

@@ -35,7 +35,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Slices};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::scenario::Scenario;
 
 params! {
@@ -147,6 +147,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             meaning: "the program as it runs: half of a trail leaves one column beyond the place entered, the distance left by the row before the step",
             numbers: &[("local_rho", 0.5)],
             choices: &[("reading", "printed")],
+            reading: Some(PaperReading::Printed),
         },
         Preset {
             name: "terrain",
@@ -154,6 +155,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             meaning: "50 ants, 100 iterations, α = 1 and β = 7, the numbers of the colonies that it is compared with; the rest stays",
             numbers: &[("ants", 50.0), ("iterations", 100.0), ("alpha", 1.0), ("beta", 7.0)],
             choices: &[],
+            reading: None,
         },
     ],
     components: &[],

@@ -86,6 +86,7 @@ const PRESETS: &[Preset] = &[
         meaning: "basic ACO, repaired: its ρ = 0.3 evaporates (0.7 stays), as its text says; Q is not given, 1",
         numbers: &[("ants", 50.0), ("iterations", 100.0), ("beta", 7.0), ("rho", 0.3)],
         choices: &[("heuristic", "goal")],
+        reading: None,
     },
     Preset {
         name: "fire-printed",
@@ -93,6 +94,7 @@ const PRESETS: &[Preset] = &[
         meaning: "basic ACO, as printed in its eq. 4: ρ = 0.3 multiplies what stays, so 0.7 leaves",
         numbers: &[("ants", 50.0), ("iterations", 100.0), ("beta", 7.0), ("rho", 0.7)],
         choices: &[("heuristic", "goal")],
+        reading: None,
     },
     Preset {
         name: "ship",
@@ -100,6 +102,7 @@ const PRESETS: &[Preset] = &[
         meaning: "basic ACO, eq. 1–5, repaired: η = 1/distance to the goal (printed is the step's length: choose step)",
         numbers: &[("ants", 50.0), ("iterations", 100.0), ("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)],
         choices: &[("heuristic", "goal")],
+        reading: None,
     },
     Preset {
         name: "terrain",
@@ -107,6 +110,7 @@ const PRESETS: &[Preset] = &[
         meaning: "basic ACO, eq. 1–4, on a plane: η = 1/step length, global evaporation 0.2",
         numbers: &[("ants", 50.0), ("iterations", 100.0), ("beta", 7.0), ("rho", 0.2)],
         choices: &[("heuristic", "step")],
+        reading: None,
     },
     Preset {
         name: "threshold",
@@ -114,6 +118,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its parameters with Ant System's deposit at the end of the iteration (the paper also deposits after every move); half the trail stays",
         numbers: &[("ants", 10.0), ("iterations", 50.0), ("beta", 25.0), ("rho", 0.5)],
         choices: &[("heuristic", "goal"), ("dead_end", "die")],
+        reading: None,
     },
     Preset {
         name: "fireworks",
@@ -121,6 +126,7 @@ const PRESETS: &[Preset] = &[
         meaning: "basic ACO, eq. 11–12: its ρ = 0.5 is what stays, so 0.5 leaves; backtracking at dead ends",
         numbers: &[("ants", 50.0), ("iterations", 50.0), ("beta", 3.0), ("rho", 0.5), ("deposit", 5.0)],
         choices: &[("heuristic", "goal")],
+        reading: None,
     },
 ];
 

@@ -87,6 +87,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of MAX–MIN Ant System: the same runs",
         numbers: &[("rho", 0.02)],
         choices: all_rules!("max-min-ant-system"),
+        reading: None,
     },
     Preset {
         name: "ant-colony-system",
@@ -94,6 +95,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of Ant Colony System: the same runs",
         numbers: &[("ants", 10.0), ("rho", 0.1)],
         choices: all_rules!("ant-colony-system"),
+        reading: None,
     },
     Preset {
         name: "fire",
@@ -101,6 +103,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of the multi-fire ACO: the same runs",
         numbers: &[("beta", 7.0), ("rho", 0.3)],
         choices: all_rules!("fire"),
+        reading: None,
     },
     Preset {
         name: "ship",
@@ -108,6 +111,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of the engine-room ACO: the same runs",
         numbers: &[("beta", 2.0), ("rho", 0.8), ("deposit", 10.0)],
         choices: all_rules!("ship"),
+        reading: None,
     },
     Preset {
         name: "acost",
@@ -115,6 +119,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of ACOST: the same runs",
         numbers: &[("ants", 10.0), ("iterations", 50.0), ("beta", 25.0), ("move_limit", 0.0)],
         choices: all_rules!("acost", "dead_end" = "die"),
+        reading: None,
     },
     Preset {
         name: "acomsp",
@@ -122,6 +127,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of ACOMSP: the same runs",
         numbers: &[("ants", 10.0), ("iterations", 50.0), ("beta", 15.0), ("move_limit", 0.0)],
         choices: all_rules!("acomsp", "dead_end" = "die"),
+        reading: None,
     },
     Preset {
         name: "fwa-aco",
@@ -129,6 +135,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of the fireworks hybrid: the same runs",
         numbers: &[("iterations", 50.0), ("alpha", 2.0), ("beta", 8.0), ("rho", 0.1)],
         choices: all_rules!("fwa-aco", "heuristic" = "goal"),
+        reading: None,
     },
     Preset {
         name: "pso-aco",
@@ -136,6 +143,7 @@ pub(super) const PRESETS: &[Preset] = &[
         meaning: "all rules of the particle hybrid: the same runs",
         numbers: &[("iterations", 50.0), ("alpha", 2.0), ("beta", 8.0), ("rho", 0.1)],
         choices: all_rules!("pso-aco", "heuristic" = "goal"),
+        reading: None,
     },
 ];
 

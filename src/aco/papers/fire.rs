@@ -48,7 +48,7 @@ use crate::aco::variant::{Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{param_choice, params};
@@ -220,6 +220,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its improved algorithm, repaired: the order by straight lines, ρ = 0.3 leaves",
         numbers: &[],
         choices: &[("leg_length", "euclidean")],
+        reading: Some(PaperReading::AsRead),
     },
     Preset {
         name: "basic",
@@ -227,6 +228,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its own baseline: shortest order by straight lines, random proportional rule on both levels",
         numbers: &[],
         choices: &[("order", "distance"), ("leg_length", "euclidean"), ("legs", "basic")],
+        reading: None,
     },
     Preset {
         name: "second-reading",
@@ -234,6 +236,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its improved algorithm with V of eq. 10 as the criterion of a path, as its section 5 says; the order by straight lines",
         numbers: &[],
         choices: &[("leg_length", "euclidean"), ("criterion", "turn-index")],
+        reading: Some(PaperReading::SecondReading),
     },
     Preset {
         name: "printed",
@@ -241,6 +244,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its improved algorithm as printed: the order by straight lines, ρ = 0.3 stays (eq. 4)",
         numbers: &[],
         choices: &[("leg_length", "euclidean"), ("reading", "printed")],
+        reading: Some(PaperReading::Printed),
     },
 ];
 

@@ -62,7 +62,7 @@ use crate::map::{Cell, Direction};
 use crate::params;
 use crate::params::{Params, Values};
 use crate::path::Path;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 use crate::swarm::decode::DecodeRows;
 use crate::swarm::fireworks::{self, AnnealingRows, COOLED_RADIUS, FireworkRows, WEIGHTED_MUTATION};
@@ -271,6 +271,7 @@ const EVAPORATING: Preset = Preset {
     meaning: "0.9 is what leaves, as its section 2.2 calls it, against its eq. 11",
     numbers: &[("rho", 0.9)],
     choices: &[],
+    reading: None,
 };
 
 const SECOND_READING: Preset = Preset {
@@ -279,6 +280,7 @@ const SECOND_READING: Preset = Preset {
     meaning: "an x_min above 0 (eq. 6; the paper gives no value, 0.8 is ours), and the iteration's best path alone leaves trail (step 3)",
     numbers: &[("range_min", 0.8)],
     choices: &[("depositors", "iteration-best")],
+    reading: Some(PaperReading::SecondReading),
 };
 
 const SEED_TRAIL: Component = Component {
@@ -310,6 +312,7 @@ pub const FWA_ACO: PlannerEntry = PlannerEntry {
             meaning: "the same budget and the same colony, but the path of the fireworks leaves no trail",
             numbers: &[("seed_ants", 0.0)],
             choices: &[],
+            reading: None,
         },
         fireworks::PRINTED,
         SECOND_READING,

@@ -55,7 +55,7 @@ use crate::map::{Cell, Direction, OFFSETS, Point};
 use crate::metrics::{obstacle_density, obstacles_around};
 use crate::params::{Params, Values};
 use crate::path::Refinement;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::scenario::Scenario;
 use crate::{param_choice, params};
 
@@ -410,6 +410,7 @@ const PRESETS: &[Preset] = &[
         meaning: "everything literally: eq. 7 and 8 as printed, eq. 12 for the update, as its step 4 says, and section 3.3 node by node",
         numbers: &[],
         choices: &[("reading", "printed"), ("update", "all-ants"), ("refinement", "next")],
+        reading: Some(PaperReading::Printed),
     },
     Preset {
         name: "second-reading",
@@ -417,6 +418,7 @@ const PRESETS: &[Preset] = &[
         meaning: "its ρ = 0.8 as the part of every trail that stays, as papers of its kind print it; all else as we read it",
         numbers: &[],
         choices: &[("rho_part", "stays")],
+        reading: Some(PaperReading::SecondReading),
     },
     Preset {
         name: "cells",
@@ -424,6 +426,7 @@ const PRESETS: &[Preset] = &[
         meaning: "the search alone: the best path stays cell by cell, to be compared with planners that do not refine",
         numbers: &[],
         choices: &[("refinement", "none")],
+        reading: None,
     },
 ];
 

@@ -57,7 +57,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, GoalStep, Ground, Layer, Planner, PlannerEntry, Preset, Reading};
+use crate::planner::{Component, Family, GoalStep, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
 use crate::scenario::Scenario;
 
@@ -307,6 +307,7 @@ const SECOND_READING: Preset = Preset {
     meaning: "an ant beside the goal enters it: eq. 4 is undefined there, not a reason to bar the step",
     numbers: &[],
     choices: &[("goal_step", "enter")],
+    reading: Some(PaperReading::SecondReading),
 };
 
 /// ACOST in the catalog.
@@ -323,6 +324,7 @@ pub const ACOST: PlannerEntry = PlannerEntry {
             meaning: "the paper's classic ACO: every step by its probability, Q1 after each move, no reward of the shortest path",
             numbers: &[("path_deposit", 0.0)],
             choices: &[("rule", "proportional")],
+            reading: None,
         },
         Preset {
             name: "printed",
@@ -330,6 +332,7 @@ pub const ACOST: PlannerEntry = PlannerEntry {
             meaning: "t from 0, so that the first iteration walks uniformly; eq. 11 and 12 reward the shortest path m times",
             numbers: &[],
             choices: &[("reading", "printed")],
+            reading: Some(PaperReading::Printed),
         },
         SECOND_READING,
     ],
@@ -368,6 +371,7 @@ pub const ACOMSP: PlannerEntry = PlannerEntry {
             meaning: "eq. 11 and 12 reward the shortest path m times",
             numbers: &[],
             choices: &[("reading", "printed")],
+            reading: Some(PaperReading::Printed),
         },
         SECOND_READING,
     ],

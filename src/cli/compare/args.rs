@@ -31,7 +31,7 @@ Examples:
   formicarium compare experiments/ship.toml --out /tmp/look --seeds 10 --files markdown,latex
   formicarium compare experiments/ship.toml --out /tmp/zh --files markdown,latex --language zh-CN
   formicarium compare experiments/ship.toml --out /tmp/fair --budget constructed-paths=2000
-  formicarium compare experiments/ship.toml --out /tmp/mine --only ship-20x20 --map ship-20x20=mine.csv
+  formicarium compare experiments/ship.toml --out /tmp/mine --only mine --map ship-20x20/mine=mine.csv
   formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
   formicarium compare experiments/ship.toml --results-template > mine.csv
   formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
@@ -81,10 +81,11 @@ pub struct Args {
     /// What a run may spend, in place of the question's budget: iterations, constructed-paths, ant-moves, cell-expansions or moves
     #[arg(long, value_name = "AXIS=AMOUNT", value_parser = budget)]
     pub budget: Option<Budget>,
-    /// Only this instance; may be repeated
+    /// Only this instance, or all of this group; may be repeated
     #[arg(long, value_name = "ID")]
     pub only: Vec<String>,
-    /// Another map in place of an instance's; with --ablate a map, its ID= may be left out; may be repeated
+    /// Another map in place of an instance's; GROUP/ID=FILE one more beside those of a group; with --ablate a map, its ID= may be left out;
+    /// may be repeated
     #[arg(long, value_name = "ID=FILE", value_parser = named_map)]
     pub map: Vec<(Option<String>, PathBuf)>,
     /// Imported results, compared and not run: a table or an IOHanalyzer file; ID= says on which map, where the file does not;
@@ -171,6 +172,6 @@ pub fn named_map(text: &str) -> Result<(Option<String>, PathBuf), String> {
     match text.split_once('=') {
         None if !text.is_empty() => Ok((None, text.into())),
         Some((id, file)) if !id.is_empty() && !file.is_empty() => Ok((Some(id.into()), file.into())),
-        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20=mine.csv")),
+        _ => Err(format!("`{text}` names no map: write ID=FILE such as ship-20x20-01=mine.csv, or GROUP/ID=FILE")),
     }
 }

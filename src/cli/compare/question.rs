@@ -118,7 +118,7 @@ fn committed(args: &Args, file: &Path, left_out: &mut Vec<String>) -> Result<Que
     question.entries.iter_mut().flat_map(|e| &mut e.results).for_each(|file| *file = folder.join(&*file).display().to_string());
     if let Some((_, map)) = args.map.iter().find(|(id, _)| id.is_none()) {
         let message = format!("`{}` stands in for no map", map.display());
-        return Err(CliError::usage(message, "write ID=FILE such as ship-20x20=mine.csv"));
+        return Err(CliError::usage(message, "write ID=FILE such as ship-20x20-01=mine.csv, or GROUP/ID=FILE"));
     }
     let all = question.instances.clone();
     narrow(args, &mut question).map_err(|e| args.wrong(e))?;
@@ -156,7 +156,8 @@ fn instance_id(name: &str) -> String {
 fn reopen(args: &Args, file: &Path) -> Result<Asked, CliError> {
     let map = |(id, map): &(Option<String>, PathBuf)| id.clone().unwrap_or_else(|| map.display().to_string());
     if let Some(id) = args.only.first().cloned().or_else(|| args.map.first().map(map)) {
-        let message = format!("`{id}` cannot be chosen or replaced: the file has its maps in it, and results on all of them");
+        let message =
+            format!("`{id}` cannot be chosen, replaced or added: the file has its maps in it, and results on all of them");
         return Err(CliError::usage(message, "leave out --only and --map, or give a question as TOML"));
     }
     let opened = input::in_file(file, MAX_BYTES, |bytes, _| {
@@ -186,9 +187,14 @@ fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
     question.seeds.count = question.seeds.count.min(args.seeds.unwrap_or(u32::MAX));
     question.budget = args.budget.or(question.budget);
     for (id, file) in args.map.iter().filter_map(|(id, file)| Some((id.as_ref()?, file))) {
-        let instance = question.instance_mut(id)?;
-        let stem = stem(file);
-        (instance.map, instance.note) = (file.display().to_string(), format!("{stem} in place of the question's map."));
+        let (stem, map) = (stem(file), file.display().to_string());
+        if let Some((group, id)) = id.split_once('/') {
+            let note = format!("{stem} beside the question's maps of {group}.");
+            question.add_instance(Instance { id: id.into(), map, note, group: Some(group.into()) })?;
+        } else {
+            let instance = question.instance_mut(id)?;
+            (instance.map, instance.note) = (map, format!("{stem} in place of the question's map."));
+        }
     }
     if args.only.is_empty() { Ok(()) } else { question.keep_instances(&args.only) }
 }

@@ -9,6 +9,7 @@ use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::Question;
 use crate::comparison::statistics::Difference;
 use crate::comparison::verdict::Verdict;
+use crate::planner::PaperReading;
 
 /// What became of a claim on one map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -88,6 +89,10 @@ pub struct VerdictLine {
     pub verdict: VerdictKind,
     /// Why nothing can be told; empty where something can.
     pub why: String,
+    /// The reading of the publication that the claim is about; absent where it names none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub reading: Option<PaperReading>,
 }
 
 /// A judged claim for a table.
@@ -122,6 +127,7 @@ pub(super) fn line(question: &Question, c: &JudgedClaim) -> Option<VerdictLine> 
         baseline_runs: c.runs[1],
         verdict,
         why: why.into(),
+        reading: claim.reading,
     })
 }
 

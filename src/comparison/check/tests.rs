@@ -163,6 +163,31 @@ fn groups_and_facts_go_with_their_last_instance() {
 }
 
 #[test]
+fn a_group_is_kept_by_its_id_and_takes_one_more_instance() {
+    let mut q = grouped();
+    let added = |id: &str, group: &str| Instance {
+        id: id.into(),
+        map: "mine.json".into(),
+        note: String::new(),
+        group: Some(group.into()),
+    };
+    q.add_instance(added("mine", "one")).unwrap();
+    assert_eq!(q.check(), Ok(()));
+    // What is published of the group, claims and facts are about it as about the others.
+    assert_eq!((q.claimed_size(&q.claims[0], &q.instances[3]), q.facts[0].is_about(&q.instances[3])), (Some(0.25), true));
+    for (id, group, field) in [("mine", "one", "instances.id"), ("one", "one", "instances.id"), ("new", "two", "instances.group")]
+    {
+        assert_eq!(q.add_instance(added(id, group)).unwrap_err().report().field, field, "{group}/{id}");
+    }
+    let refused = q.add_instance(added("new", "a")).unwrap_err();
+    assert_eq!(refused.report().hint, "give one of one", "an instance is no group");
+    q.keep_instances(&["one".into()]).unwrap();
+    assert_eq!(q.instances.iter().map(|i| i.id.as_str()).collect::<Vec<_>>(), ["b", "c", "mine"]);
+    let refused = question().add_instance(added("new", "one")).unwrap_err();
+    assert!(refused.to_string().contains("the question has no groups"), "{refused}");
+}
+
+#[test]
 fn questions_of_before_are_written_as_before() {
     let written = serde_json::to_string(&question()).unwrap();
     for new in ["group", "facts", "relevant", "target", "axis"] {

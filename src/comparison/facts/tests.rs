@@ -82,6 +82,22 @@ fn who_arrives_there_must_arrive_here() {
 }
 
 #[test]
+fn who_does_not_arrive_spoils_his_own_claims_alone() {
+    let verdicts = |facts: Value| {
+        let mut comparison = comparison(facts);
+        let mut ours = comparison.question.claims[0].clone();
+        (ours.id, ours.improved) = ("ours".into(), "ants".into());
+        comparison.question.claims.push(ours);
+        let told = analysed(&comparison, &rows(10, 30));
+        told.judged.iter().map(|c| c.verdict == Verdict::CannotTell(WhyNot::Contradicted)).collect::<Vec<_>>()
+    };
+    // Of both maps the first claim is of line against ants, the second of ants against ants.
+    assert_eq!(verdicts(json!([{ "arrives": ["ants"] }])), [true, true, true, true]);
+    assert_eq!(verdicts(json!([{ "group": "two", "arrives": ["line", "ants"] }])), [false, true, false, true]);
+    assert_eq!(verdicts(json!([{ "arrives": ["line"] }])), [false, false, false, false]);
+}
+
+#[test]
 fn of_a_map_that_cannot_stand_for_it_nothing_can_be_told() {
     let comparison = comparison(json!([{ "group": "one", "optimum_at_most": 9.0, "says": "table 1" }]));
     let analysis = analysed(&comparison, &rows(30, 30));

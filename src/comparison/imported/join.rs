@@ -38,6 +38,7 @@ fn joined_entry(imported: &ImportedEntry, file: &str, entries: &[Entry]) -> Entr
         results: Some(file.into()),
         preset: None,
         set: Default::default(),
+        first_stage: None,
         published: Default::default(),
     }
 }

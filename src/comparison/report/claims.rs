@@ -8,6 +8,7 @@ use super::escape::{cell, prose};
 use super::names::asked_name;
 use super::numbers::{hundredths, percent};
 use super::printed::Cell;
+use super::readings;
 use super::tests::probability;
 use super::verdicts::{change, claims_by_map, effect, in_words};
 use super::words::Words;
@@ -18,6 +19,7 @@ use crate::comparison::facts::{Unfit, UnfitMap};
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::over_maps::{FEWEST_MAPS, OverMaps, OverallVerdict};
 use crate::comparison::statistics::CONFIDENCE;
+use crate::planner::PaperReading;
 
 /// All that Markdown says of them.
 pub(super) fn tables(words: &Words, out: &mut String, comparison: &Comparison, analysis: &Analysis) {
@@ -25,6 +27,7 @@ pub(super) fn tables(words: &Words, out: &mut String, comparison: &Comparison, a
     if analysis.judged.is_empty() {
         return;
     }
+    readings::table(words, out, comparison, analysis);
     let columns = (words.claims.over_columns)(100.0 * CONFIDENCE);
     let _ = writeln!(out, "\n## {}\n\n| {} |\n|{}", words.claims.title, columns.join(" | "), "---|".repeat(columns.len()));
     for over in &analysis.over_maps {
@@ -51,7 +54,7 @@ fn fields(words: &Words, comparison: &Comparison, over: &OverMaps) -> [String; 6
     ]
 }
 
-fn median_effect(words: &Words, over: &OverMaps) -> String {
+pub(super) fn median_effect(words: &Words, over: &OverMaps) -> String {
     let Some(median) = over.median else { return "–".into() };
     match over.low.zip(over.high) {
         Some((low, high)) => effect(words, over.measure, over.direction, [median, low, high]),
@@ -77,8 +80,9 @@ fn unfit_table(words: &Words, out: &mut String, comparison: &Comparison, unfit: 
     }
     let columns = words.claims.unfit_columns.join(" | ");
     let _ = writeln!(out, "\n## {}\n\n| {columns} |\n|---|---|---|", words.claims.unfit_title);
-    for map in unfit {
-        let why = cell(&unfit_words(words, comparison, map)).into_owned();
+    for of_map in unfit.chunk_by(|a, b| a.instance == b.instance && a.says == b.says) {
+        let why: Vec<_> = of_map.iter().map(|map| unfit_words(words, comparison, map)).collect();
+        let (map, why) = (&of_map[0], cell(&why.join(words.signs.parts)).into_owned());
         let _ = writeln!(out, "| {} | {why} | {} |", map.instance, cell(&prose(&map.says)));
     }
 }
@@ -133,12 +137,18 @@ struct Line<'a> {
     verdict: Option<VerdictKind>,
     overall: Option<OverallVerdict>,
     why: &'a str,
+    /// Empty of a claim without one; none, and then no column, where no claim has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reading: Option<&'a str>,
 }
 
 /// One line a claim and map, and one a claim over its maps, where p is of the sign test.
 pub(super) fn csv(analysis: &Analysis) -> String {
-    let by_map = analysis.verdicts.iter().map(of_map);
-    super::csv::of_lines(by_map.chain(analysis.over_maps.iter().map(of_maps)))
+    let has_readings = !analysis.by_reading.readings.is_empty();
+    let reading = |of: Option<PaperReading>| has_readings.then(|| of.map_or("", PaperReading::id));
+    let by_map = analysis.verdicts.iter().map(|line| Line { reading: reading(line.reading), ..of_map(line) });
+    let over_maps = analysis.over_maps.iter().map(|over| Line { reading: reading(over.reading), ..of_maps(over) });
+    super::csv::of_lines(by_map.chain(over_maps))
 }
 
 fn of_map(line: &VerdictLine) -> Line<'_> {

@@ -2,6 +2,7 @@
 
 use super::claims;
 use super::printed::{Cell, printed, sentence};
+use super::readings;
 use super::words::Words;
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
@@ -15,6 +16,10 @@ pub(super) fn latex(words: &Words, comparison: &Comparison, analysis: &Analysis,
         let rule = (words.signs.about)(&table.name, &table.rule.replace('`', ""));
         let caption = caption(words, vec![comparison.question.title.clone(), rule, sentence(&table.told)], &setting);
         out += &environment(&Table { id: &table.id, head: &table.head, rows: &table.rows, last_apart: false }, &caption);
+    }
+    if let Some((head, rows)) = readings::printed(words, comparison, analysis) {
+        let caption = caption(words, vec![comparison.question.title.clone(), sentence(words.claims.readings_about)], &setting);
+        out += &environment(&Table { id: "claims:readings", head: &head, rows: &rows, last_apart: false }, &caption);
     }
     if let Some(rows) = claims::printed(words, comparison, analysis) {
         let caption = caption(words, vec![comparison.question.title.clone(), sentence(words.claims.about)], &setting);

@@ -59,12 +59,18 @@ fn claim_row(words: &Words, out: &mut String, comparison: &Comparison, c: &Judge
 }
 
 fn statistic_name(words: &Words, claim: &Claim, statistic: Statistic) -> String {
+    let has_one = claim.measure == RunMeasure::RunningTime || claim.measure.is_share();
+    if has_one { measure_name(words, claim) } else { by_statistic(words, claim.measure, statistic) }
+}
+
+/// What is compared; a running time with its target.
+pub(super) fn measure_name(words: &Words, claim: &Claim) -> String {
     let measure = (words.names.measure)(claim.measure);
-    if claim.measure == RunMeasure::RunningTime {
-        let near = (words.signs.percent)(&short(100.0 * claim.target()));
-        return (words.claims.to_target)(measure, &near, claim.axis());
+    if claim.measure != RunMeasure::RunningTime {
+        return measure.into();
     }
-    if claim.measure.is_share() { measure.into() } else { by_statistic(words, claim.measure, statistic) }
+    let near = (words.signs.percent)(&short(100.0 * claim.target()));
+    (words.claims.to_target)(measure, &near, claim.axis())
 }
 
 /// A measure, and what stands for all runs.

@@ -89,9 +89,13 @@ function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
 function keptByControl({ target, key, ctrlKey, metaKey }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false
   if (target.closest('[role="menu"], dialog')) return true
-  if (target.matches('textarea, select, input:not([type="range"], [type="checkbox"])')) return true
+  if (
+    target.matches('textarea, select, input:not([type="range"], [type="checkbox"], [type="radio"])')
+  )
+    return true
   if (ctrlKey || metaKey) return false
   if (target.matches('input[type="range"]')) return /^(Arrow|Home|End|Page)/.test(key)
+  if (target.matches('input[type="radio"]') && key.startsWith('Arrow')) return true
   return key === ' ' && target.matches('button, input') && reachedByTab.has(target)
 }
 

@@ -1,11 +1,18 @@
 /**
  * A card as elements: marked reads it, and every token becomes an element here. HTML in a card stays text, so nothing needs to be
- * sanitised.
+ * sanitised; comments are not shown.
  */
 
 import { marked, type Token, type Tokens } from 'marked'
 import type { ComponentChildren, JSX } from 'preact'
 import { t } from '../i18n'
+
+/** Drawings that stand beside the cards, by their files' names. */
+const pictures = import.meta.glob<string>('../../../docs/papers/*.svg', {
+  query: '?url&no-inline',
+  import: 'default',
+  eager: true,
+})
 
 /** From here on a table cell is a sentence, which wants some width even on a phone. */
 const WORDY = 36
@@ -54,6 +61,8 @@ function block(token: Token, key: number): ComponentChildren {
       return <hr key={key} />
     case 'space':
       return null
+    case 'html':
+      return token.raw.startsWith('<!--') ? null : <p key={key}>{token.raw}</p>
     default:
       return <p key={key}>{token.raw}</p>
   }
@@ -138,6 +147,8 @@ function inline(token: Token, key: number): ComponentChildren {
       return <code key={key}>{(token as Tokens.Codespan).text}</code>
     case 'link':
       return <Link key={key} link={token as Tokens.Link} />
+    case 'image':
+      return <Picture key={key} image={token as Tokens.Image} />
     case 'br':
       return <br key={key} />
     case 'del':
@@ -148,6 +159,13 @@ function inline(token: Token, key: number): ComponentChildren {
     default:
       return token.raw
   }
+}
+
+/** A drawing of ours; of another one what it shows. */
+function Picture({ image: { href, text } }: { image: Tokens.Image }) {
+  const name = href.split('/').at(-1) ?? ''
+  const source = pictures[`../../../docs/papers/${name}`]
+  return source ? <img class="card-picture" src={source} alt={text} /> : <>{text}</>
 }
 
 /** Links into the repository lead nowhere from here: their words stay. */

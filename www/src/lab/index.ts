@@ -3,6 +3,7 @@ import '../styles/lab.css'
 import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
+import { addReadingsWords } from '../i18n/readings'
 import { fetchNames } from '../state/lazy_parts'
 import { joinFile, takeResults } from './build/take_results'
 import { Lab } from './view/lab'
@@ -35,7 +36,7 @@ let ready: Promise<typeof Lab> | null = null
 
 /** The view with its text. Also opens the comparison in the address, or the one this tab had open. */
 export function fetchLab(): Promise<typeof Lab> {
-  ready ??= Promise.all([addLabWords(), fetchNames()]).then(() => {
+  ready ??= Promise.all([addLabWords(), addReadingsWords(), fetchNames()]).then(() => {
     void openAddress()
     return Lab
   })

@@ -15,6 +15,7 @@ export type {
   Overall,
   OverMaps,
   Pair,
+  PaperReading,
   Ranks,
   ResultFile,
   RunMeasure as Measure,

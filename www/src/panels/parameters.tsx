@@ -30,6 +30,12 @@ import { ParameterRows } from './parameter_rows'
 
 const SECTION_ID = 'parameters'
 
+/** Keeps its place until it is there. */
+const ReadingPlace = () => <div class="reading-place" />
+const PanelReading = lazily(
+  () => import('./reading_switch').then((part) => part.fetchPanelReading()),
+  ReadingPlace,
+)
 const Legs = lazily(() => import('./legs').then((legs) => legs.default))
 
 export function Parameters() {
@@ -89,6 +95,7 @@ function Controls({ panel }: { panel: Panel }) {
       <p class="hint">{plannerSummary(entry)}</p>
       <About entry={entry} preset={setup.preset} />
       {touring && <Legs panel={panel} />}
+      {entry.presets.some(({ reading }) => reading) && <PanelReading panel={panel} entry={entry} />}
       {entry.params.length > 0 && <SetField panel={panel} entry={entry} />}
       <PresetMeaning presets={entry.presets} name={setup.preset} />
       <TwinHint panel={panel} />
@@ -245,7 +252,8 @@ function TwinHint({ panel }: { panel: Panel }) {
 
 function PresetMeaning(props: { presets: CatalogEntry['presets']; name: string | null }) {
   const preset = props.presets.find(({ name }) => name === props.name)
-  return preset ? (
+  // The switch above says what a reading is.
+  return preset && !preset.reading ? (
     <p class="hint">
       {t('parameters.presetIs', {
         source: translated(preset.source),

@@ -32,6 +32,7 @@ export {
   setPlanner,
   setPreset,
   setSeed,
+  setValues,
 } from './panels'
 export { inRelief } from './relief'
 export {

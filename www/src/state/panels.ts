@@ -95,6 +95,12 @@ export function setPreset(id: number, name: string | null): void {
   changeSetup(id, ({ planner, label }) => ({ ...presetSetup(planner, name), label }))
 }
 
+/** Values as they were together with the set that they came from. */
+export function setValues(id: number, values: Pick<PanelSetup, 'preset' | 'params'>): void {
+  startedFrom.delete(id)
+  changeSetup(id, (setup) => ({ ...setup, ...values, result: null }))
+}
+
 export function setSeed(value: number): void {
   if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) return
   batch(() => {

@@ -2,6 +2,7 @@
 import type { ParamSpec } from '@pkg/formicarium'
 import { t } from '../i18n/names'
 import type { ParamValues } from '../model/messages'
+import { hasValuesOf } from '../model/readings'
 import { paramValue, plannerEntry } from '../state'
 import type { Named } from '../state/lazy_parts'
 import { optionName, presetName, runAlike } from './planner_words'
@@ -35,14 +36,8 @@ function valueMark(one: Named, namesakes: Named[], most: number): string {
   return [...values, ...(told.length > most ? ['…'] : [])].join(', ')
 }
 
-/** Whose very values it has: those of an old link may be others by now. */
 const presetOf = ({ planner, preset, params }: Named) =>
-  plannerEntry(planner)?.presets.find(
-    ({ name, values }) =>
-      name === preset &&
-      Object.keys(values).length === Object.keys(params).length &&
-      Object.entries(values).every(([key, value]) => params[key] === value),
-  )
+  plannerEntry(planner)?.presets.find((each) => each.name === preset && hasValuesOf(each, params))
 
 /** A value by its symbol; a choice without one speaks for itself. */
 function valueWords({ key, symbol, kind }: ParamSpec, value: ParamValues[string]): string {

@@ -59,7 +59,7 @@ use space::{Layered, Surface};
 
 use crate::error::ParamError;
 use crate::params::{Params, Values};
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Preset};
+use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset};
 use crate::scenario::Scenario;
 
 /// The colony in the scenario's space.
@@ -100,6 +100,7 @@ const SECOND_READING: Preset = Preset {
     meaning: "trails grow and evaporate at each step, by Ant Colony System's local rule with τ0 = 0.01; else as we read it",
     numbers: &[("initial_trail", 0.01)],
     choices: &[("local_rule", "acs")],
+    reading: Some(PaperReading::SecondReading),
 };
 
 /// The paper's basic ACO in the catalog.
@@ -116,6 +117,7 @@ pub const ACO: PlannerEntry = PlannerEntry {
             meaning: "its table 1, which is headed EPF-ACO, and η = 1/distance to the goal, as its text has it",
             numbers: TABLE_1,
             choices: &[("heuristic", "goal")],
+            reading: Some(PaperReading::AsRead),
         },
         Preset {
             name: "printed",
@@ -123,6 +125,7 @@ pub const ACO: PlannerEntry = PlannerEntry {
             meaning: "eq. 1–4 and nothing else: η = 1/step length, every step by its probability, evaporation at the end of the iteration alone",
             numbers: &[("q0", 0.0), ("local_rho", 0.0)],
             choices: &[("heuristic", "step")],
+            reading: Some(PaperReading::Printed),
         },
         SECOND_READING,
     ],
@@ -182,6 +185,7 @@ pub const EPF: PlannerEntry = PlannerEntry {
             meaning: "its method with its table 1, repaired where the print does not do what its text says",
             numbers: TABLE_1,
             choices: &[("reading", "repaired"), ("heuristic", "goal")],
+            reading: Some(PaperReading::AsRead),
         },
         Preset {
             name: "printed",
@@ -189,6 +193,7 @@ pub const EPF: PlannerEntry = PlannerEntry {
             meaning: "everything literally: the pull grows with the distance, \"or\" in eq. 13, no time in the exponent, η = 1/step length",
             numbers: &[],
             choices: &[("reading", "printed"), ("heuristic", "step")],
+            reading: Some(PaperReading::Printed),
         },
         SECOND_READING,
     ],

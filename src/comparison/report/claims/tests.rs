@@ -6,7 +6,7 @@ use super::*;
 use crate::comparison::analysis::whole;
 use crate::comparison::report::{ReportLanguage, Reports, ResultFile, verdicts};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
-use crate::comparison::{Intervals, Question, Samples, Seen};
+use crate::comparison::{Claim, Intervals, Question, Samples, Seen};
 use crate::map::{Grid, Movement, Point};
 use crate::planner::Status;
 use crate::scenario::Scenario;
@@ -52,7 +52,11 @@ fn rows() -> Vec<Row> {
 }
 
 fn files(kinds: &[ResultFile], language: ReportLanguage) -> Vec<String> {
-    let (comparison, rows) = (comparison(), rows());
+    files_of(comparison(), kinds, language)
+}
+
+fn files_of(comparison: Comparison, kinds: &[ResultFile], language: ReportLanguage) -> Vec<String> {
+    let rows = rows();
     let analysis = whole(&Samples::new(&comparison, rows.iter().map(Seen::from)), &mut Intervals::default());
     let document = |_| String::new();
     let (comparison, analysis) = (&comparison, &analysis);
@@ -104,6 +108,52 @@ fn programs_read_the_same() {
     let json: serde_json::Value = serde_json::from_str(json).unwrap();
     assert_eq!((&json["over_maps"][0]["verdict"], &json["unfit"][0]["why"]), (&json!("reproduced"), &json!("optimum")));
     assert!(latex.contains("\\label{tab:claims:over-maps}") && latex.contains("7 of 7 maps [65 \\%, 100 \\%]"));
+}
+
+/// The first claim by one reading, and once more by another; the second one by none.
+fn with_readings() -> Comparison {
+    let mut comparison = comparison();
+    let claims = &mut comparison.question.claims;
+    let printed = Claim { id: "shorter-printed".into(), reading: Some(PaperReading::Printed), size: None, ..claims[0].clone() };
+    claims[0].reading = Some(PaperReading::SecondReading);
+    claims.push(printed);
+    comparison
+}
+
+#[test]
+fn readings_stand_beside_each_other_before_all_other_claims() {
+    let page = &files_of(with_readings(), &[ResultFile::Markdown], ReportLanguage::En)[0];
+    let table = "## Claims by reading\n\n| claim | measure | as printed | second reading |\n|---|---|---|---|\n\
+                 | less length | length | **reproduced** (no size is claimed); 7 of 7 maps; −8.0 % [−11.0, −5.0] \
+                 | **reproduced**; 7 of 7 maps; −8.0 % [−11.0, −5.0] |\n\n## Claims\n";
+    assert!(page.contains(table), "{page}");
+    let chinese = &files_of(with_readings(), &[ResultFile::Markdown], ReportLanguage::ZhCn)[0];
+    assert!(chinese.contains("| 主张 | 衡量标准 | 按印刷公式 | 第二种读法 |"), "{chinese}");
+    let [latex, csv, json] =
+        &files_of(with_readings(), &[ResultFile::Latex, ResultFile::ClaimsCsv, ResultFile::SummaryJson], ReportLanguage::En)[..]
+    else {
+        panic!("three files")
+    };
+    let at = |label: &str| latex.find(&format!("\\label{{tab:claims:{label}}}")).unwrap();
+    assert!(at("readings") < at("over-maps"));
+    let ends: Vec<&str> = csv.lines().map(|line| line.rsplit(',').next().unwrap()).collect();
+    assert_eq!((ends[0], ends[1], ends[1 + MAPS], ends[1 + 2 * MAPS]), ("reading", "second-reading", "", "printed"));
+    assert_eq!(ends[1 + 3 * MAPS..], ["second-reading", "", "printed"], "over maps");
+    let json: serde_json::Value = serde_json::from_str(json).unwrap();
+    assert_eq!(
+        (&json["verdicts"][0]["reading"], &json["over_maps"][2]["reading"]),
+        (&json!("second-reading"), &json!("printed"))
+    );
+    assert!(json["over_maps"][1].get("reading").is_none());
+}
+
+#[test]
+fn without_readings_nothing_is_said_of_them() {
+    for file in
+        files(&[ResultFile::Markdown, ResultFile::Latex, ResultFile::ClaimsCsv, ResultFile::SummaryJson], ReportLanguage::En)
+    {
+        assert!(!file.contains("reading"), "{file}");
+    }
 }
 
 #[test]

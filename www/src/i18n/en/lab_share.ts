@@ -102,6 +102,10 @@ export const enLabShare = {
       ship: 'Does it find shorter paths with fewer turns, in fewer iterations?',
       terrain:
         'Does it find cheaper paths over ground than the basic colony and particle swarms, in fewer iterations?',
+      'terrain-readings':
+        'What do its parts do, and what do the places change that the paper leaves open?',
+      'terrain-surface':
+        'Does it find shorter paths on the ground, with 16 moves? A question of our own.',
       threshold: 'Does it find shorter paths than ACOMSP, and in the harder environment than ACO?',
     },
   },

@@ -142,7 +142,7 @@ export const zhCNEngine = {
     paper: '论文',
     basic: '论文的基本算法',
     printed: '按印刷公式',
-    'second-reading': '第二种理解',
+    'second-reading': '第二种读法',
     uniform: '均匀交叉',
     fire: '多火源论文',
     'fire-printed': '多火源论文（按印刷）',

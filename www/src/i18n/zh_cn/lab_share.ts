@@ -82,6 +82,8 @@ export const zhCNLabShare: DictionaryShape<typeof enLabShare> = {
       fireworks: '混合算法能否比其各部分更快地找到更短的路径？',
       ship: '它能否以更少的迭代找到更短、转弯更少的路径？',
       terrain: '它能否以更少的迭代在地形上找到比基本蚁群和粒子群代价更低的路径？',
+      'terrain-readings': '其各部分有何作用，论文未定之处又会改变什么？',
+      'terrain-surface': '沿地面以 16 个方向移动时，它能否找到更短的路径？这是我们自己的问题。',
       threshold: '它能否找到比 ACOMSP 更短的路径，并在较难的环境中优于 ACO？',
     },
   },

@@ -39,7 +39,7 @@ export const zhCNParamNames = {
 
   // The papers.
   reading: '公式的理解',
-  rho_part: 'ρ 的含义',
+  rho_part: '挥发率的含义',
   evaporation: '挥发规律',
   rho_shrink: '挥发率衰减',
   rho_min: '挥发率下限',

@@ -12,6 +12,9 @@ export const zhCNQuestions: Record<string, string> = {
     '精英势场蚁群算法与其基本蚁群算法和粒子群算法',
   'Ant colony with an adaptive threshold against ACO and ACOMSP':
     '自适应阈值蚁群算法与 ACO 和 ACOMSP',
+  'Elitist potential-field ACO: what each part and each open place does':
+    '精英势场蚁群算法：各部分与各未定之处的作用',
+  'Elitist potential-field ACO on the ground': '沿地面移动的精英势场蚁群算法',
 
   // Where they come from.
   'Zhang, Wang, Sun, Liu, Wu, Liu 2020, Application of improved ant colony algorithm in multi-fire path planning of fire fighting robot, table 2':
@@ -28,16 +31,20 @@ export const zhCNQuestions: Record<string, string> = {
   // What they ask.
   "Do the successors of Ant System find shorter paths than it does, as they do on tours (Dorigo and Stützle 2004, chapter 3), when each constructs 5000 paths? Parameters are the defaults here: the book's where it has them. A question of our own: no size is claimed.":
     '各构造 5000 条路径时，蚂蚁系统的后继算法能否如在旅行商问题上那样（Dorigo 与 Stützle 2004，第 3 章）找到比它更短的路径？参数取此处的默认值：书中给出的取书中的值。这是我们自己的问题：没有所称的大小。',
-  "Do the weighted order and the pseudo-random proportional rule give a path of less weight R, with fewer turns and sooner, with the paper's parameters? The paper's walls are a figure, so they are ours; start, fires and their weights give its order table (table 1, figure 4). The table's index, 54.02 and 49.71, is called R in the text, the length of each leg times the weight of its fire, though legs of these lengths cannot weigh that much; only its relative difference is compared.":
-    '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此墙是我们画的；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此只比较相对差别。',
-  "Does the hybrid find shorter paths than its parts, and sooner, with the paper's parameters? The paper's map is a figure, so the map is ours, of its size and in its style. The hybrids' iterations and constructed paths count both stages: 50 iterations of fireworks or particles come first. Subtract 50 from their iteration of best to compare with the paper's curve, which begins with the ants.":
-    '采用论文的参数，混合算法能否比其组成部分更快地找到更短的路径？论文的地图只是一张图，因此地图是我们的，大小与风格相同。混合算法的迭代次数与构造的路径数把两个阶段都计入：先是烟花或粒子的 50 次迭代。与论文从蚂蚁开始的曲线比较时，请从最优所在迭代中减去 50。',
-  "Does the improved algorithm find shorter paths with fewer turns in fewer iterations than the basic ant colony, with the paper's parameters? The paper's maps are figures, so the maps are ours, of its sizes and in its style. Its improved paths are refined by line of sight (section 3.3); so are ours, and length and turns are those of the refined path. The basic colony's are not refined, in the paper neither; so the search is also compared by itself, with both unrefined and with both refined, without a claimed size.":
-    '采用论文的参数，改进算法能否比基本蚁群以更少的迭代找到更短、转弯更少的路径？论文的地图只是图，因此地图是我们的，大小与风格相同。论文的改进路径按视线拉直（第 3.3 节），我们的也是，长度与转弯取自拉直后的路径。基本蚁群的路径不拉直，论文中也是如此；因此还单独比较搜索本身：两者都不拉直，以及两者都拉直，此时没有所称的大小。',
-  "Does the improved algorithm find cheaper paths than the basic ant colony and particle swarms, in fewer iterations, with the paper's parameters? By slices, the cost Σ √(1 + Δy² + Δh²) + |h| is what the paper calls length: its numbers are of that scale on the one terrain that is known (see the paper card). The terrains here are ours: made by a seeded generator, in the paper's sizes; and one more on the ground, with 16 moves, where length counts.":
-    '采用论文的参数，改进算法能否比基本蚁群和粒子群以更少的迭代找到代价更低的路径？按切片移动时，论文所说的长度就是代价 Σ √(1 + Δy² + Δh²) + |h|：在唯一已知的地形上，论文的数字正是这个量级（见论文卡片）。这里的地形是我们的：由给定种子的生成器生成，大小与论文相同；另有一张沿地面、16 方向，以长度为准。',
-  "Does ACOST find shorter paths than ACOMSP, and in the harder environment than ACO, with the paper's parameters? The paper's environments are figures, so the maps are ours, of its size and in its style. In environment I the paper gives ACOST and ACO the same length; nothing is claimed about the two there.":
-    '采用论文的参数，ACOST 能否找到比 ACOMSP 更短的路径，并在较难的环境中优于 ACO？论文的环境只是图，因此地图是我们的，大小与风格相同。在环境 I 中，论文给出的 ACOST 与 ACO 长度相同；对这两者在该处没有主张。',
+  "Does the hybrid find shorter paths than its parts, and sooner, with the paper's parameters? The paper's map is a figure, so many maps of ours stand for it, of its size and in its style. The hybrids begin with 50 iterations of fireworks or particles. The paper's curve begins with the ants, and so does the iteration of the best here; constructed paths count both stages. Each claim is asked as we read the paper, as printed, and with an x_min above 0 and a trail of the iteration's best path alone.":
+    '采用论文的参数，混合算法能否比其组成部分更快地找到更短的路径？论文的地图只是一张图，因此由我们的多张地图代表，大小与风格相同。混合算法先用烟花或粒子迭代 50 次。论文的曲线从蚂蚁开始，这里的最优所在迭代也是如此；构造的路径数把两个阶段都计入。每项主张分别按我们的理解、按印刷公式，以及取大于 0 的 x_min 且只由本次迭代的最优路径留下信息素来检验。',
+  "Does the improved algorithm find shorter paths with fewer turns in fewer iterations than the basic ant colony, with the paper's parameters? The paper's maps are figures, so many maps of ours stand for each, of its size and in its style. Its improved paths are refined by line of sight (section 3.3); so are ours, and length and turns are those of the refined path. The basic colony's are not refined, in the paper neither; so the search is also compared by itself, with both unrefined and with both refined, without a claimed size. Each claim is asked as we read the paper, as printed, and with ρ = 0.8 as the part of a trail that stays.":
+    '采用论文的参数，改进算法能否比基本蚁群以更少的迭代找到更短、转弯更少的路径？论文的地图只是图，因此每张由我们的多张地图代表，大小与风格相同。论文的改进路径按视线拉直（第 3.3 节），我们的也是，长度与转弯取自拉直后的路径。基本蚁群的路径不拉直，论文中也是如此；因此还单独比较搜索本身：两者都不拉直，以及两者都拉直，此时没有所称的大小。每项主张分别按我们的理解、按印刷公式，以及以 ρ = 0.8 为保留部分来检验。',
+  "Does the improved algorithm find cheaper paths than the basic ant colony and particle swarms, in fewer iterations, with the paper's parameters? By slices, the cost Σ √(1 + Δy² + Δh²) + |h| is what the paper calls length: its numbers are of that scale on the one terrain that is known (see the paper card). The terrains here are ours: made by a seeded generator, several in each of the paper's sizes. Each claim is asked as we read the paper, as printed, and with trails that grow and evaporate at each step.":
+    '采用论文的参数，改进算法能否比基本蚁群和粒子群以更少的迭代找到代价更低的路径？按切片移动时，论文所说的长度就是代价 Σ √(1 + Δy² + Δh²) + |h|：在唯一已知的地形上，论文的数字正是这个量级（见论文卡片）。这里的地形是我们的：由给定种子的生成器生成，论文的每种大小各有多张。每项主张分别按我们的理解、按印刷公式，以及以每一步都既增加又挥发的信息素来检验。',
+  'What do the parts of the improved algorithm do, and what do the places change that the paper leaves open: the distance in η, how much a level counts, the local rule, the number of directions? On the terrains of the size of table 2.':
+    '改进算法的各部分有何作用，论文未定之处又会改变什么：η 中的距离、一层算作多高、局部规则、方向数？在表 2 大小的地形上比较。',
+  'Does the improved algorithm find shorter paths than the basic ant colony and particle swarms where one walks on the ground, with 16 moves? A question of our own: the paper moves by slices. The terrains stand for no map of the paper.':
+    '沿地面以 16 个方向移动时，改进算法能否比基本蚁群和粒子群找到更短的路径？这是我们自己的问题：论文按切片移动。这些地形不代表论文的任何地图。',
+  "Does ACOST find shorter paths than ACOMSP, and in the harder environment than ACO, with the paper's parameters? The paper's environments are figures, so many maps of ours stand for each, of its size and in its style, half of them walked from the other end, as the paper does not say which way; the open ones have fewer obstacles, so that ACOMSP arrives on more of them. In environment I the paper gives ACOST and ACO the same length; nothing is claimed about the two there. Each claim is asked as we read the paper, as printed, and with ants that enter the goal when they are beside it.":
+    '采用论文的参数，ACOST 能否找到比 ACOMSP 更短的路径，并在较难的环境中优于 ACO？论文的环境只是图，因此每个由我们的多张地图代表，大小与风格相同；论文没有说明走向，所以其中一半从另一端出发；开阔的一组障碍较少，使 ACOMSP 在更多的地图上能够到达。在环境 I 中，论文给出的 ACOST 与 ACO 长度相同；对这两者在该处没有主张。每项主张分别按我们的理解、按印刷公式，以及让与终点相邻的蚂蚁直接进入终点来检验。',
+  "Do the weighted order and the pseudo-random proportional rule give a path of less weight R, with fewer turns and sooner, with the paper's parameters? The paper's walls are a figure, so many maps of ours stand for it; start, fires and their weights give its order table (table 1, figure 4). The table's index, 54.02 and 49.71, is called R in the text, the length of each leg times the weight of its fire, though legs of these lengths cannot weigh that much; so the size of the claim on R is that of the orders, 24.45 to 21.47. Each claim is asked as we read the paper, as printed, and with its index V as the criterion of a path, as its conclusion says.":
+    '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此由我们的多张地图代表；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此关于 R 的主张取两种次序的差别，24.45 至 21.47。每项主张分别按我们的理解、按印刷公式，以及以其指标 V 为路径标准（如其结束语所说）来检验。',
 
   // Maps.
   'Compartment, 20 × 20': '船舱，20 × 20',
@@ -51,27 +58,7 @@ export const zhCNQuestions: Record<string, string> = {
   'Hills, 64 × 64, on the ground': '丘陵，64 × 64，沿地面',
   'Threshold environment I, 20 × 20': '阈值论文环境 I，20 × 20',
   'Threshold environment II, 20 × 20': '阈值论文环境 II，20 × 20',
-  'Our map.': '我们的地图。',
-  "Our map; stands for the paper's 20 × 20 grid with four fires (figures 1 and 6, table 2).":
-    '我们的地图；代表论文中有四个火源的 20 × 20 栅格（图 1 与图 6，表 2）。',
-  "Our map; stands for the paper's 20 × 20 grid with criss-cross obstacles (table 1).":
-    '我们的地图；代表论文中有纵横交错障碍的 20 × 20 栅格（表 1）。',
-  "Our map; stands for the paper's 20 × 20 grid (table 1).":
-    '我们的地图；代表论文的 20 × 20 栅格（表 1）。',
-  "Our map; stands for the paper's 30 × 30 grid (table 2).":
-    '我们的地图；代表论文的 30 × 30 栅格（表 2）。',
-  "Our map; stands for the paper's engine-room plan (figure 9).":
-    '我们的地图；代表论文的机舱平面图（图 9）。',
-  "Our map; stands for the paper's environment I.": '我们的地图；代表论文的环境 I。',
-  "Our map; stands for the paper's environment II.": '我们的地图；代表论文的环境 II。',
-  "Our terrain, `formicarium generate hills --size 21x21 --seed 1`, 20 steps from end to end; stands for the paper's 20 × 20 (table 3), whose own terrain by its numbers is the textbook's (see the card). The ends are ours: from the middle of the left edge to 8/21 of the height of the right one, as on the textbook's terrain, each at the lowest level above the ground there; 20 levels, the tenth as high as the highest ground.":
-    '我们的地形，`formicarium generate hills --size 21x21 --seed 1`，从一端到另一端 20 步；代表论文的 20 × 20（表 3），从其数字看，论文自己的地形就是教材的地形（见卡片）。起点与终点是我们定的：从左边中点到右边高度的 8/21 处，与教材的地形相同，各取该处地面以上的最低层；共 20 层，第十层与最高的地面同高。',
-  "Our terrain, `formicarium generate hills --size 31x31 --seed 1`; stands for the paper's 30 × 30 (table 3). Ends and levels as on hills-20.":
-    '我们的地形，`formicarium generate hills --size 31x31 --seed 1`；代表论文的 30 × 30（表 3）。起点、终点与层同 hills-20。',
-  "Our terrain, `formicarium generate hills --size 51x51 --seed 1`; stands for the paper's 50 × 50 (table 3). Ends and levels as on hills-20.":
-    '我们的地形，`formicarium generate hills --size 51x51 --seed 1`；代表论文的 50 × 50（表 3）。起点、终点与层同 hills-20。',
-  'Our terrain, `formicarium generate hills --size 65x65 --seed 1`, from corner to corner on the ground; stands for no map of the paper.':
-    '我们的地形，`formicarium generate hills --size 65x65 --seed 1`，沿地面从一角到对角；不代表论文的任何地图。',
+  'Drawn by hand.': '手绘。',
 
   // Entries.
   'Ant System': '蚂蚁系统',
@@ -97,9 +84,6 @@ export const zhCNQuestions: Record<string, string> = {
   'basic ACO, η = 1/(distance to the goal)': '基本蚁群，η = 1/(到终点的距离)',
   'basic ACO, η = 1/step as printed': '基本蚁群，η = 1/步长，按印刷公式',
   'basic ACO, its path refined as well': '基本蚁群，路径也拉直',
-  'improved ACO, update by eq. 12 as its step 4 says': '改进蚁群，按其第 4 步以式 12 更新',
-  'improved ACO, refined node by node (section 3.3 word by word)':
-    '改进蚁群，逐点拉直（第 3.3 节照字面）',
   'ref. 20 (Zhou et al. 2022)': '文献 20（Zhou 等 2022）',
   'its formulas are not published in the source': '来源中没有给出其公式',
   'improved ACO': '改进蚁群',
@@ -119,6 +103,54 @@ export const zhCNQuestions: Record<string, string> = {
   ACOMSP: 'ACOMSP',
   ACOST: 'ACOST',
   'ACOST, as printed': 'ACOST，按印刷公式',
+  'Best-Worst Ant System': '最优最差蚂蚁系统',
+  'improved, V as the criterion of a path': '改进，以 V 为路径标准',
+  'weighted order, eq. 3 for the legs, V as the criterion of a path':
+    '加权次序，路段用式 3，以 V 为路径标准',
+  'fireworks, as printed': '烟花，按印刷公式',
+  'fireworks, x_min = 0.8': '烟花，x_min = 0.8',
+  'improved fireworks, as printed': '改进烟花，按印刷公式',
+  'improved fireworks, x_min = 0.8': '改进烟花，x_min = 0.8',
+  'particles, then ants; x_min = 0.8, the best path alone leaves trail':
+    '先粒子后蚂蚁；x_min = 0.8，仅最优路径留下信息素',
+  'fireworks, then ants, as printed': '先烟花后蚂蚁，按印刷公式',
+  'fireworks, then ants; x_min = 0.8, the best path alone leaves trail':
+    '先烟花后蚂蚁；x_min = 0.8，仅最优路径留下信息素',
+  'fireworks, then ants that do not know of them; x_min = 0.8, the best path alone leaves trail':
+    '先烟花后蚂蚁，蚂蚁不知道烟花的结果；x_min = 0.8，仅最优路径留下信息素',
+  'basic ACO, ρ = 0.8 as the part that stays': '基本蚁群，ρ = 0.8 为保留部分',
+  'basic ACO, its path refined as well, ρ = 0.8 as the part that stays':
+    '基本蚁群，路径也拉直，ρ = 0.8 为保留部分',
+  'improved ACO, ρ = 0.8 as the part that stays': '改进蚁群，ρ = 0.8 为保留部分',
+  'improved ACO without refinement, ρ = 0.8 as the part that stays':
+    '改进蚁群，不拉直，ρ = 0.8 为保留部分',
+  'improved ACO, counting the ants on each path': '改进蚁群，统计每条路径的蚂蚁数',
+  'improved ACO, ρ shrinks from iteration to iteration': '改进蚁群，ρ 逐次减小',
+  'improved ACO, ρ by the difference of best and worst path':
+    '改进蚁群，ρ 随最优与最差路径之差变化',
+  'F-RRT*': 'F-RRT*',
+  'basic ACO without a local rule, τ0 = 0.01': '基本蚁群，无局部规则，τ0 = 0.01',
+  'basic ACO, a level counts 0.2 cells': '基本蚁群，一层算 0.2 格',
+  'basic ACO, 8 directions': '基本蚁群，8 个方向',
+  'improved ACO without a local rule, τ0 = 0.01': '改进蚁群，无局部规则，τ0 = 0.01',
+  'improved ACO, a level counts 0.2 cells in η': '改进蚁群，η 中一层算 0.2 格',
+  'improved ACO, a level counts 0.2 cells in η and in the field':
+    '改进蚁群，η 与势场中一层算 0.2 格',
+  'improved ACO, 8 directions': '改进蚁群，8 个方向',
+  'basic ACO, eq. 1–4 as printed': '基本蚁群，式 1–4 按印刷公式',
+  'basic ACO, the local rule of Ant Colony System, τ0 = 0.01':
+    '基本蚁群，蚁群系统的局部规则，τ0 = 0.01',
+  'improved ACO, the local rule of Ant Colony System, τ0 = 0.01':
+    '改进蚁群，蚁群系统的局部规则，τ0 = 0.01',
+  "the textbook's colony, with the numbers of table 1": '教材的蚁群，取表 1 的数值',
+  'Ant Colony System by slices': '按切片的蚁群系统',
+  'MAX–MIN Ant System by slices': '按切片的最大最小蚂蚁系统',
+  'genetic algorithm': '遗传算法',
+  'ACO, as printed': 'ACO，按印刷公式',
+  'ACO, the goal is entered when it is beside': 'ACO，与终点相邻时直接进入',
+  'ACOMSP, as printed': 'ACOMSP，按印刷公式',
+  'ACOMSP, the goal is entered when it is beside': 'ACOMSP，与终点相邻时直接进入',
+  'ACOST, the goal is entered when it is beside': 'ACOST，与终点相邻时直接进入',
 
   // Claims.
   'shorter paths': '路径更短',
@@ -132,11 +164,8 @@ export const zhCNQuestions: Record<string, string> = {
     '仅因式 9 跳出局部最优：次序相同而权重 R 更小',
   'less weight R when the order is chosen by paths on the map (ours)':
     '按地图上的路径定次序时权重 R 更小（我们的做法）',
-  'converges in fewer iterations, both stages counted': '收敛所需迭代更少，两个阶段都计入',
   'shorter paths even than with 200 ants (the paper: the same length)':
     '路径甚至短于 200 只蚂蚁（论文：长度相同）',
-  'finds its best after fewer constructed paths, both stages counted':
-    '找到最优前构造的路径更少，两个阶段都计入',
   "shorter paths because of the fireworks' trail (our question: the same colony without it)":
     '因烟花留下的信息素而路径更短（我们的问题：与没有它的同一蚁群比较）',
   "fewer iterations because of the fireworks' trail (our question: the same colony without it)":
@@ -154,7 +183,6 @@ export const zhCNQuestions: Record<string, string> = {
   'cheaper paths, with 50 ants in each colony': '路径代价更低，每队 50 只蚂蚁',
   'cheaper paths, both with η = 1/step as printed': '路径代价更低，两者的 η 均为印刷的 1/步长',
   'cheaper paths, both with both distances': '路径代价更低，两者均用两种距离',
-  'shorter paths on the ground': '沿地面的路径更短',
   'cheaper paths by the first trails of the field': '因势场初始化信息素而代价更低',
   'cheaper paths by the force': '因势场力而代价更低',
   'cheaper paths by the elite': '因精英策略而代价更低',
@@ -162,6 +190,53 @@ export const zhCNQuestions: Record<string, string> = {
   'ACOMSP converges faster': 'ACOMSP 收敛更快',
   'finds a path where there is one, more often (our question: the paper says that it finds a good one quickly, not how often)':
     '有路可走时更常找到路径（我们的问题：论文说它很快找到较优的路径，没有说多常）',
+  'within 5 % of the shortest path after fewer constructed paths':
+    '构造更少的路径即达到与最短路径相差 5 % 以内',
+  'fewer turns by V as the criterion alone': '仅因以 V 为标准转弯更少',
+  'fewer turns by V as the criterion alone, eq. 3 for the legs':
+    '仅因以 V 为标准转弯更少，路段用式 3',
+  'shorter paths than by ants alone': '路径短于单独的蚂蚁',
+  'shorter paths than by fireworks alone': '路径短于单独的烟花',
+  'converges in fewer iterations of the ants': '蚂蚁收敛所需迭代更少',
+  'shorter paths than by ants after particles': '路径短于先粒子后蚂蚁',
+  'finds its best after fewer constructed paths than 200 ants, both stages counted':
+    '比 200 只蚂蚁构造更少的路径即找到最优，两个阶段都计入',
+  'ants alone find shorter paths than fireworks alone': '单独的蚂蚁比单独的烟花路径更短',
+  'shorter paths than by ants alone, if ρ = 0.9 is what evaporates (section 2.2)':
+    '若 ρ = 0.9 为挥发部分（第 2.2 节），路径短于单独的蚂蚁',
+  'within 5 % of the shortest path after fewer constructed paths, by the search alone (our question)':
+    '仅就搜索而言，构造更少的路径即达到与最短路径相差 5 % 以内（我们的问题）',
+  'fewer iterations, counting the ants on each path (steps 3 and 4)':
+    '统计每条路径的蚂蚁数时迭代更少（第 3、4 步）',
+  'fewer iterations, with ρ = 0.8 as the initial factor (section 4)':
+    '以 ρ = 0.8 为初始值时迭代更少（第 4 节）',
+  'fewer iterations, with the dynamic non-linear rate (section 3.2)':
+    '用动态非线性挥发率时迭代更少（第 3.2 节）',
+  'shorter paths than the sampling tree that section 3.3 names (our question)':
+    '路径短于第 3.3 节提到的采样树（我们的问题）',
+  'cheaper paths, both without a local rule and with τ0 = 0.01':
+    '路径代价更低，两者均无局部规则且 τ0 = 0.01',
+  'cheaper paths, a level counting 0.2 cells in η': '路径代价更低，η 中一层算 0.2 格',
+  'cheaper paths, a level counting 0.2 cells in η and in the field':
+    '路径代价更低，η 与势场中一层算 0.2 格',
+  'cheaper paths, both with 8 directions': '路径代价更低，两者均为 8 个方向',
+  'cheaper paths by 16 directions in place of 8 (section 4.4)':
+    '因 16 个方向代替 8 个而代价更低（第 4.4 节）',
+  'shorter paths than by particles': '路径短于粒子群',
+  'cheaper paths than by particles': '路径代价低于粒子群',
+  'fewer iterations than particles': '迭代少于粒子群',
+  'within 5 % of the cheapest path after fewer constructed paths (our question)':
+    '构造更少的路径即达到与最低代价相差 5 % 以内（我们的问题）',
+  "cheaper paths than by the textbook's colony with the same ants and iterations (our question)":
+    '路径代价低于蚂蚁数与迭代数相同的教材蚁群（我们的问题）',
+  'cheaper paths than by Ant Colony System (our question)': '路径代价低于蚁群系统（我们的问题）',
+  'cheaper paths than by MAX–MIN Ant System (our question)':
+    '路径代价低于最大最小蚂蚁系统（我们的问题）',
+  'cheaper paths than by a genetic algorithm (our question: the introduction names one)':
+    '路径代价低于遗传算法（我们的问题：其引言提到遗传算法）',
+  'shorter paths than by the most probable step': '路径短于取最可能一步的方法',
+  'within 5 % of the shortest path after fewer constructed paths (our question)':
+    '构造更少的路径即达到与最短路径相差 5 % 以内（我们的问题）',
 
   // What a reader of the verdicts must know.
   "The refined path may take any angle, the baseline's may not: part of the difference is refinement, which would shorten the baseline's paths as well. The search is also compared by itself.":
@@ -174,4 +249,13 @@ export const zhCNQuestions: Record<string, string> = {
     '论文没有说明其粒子群；我们的会截断越界的粒子、把路径抬出地面，并与蚁群预算相同。',
   "Eq. 2 prints the step's length, the words before eq. 1 say distance to the goal; what is improved depends on it.":
     '式 2 印的是步长，式 1 之前的文字说的是到终点的距离；改进与否取决于此。',
+  'The size is that of the two orders by straight lines, 24.45 and 21.47 (figure 4): the index of table 2, 54.02 and 49.71, cannot be R.':
+    '所称的大小取按直线的两种次序，24.45 与 21.47（图 4）：表 2 的指标 54.02 与 49.71 不可能是 R。',
+
+  // Where a publication says of its maps what it says.
+  'table 1': '表 1',
+  'table 2': '表 2',
+  'table 3': '表 3',
+  'section 4.3': '第 4.3 节',
+  'table 2 and figure 5': '表 2 与图 5',
 }

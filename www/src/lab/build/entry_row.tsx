@@ -3,11 +3,13 @@ import type { CatalogEntry, EngineError } from '@pkg/formicarium'
 import { Copy, Scissors, X } from 'lucide'
 import { useState } from 'preact/hooks'
 import { t } from '../../i18n/lab'
+import { t as tOfReadings } from '../../i18n/readings'
 import type { DraftEntry } from '../../model/draft'
 import { LONGEST } from '../../model/names'
 import { paramsInForce } from '../../panels/parameter_groups'
 import { ParameterRows } from '../../panels/parameter_rows'
 import { presetOptions } from '../../panels/parameters'
+import { ReadingSwitch } from '../../panels/reading_switch'
 import { notifyError, paramValue, plannerEntry } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
 import { Select } from '../../ui/fields'
@@ -78,6 +80,15 @@ export function EntryRow({ entry, place }: { entry: DraftEntry; place: number })
       </div>
       {why && <p class="remark">{why}</p>}
       {refused && !isOfParameter(refused, known) && <FormError error={refused} />}
+      {known && (
+        <ReadingSwitch
+          entry={known}
+          setup={entry}
+          label={tOfReadings('readings.of', { name })}
+          testId="entry-reading"
+          onChoose={(preset) => choosePreset(entry.key, known, preset)}
+        />
+      )}
       {known && known.params.length > 0 && (
         <Values entry={entry} known={known} name={name} refused={refused} />
       )}
@@ -149,7 +160,7 @@ function Values({ entry, known, name, refused }: ValuesProps) {
   )
 }
 
-function choosePreset(key: number, known: CatalogEntry, name: string): void {
+function choosePreset(key: number, known: CatalogEntry, name: string | null): void {
   const preset = known.presets.find((each) => each.name === name)
   changeEntry(key, { preset: preset?.name ?? null, params: { ...preset?.values } })
 }

@@ -77,7 +77,7 @@ function Published({ question, here }: { question: PaperQuestion; here: boolean 
             label={t('lab.published.card', { title })}
             tone="quiet"
             testId={`published-card-${id}`}
-            onClick={() => showCard(id)}
+            onClick={() => showCard(card)}
           />
         )}
         <button

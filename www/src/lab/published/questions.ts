@@ -21,8 +21,8 @@ export interface PaperQuestion {
   moves: number
   /** Whether all of its maps are terrains. */
   onTerrain: boolean
-  /** Whether docs/papers has a card of this name. */
-  card: boolean
+  /** The paper's card in docs/papers, without its ending; null where it has none. */
+  card: string | null
   document(): Promise<string>
 }
 

@@ -8,6 +8,8 @@ import { IconButton } from '../../ui/buttons'
 import { shownComparison } from '../store/shown_comparison'
 import { amount, chance, dash, labelOf, measureWords, precise, share } from '../words/numbers'
 import { whyWords } from '../words/verdict_words'
+import { Chip, effect, partOfMaps, within } from './claim_cells'
+import { ClaimsByReading, isOfShownReading, ReadingChoice, withReading } from './claims_by_reading'
 
 /** Of so few maps all are shown at once. */
 const FEW = 3
@@ -16,7 +18,13 @@ export function Claims({ analysis }: { analysis: Analysis }) {
   return (
     <>
       <Unfit analysis={analysis} />
-      {analysis.over_maps.length > 0 && <ClaimsTable analysis={analysis} />}
+      {analysis.over_maps.length > 0 && (
+        <>
+          <ReadingChoice analysis={analysis} />
+          <ClaimsByReading analysis={analysis} />
+          <ClaimsTable analysis={analysis} />
+        </>
+      )}
     </>
   )
 }
@@ -41,7 +49,7 @@ function ClaimsTable({ analysis }: { analysis: Analysis }) {
               ))}
             </tr>
           </thead>
-          {analysis.over_maps.map((over) => (
+          {analysis.over_maps.filter(isOfShownReading(analysis)).map((over) => (
             <Claim key={over.claim} over={over} analysis={analysis} />
           ))}
         </table>
@@ -81,15 +89,19 @@ function Claim({ over, analysis }: ClaimProps) {
             <span>{over.says}</span>
           </span>
           <span class="cell-small">
-            {t('lab.results.claimOf', {
-              improved: label(over.improved),
-              baseline: label(over.baseline),
-              measure: measureWords(over.measure),
-            })}
+            {withReading(
+              over,
+              t('lab.results.claimOf', {
+                improved: label(over.improved),
+                baseline: label(over.baseline),
+                measure: measureWords(over.measure),
+              }),
+            )}
           </span>
         </th>
         <td>
-          {onMaps(over)}
+          {partOfMaps(over)}
+          {over.maps > 0 && <span class="cell-small">{shareOf(over)}</span>}
           <span class="cell-small">{countsOf(over)}</span>
         </td>
         <td>
@@ -152,21 +164,8 @@ function MapRow({ line, name }: { line: VerdictLine; name: string }) {
   )
 }
 
-function Chip({ verdict }: { verdict: OverMaps['verdict'] }) {
-  return <span class={`chip verdict-${verdict}`}>{t(`lab.claims.verdicts.${verdict}`)}</span>
-}
-
-function onMaps({ better, maps, share_interval: [low, high] }: OverMaps) {
-  if (maps === 0) return t('lab.claims.none')
-  return (
-    <>
-      {t('lab.claims.onMaps', { part: better, whole: maps })}
-      <span class="cell-small">
-        {t('lab.claims.share', { low: share(low), high: share(high) })}
-      </span>
-    </>
-  )
-}
+const shareOf = ({ share_interval: [low, high] }: OverMaps) =>
+  t('lab.claims.share', { low: share(low), high: share(high) })
 
 const COUNTS = [
   ['reproduced', 'reproduced'],
@@ -190,21 +189,6 @@ function countsOf({ counts }: OverMaps): string {
   return words.length > 1 ? inList(words) : ''
 }
 
-/** A part of the baseline's value; of shares a difference in points. What is infinite has no number. */
-function effect(isShare: boolean, of: number | null): string {
-  if (!isShare) return dash(of, numbers.value.percent.format)
-  return dash(of, (points) =>
-    t('lab.claims.points', { shown: numbers.value.length.format(100 * points) }),
-  )
-}
-
-/** An end that no number has is infinite. */
-function within(isShare: boolean, low: number | null, high: number | null): string {
-  const end = (of: number | null, infinite: string) =>
-    of === null ? infinite : effect(isShare, of)
-  return t('lab.claims.interval', { low: end(low, '−∞'), high: end(high, '∞') })
-}
-
 const value = (measure: Measure, of: number | null) =>
   measure === 'running-time' && of === null ? t('lab.claims.never') : dash(of, amount(measure))
 
@@ -226,7 +210,7 @@ function Unfit({ analysis }: { analysis: Analysis }) {
       <p class="hint">{t('lab.claims.unfitHint')}</p>
       <ul class="reservations">
         {unfit.map((map) => (
-          <li key={map.instance}>{unfitWords(map, analysis)}</li>
+          <li key={`${map.instance} ${map.entry}`}>{unfitWords(map, analysis)}</li>
         ))}
       </ul>
     </section>

@@ -3,6 +3,7 @@
 use super::Claims;
 use crate::comparison::over_maps::{OverallVerdict, VerdictCounts};
 use crate::comparison::verdict::Verdict;
+use crate::planner::PaperReading;
 
 pub(in crate::comparison::report::words) const CLAIMS: Claims = Claims {
     title: "Claims",
@@ -59,6 +60,15 @@ pub(in crate::comparison::report::words) const CLAIMS: Claims = Claims {
     },
     about: "claims over maps: on how many maps the difference is certain and relevant, with 95 % of that share; p of the sign test; the median \
             of the maps' effects, as a part of the baseline's value, with a distribution-free interval of at least 95 %",
+    readings_title: "Claims by reading",
+    readings_columns: ["claim", "measure"],
+    reading: |reading| match reading {
+        PaperReading::Printed => "as printed",
+        PaperReading::AsRead => "as we read it",
+        PaperReading::SecondReading => "second reading",
+    },
+    readings_about: "claims by the reading of the publication: the verdict over maps, on how many maps the difference is certain and relevant, and \
+                     the median of the maps' effects",
     unfit_title: "Maps that cannot stand for the paper's",
     unfit_columns: ["map", "here", "the publication says it in"],
     optimum_above: |optimum, most| format!("the exact optimum is {optimum}; published is {most}"),

@@ -7,6 +7,7 @@ use super::{With, WithTwo};
 use crate::comparison::budget::Axis;
 use crate::comparison::over_maps::{OverallVerdict, VerdictCounts};
 use crate::comparison::verdict::Verdict;
+use crate::planner::PaperReading;
 
 pub(super) use en::CLAIMS as EN;
 pub(super) use zh_cn::CLAIMS as ZH_CN;
@@ -42,6 +43,12 @@ pub(in crate::comparison::report) struct Claims {
     pub overall: fn(OverallVerdict, bool, usize) -> String,
     /// What the table over maps has, for its caption.
     pub about: &'static str,
+    pub readings_title: &'static str,
+    /// What is claimed, and by which measure.
+    pub readings_columns: [&'static str; 2],
+    pub reading: fn(PaperReading) -> &'static str,
+    /// What the table of readings has, for its caption.
+    pub readings_about: &'static str,
     pub unfit_title: &'static str,
     /// Map, what it contradicts, where the publication says it.
     pub unfit_columns: [&'static str; 3],

@@ -4,6 +4,7 @@ use super::Claims;
 use crate::comparison::over_maps::{OverallVerdict, VerdictCounts};
 use crate::comparison::report::words::zh_cn::axis;
 use crate::comparison::verdict::{Verdict, WhyNot};
+use crate::planner::PaperReading;
 
 pub(in crate::comparison::report::words) const CLAIMS: Claims = Claims {
     title: "主张",
@@ -60,6 +61,14 @@ pub(in crate::comparison::report::words) const CLAIMS: Claims = Claims {
     },
     about: "各项主张在所有地图上的结果：差别确定且有实质意义的地图数，及该比例的 95% 区间；符号检验的 p；各地图效应（占基线值的比例）的\
             中位数，及置信度不低于 95% 的与分布无关的区间",
+    readings_title: "各种读法下的主张",
+    readings_columns: ["主张", "衡量标准"],
+    reading: |reading| match reading {
+        PaperReading::Printed => "按印刷公式",
+        PaperReading::AsRead => "按我们的理解",
+        PaperReading::SecondReading => "第二种读法",
+    },
+    readings_about: "论文各种读法下的主张：所有地图的判定、差别确定且有实质意义的地图数，以及各地图效应的中位数",
     unfit_title: "不能代表论文地图的地图",
     unfit_columns: ["地图", "此处", "论文出处"],
     optimum_above: |optimum, most| format!("精确最优为 {optimum}，论文报告 {most}"),
