@@ -150,7 +150,7 @@ impl Chinese {
         let split = english.match_indices(": ").map(ends).find_map(|(says, entries)| {
             let both = |(at, _): (usize, &str)| Some((known(&entries[..at])?, known(&entries[at + " against ".len()..])?));
             let (improved, baseline) = entries.match_indices(" against ").find_map(both)?;
-            Some(format!("{}：{improved} 对比 {baseline}", known(says)?))
+            Some(format!("{}：“{improved}”对比“{baseline}”", known(says)?))
         });
         split.ok_or_else(|| anyhow!("{english} has no Chinese in {}", Path::new("www/src/i18n/zh_cn/questions.ts").display()))
     }
@@ -169,7 +169,17 @@ fn in_words(english: &str) -> String {
         },
         None => part.to_string(),
     });
-    parts.collect::<Vec<_>>().join("；")
+    with_commas(&parts.collect::<Vec<_>>().join("；"))
+}
+
+/// Commas between words are those of Chinese; those of intervals stay.
+fn with_commas(text: &str) -> String {
+    let outside = |(place, part): (usize, &str)| match (place, part.split_once(']')) {
+        (0, _) => part.replace(", ", "，"),
+        (_, Some((interval, rest))) => format!("[{interval}]{}", rest.replace(", ", "，")),
+        (_, None) => format!("[{part}"),
+    };
+    text.split('[').enumerate().map(outside).collect()
 }
 
 #[cfg(test)]
@@ -189,7 +199,8 @@ mod tests {
         let told = chinese().row("| shorter paths | length | **reproduced**; 3 of 5 maps; −1.5 % [−2.0, +1.0] | – |").unwrap();
         assert_eq!(told, "| 路径更短 | 路径长度 | **已复现**；5 张地图中的 3 张；−1.5% [−2.0, +1.0] | – |");
         let told = chinese().row("| shorter paths: ACO, as printed against ACO | 1 of 2 maps [9 %, 91 %] |").unwrap();
-        assert_eq!(told, "| 路径更短：ACO，按印刷公式 对比 ACO | 2 张地图中的 1 张 [9%, 91%] |");
+        assert_eq!(told, "| 路径更短：“ACO，按印刷公式”对比“ACO” | 2 张地图中的 1 张 [9%, 91%] |");
+        assert_eq!(in_words("2 reproduced, 1 opposite [1.0, 2.0], p = 0.5"), "2 已复现，1 结果相反 [1.0, 2.0]，p = 0.5");
         assert!(chinese().row("| longer paths | length |").is_err());
     }
 

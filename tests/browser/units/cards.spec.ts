@@ -6,7 +6,9 @@ import { zhCNComponents } from '../../../www/src/i18n/zh_cn/components'
 
 const DOCS = join(__dirname, '../../../docs')
 const CARDS = [
-  ...readdirSync(join(DOCS, 'papers')).map((file) => `papers/${file}`),
+  ...readdirSync(join(DOCS, 'papers'))
+    .filter((file) => file.endsWith('.md'))
+    .map((file) => `papers/${file}`),
   'methodology.md',
 ]
 
@@ -36,7 +38,9 @@ const commands = (text: string) =>
 function targets(text: string, file: string): string[] {
   return [...text.matchAll(/\]\(([^)\s]+)\)/g)].map(([, target = '']) => {
     if (/^https?:/.test(target)) return target
-    return normalize(join(dirname(file), target.replace(/#.*$/, ''))).replace(/^zh\//, '')
+    const seen = normalize(join(dirname(file), target.replace(/#.*$/, '')))
+    // A chapter of the document itself.
+    return seen === 'zh' ? '.' : seen.replace(/^zh\//, '')
   })
 }
 

@@ -109,7 +109,7 @@ function nameOf(map: string): string | null {
 }
 
 /** What the page shows of a question. */
-function textsOf({ title, paper, asks, instances, entries, claims = [] }: Question) {
+function textsOf({ title, paper, asks, instances, entries, claims = [], facts = [] }: Question) {
   return [
     title,
     paper,
@@ -117,6 +117,7 @@ function textsOf({ title, paper, asks, instances, entries, claims = [] }: Questi
     ...instances.flatMap(({ map, note }) => [nameOf(map), note]),
     ...entries.flatMap(({ label, missing }) => [label, missing]),
     ...claims.flatMap(({ says, note }) => [says, note]),
+    ...facts.map(({ says }) => says),
   ]
 }
 
@@ -184,7 +185,7 @@ test.describe('on a Chinese page', () => {
     const title = page.getByTestId('run-bar').getByRole('heading')
     await expect(title).toHaveText('自适应阈值蚁群算法与 ACO 和 ACOMSP')
     await page.getByTestId('asked').locator('summary').click()
-    await expect(page.getByTestId('asked')).toContainText('我们的地图；代表论文的环境 II。')
+    await expect(page.getByTestId('asked')).toContainText('手绘。')
     await page.getByTestId('results-tab-reported').click()
     const claim = page.getByTestId('verdicts').locator('tbody th').first()
     await expect(claim).toContainText('路径更短')

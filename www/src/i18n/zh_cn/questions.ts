@@ -191,7 +191,7 @@ export const zhCNQuestions: Record<string, string> = {
   'finds a path where there is one, more often (our question: the paper says that it finds a good one quickly, not how often)':
     '有路可走时更常找到路径（我们的问题：论文说它很快找到较优的路径，没有说多常）',
   'within 5 % of the shortest path after fewer constructed paths':
-    '构造更少的路径即达到与最短路径相差 5 % 以内',
+    '构造更少的路径即达到与最短路径相差 5% 以内',
   'fewer turns by V as the criterion alone': '仅因以 V 为标准转弯更少',
   'fewer turns by V as the criterion alone, eq. 3 for the legs':
     '仅因以 V 为标准转弯更少，路段用式 3',
@@ -205,7 +205,7 @@ export const zhCNQuestions: Record<string, string> = {
   'shorter paths than by ants alone, if ρ = 0.9 is what evaporates (section 2.2)':
     '若 ρ = 0.9 为挥发部分（第 2.2 节），路径短于单独的蚂蚁',
   'within 5 % of the shortest path after fewer constructed paths, by the search alone (our question)':
-    '仅就搜索而言，构造更少的路径即达到与最短路径相差 5 % 以内（我们的问题）',
+    '仅就搜索而言，构造更少的路径即达到与最短路径相差 5% 以内（我们的问题）',
   'fewer iterations, counting the ants on each path (steps 3 and 4)':
     '统计每条路径的蚂蚁数时迭代更少（第 3、4 步）',
   'fewer iterations, with ρ = 0.8 as the initial factor (section 4)':
@@ -226,7 +226,7 @@ export const zhCNQuestions: Record<string, string> = {
   'cheaper paths than by particles': '路径代价低于粒子群',
   'fewer iterations than particles': '迭代少于粒子群',
   'within 5 % of the cheapest path after fewer constructed paths (our question)':
-    '构造更少的路径即达到与最低代价相差 5 % 以内（我们的问题）',
+    '构造更少的路径即达到与最低代价相差 5% 以内（我们的问题）',
   "cheaper paths than by the textbook's colony with the same ants and iterations (our question)":
     '路径代价低于蚂蚁数与迭代数相同的教材蚁群（我们的问题）',
   'cheaper paths than by Ant Colony System (our question)': '路径代价低于蚁群系统（我们的问题）',
@@ -236,7 +236,7 @@ export const zhCNQuestions: Record<string, string> = {
     '路径代价低于遗传算法（我们的问题：其引言提到遗传算法）',
   'shorter paths than by the most probable step': '路径短于取最可能一步的方法',
   'within 5 % of the shortest path after fewer constructed paths (our question)':
-    '构造更少的路径即达到与最短路径相差 5 % 以内（我们的问题）',
+    '构造更少的路径即达到与最短路径相差 5% 以内（我们的问题）',
 
   // What a reader of the verdicts must know.
   "The refined path may take any angle, the baseline's may not: part of the difference is refinement, which would shorten the baseline's paths as well. The search is also compared by itself.":
