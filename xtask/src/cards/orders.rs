@@ -83,7 +83,7 @@ fn svg(curves: &[(String, Vec<f64>); 2]) -> String {
     let top = curves.iter().flat_map(|(_, weights)| weights).fold(0.0, |a: f64, b| a.max(*b)).ceil();
     let (x, y) = (|way: usize| 60 + 120 * way, |weight: f64| 260.0 - 220.0 * weight / top);
     let mut out = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 480 340\" font-family=\"sans-serif\" font-size=\"13\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"480\" height=\"340\" viewBox=\"0 0 480 340\" font-family=\"sans-serif\" font-size=\"13\">\n\
          <title>Weights of the single ways in both orders of the fires</title>\n<rect width=\"480\" height=\"340\" fill=\"#ffffff\"/>\n",
     );
     for tick in (0..=top as u32).step_by(5) {
