@@ -173,6 +173,10 @@ test('every kind of result file is whole', async ({ page }) => {
   )
   for (const kind of kinds) {
     const text = await page.evaluate((one) => window.formicarium.resultFile(one as 'csv'), kind)
+    if (kind === 'claims-csv') {
+      expect(text, 'nothing is claimed').toBe('')
+      continue
+    }
     expect(text.length, kind).toBeGreaterThan(100)
     expect(text, kind).toMatch(/ant-system|Ant System/)
     expect(text, kind).not.toContain('no tests')
