@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use formicarium::formats::{Imported, Kind};
-use formicarium::map::{Generator, Point, generate};
+use formicarium::map::{Generator, generate};
 use formicarium::scenario::Scenario;
 
 use super::convert::{Format, tell_of_losses};
 use super::error::CliError;
-use super::input::MovementArgs;
+use super::input::RouteArgs;
 use super::reading::ReadingArgs;
-use super::terrain::TerrainArgs;
 use super::{Outcome, input, output, text};
 
 /// Makes a map: random obstacles, a maze, rooms with doors, a cave, blocks, bars, or a terrain (fractal, hills)
@@ -42,12 +41,6 @@ pub struct Args {
     /// Share of obstacles of random, blocks and bars, 0 to 0.9 [default: 0.3]; of fractal and hills the roughness [default: 0.5]
     #[arg(long, alias = "roughness", allow_negative_numbers = true)]
     density: Option<f64>,
-    /// Start: a cell
-    #[arg(long, value_name = "X,Y", value_parser = input::point)]
-    from: Option<Point>,
-    /// Goal: a cell; repeated for several goals
-    #[arg(long, value_name = "X,Y", value_parser = input::point)]
-    to: Vec<Point>,
     /// Start and goals, with their names and weights, of this scenario
     #[arg(long, value_name = "F.json", conflicts_with_all = ["from", "to"])]
     ends_of: Option<PathBuf>,
@@ -59,9 +52,7 @@ pub struct Args {
     #[arg(long = "as", value_enum, hide_possible_values = true, value_name = "FORMAT")]
     format: Option<Format>,
     #[command(flatten)]
-    movement: MovementArgs,
-    #[command(flatten)]
-    terrain: TerrainArgs,
+    route: RouteArgs,
 }
 
 fn kinds() -> impl TypedValueParser<Value = Generator> {
@@ -98,10 +89,8 @@ fn ask(args: &Args, map: &mut Imported) -> Result<bool, CliError> {
         text::notes(&ends.notices);
         (map.spec.start, map.spec.goals) = (ends.spec.start, ends.spec.goals);
     }
-    input::set_ends(map, args.from, &args.to);
-    args.movement.apply(map);
-    args.terrain.apply(map)?;
-    let is_asked = args.ends_of.is_some() || args.from.is_some() || !args.to.is_empty() || map.spec != own;
+    args.route.apply(map)?;
+    let is_asked = args.ends_of.is_some() || args.route.has_ends() || map.spec != own;
     if is_asked {
         // The generator's own ends are free and connected.
         let scenario = Scenario::new(map.grid.clone(), map.spec.clone())?;

@@ -50,6 +50,11 @@ pub struct RouteArgs {
 }
 
 impl RouteArgs {
+    /// Whether ends are asked for.
+    pub fn has_ends(&self) -> bool {
+        self.from.is_some() || !self.to.is_empty()
+    }
+
     /// Lets the arguments override a map's ends and rules.
     pub fn apply(&self, map: &mut Imported) -> Result<(), CliError> {
         let start = self.from.map(|place| place.on(map)).transpose()?;
@@ -214,7 +219,7 @@ impl RouteArgs {
 
 /// Puts start and goals where they are asked for. As many goals as the map has are moved and keep their names and weights; another
 /// number takes their place.
-pub fn set_ends(map: &mut Imported, start: Option<Point>, goals: &[Point]) {
+fn set_ends(map: &mut Imported, start: Option<Point>, goals: &[Point]) {
     map.spec.start = start.unwrap_or(map.spec.start);
     if goals.len() == map.spec.goals.len() {
         map.spec.goals.iter_mut().zip(goals).for_each(|(goal, &at)| goal.at = at);
