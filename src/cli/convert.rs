@@ -145,6 +145,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     args.route.apply(&mut map)?;
     // What could not be read again is not written.
     map.spec.check(&map.grid)?;
+    if args.route.has_ends() {
+        Scenario::new(map.grid.clone(), map.spec.clone())?;
+    }
     text::notes(&map.notices);
     tell_of_losses(format, &map);
     if format == Format::RosMap && args.output != Path::new("-") {

@@ -101,6 +101,9 @@ impl Question {
                 return Err(QuestionError::field(at(field), id, one_of(self.entries.iter().map(|e| e.id.as_str()))));
             }
         }
+        if claim.improved == claim.baseline {
+            return Err(QuestionError::field(at("baseline"), &claim.baseline, "another entry than the improved one"));
+        }
         claim.instances.iter().try_for_each(|i| self.check_instance_or_group(&at("instances"), i))?;
         let about = self.instances.iter().filter(|i| claim.is_about(i));
         for size in about.filter_map(|i| self.claimed_size(claim, i)) {
@@ -130,6 +133,9 @@ impl Question {
             if self.entry(id).is_none() {
                 return Err(QuestionError::field(at(field), id, one_of(self.entries.iter().map(|e| e.id.as_str()))));
             }
+        }
+        if let Some((field, id)) = fact.entries().find(|(_, id)| self.entry(id).is_some_and(|e| e.missing.is_some())) {
+            return Err(QuestionError::field(at(field), id, "an entry that can be run, or that has results"));
         }
         if fact.optimum_at_most.is_none() && (fact.arrives.is_empty() || fact.optimum_of.is_some()) {
             let allowed = "there: a fact says of a map what its optimum is at most, or who arrives, or both";

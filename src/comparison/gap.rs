@@ -54,7 +54,9 @@ impl Comparison {
             RunMeasure::IterationOfBest if self.needs_no_seed(row.task.entry) => None,
             RunMeasure::IterationOfBest => {
                 let before = self.question.entries.get(row.task.entry).and_then(|entry| entry.first_stage).unwrap_or(0);
-                row.value(measure).map(|iteration| iteration - f64::from(before)).filter(|iteration| *iteration > 0.0)
+                row.value(measure)
+                    .map(|iteration| iteration - f64::from(before))
+                    .filter(|iteration| before == 0 || (*iteration > 0.0 && iteration.is_finite()))
             }
             other => row.value(other),
         }

@@ -17,6 +17,9 @@ use super::verdict::{Verdict, WhyNot, by_interval};
 /// Fewest runs of an entry, or pairs of runs, from which a verdict is drawn.
 pub const FEWEST_RUNS: usize = 30;
 
+/// Of a first stage: this share of the runs must go on to better paths.
+pub const NEARLY_ALL: f64 = 0.95;
+
 /// From this share of optimal runs on, a baseline leaves no room for shorter paths.
 pub const NO_ROOM: f64 = 0.95;
 
@@ -118,7 +121,18 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
     if entries.iter().any(|&entry| samples.impossible(instance, entry) > 0) {
         return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::Impossible), ..judged };
     }
+    if claim.measure == RunMeasure::IterationOfBest && entries.iter().any(|&entry| ends_in_first_stage(samples, instance, entry))
+    {
+        return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::FirstStage), ..judged };
+    }
     judged
+}
+
+/// Whether more than a few runs of an entry with a first stage tell no iteration after it: the others would be a choice of the lucky ones.
+fn ends_in_first_stage(samples: &Samples, instance: usize, entry: usize) -> bool {
+    let told = samples.values(instance, entry, RunMeasure::IterationOfBest).len();
+    let has_first_stage = samples.comparison().question.entries[entry].first_stage.is_some();
+    has_first_stage && (told as f64) < NEARLY_ALL * samples.of(instance, entry).len() as f64
 }
 
 /// The values of a claim's two entries as they are compared: what one has not printed breaks no tie, and a run without a path is never the
@@ -281,15 +295,16 @@ fn verdict(claim: &Claim, c: &JudgedClaim) -> Verdict {
     let Some(effect) = c.effect.filter(|_| counted.into_iter().all(|runs| runs >= FEWEST_RUNS)) else {
         return cannot(WhyNot::TooFewRuns);
     };
-    match by_interval(&effect, c.claimed, c.relevant) {
-        Verdict::Not | Verdict::Equivalent if has_no_room(claim, c) => cannot(WhyNot::NoRoom),
-        verdict => verdict,
+    if has_no_room(claim, c) {
+        return cannot(WhyNot::NoRoom);
     }
+    by_interval(&effect, c.claimed, c.relevant)
 }
 
-/// Where no path can be shorter than the baseline's, finding none says nothing.
+/// Where no path can be shorter than the baseline's, nothing is told of who is: whatever came out, so that no outcome chooses its maps.
 fn has_no_room(claim: &Claim, c: &JudgedClaim) -> bool {
-    matches!(claim.measure, RunMeasure::Length | RunMeasure::Cost) && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM)
+    let is_of_length = matches!(claim.measure, RunMeasure::Length | RunMeasure::Cost);
+    is_of_length && claim.direction == Direction::Less && c.baseline_optimal.is_some_and(|share| share >= NO_ROOM)
 }
 
 #[cfg(test)]

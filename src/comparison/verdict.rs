@@ -41,6 +41,8 @@ pub enum WhyNot {
     TooFewRuns,
     /// No path can be shorter than the baseline's.
     NoRoom,
+    /// Of an iteration of the best: in more than a few runs of one of them it is one of a first stage, which does not count, or there is none.
+    FirstStage,
     /// They make different things small, so that no target is one of both.
     OtherObjective,
     /// Nothing is known that could be a target.
@@ -62,6 +64,7 @@ impl WhyNot {
             Self::NoBaseline => "the baseline finds no path in half of its runs or more",
             Self::TooFewRuns => "too few runs to compare",
             Self::NoRoom => "nearly all of the baseline's runs are optimal already",
+            Self::FirstStage => "in many runs of one of the two the best is of its first stage",
             Self::OtherObjective => "the two make different things small",
             Self::NoTarget => "no target is known",
             Self::NoEffort => "the effort of a run is not known",

@@ -76,7 +76,10 @@ fn an_optimal_baseline_leaves_no_room() {
     let full = |improved, low, high| JudgedClaim { baseline_optimal: Some(0.97), ..judged(None, improved, low, high) };
     assert_eq!(verdict(&claim(), &full(40.0, 0.0, 0.002)), Verdict::CannotTell(WhyNot::NoRoom));
     assert_eq!(verdict(&claim(), &full(40.1, -0.03, 0.02)), Verdict::CannotTell(WhyNot::NoRoom));
-    assert_eq!(verdict(&claim(), &full(41.0, -0.04, -0.01)), Verdict::Opposite);
+    // Nor may a map count only where it speaks against the claim.
+    assert_eq!(verdict(&claim(), &full(41.0, -0.04, -0.01)), Verdict::CannotTell(WhyNot::NoRoom));
+    let longer = Claim { direction: Direction::More, ..claim() };
+    assert_eq!(verdict(&longer, &full(39.0, 0.01, 0.04)), Verdict::Reproduced);
     let turns = Claim { measure: RunMeasure::Turns, ..claim() };
     assert_eq!(verdict(&turns, &full(40.0, 0.0, 0.002)), Verdict::Equivalent);
 }

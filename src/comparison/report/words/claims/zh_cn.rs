@@ -98,6 +98,7 @@ fn why_not(why: WhyNot) -> &'static str {
         WhyNot::NoBaseline => "基线有半数或更多运行未找到路径",
         WhyNot::TooFewRuns => "可比较的运行太少",
         WhyNot::NoRoom => "基线几乎所有运行已是最优",
+        WhyNot::FirstStage => "两者之一有许多运行的最优出自第一阶段",
         WhyNot::OtherObjective => "两者的优化目标不同",
         WhyNot::NoTarget => "没有已知的目标",
         WhyNot::NoEffort => "有运行的工作量未知",
