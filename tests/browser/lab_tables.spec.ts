@@ -193,6 +193,7 @@ test.describe('tables of results', () => {
     await results.show(richDocument(3))
     await page.getByTestId('language').click()
     await page.getByTestId('language-zh-CN').click()
+    await expect(page.locator('html')).toHaveAttribute('lang', 'zh-CN')
     await results.tab('files')
     const text = async (kind: string) =>
       (await results.downloaded(`file-${kind}`)).bytes.toString('utf8')

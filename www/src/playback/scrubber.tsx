@@ -89,7 +89,8 @@ function Where() {
   if (lookedAt.value === null) {
     return (
       <span class="where">
-        <span class="now">{words()}</span>
+        <span class="now in-words">{words()}</span>
+        <InShort />
       </span>
     )
   }
@@ -97,9 +98,7 @@ function Where() {
     <span class="where">
       <span class="chip looking" role="status" data-testid="looking-back">
         <span class="in-words">{words()}</span>
-        <span class="in-short" aria-hidden="true">
-          {`${lookedAt.value} / ${lastIteration.value}`}
-        </span>
+        <InShort />
       </span>
       <Button
         icon={ChevronLast}
@@ -113,6 +112,16 @@ function Where() {
         </span>
         <span class="visually-hidden">{recomputing.value ? t('playback.recomputing') : ''}</span>
       </span>
+    </span>
+  )
+}
+
+/** The words where there is no room for them. */
+function InShort() {
+  const last = lastIteration.value
+  return (
+    <span class="in-short" aria-hidden="true">
+      {last === 0 ? '–' : `${lookedAt.value ?? last} / ${last}`}
     </span>
   )
 }
