@@ -1,6 +1,7 @@
 //! Claims against runs, map by map: the difference that was measured, how sure it is, and the verdict. The rule is stated in
 //! docs/methodology.md; `over_maps` tells of all maps together.
 
+use super::Comparison;
 use super::claim::{Claim, Direction, Statistic};
 use super::contrast::{Contrast, EffectSize, TwoSamples, contrast};
 use super::facts::UnfitMap;
@@ -118,6 +119,9 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
         },
         _ => of_values(samples, nothing, claim, intervals, &name, entries),
     };
+    if is_same_as_before(samples.comparison(), claim, instance) {
+        return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::SameMap), ..judged };
+    }
     if entries.iter().any(|&entry| samples.impossible(instance, entry) > 0) {
         return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::Impossible), ..judged };
     }
@@ -126,6 +130,12 @@ fn compare(samples: &Samples, intervals: &mut Intervals, index: usize, instance:
         return JudgedClaim { verdict: Verdict::CannotTell(WhyNot::FirstStage), ..judged };
     }
     judged
+}
+
+/// Whether the claim is about an instance before this one whose map is the same: what is one map counts once.
+fn is_same_as_before(comparison: &Comparison, claim: &Claim, instance: usize) -> bool {
+    let before = comparison.question.instances.iter().zip(&comparison.maps).take(instance);
+    before.into_iter().any(|(place, map)| claim.is_about(place) && map.is_same(&comparison.maps[instance]))
 }
 
 /// Whether more than a few runs of an entry with a first stage tell no iteration after it: the others would be a choice of the lucky ones.

@@ -54,6 +54,11 @@ impl Map {
         Ok(Self { scenario, objectives, references: OnceLock::new(), own: by_map, own_reference: OnceLock::new() })
     }
 
+    /// Whether the same is asked on both: equal cells, heights, ends and rules.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        self.scenario.spec == other.scenario.spec && self.scenario.grid == other.scenario.grid
+    }
+
     /// What paths on it are compared by: by slices their cost, elsewhere their length.
     pub fn measure(&self) -> RunMeasure {
         if self.scenario.by_slices().is_some() { RunMeasure::Cost } else { RunMeasure::Length }

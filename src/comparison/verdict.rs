@@ -29,6 +29,8 @@ pub enum Verdict {
 pub enum WhyNot {
     /// The map contradicts what the publication says of its own.
     Contradicted,
+    /// It is the map of an instance before it, which has counted.
+    SameMap,
     /// Some of their runs are better than the proven optimum.
     Impossible,
     /// There are runs of both, and no pair.
@@ -58,6 +60,7 @@ impl WhyNot {
     pub fn words(self) -> &'static str {
         match self {
             Self::Contradicted => "the map contradicts what the publication says of its own",
+            Self::SameMap => "an instance before it is the same map",
             Self::Impossible => "runs of one of the two are impossible on this map",
             Self::NoCommonSeed => "no two runs share a seed",
             Self::NotRun => "one of the two cannot be run",

@@ -26,11 +26,11 @@ fn comparison(maps: usize) -> Comparison {
         "claims": [{ "id": "shorter", "says": "shorter", "improved": "a", "baseline": "b", "measure": "length", "direction": "less", "size": 0.01 }]
     }))
     .unwrap();
-    let corridor = || {
-        let grid = Grid::open(11, 1).expect("a usable size");
+    let corridor = |map: usize| {
+        let grid = Grid::open(11, 1 + map as u32).expect("a usable size");
         Arc::new(Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(10, 0)).expect("usable"))
     };
-    Comparison::new(question, (0..maps).map(|_| corridor()).collect()).unwrap()
+    Comparison::new(question, (0..maps).map(corridor).collect()).unwrap()
 }
 
 /// A run that finds a path of this length in its third iteration; infinite: none.

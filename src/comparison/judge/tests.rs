@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::comparison::question::{FORMAT, Question};
+use crate::comparison::question::{FORMAT, Instance, Question};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
 use crate::comparison::{Comparison, Seen};
 use crate::map::{Grid, Point};
@@ -174,6 +174,43 @@ fn judged_of(comparison: &Comparison, rows: &[Row]) -> JudgedClaim {
 
 fn between(improved: &str, baseline: &str, measure: &str) -> serde_json::Value {
     json!({ "id": "c", "says": "", "improved": improved, "baseline": baseline, "measure": measure, "direction": "less" })
+}
+
+#[test]
+fn a_map_that_is_asked_twice_counts_once() {
+    let verdicts = |goal: u32| {
+        let mut question = three(between("a", "b", "length")).question;
+        question.instances.push(Instance { id: "again".into(), ..question.instances[0].clone() });
+        let scenario = |goal| {
+            let grid = Grid::open(11, 1).unwrap();
+            let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(goal, 0));
+            Arc::new(Scenario::new(grid, spec).unwrap())
+        };
+        let comparison = Comparison::new(question, vec![scenario(10), scenario(goal)]).unwrap();
+        let of = |instance, entry: usize, seed| {
+            let mut row = row(entry, seed, if entry == 0 { 19.0 } else { 20.0 }, 10);
+            row.task.instance = instance;
+            row
+        };
+        let rows: Vec<Row> = (0..2).flat_map(|i| (0..2).flat_map(move |e| (1..=40).map(move |seed| of(i, e, seed)))).collect();
+        let samples = Samples::new(&comparison, rows.iter().map(Seen::from));
+        judge(&samples, &mut Intervals::default(), &[]).iter().map(|c| c.verdict).collect::<Vec<_>>()
+    };
+    assert_eq!(verdicts(9), [Verdict::Reproduced, Verdict::Reproduced]);
+    assert_eq!(verdicts(10), [Verdict::Reproduced, Verdict::CannotTell(WhyNot::SameMap)]);
+}
+
+#[test]
+fn where_many_runs_end_in_a_first_stage_nothing_is_told() {
+    let verdict = |in_first_stage: u32| {
+        let mut comparison = three(between("a", "c", "iteration-of-best"));
+        comparison.question.entries[0].first_stage = Some(50);
+        let best = |seed| if seed <= in_first_stage { 50 } else { 60 };
+        let ours = (1..=40).map(|seed| row(0, seed, 20.0, best(seed)));
+        let rows: Vec<Row> = ours.chain((1..=40).map(|seed| row(2, seed, 20.0, 90))).collect();
+        judged_of(&comparison, &rows).verdict
+    };
+    assert_eq!([verdict(2), verdict(3)], [Verdict::Reproduced, Verdict::CannotTell(WhyNot::FirstStage)]);
 }
 
 #[test]

@@ -28,9 +28,11 @@ fn comparison() -> Comparison {
         "facts": [{ "instances": ["map-7"], "optimum_at_most": 9.5, "says": "table 1 | 2" }]
     }))
     .unwrap();
-    let corridor =
-        || Arc::new(Scenario::on(Grid::open(11, 1).unwrap(), Movement::default(), Point::new(0, 0), Point::new(10, 0)).unwrap());
-    Comparison::new(question, (0..MAPS).map(|_| corridor()).collect()).unwrap()
+    let corridor = |map: usize| {
+        let grid = Grid::open(11, 1 + map as u32).unwrap();
+        Arc::new(Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(10, 0)).unwrap())
+    };
+    Comparison::new(question, (0..MAPS).map(corridor).collect()).unwrap()
 }
 
 /// Every run of `old` has length 20 and never gets near 10; those of `new` are 5 % to 12 % shorter, and find the optimum on no map.

@@ -35,6 +35,7 @@ export const enLabClaims = {
     counted: '{{count}} × {{verdict}}',
     whys: {
       contradicted: 'the map contradicts what the publication says of its own',
+      sameMap: 'an instance before it is the same map',
       firstStage: 'in many runs of one of the two the best is of its first stage',
       otherObjective: 'the two make different things small',
       noTarget: 'no target is known',

@@ -37,6 +37,7 @@ export const zhCNLabClaims: DictionaryShape<typeof enLabClaims> = {
     counted: '{{verdict}} × {{count}}',
     whys: {
       contradicted: '此地图与论文对其地图的说明矛盾',
+      sameMap: '与前面的一张地图相同',
       firstStage: '两者之一有许多运行的最优出自第一阶段',
       otherObjective: '两者的优化目标不同',
       noTarget: '没有已知的目标',

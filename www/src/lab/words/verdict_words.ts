@@ -12,6 +12,7 @@ const WHYS = {
 /** The same, said since there are facts and running times. */
 const WHYS_OF_CLAIMS = {
   'the map contradicts what the publication says of its own': 'contradicted',
+  'an instance before it is the same map': 'sameMap',
   'in many runs of one of the two the best is of its first stage': 'firstStage',
   'the two make different things small': 'otherObjective',
   'no target is known': 'noTarget',

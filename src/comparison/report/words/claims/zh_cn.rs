@@ -92,6 +92,7 @@ fn verdict(verdict: Verdict, has_size: bool) -> String {
 fn why_not(why: WhyNot) -> &'static str {
     match why {
         WhyNot::Contradicted => "此地图与论文对其地图的说明矛盾",
+        WhyNot::SameMap => "与前面的一张地图相同",
         WhyNot::Impossible => "两者之一在此地图上有不可能的运行",
         WhyNot::NoCommonSeed => "没有两次运行种子相同",
         WhyNot::NotRun => "两者之一无法运行",
