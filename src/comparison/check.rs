@@ -14,6 +14,9 @@ use crate::error::QuestionError;
 /// Largest number of runs altogether: what is more fits into no memory, and is no question for one machine.
 const MAX_RUNS: u64 = 2_000_000;
 
+/// Farthest target of a running time, as a part of the best known value: what is farther is no target.
+const MAX_TARGET: f64 = 100.0;
+
 impl Question {
     /// Checks everything that needs no map.
     ///
@@ -82,7 +85,7 @@ impl Question {
         for (instance, row) in &entry.published {
             self.check_instance_or_group(&at("published"), instance)?;
             let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations];
-            if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && *v >= 0.0)) {
+            if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && v.is_sign_positive())) {
                 return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, "numbers of at least 0"));
             }
             // As floats they came, so that 2⁵³ itself may have been another number.
@@ -182,8 +185,9 @@ fn check_running_time(claim: &Claim) -> Result<(), QuestionError> {
     match (claim.target, claim.axis) {
         (Some(target), _) if !is_time => Err(QuestionError::field(at("target"), target, "absent: only a running time has one")),
         (_, Some(axis)) if !is_time => Err(QuestionError::field(at("axis"), axis.words(), "absent: only a running time has one")),
-        (Some(target), _) if !(target.is_finite() && target >= 0.0) => {
-            Err(QuestionError::field(at("target"), target, "at least 0: how near to the best known value, as a part of it"))
+        (Some(target), _) if !(0.0..=MAX_TARGET).contains(&target) => {
+            let allowed = format!("0 to {MAX_TARGET}: how near to the best known value, as a part of it");
+            Err(QuestionError::field(at("target"), target, allowed))
         }
         (_, Some(Axis::Time)) => Err(QuestionError::field(at("axis"), "time", Axis::BY_NO_CLOCK)),
         _ => Ok(()),

@@ -2,8 +2,16 @@
 
 use std::borrow::Cow;
 
-/// A text in a paragraph, a heading or a list: no HTML begins, and no line ends. None begins with `< `, as in `< 0.1 %`.
+/// A text in a paragraph, a heading or a list: no HTML begins, no block of code, and no line ends. None begins with `< `, as in `< 0.1 %`.
 pub(super) fn prose(text: &str) -> Cow<'_, str> {
+    let opens_code = |text: &str| text.starts_with("```") || text.starts_with("~~~");
+    if opens_code(text.trim_start()) {
+        return Cow::Owned(format!("\\{}", prose_within(text.trim_start())));
+    }
+    prose_within(text)
+}
+
+fn prose_within(text: &str) -> Cow<'_, str> {
     let has_meaning = |c: char| c == '<' || c.is_control();
     if !text.contains(has_meaning) {
         return Cow::Borrowed(text);
@@ -16,7 +24,7 @@ pub(super) fn prose(text: &str) -> Cow<'_, str> {
 /// A text in a cell of a table: no column begins either.
 pub(super) fn cell(text: &str) -> Cow<'_, str> {
     let prose = prose(text);
-    if prose.contains('|') { Cow::Owned(prose.replace('|', "\\|")) } else { prose }
+    if prose.contains('|') { Cow::Owned(prose.replace("\\|", "\\\\|").replace('|', "\\|")) } else { prose }
 }
 
 fn plain(letter: char) -> String {
@@ -35,6 +43,9 @@ mod tests {
     fn no_text_breaks_out() {
         assert_eq!(prose("|h| < 3\n\u{1b}[2J <script>"), "|h| < 3  [2J &lt;script>");
         assert_eq!(cell("a|b\r\n| c"), "a\\|b  \\| c");
+        // A backslash of the text does not undo ours.
+        assert_eq!(cell("a \\| b"), "a \\\\\\| b");
+        assert_eq!([prose("```js\nx"), prose(" ~~~")], ["\\```js x", "\\~~~"]);
         assert!(matches!(cell("ants, ρ = 0.1 & `more`"), Cow::Borrowed(_)));
     }
 }
