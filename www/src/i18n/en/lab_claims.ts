@@ -45,6 +45,7 @@ export const enLabClaims = {
     unfit: 'Maps that cannot stand for the paper’s',
     unfitHint:
       'They contradict what the publication says of its own map. Of claims about them nothing can be told, and they count in no verdict.',
+    unfitCount: 'Found: {{count}}',
     unfitItem: '{{map}}: {{why}}',
     unfitSource: '{{item}} ({{source}})',
     optimumAbove: 'the exact optimum is {{found}}; published is {{demanded}}',

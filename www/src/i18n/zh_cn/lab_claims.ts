@@ -46,6 +46,7 @@ export const zhCNLabClaims: DictionaryShape<typeof enLabClaims> = {
     },
     unfit: '不能代表论文地图的地图',
     unfitHint: '它们与论文对其地图的说明矛盾。关于它们的主张无法判断，也不计入任何判定。',
+    unfitCount: '共 {{count}} 处',
     unfitItem: '{{map}}：{{why}}',
     unfitSource: '{{item}}（{{source}}）',
     optimumAbove: '精确最优为 {{found}}，论文报告 {{demanded}}',

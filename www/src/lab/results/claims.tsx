@@ -201,6 +201,9 @@ function entryLabel(analysis: Analysis, id: string): string {
 const mapName = ({ instances }: Analysis, id: string) =>
   instances.find((map) => map.id === id)?.name || id
 
+/** A longer list of them is folded. */
+const UNFIT_IN_SIGHT = 6
+
 function Unfit({ analysis }: { analysis: Analysis }) {
   const { unfit } = analysis
   if (unfit.length === 0) return null
@@ -208,11 +211,16 @@ function Unfit({ analysis }: { analysis: Analysis }) {
     <section class="reported-map" data-testid="unfit">
       <h3>{t('lab.claims.unfit')}</h3>
       <p class="hint">{t('lab.claims.unfitHint')}</p>
-      <ul class="reservations">
-        {unfit.map((map) => (
-          <li key={`${map.instance} ${map.entry}`}>{unfitWords(map, analysis)}</li>
-        ))}
-      </ul>
+      <details open={unfit.length <= UNFIT_IN_SIGHT}>
+        <summary>
+          {t('lab.claims.unfitCount', { count: numbers.value.whole.format(unfit.length) })}
+        </summary>
+        <ul class="reservations">
+          {unfit.map((map) => (
+            <li key={`${map.instance} ${map.entry}`}>{unfitWords(map, analysis)}</li>
+          ))}
+        </ul>
+      </details>
     </section>
   )
 }
