@@ -1,72 +1,27 @@
 //! One ant: where it is, how it came there, which cells it has visited, and its own random stream.
 
-use crate::map::{Cell, DIRECTIONS, Direction, MoveSet, counted_length, is_diagonal, opposite};
+use crate::map::{Cell, Direction, MoveSet, counted_length, is_diagonal, opposite};
 use crate::planner::{Fate, held};
 use crate::rng::Stream;
 
 use super::dead_end::DeadEnd;
-
-/// The tabu list as one bit a cell, on a map with a border of one cell, so that the eight neighbours of any cell are three loads.
-#[derive(Debug, Clone)]
-pub struct Tabu {
-    bits: Vec<u8>,
-    /// Bits per row.
-    stride: u32,
-    /// What to add to a bit position for each direction.
-    delta: [i32; DIRECTIONS],
-}
-
-impl Tabu {
-    fn new(width: u32, height: u32) -> Self {
-        let stride = width + 2;
-        // Three spare bytes: the last row is read two bytes at a time.
-        let bytes = (u64::from(stride) * u64::from(height + 2)).div_ceil(8) as usize + 3;
-        let delta = crate::map::OFFSETS.map(|(dx, dy)| dy * stride as i32 + dx);
-        Self { bits: vec![0; bytes], stride, delta }
-    }
-
-    /// Bit position of a cell.
-    fn position(&self, width: u32, c: Cell) -> u32 {
-        (c / width + 1) * self.stride + c % width + 1
-    }
-
-    #[inline(always)]
-    fn insert(&mut self, position: u32) {
-        self.bits[(position >> 3) as usize] |= 1 << (position & 7);
-    }
-
-    #[inline(always)]
-    fn three(&self, position: u32) -> u32 {
-        let byte = (position >> 3) as usize;
-        let pair = u32::from(self.bits[byte]) | u32::from(self.bits[byte + 1]) << 8;
-        pair >> (position & 7) & 0b111
-    }
-
-    /// Which of the eight neighbours are on the list, as bits by direction.
-    #[inline(always)]
-    fn around(&self, position: u32) -> u8 {
-        let above = self.three(position - self.stride - 1);
-        let beside = self.three(position - 1);
-        let below = self.three(position + self.stride - 1);
-        (above | (beside & 1) << 3 | (beside >> 2) << 4 | below << 5) as u8
-    }
-}
+use super::tabu::{Place, SEEN, Seen, Tabu};
 
 /// An ant of a colony.
 #[derive(Debug, Clone)]
 pub struct Ant {
-    fate: Fate,
-    cell: Cell,
-    position: u32,
+    pub(super) fate: Fate,
+    pub(super) cell: Cell,
+    pub(super) place: Place,
     moves: u32,
-    steps: Vec<Direction>,
+    pub(super) steps: Vec<Direction>,
     /// How many of the steps are diagonal.
     diagonals: u32,
     /// Length of its way over the ground of a terrain, in cells; 0 on a plane, where steps are counted.
     over_ground: f64,
-    /// Bit positions that were left by backtracking and are still on the tabu list.
-    abandoned: Vec<u32>,
-    tabu: Tabu,
+    /// Places that were left by backtracking and are still on the tabu list.
+    abandoned: Vec<Place>,
+    pub(super) tabu: Tabu,
     /// Its random stream.
     pub stream: Stream,
 }
@@ -91,7 +46,7 @@ impl Ant {
         Self {
             fate: Fate::Lost,
             cell: 0,
-            position: 0,
+            place: tabu.place(width, 0),
             moves: 0,
             steps: Vec::new(),
             diagonals: 0,
@@ -105,8 +60,8 @@ impl Ant {
     /// Puts the ant on the start with an empty tabu list.
     pub fn begin(&mut self, width: u32, start: Cell, stream: Stream) {
         self.clear_tabu();
-        self.position = self.tabu.position(width, start);
-        self.tabu.insert(self.position);
+        self.place = self.tabu.place(width, start);
+        self.tabu.insert(self.place);
         self.cell = start;
         self.moves = 0;
         self.diagonals = 0;
@@ -116,16 +71,18 @@ impl Ant {
         self.fate = Fate::Walking;
     }
 
-    /// Undoes the marks of the last walk only: a walk is short beside the map.
+    /// Undoes the marks of the last walk, of a short one beside the map one by one.
     fn clear_tabu(&mut self) {
-        let mut position = self.position;
-        self.tabu.bits[(position >> 3) as usize] = 0;
-        for &d in self.steps.iter().rev() {
-            position = position.wrapping_add_signed(self.tabu.delta[opposite(d) as usize]);
-            self.tabu.bits[(position >> 3) as usize] = 0;
-        }
-        for &position in &self.abandoned {
-            self.tabu.bits[(position >> 3) as usize] = 0;
+        if self.tabu.is_small_beside(self.steps.len() + self.abandoned.len()) {
+            self.tabu.clear();
+        } else {
+            let mut place = self.place;
+            self.tabu.remove(place);
+            for &d in self.steps.iter().rev() {
+                place = self.tabu.step(place, opposite(d));
+                self.tabu.remove(place);
+            }
+            self.abandoned.iter().for_each(|&place| self.tabu.remove(place));
         }
         self.abandoned.clear();
     }
@@ -168,13 +125,19 @@ impl Ant {
 
     /// What it holds, in bytes.
     pub fn bytes(&self) -> usize {
-        held(&self.steps) + held(&self.abandoned) + held(&self.tabu.bits)
+        held(&self.steps) + held(&self.abandoned) + self.tabu.bytes()
     }
 
-    /// Which of the eight neighbours it has visited, as bits by direction.
+    /// Which of the eight neighbours it has visited.
     #[inline(always)]
+    pub(super) fn seen(&self) -> Seen {
+        self.tabu.around(self.place)
+    }
+
+    /// The same as bits by direction.
     pub fn visited(&self) -> u8 {
-        self.tabu.around(self.position)
+        let seen = self.seen();
+        (0..).zip(SEEN).fold(0, |bits, (d, bit)| bits | u8::from(seen & bit != 0) << d)
     }
 
     /// One move: the chosen step, or what the colony does at a dead end.
@@ -183,10 +146,30 @@ impl Ant {
         self.moves += 1;
         match step {
             Some(d) => self.step(walk, d),
-            None => self.at_dead_end(walk),
+            None => self.go_back(walk),
         }
         if self.moves >= walk.max_moves && self.fate == Fate::Walking {
             self.fate = Fate::Lost;
+        }
+    }
+
+    /// Stands here after so many moves side by side with others; [`Ant::count`] is to follow.
+    pub(super) fn stand(&mut self, walk: &Walk, cell: Cell, place: Place, made: u32) {
+        (self.cell, self.place) = (cell, place);
+        self.tabu.insert(place);
+        self.moves += made;
+        if self.moves >= walk.max_moves {
+            self.fate = Fate::Lost;
+        }
+    }
+
+    /// Counts its diagonal steps, and on a terrain the ground, which it does not while it walks beside others.
+    pub(super) fn count(&mut self, walk: &Walk) {
+        // 255 fit into a byte.
+        let diagonals = |steps: &[Direction]| steps.iter().map(|&d| u8::from(is_diagonal(d))).sum::<u8>();
+        self.diagonals = self.steps.chunks(255).map(|steps| u32::from(diagonals(steps))).sum();
+        if walk.moves.relief().is_some() {
+            self.over_ground = self.summed(walk.moves);
         }
     }
 
@@ -198,8 +181,8 @@ impl Ant {
             self.over_ground += walk.moves.length(self.cell, d);
         }
         self.cell = walk.moves.step(self.cell, d);
-        self.position = self.position.wrapping_add_signed(self.tabu.delta[d as usize]);
-        self.tabu.insert(self.position);
+        self.place = self.tabu.step(self.place, d);
+        self.tabu.insert(self.place);
         if self.cell == walk.goal {
             self.fate = Fate::Arrived;
             if walk.moves.relief().is_some() {
@@ -223,24 +206,31 @@ impl Ant {
         sum
     }
 
+    /// Takes its last step back, or ends. The step that was taken back is not counted off.
     #[inline(always)]
-    fn at_dead_end(&mut self, walk: &Walk) {
+    pub(super) fn at_dead_end(&mut self, walk: &Walk) -> Option<Direction> {
         match (walk.dead_end, self.steps.pop()) {
             (DeadEnd::Backtrack, Some(d)) => {
-                self.abandoned.push(self.position);
-                self.diagonals -= u32::from(is_diagonal(d));
+                self.abandoned.push(self.place);
                 let back = opposite(d);
                 self.cell = walk.moves.step(self.cell, back);
-                if walk.moves.relief().is_some() {
-                    self.over_ground -= walk.moves.length(self.cell, d);
-                }
-                self.position = self.position.wrapping_add_signed(self.tabu.delta[back as usize]);
+                self.place = self.tabu.step(self.place, back);
+                return Some(d);
             }
             (DeadEnd::Die, Some(d)) => {
                 self.steps.push(d);
                 self.fate = Fate::Lost;
             }
             (_, None) => self.fate = Fate::Lost,
+        }
+        None
+    }
+
+    fn go_back(&mut self, walk: &Walk) {
+        let Some(d) = self.at_dead_end(walk) else { return };
+        self.diagonals -= u32::from(is_diagonal(d));
+        if walk.moves.relief().is_some() {
+            self.over_ground -= walk.moves.length(self.cell, d);
         }
     }
 }

@@ -7,6 +7,8 @@ mod moves;
 use std::ops::Range;
 use std::sync::Arc;
 
+use wide::bytemuck::cast;
+
 use crate::map::Cell;
 use crate::metrics::{SAME_LENGTH, obstacle_density};
 use crate::path::{Refinement, refine};
@@ -21,11 +23,12 @@ use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
 use super::criterion::{Criterion, way};
+use super::lane_rules::{Proportional, PseudoProportional};
 use super::lanes;
 use super::on_demand::OnDemand;
-use super::selection::without;
-use super::trails::Trails;
-use super::variant::{Iteration, Settings, Step, Variant};
+use super::selection::left;
+use super::trails::{Row, Trails};
+use super::variant::{Abreast, Iteration, Settings, Step, Variant};
 use super::weights::{Eta, WeightTable, Weights};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
@@ -128,7 +131,11 @@ impl<V: Variant + 'static> Colony<V> {
                 && V::LOCK_STEP
             {
                 self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
-                take_in_trails::<V>(weights, on_demand, trails);
+                if V::TIMED {
+                    on_demand.outdate(trails);
+                } else {
+                    weights.follow(trails);
+                }
             }
             done &= ant.fate() != Fate::Walking;
         }
@@ -236,18 +243,20 @@ fn take_in_trails<V: Variant>(weights: &mut WeightTable, on_demand: &mut OnDeman
 
 /// Every ant's walk, four side by side.
 fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
-    if V::RANDOM_PROPORTIONAL {
-        lanes::walk_all(weights, walk, ants);
-    } else {
-        lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream));
+    match variant.abreast() {
+        Abreast::Proportional => lanes::walk_all(weights, walk, ants, Proportional),
+        Abreast::PseudoProportional(q0) if !V::TIMED && cfg!(feature = "whole") => {
+            lanes::walk_all(weights, walk, ants, PseudoProportional::new(q0))
+        }
+        _ => lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream)),
     }
 }
 
 /// One move of one ant; the step it took, if it was one forward.
 #[inline(always)]
 fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
-    let weights = without(weights.row(ant.cell()), ant.visited());
-    let step = variant.choose(&weights, &mut ant.stream);
+    let left: Row = cast(left(weights.row(ant.cell()), ant.seen()));
+    let step = variant.choose(&left, &mut ant.stream);
     ant.go(walk, step);
     step
 }

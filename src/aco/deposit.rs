@@ -7,11 +7,7 @@ use crate::scenario::Scenario;
 
 /// Adds the same amount on every step of a walk that began at the scenario's start.
 pub fn along(trails: &mut Trails, scenario: &Scenario, ant: &Ant, amount: f64) {
-    let mut at: Cell = scenario.start;
-    for &d in ant.steps() {
-        trails.deposit(at, d, amount);
-        at = scenario.moves.step(at, d);
-    }
+    trails.deposit_along(&scenario.moves, scenario.start, ant.steps(), amount);
 }
 
 /// Adds the same amount on every step of a path of neighbouring cells.

@@ -1,34 +1,51 @@
-//! Four ants side by side: while one waits for memory, the others move. With the random proportional rule they share 128-bit lanes; with
-//! the very same numbers as one ant at a time.
+//! Ants side by side: while one waits for memory, the others move. With the random proportional rule four share 128-bit lanes, and two such
+//! groups go in turns; with the very same numbers as one ant at a time.
 //!
-//! Every lane sums its weights in the same order, draws from its own ant's stream and compares in the same way as
-//! [`super::selection::random_proportional`]; so which lane an ant walks in, and beside whom, changes nothing. An ant that has ended is
-//! replaced by the next one that waits; the last ones finish alone.
+//! Every lane sums its weights in the same order, draws from its own ant's stream and compares in the same way as a lone ant; so which lane
+//! an ant walks in, and beside whom, changes nothing. An ant that has ended is replaced by the next one that waits; the last ones finish
+//! alone.
 
-use rand::Rng;
-use wide::f32x4;
+use wide::{bytemuck::cast, f32x4, i16x8, u8x16, u32x4};
 
 use super::ant::{Ant, Walk};
-use super::selection::{random_proportional, without};
+use super::draws::Draws;
+use super::lane_rules::{Rule, Sums};
+use super::selection::left;
+use super::tabu::Place;
 use super::trails::Row;
 use super::weights::Weights;
-use crate::map::{DIRECTIONS, Direction};
+use crate::map::{Cell, DIRECTIONS, Direction};
 use crate::planner::Fate;
-use crate::rng::{Stream, unit_f32};
+use crate::rng::Stream;
 
+/// Ants in a group.
 const LANES: usize = 4;
 
-/// Lets all walking ants walk to their end by the random proportional rule. One copy for all variants that select by it.
+/// Ants under way at once: two groups. The opening build must stay small, and has one.
+const ABREAST: usize = if cfg!(feature = "whole") { 2 * LANES } else { LANES };
+
+/// Steps of a group that are written down together.
+const TRACE: usize = 64;
+
+/// Lets all walking ants walk to their end. One copy for all variants that select by the same rule.
 #[inline(never)]
-pub(super) fn walk_all<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
-    side_by_side(
-        weights,
-        ants,
-        |weights, ants| move_four(weights, walk, ants),
-        |weights, ant| {
-            move_one(weights, walk, ant, random_proportional);
-        },
-    );
+pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: &mut [Ant], rule: R) {
+    let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
+    let mut lanes: Vec<&mut Ant> = Vec::with_capacity(ABREAST);
+    loop {
+        lanes.extend(waiting.by_ref().take(ABREAST - lanes.len()));
+        match lanes.len() {
+            0 => break,
+            count if count == 2 * LANES && cfg!(feature = "whole") => walk_abreast::<W, R, 2>(weights, walk, &mut lanes, rule),
+            count if count >= LANES => walk_abreast::<W, R, 1>(weights, walk, &mut lanes, rule),
+            _ => lanes.iter_mut().for_each(|ant| {
+                ant.count(walk);
+                to_the_end(weights, walk, ant, |row, stream| rule.choose_one(row, stream));
+            }),
+        }
+        lanes.iter_mut().filter(|a| a.fate() != Fate::Walking).for_each(|ant| ant.count(walk));
+        lanes.retain(|a| a.fate() == Fate::Walking);
+    }
 }
 
 /// The same by another rule.
@@ -38,72 +55,172 @@ pub(super) fn walk_all_by<W: Weights>(
     ants: &mut [Ant],
     choose: impl Fn(&Row, &mut Stream) -> Option<Direction> + Copy,
 ) {
-    let four =
-        |weights: &mut W, ants: &mut [&mut Ant; LANES]| ants.iter_mut().for_each(|ant| move_one(weights, walk, ant, choose));
-    side_by_side(weights, ants, four, |weights, ant| move_one(weights, walk, ant, choose));
-}
-
-/// Keeps four ants under way as long as there are four, then lets each of the last ones finish alone, with the same numbers.
-#[inline(always)]
-fn side_by_side<W>(
-    weights: &mut W,
-    ants: &mut [Ant],
-    four: impl Fn(&mut W, &mut [&mut Ant; LANES]),
-    alone: impl Fn(&mut W, &mut Ant),
-) {
     let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
     while let Ok(abreast) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
         while abreast.iter().all(|a| a.fate() == Fate::Walking) {
-            four(weights, abreast);
+            abreast.iter_mut().for_each(|ant| move_one(weights, walk, ant, choose));
         }
         lanes.retain(|a| a.fate() == Fate::Walking);
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
     }
-    for ant in lanes {
-        while ant.fate() == Fate::Walking {
-            alone(weights, ant);
-        }
+    lanes.iter_mut().for_each(|ant| to_the_end(weights, walk, ant, choose));
+}
+
+fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
+    while ant.fate() == Fate::Walking {
+        move_one(weights, walk, ant, &choose);
     }
 }
 
 /// One move of one ant.
 #[inline(always)]
 fn move_one<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
-    let left = without(weights.row(ant.cell()), ant.visited());
-    let step = choose(&left, &mut ant.stream);
+    let [low, high] = left(weights.row(ant.cell()), ant.seen());
+    let step = choose(&cast([low, high]), &mut ant.stream);
     ant.go(walk, step);
 }
 
-/// One move of four ants by the random proportional rule.
+/// Moves the first four or eight of these ants until one of them has ended.
 #[inline(always)]
-fn move_four<W: Weights>(weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES]) {
-    let (steps, totals) = select(weights, ants);
-    for lane in 0..LANES {
-        let step = (totals[lane] > 0.0).then_some(steps[lane]);
-        ants[lane].go(walk, step);
+fn walk_abreast<W: Weights, R: Rule, const GROUPS: usize>(weights: &mut W, walk: &Walk, lanes: &mut [&mut Ant], rule: R) {
+    let (fours, _) = lanes.as_chunks_mut::<LANES>();
+    let Some(Ok(fours)) = fours.get_mut(..GROUPS).map(<&mut [_; GROUPS]>::try_from) else { return };
+    // Whoever walks makes a move, under any cap.
+    let left = |ant: &&mut Ant| walk.max_moves.saturating_sub(ant.moves()).max(1);
+    let most = fours.iter().flatten().map(left).min().unwrap_or(0);
+    let mut groups: [Group; GROUPS] = std::array::from_fn(|g| Group::of(&fours[g]));
+    let (mut made, mut ended) = (0, false);
+    while made < most && !ended {
+        made += 1;
+        for (group, ants) in groups.iter_mut().zip(fours.iter_mut()) {
+            ended |= group.go(weights, walk, ants, rule);
+        }
+    }
+    for (group, ants) in groups.into_iter().zip(fours) {
+        group.leave(walk, ants, made);
     }
 }
 
-/// The random proportional rule for four ants at once. A lane whose total is 0 is at a dead end and draws nothing.
-#[inline(always)]
-fn select<W: Weights>(weights: &mut W, ants: &mut [&mut Ant; LANES]) -> ([Direction; LANES], [f32; LANES]) {
-    let rows: [_; LANES] = std::array::from_fn(|k| without(weights.row(ants[k].cell()), ants[k].visited()));
-    let mut sums = [f32x4::ZERO; DIRECTIONS];
-    let mut sum = f32x4::ZERO;
-    for d in 0..DIRECTIONS {
-        sum += f32x4::new(std::array::from_fn(|k| rows[k][d]));
-        sums[d] = sum;
+/// Four ants under way: where they are, and their streams.
+struct Group {
+    cells: [Cell; LANES],
+    places: [Place; LANES],
+    draws: Draws,
+    /// Who has stepped onto the goal.
+    arrived: [bool; LANES],
+    /// The last steps of all lanes, a byte each, which the ants do not have yet.
+    trace: [u32; TRACE],
+    traced: usize,
+    /// From where on the trace is a lane's own.
+    from: [usize; LANES],
+}
+
+impl Group {
+    fn of(ants: &[&mut Ant; LANES]) -> Self {
+        let (cells, places) = (each(|k| ants[k].cell), each(|k| ants[k].place));
+        let draws = Draws::of(each(|k| &ants[k].stream));
+        Self { cells, places, draws, arrived: [false; LANES], trace: [0; TRACE], traced: 0, from: [0; LANES] }
     }
-    let totals = sum.to_array();
-    let draws = std::array::from_fn(|k| if totals[k] > 0.0 { unit_f32(ants[k].stream.next_u32()) } else { 0.0 });
-    let threshold = f32x4::new(draws) * sum;
-    let mut steps = [0; LANES];
-    for partial in sums {
-        let below = partial.simd_le(threshold).to_bitmask();
-        for (k, step) in steps.iter_mut().enumerate() {
-            *step += (below >> k & 1) as Direction;
+
+    /// One move of each; true when one of them has ended. A lane whose weights are all 0 is at a dead end and draws nothing.
+    #[inline(always)]
+    fn go<W: Weights, R: Rule>(&mut self, weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES], rule: R) -> bool {
+        let weights = self.weights(weights, ants);
+        let sums = Sums::of(&weights);
+        let chosen = rule.choose(&weights, &sums, &mut self.draws);
+        if self.traced == TRACE {
+            self.hand_over(ants);
+        }
+        self.trace[self.traced] = packed(chosen);
+        self.traced += 1;
+        let steps = chosen.to_array();
+        let mut ended = false;
+        if sums.all_alive {
+            for k in 0..LANES {
+                ended |= self.step(walk, ants[k], k, steps[k]);
+            }
+            return ended;
+        }
+        let alive = sums.alive.to_array();
+        for k in 0..LANES {
+            ended |= if alive[k] != 0 { self.step(walk, ants[k], k, steps[k]) } else { self.turn_back(walk, ants[k], k) };
+        }
+        ended
+    }
+
+    /// The weights of the steps that are left, by direction, for all lanes.
+    ///
+    /// A cell is marked here, when it is left, and not when it is entered: by the time it is read again the mark has long been written.
+    #[inline(always)]
+    fn weights<W: Weights>(&mut self, weights: &mut W, ants: &mut [&mut Ant; LANES]) -> [f32x4; DIRECTIONS] {
+        let (mut low, mut high) = ([f32x4::ZERO; LANES], [f32x4::ZERO; LANES]);
+        for k in 0..LANES {
+            let seen = ants[k].tabu.insert(self.places[k]);
+            [low[k], high[k]] = left(weights.row(self.cells[k]), seen);
+        }
+        let ([a, b, c, d], [e, f, g, h]) = (f32x4::transpose(low), f32x4::transpose(high));
+        [a, b, c, d, e, f, g, h]
+    }
+
+    /// True on the goal.
+    #[inline(always)]
+    fn step(&mut self, walk: &Walk, ant: &Ant, k: usize, step: u32) -> bool {
+        let d = step as Direction & 7;
+        self.cells[k] = walk.moves.step(self.cells[k], d);
+        self.places[k] = ant.tabu.step(self.places[k], d);
+        let is_there = self.cells[k] == walk.goal;
+        if is_there {
+            self.arrived[k] = true;
+        }
+        is_there
+    }
+
+    /// What the colony does at a dead end, in place of the step that was traced last; true when that is the end.
+    #[inline(never)]
+    fn turn_back(&mut self, walk: &Walk, ant: &mut Ant, k: usize) -> bool {
+        take_over(ant, &self.trace[self.from[k]..self.traced - 1], k);
+        self.from[k] = self.traced;
+        (ant.cell, ant.place) = (self.cells[k], self.places[k]);
+        ant.at_dead_end(walk);
+        (self.cells[k], self.places[k]) = (ant.cell, ant.place);
+        ant.fate != Fate::Walking
+    }
+
+    /// Gives the ants their steps.
+    #[inline(never)]
+    fn hand_over(&mut self, ants: &mut [&mut Ant; LANES]) {
+        for (k, ant) in ants.iter_mut().enumerate() {
+            take_over(ant, &self.trace[self.from[k]..self.traced], k);
+        }
+        (self.traced, self.from) = (0, [0; LANES]);
+    }
+
+    /// Gives the ants all that they have come to.
+    #[inline(never)]
+    fn leave(mut self, walk: &Walk, ants: &mut [&mut Ant; LANES], made: u32) {
+        self.hand_over(ants);
+        for (k, stream) in self.draws.streams().into_iter().enumerate() {
+            ants[k].stream = stream;
+            ants[k].stand(walk, self.cells[k], self.places[k], made);
+            if self.arrived[k] {
+                ants[k].fate = Fate::Arrived;
+            }
         }
     }
-    (steps, totals)
+}
+
+/// Four small numbers as four bytes.
+#[inline(always)]
+fn packed(numbers: u32x4) -> u32 {
+    let words = i16x8::from_i32x8_saturate(cast([numbers, numbers]));
+    cast::<u8x16, [u32; 4]>(u8x16::narrow_i16x8(words, words))[0]
+}
+
+fn take_over(ant: &mut Ant, trace: &[u32], lane: usize) {
+    ant.steps.extend(trace.iter().map(|steps| (steps >> (8 * lane)) as Direction));
+}
+
+fn each<T>(of: impl FnMut(usize) -> T) -> [T; LANES] {
+    std::array::from_fn(of)
 }

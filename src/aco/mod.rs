@@ -12,8 +12,10 @@
 //! | selection rules | `selection.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
 //! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
-//! | one ant: its way, its tabu list, its random stream | `ant.rs` |
-//! | four ants in SIMD lanes, the same walk | `lanes.rs` |
+//! | one ant: its way, its random stream | `ant.rs` |
+//! | its tabu list: where it has been | `tabu.rs` |
+//! | eight ants in SIMD lanes, the same walk | `lanes.rs` |
+//! | their selection rules and their random streams | `lane_rules.rs`, `draws.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
 //! | what makes one finished path better than another | `criterion.rs` |
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
@@ -48,8 +50,10 @@ pub mod criterion;
 pub mod custom;
 pub mod dead_end;
 pub mod deposit;
+mod draws;
 pub mod heuristic;
 pub mod hybrid;
+mod lane_rules;
 mod lanes;
 pub mod legs;
 pub mod odds;
@@ -57,6 +61,7 @@ pub mod on_demand;
 pub mod order_run;
 pub mod selection;
 pub mod shared_params;
+mod tabu;
 pub mod tour;
 pub mod trails;
 pub mod variant;

@@ -4,12 +4,29 @@ use crate::map::{DIRECTIONS, Direction};
 use crate::rng::{Stream, unit_f32};
 use rand::Rng;
 
+use super::tabu::{SEEN, Seen};
 use super::trails::Row;
+use wide::{bytemuck::cast, f32x4, u32x4};
 
 /// Blanks the steps whose bit is set.
 #[inline(always)]
 pub fn without(row: &Row, visited: u8) -> Row {
     std::array::from_fn(|d| if visited >> d & 1 == 1 { 0.0 } else { row[d] })
+}
+
+/// The same for what an ant has seen, as two halves of a row.
+#[inline(always)]
+pub(super) fn left(row: &Row, seen: Seen) -> [f32x4; 2] {
+    const LOW: u32x4 = u32x4::new([SEEN[0], SEEN[1], SEEN[2], SEEN[3]]);
+    const HIGH: u32x4 = u32x4::new([SEEN[4], SEEN[5], SEEN[6], SEEN[7]]);
+    let seen = u32x4::splat(seen);
+    let [low, high]: [f32x4; 2] = cast(*row);
+    [low & is_zero(seen & LOW), high & is_zero(seen & HIGH)]
+}
+
+#[inline(always)]
+fn is_zero(bits: u32x4) -> f32x4 {
+    cast(bits.simd_eq(u32x4::ZERO))
 }
 
 /// Random proportional rule (Ant System): step d with probability w_d / Σ w. `None` when no step is left.
@@ -57,9 +74,10 @@ pub fn maximal(weights: &Row, stream: &mut Stream) -> Option<Direction> {
 /// The largest weight, and as bits by direction the steps that have it.
 #[inline(always)]
 fn largest(weights: &Row) -> (f32, u32) {
-    let largest = weights.iter().fold(0.0f32, |m, &w| if w > m { w } else { m });
-    let equal = (0..DIRECTIONS).fold(0, |bits, d| bits | u32::from(weights[d] >= largest) << d);
-    (largest, equal)
+    let [low, high]: [f32x4; 2] = cast(*weights);
+    let largest = low.fast_max(high).to_array().into_iter().fold(0.0f32, |m, w| if w > m { w } else { m });
+    let is_largest = |half: f32x4| half.simd_ge(f32x4::splat(largest)).to_bitmask();
+    (largest, is_largest(low) | is_largest(high) << 4)
 }
 
 /// 1 for the feasible steps, 0 for the others.

@@ -4,7 +4,7 @@
 //! once, as `scale`, and τ = stored · scale. A deposit is divided by the scale when it is stored. That is the definition (not a sweep over
 //! all trails, which rounds differently): an iteration touches the cells where ants have been, not the whole map.
 
-use crate::map::{Cell, DIRECTIONS, Direction};
+use crate::map::{Cell, DIRECTIONS, Direction, MoveSet};
 use crate::planner::held;
 
 /// Values by cell and direction.
@@ -17,20 +17,24 @@ const CEILING: f32 = 1e30;
 /// Below this scale the stored values are brought back to size in one sweep.
 const SWEEP_BELOW: f64 = 1e-9;
 
+/// Of a cell: it has trails of its own.
+const ACTIVE: u8 = 1;
+/// Of a cell: its trails have changed since the weights were last computed.
+const DIRTY: u8 = 2;
+
 /// The trails of one colony.
 #[derive(Debug, Clone)]
 pub struct Trails {
     stored: Vec<Row>,
     scale: f64,
-    /// Changed since the weights were last computed.
-    dirty: Vec<bool>,
+    /// What is known of a cell: [`ACTIVE`], [`DIRTY`].
+    state: Vec<u8>,
     /// The dirty cells.
     touched: Vec<Cell>,
     /// Everything has changed.
     all_dirty: bool,
     /// Cells whose trails no longer are the common background, in the order of their first deposit.
     active: Vec<Cell>,
-    is_active: Vec<bool>,
     /// Stored value of every step of a cell that is not active; what `stored` has there may be outdated.
     background: f32,
 }
@@ -42,11 +46,10 @@ impl Trails {
         Self {
             stored: vec![[initial as f32; DIRECTIONS]; cells],
             scale: 1.0,
-            dirty: vec![false; cells],
+            state: vec![0; cells],
             touched: Vec::new(),
             all_dirty: true,
             active: Vec::new(),
-            is_active: vec![false; cells],
             background: initial as f32,
         }
     }
@@ -69,7 +72,7 @@ impl Trails {
 
     /// τ / scale of all steps from a cell: enough to compare them.
     pub fn relative(&self, c: Cell) -> Row {
-        if self.is_active[c as usize] { self.stored[c as usize] } else { [self.background; DIRECTIONS] }
+        if self.state[c as usize] & ACTIVE != 0 { self.stored[c as usize] } else { [self.background; DIRECTIONS] }
     }
 
     /// τ ← (1 − ρ)·τ everywhere; ρ is the part that leaves.
@@ -85,6 +88,17 @@ impl Trails {
     pub fn deposit(&mut self, c: Cell, d: Direction, amount: f64) {
         self.touch(c);
         self.stored[c as usize][d as usize] += (amount / self.scale) as f32;
+    }
+
+    /// The same on every step of a way from a cell.
+    pub fn deposit_along(&mut self, moves: &MoveSet, from: Cell, steps: &[Direction], amount: f64) {
+        let amount = (amount / self.scale) as f32;
+        let mut at = from;
+        for &d in steps {
+            self.touch(at);
+            self.stored[at as usize][d as usize % DIRECTIONS] += amount;
+            at = moves.step(at, d);
+        }
     }
 
     /// τ ← τ − amount on one step, but not below `floor`, nor below τ where that is smaller already.
@@ -133,22 +147,24 @@ impl Trails {
     }
 
     /// Before the trails of a cell change.
-    #[inline]
+    #[inline(always)]
     fn touch(&mut self, c: Cell) {
-        if !self.dirty[c as usize] {
-            self.dirty[c as usize] = true;
-            self.touched.push(c);
-        }
-        if !self.is_active[c as usize] {
-            self.activate(c);
+        if self.state[c as usize] != ACTIVE | DIRTY {
+            self.touch_first(c);
         }
     }
 
-    /// The first change of a cell: from here on it has trails of its own, which begin as the background.
-    fn activate(&mut self, c: Cell) {
-        self.is_active[c as usize] = true;
-        self.active.push(c);
-        self.stored[c as usize] = [self.background; DIRECTIONS];
+    /// The first change since the weights were computed; of all, from here on a cell has trails of its own, which begin as the background.
+    #[inline(never)]
+    fn touch_first(&mut self, c: Cell) {
+        let state = std::mem::replace(&mut self.state[c as usize], ACTIVE | DIRTY);
+        if state & DIRTY == 0 {
+            self.touched.push(c);
+        }
+        if state & ACTIVE == 0 {
+            self.active.push(c);
+            self.stored[c as usize] = [self.background; DIRECTIONS];
+        }
     }
 
     /// The weights of a cell are to be computed anew, because its η or its steps have changed; its trails stay.
@@ -159,7 +175,7 @@ impl Trails {
 
     /// What it holds, in bytes.
     pub fn bytes(&self) -> usize {
-        held(&self.stored) + held(&self.dirty) + held(&self.touched) + held(&self.active) + held(&self.is_active)
+        held(&self.stored) + held(&self.state) + held(&self.touched) + held(&self.active)
     }
 
     /// Every weight is to be computed anew, because η has changed.
@@ -181,6 +197,18 @@ impl Trails {
         self.all_dirty = true;
     }
 
+    /// The only cell that has changed since the last call, if it is one alone, with its trails.
+    #[inline(always)]
+    pub fn take_change(&mut self) -> Option<(Cell, &Row)> {
+        let [c] = self.touched[..] else { return None };
+        if self.all_dirty {
+            return None;
+        }
+        self.touched.clear();
+        self.state[c as usize] &= !DIRTY;
+        Some((c, &self.stored[c as usize]))
+    }
+
     /// Calls `refresh` for every cell that has changed since the last call.
     pub fn take_changes(&mut self, mut refresh: impl FnMut(&Row, Cell)) {
         if std::mem::take(&mut self.all_dirty) {
@@ -188,7 +216,7 @@ impl Trails {
         } else {
             self.touched.iter().for_each(|&c| refresh(&self.stored[c as usize], c));
         }
-        self.touched.iter().for_each(|&c| self.dirty[c as usize] = false);
+        self.touched.iter().for_each(|&c| self.state[c as usize] &= !DIRTY);
         self.touched.clear();
     }
 }

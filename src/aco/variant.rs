@@ -82,14 +82,22 @@ pub struct Step {
     pub walked: f64,
 }
 
+/// The rules of selection that four ants can follow at once, in SIMD lanes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Abreast {
+    /// The random proportional rule.
+    Proportional,
+    /// The pseudo-random proportional rule, with this q0.
+    PseudoProportional(f64),
+    /// None of these: one ant after the other.
+    Never,
+}
+
 /// A variant of the colony. Every default is Ant System.
 pub trait Variant: Clone + Send {
     /// Whether ants change trails while they walk: then all of them move in lock step, one move each in index order. Otherwise each
     /// ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
     const LOCK_STEP: bool = false;
-
-    /// Whether [`Variant::choose`] is the random proportional rule, which the four-lane walk computes.
-    const RANDOM_PROPORTIONAL: bool = true;
 
     /// Whether ln η(t) = a + b·w(t), given by [`Variant::log_heuristic`] and [`Variant::time`]. Then an η that changes in every
     /// iteration is computed only where ants come by.
@@ -135,6 +143,12 @@ pub trait Variant: Clone + Send {
     /// w(t) of the iteration at work; only with [`Variant::TIMED`].
     fn time(&self) -> f64 {
         0.0
+    }
+
+    /// The rule of [`Variant::choose`], where ants can choose by it side by side.
+    #[inline(always)]
+    fn abreast(&self) -> Abreast {
+        Abreast::Proportional
     }
 
     /// Selects a step; visited and infeasible ones weigh 0. `None` = dead end.

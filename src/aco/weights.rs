@@ -6,6 +6,8 @@
 
 use std::sync::Arc;
 
+use wide::{bytemuck::cast, f32x4};
+
 use crate::map::{Cell, DIRECTIONS, Direction};
 use crate::planner::held;
 use crate::scenario::Scenario;
@@ -78,6 +80,15 @@ impl WeightTable {
         trails.take_changes(|row, c| weights[c as usize] = weigh(row, alpha, &visibility[c as usize]));
     }
 
+    /// The same where hardly more than one cell can have changed: after a move.
+    #[inline(always)]
+    pub fn follow(&mut self, trails: &mut Trails) {
+        match trails.take_change() {
+            Some((c, row)) => self.weights[c as usize] = weigh(row, self.alpha, &self.visibility[c as usize]),
+            None => self.refresh(trails),
+        }
+    }
+
     /// What it holds, in bytes, without what snapshots share.
     pub fn bytes(&self) -> usize {
         held(&self.weights)
@@ -114,15 +125,16 @@ pub(super) fn only_onto_the_goal(scenario: &Scenario, c: Cell, row: &mut Row) {
 /// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).
 #[inline]
 pub(super) fn weigh(trail: &Row, alpha: f64, seen: &Row) -> Row {
-    let mut largest = f32::MIN_POSITIVE;
-    for d in 0..DIRECTIONS {
-        largest = if seen[d] > 0.0 && trail[d] > largest { trail[d] } else { largest };
-    }
-    std::array::from_fn(|d| {
-        let ratio = trail[d] / largest;
-        let strength = if alpha == 1.0 { ratio } else { power(f64::from(ratio), alpha) as f32 };
-        if seen[d] > 0.0 { (strength * seen[d]).max(FLOOR) } else { 0.0 }
-    })
+    let (trail, seen): ([f32x4; 2], [f32x4; 2]) = (cast(*trail), cast(*seen));
+    let feasible = seen.map(|seen| seen.simd_gt(f32x4::ZERO));
+    let largest = (trail[0] & feasible[0]).fast_max(trail[1] & feasible[1]).to_array();
+    let largest = f32x4::splat(largest.into_iter().fold(f32::MIN_POSITIVE, |m, t| if t > m { t } else { m }));
+    let raised = |ratio: f32x4| f32x4::new(ratio.to_array().map(|ratio| power(f64::from(ratio), alpha) as f32));
+    cast([0, 1].map(|half| {
+        let ratio = trail[half] / largest;
+        let strength = if alpha == 1.0 { ratio } else { raised(ratio) };
+        (strength * seen[half]).fast_max(f32x4::splat(FLOOR)) & feasible[half]
+    }))
 }
 
 /// x^e for x ≥ 0. Whole exponents up to 64 by multiplication (libm's pow costs about 100 ns), others by libm: the same bits everywhere.

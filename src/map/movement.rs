@@ -253,7 +253,7 @@ impl MoveSet {
     /// The cell one step away; the step must be allowed.
     #[inline(always)]
     pub fn step(&self, c: Cell, d: Direction) -> Cell {
-        c.wrapping_add_signed(self.delta[d as usize])
+        c.wrapping_add_signed(self.delta[d as usize % ALL_DIRECTIONS])
     }
 
     /// The direction of the step between two cells that an allowed step joins.

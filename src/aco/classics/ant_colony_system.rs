@@ -24,7 +24,7 @@ use crate::aco::odds;
 use crate::aco::selection::pseudo_random_proportional;
 use crate::aco::shared_params::{SelectionParams, SightParams, WalkParams, open_map_length, open_map_steps, settings};
 use crate::aco::trails::{Row, Trails};
-use crate::aco::variant::{Iteration, Settings, Step, Variant};
+use crate::aco::variant::{Abreast, Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params;
@@ -74,7 +74,6 @@ impl AntColonySystem {
 
 impl Variant for AntColonySystem {
     const LOCK_STEP: bool = true;
-    const RANDOM_PROPORTIONAL: bool = false;
 
     fn settings(&self) -> Settings {
         let p = &self.params;
@@ -91,6 +90,10 @@ impl Variant for AntColonySystem {
 
     fn prepare(&mut self, scenario: &Scenario) {
         self.initial = self.initial_trail(scenario);
+    }
+
+    fn abreast(&self) -> Abreast {
+        Abreast::PseudoProportional(self.params.rules.q0)
     }
 
     #[inline(always)]

@@ -74,11 +74,6 @@ macro_rules! donors {
                 match self { $( Self::$donor => <$module::$variant as Variant>::TIMED, )+ }
             }
 
-            /// Whether its selection is the random proportional rule.
-            pub(super) const fn is_proportional(self) -> bool {
-                match self { $( Self::$donor => <$module::$variant as Variant>::RANDOM_PROPORTIONAL, )+ }
-            }
-
             /// Whether its ants change trails while they walk.
             pub(super) const fn updates_on_moves(self) -> bool {
                 match self { $( Self::$donor => <$module::$variant as Variant>::LOCK_STEP, )+ }

@@ -30,7 +30,7 @@ use super::legs::{self, OrderLevel};
 use super::papers::fire::FireParams;
 use super::shared_params::settings;
 use super::trails::{Row, Trails};
-use super::variant::{Iteration, Settings, Step, Variant};
+use super::variant::{Abreast, Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Values, check_keys};
@@ -47,14 +47,13 @@ pub use rows::CustomParams;
 
 /// A composed colony. The constants are those of [`Variant`]: how its ants may walk follows from the rules.
 #[derive(Debug, Clone)]
-pub struct Custom<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> {
+pub struct Custom<const LOCK_STEP: bool, const TIMED: bool> {
     rules: CustomParams,
     donors: Donors,
 }
 
-impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant for Custom<LOCK_STEP, PROPORTIONAL, TIMED> {
+impl<const LOCK_STEP: bool, const TIMED: bool> Variant for Custom<LOCK_STEP, TIMED> {
     const LOCK_STEP: bool = LOCK_STEP;
-    const RANDOM_PROPORTIONAL: bool = PROPORTIONAL;
     const TIMED: bool = TIMED;
 
     fn settings(&self) -> Settings {
@@ -102,6 +101,10 @@ impl<const LOCK_STEP: bool, const PROPORTIONAL: bool, const TIMED: bool> Variant
         lent!(self, heuristic_of, time())
     }
 
+    fn abreast(&self) -> Abreast {
+        lent!(self, selection_of, abreast())
+    }
+
     #[inline(always)]
     fn choose(&self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
         lent!(self, selection_of, choose(weights, stream))
@@ -147,15 +150,11 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
         first: first_stage(scenario, rules, &all, seed)?,
         seed,
     };
-    let (lock_step, proportional) = (rules.local_update_of.updates_on_moves(), rules.selection_of.is_proportional());
-    Ok(match (lock_step, proportional, rules.heuristic_of.is_timed()) {
-        (false, true, false) => parts.planner(Custom::<false, true, false> { rules, donors }),
-        (false, true, true) => parts.planner(Custom::<false, true, true> { rules, donors }),
-        (false, false, false) => parts.planner(Custom::<false, false, false> { rules, donors }),
-        (false, false, true) => parts.planner(Custom::<false, false, true> { rules, donors }),
-        // In lock step the rule makes no difference to how ants walk.
-        (true, _, false) => parts.planner(Custom::<true, false, false> { rules, donors }),
-        (true, _, true) => parts.planner(Custom::<true, false, true> { rules, donors }),
+    Ok(match (rules.local_update_of.updates_on_moves(), rules.heuristic_of.is_timed()) {
+        (false, false) => parts.planner(Custom::<false, false> { rules, donors }),
+        (false, true) => parts.planner(Custom::<false, true> { rules, donors }),
+        (true, false) => parts.planner(Custom::<true, false> { rules, donors }),
+        (true, true) => parts.planner(Custom::<true, true> { rules, donors }),
     })
 }
 
@@ -178,7 +177,7 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    fn planner<const S: bool, const P: bool, const T: bool>(self, custom: Custom<S, P, T>) -> Box<dyn Planner> {
+    fn planner<const S: bool, const T: bool>(self, custom: Custom<S, T>) -> Box<dyn Planner> {
         let streams = (custom.rules.selection_of.id(), ENTRY.layers);
         match self.first {
             None => legs::planner(self.scenario, self.level, custom, streams, self.seed),

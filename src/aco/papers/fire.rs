@@ -44,7 +44,7 @@ use crate::aco::selection::{pseudo_random_proportional, random_proportional};
 use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::tour::TourSettings;
 use crate::aco::trails::{Row, Trails};
-use crate::aco::variant::{Iteration, Settings, Variant};
+use crate::aco::variant::{Abreast, Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
 use crate::params::{Params, Values};
@@ -158,8 +158,6 @@ impl Fire {
 }
 
 impl Variant for Fire {
-    const RANDOM_PROPORTIONAL: bool = false;
-
     fn settings(&self) -> Settings {
         let p = &self.params;
         settings(p.ants, p.evaporation(), p.deposit, &p.selection, &p.walk)
@@ -172,6 +170,13 @@ impl Variant for Fire {
     /// η_j = 1/d_j of Eq. 3.
     fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
         goal_distance(scenario.grid.point(j), scenario.grid.point(scenario.goal), AT_GOAL)
+    }
+
+    fn abreast(&self) -> Abreast {
+        match self.params.legs {
+            Rule::Improved => Abreast::PseudoProportional(self.params.r0),
+            Rule::Basic => Abreast::Proportional,
+        }
     }
 
     /// Eq. 9, or Eq. 3.

@@ -52,7 +52,7 @@ use crate::aco::heuristic::{self, AT_GOAL};
 use crate::aco::odds;
 use crate::aco::selection;
 use crate::aco::trails::{Row, Trails};
-use crate::aco::variant::{Iteration, Settings, Step, Variant};
+use crate::aco::variant::{Abreast, Iteration, Settings, Step, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction, Point};
 use crate::params;
@@ -195,7 +195,6 @@ impl Acost {
 
 impl Variant for Acost {
     const LOCK_STEP: bool = true;
-    const RANDOM_PROPORTIONAL: bool = false;
 
     fn settings(&self) -> Settings {
         self.params.common.settings(self.params.beta)
@@ -217,6 +216,13 @@ impl Variant for Acost {
     fn begin_iteration(&mut self, number: u32) {
         let p = &self.params.common;
         self.lambda = threshold(time(p.reading, number), p.iterations);
+    }
+
+    fn abreast(&self) -> Abreast {
+        match self.params.rule {
+            Rule::Threshold => Abreast::Never,
+            Rule::Proportional => Abreast::Proportional,
+        }
     }
 
     /// Step 5.
@@ -259,8 +265,6 @@ impl Acomsp {
 }
 
 impl Variant for Acomsp {
-    const RANDOM_PROPORTIONAL: bool = false;
-
     fn settings(&self) -> Settings {
         self.params.common.settings(self.params.beta)
     }
@@ -275,6 +279,10 @@ impl Variant for Acomsp {
 
     fn enters_goal(&self) -> bool {
         self.params.common.goal_step == GoalStep::Enter
+    }
+
+    fn abreast(&self) -> Abreast {
+        if self.params.maximal { Abreast::Never } else { Abreast::Proportional }
     }
 
     #[inline(always)]
