@@ -72,6 +72,7 @@ impl Ant {
     }
 
     /// Undoes the marks of the last walk, of a short one beside the map one by one.
+    #[inline(never)]
     fn clear_tabu(&mut self) {
         if self.tabu.is_small_beside(self.steps.len() + self.abandoned.len()) {
             self.tabu.clear();
@@ -154,6 +155,7 @@ impl Ant {
     }
 
     /// Stands here after so many moves side by side with others; [`Ant::count`] is to follow.
+    #[inline(never)]
     pub(super) fn stand(&mut self, walk: &Walk, cell: Cell, place: Place, made: u32) {
         (self.cell, self.place) = (cell, place);
         self.tabu.insert(place);
@@ -164,6 +166,7 @@ impl Ant {
     }
 
     /// Counts its diagonal steps, and on a terrain the ground, which it does not while it walks beside others.
+    #[inline(never)]
     pub(super) fn count(&mut self, walk: &Walk) {
         // 255 fit into a byte.
         let diagonals = |steps: &[Direction]| steps.iter().map(|&d| u8::from(is_diagonal(d))).sum::<u8>();

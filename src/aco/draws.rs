@@ -10,6 +10,7 @@ pub(super) struct Draws([u32x4; 4]);
 
 impl Draws {
     /// These streams.
+    #[inline(never)]
     pub fn of(streams: [&Stream; 4]) -> Self {
         let words = |stream: &Stream| {
             let state = stream.state();
@@ -38,6 +39,7 @@ impl Draws {
     }
 
     /// The streams as they are now.
+    #[inline(never)]
     pub fn streams(self) -> [Stream; 4] {
         u32x4::transpose(self.0).map(|words| {
             let mut state = [0; 16];

@@ -132,7 +132,7 @@ impl Group {
         if self.traced == TRACE {
             self.hand_over(ants);
         }
-        self.trace[self.traced] = packed(chosen);
+        self.trace[self.traced % TRACE] = packed(chosen);
         self.traced += 1;
         let steps = chosen.to_array();
         let mut ended = false;
@@ -217,6 +217,7 @@ fn packed(numbers: u32x4) -> u32 {
     cast::<u8x16, [u32; 4]>(u8x16::narrow_i16x8(words, words))[0]
 }
 
+#[inline(never)]
 fn take_over(ant: &mut Ant, trace: &[u32], lane: usize) {
     ant.steps.extend(trace.iter().map(|steps| (steps >> (8 * lane)) as Direction));
 }

@@ -73,9 +73,9 @@ impl Tabu {
     #[inline(always)]
     pub fn insert(&mut self, place: Place) -> Seen {
         let (byte, row) = ((place >> 3) as usize, place & 7);
-        let near = &mut self.bits[byte..byte + 4];
-        let marked = <[u8; 4]>::try_from(&*near).map_or(0, u32::from_le_bytes);
-        near.copy_from_slice(&(marked | CENTRE << row).to_le_bytes());
+        let Some(near) = self.bits.get_mut(byte..byte + 4).and_then(<[u8]>::first_chunk_mut) else { return 0 };
+        let marked = u32::from_le_bytes(*near);
+        *near = (marked | CENTRE << row).to_le_bytes();
         let (away, bit) = self.again[row as usize];
         self.bits[byte.wrapping_add_signed(away as isize)] |= bit;
         marked >> row
@@ -85,8 +85,8 @@ impl Tabu {
     #[inline(always)]
     pub fn around(&self, place: Place) -> Seen {
         let byte = (place >> 3) as usize;
-        let marked = <[u8; 4]>::try_from(&self.bits[byte..byte + 4]).map_or(0, u32::from_le_bytes);
-        marked >> (place & 7)
+        let near = self.bits.get(byte..byte + 4).and_then(<[u8]>::first_chunk);
+        near.map_or(0, |near| u32::from_le_bytes(*near)) >> (place & 7)
     }
 
     /// Takes back the marks of these places alone.

@@ -123,18 +123,22 @@ pub(super) fn only_onto_the_goal(scenario: &Scenario, c: Cell, row: &mut Row) {
 }
 
 /// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).
-#[inline]
+#[inline(never)]
 pub(super) fn weigh(trail: &Row, alpha: f64, seen: &Row) -> Row {
     let (trail, seen): ([f32x4; 2], [f32x4; 2]) = (cast(*trail), cast(*seen));
     let feasible = seen.map(|seen| seen.simd_gt(f32x4::ZERO));
     let largest = (trail[0] & feasible[0]).fast_max(trail[1] & feasible[1]).to_array();
     let largest = f32x4::splat(largest.into_iter().fold(f32::MIN_POSITIVE, |m, t| if t > m { t } else { m }));
-    let raised = |ratio: f32x4| f32x4::new(ratio.to_array().map(|ratio| power(f64::from(ratio), alpha) as f32));
     cast([0, 1].map(|half| {
         let ratio = trail[half] / largest;
-        let strength = if alpha == 1.0 { ratio } else { raised(ratio) };
+        let strength = if alpha == 1.0 { ratio } else { raised(ratio, alpha) };
         (strength * seen[half]).fast_max(f32x4::splat(FLOOR)) & feasible[half]
     }))
+}
+
+#[inline(never)]
+fn raised(ratios: f32x4, alpha: f64) -> f32x4 {
+    f32x4::new(ratios.to_array().map(|ratio| power(f64::from(ratio), alpha) as f32))
 }
 
 /// x^e for x ≥ 0. Whole exponents up to 64 by multiplication (libm's pow costs about 100 ns), others by libm: the same bits everywhere.

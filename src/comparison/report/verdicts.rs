@@ -10,6 +10,7 @@ use super::words::{Names, ReportLanguage, Words};
 use crate::comparison::Comparison;
 use crate::comparison::analysis::Analysis;
 use crate::comparison::claim::{Claim, Direction, Statistic};
+use crate::comparison::judge::FEWEST_RUNS;
 use crate::comparison::judge::JudgedClaim;
 use crate::comparison::measure::RunMeasure;
 use crate::comparison::over_maps::{FEWEST_MAPS, VerdictCounts};
@@ -139,11 +140,12 @@ pub(super) fn signed(v: f64, digits: impl Fn(f64) -> String) -> String {
     format!("{sign}{}", digits(v.abs()))
 }
 
-/// Every verdict as a line of plain English: map by map, then over maps.
+/// Every verdict as a line of plain English: over maps, and map by map of claims about too few for that.
 pub fn verdicts(comparison: &Comparison, analysis: &Analysis) -> String {
     let (q, words) = (&comparison.question, ReportLanguage::En.words());
     let mut out = String::new();
-    for c in &analysis.judged {
+    let is_of_few = |claim: usize| analysis.judged.iter().filter(|c| c.claim == claim).count() < FEWEST_MAPS;
+    for c in analysis.judged.iter().filter(|c| is_of_few(c.claim)) {
         let (Some(claim), Some(instance)) = (q.claims.get(c.claim), q.instances.get(c.instance)) else { continue };
         let stands = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| amount(words, claim.measure, v));
         let (from, to) = (stands(c.baseline), stands(c.improved));
@@ -153,7 +155,11 @@ pub fn verdicts(comparison: &Comparison, analysis: &Analysis) -> String {
     }
     for over in &analysis.over_maps {
         let verdict = (words.claims.overall)(over.verdict, over.claimed.is_some(), FEWEST_MAPS).replace("**", "");
-        let _ = writeln!(out, "  {}: better on {}: {verdict}", over.claim, (words.claims.on_maps)(over.better, over.maps));
+        let (on, counts) = ((words.claims.on_maps)(over.better, over.maps), (words.claims.counts)(&over.counts));
+        let _ = writeln!(out, "  {}: better on {on} ({counts}): {verdict}", over.claim);
+    }
+    if q.seeds.count < FEWEST_RUNS as u32 && !q.claims.is_empty() {
+        let _ = writeln!(out, "  {} seeds: a verdict needs {FEWEST_RUNS} runs on a map", q.seeds.count);
     }
     out
 }

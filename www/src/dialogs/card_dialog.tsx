@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks'
+import '../styles/card.css'
 import { language, t } from '../i18n'
 import { closeDialog } from '../state/dialogs'
 import { Dialog } from '../ui/dialog'

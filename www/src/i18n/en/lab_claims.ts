@@ -1,7 +1,7 @@
 /** Results of a comparison: what became of its claims, over maps and on each. */
 export const enLabClaims = {
   claims: {
-    hint: 'Effects are parts of the baseline’s value, of shares differences in points, positive as the claim says. A claim is judged on each map by the 95 % interval of its effect and by the smallest effect that matters, and over six maps or more by the median of their effects.',
+    hint: 'Effects are parts of the baseline’s value, of shares differences in points: below 0 is less. A claim is judged on each map by the 95 % interval of its effect and by the smallest effect that matters, and over six maps or more by the median of their effects.',
     columns: {
       claim: 'Claim',
       maps: 'Better on',
@@ -31,6 +31,7 @@ export const enLabClaims = {
       'cannot-tell': 'Cannot tell',
       'depends-on-map': 'Depends on the map',
     },
+    fewRuns: 'too few runs: 30 are needed on each map',
     fewMaps: 'too few maps',
     counted: '{{count}} × {{verdict}}',
     whys: {

@@ -16,7 +16,7 @@ export const enReadings = {
   all: 'All',
   claims: 'Claims by reading',
   claimsHint:
-    'A row is what is claimed, a column one way to read the paper. Each is judged by itself; effects are positive as the claim says.',
+    'A row is what is claimed, a column one way to read the paper. Each is judged by itself; effects are changes against the baseline: below 0 is less.',
   measure: 'Measure',
   /** Of a claim, behind its measure. */
   ofClaim: '{{claim}} · {{reading}}',

@@ -4,7 +4,7 @@ import type { enLabClaims } from '../en/lab_claims'
 /** Chinese of en/lab_claims.ts. */
 export const zhCNLabClaims: DictionaryShape<typeof enLabClaims> = {
   claims: {
-    hint: '效应为基线值的比例（比例则为百分点之差），与主张同向为正。每张地图上按效应的 95% 区间与最小有意义效应判定；有六张或更多地图时，再按各地图效应的中位数判定。',
+    hint: '效应为基线值的比例（比例则为百分点之差）：小于 0 即更少。每张地图上按效应的 95% 区间与最小有意义效应判定；有六张或更多地图时，再按各地图效应的中位数判定。',
     columns: {
       claim: '主张',
       maps: '更好的地图',
@@ -33,6 +33,7 @@ export const zhCNLabClaims: DictionaryShape<typeof enLabClaims> = {
       'cannot-tell': '无法判断',
       'depends-on-map': '取决于地图',
     },
+    fewRuns: '运行太少：每张地图需要 30 次',
     fewMaps: '地图太少',
     counted: '{{verdict}} × {{count}}',
     whys: {

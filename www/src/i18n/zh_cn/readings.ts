@@ -15,7 +15,8 @@ export const zhCNReadings: DictionaryShape<typeof enReadings> = {
   noReading: '这些值整体上不是其中任何一种读法。',
   all: '全部',
   claims: '各种读法下的主张',
-  claimsHint: '每行是一项主张，每列是论文的一种读法，各自单独判定；效应与主张同向为正。',
+  claimsHint:
+    '每行是一项主张，每列是论文的一种读法，各自单独判定；效应为相对基线的变化：小于 0 即更少。',
   measure: '衡量标准',
   ofClaim: '{{claim}} · {{reading}}',
 }

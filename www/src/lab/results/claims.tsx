@@ -8,7 +8,7 @@ import { IconButton } from '../../ui/buttons'
 import { shownComparison } from '../store/shown_comparison'
 import { amount, chance, dash, labelOf, measureWords, precise, share } from '../words/numbers'
 import { whyWords } from '../words/verdict_words'
-import { Chip, effect, partOfMaps, within } from './claim_cells'
+import { Chip, change, partOfMaps, size, whyNotOver, within } from './claim_cells'
 import { ClaimsByReading, isOfShownReading, ReadingChoice, withReading } from './claims_by_reading'
 
 /** Of so few maps all are shown at once. */
@@ -105,15 +105,15 @@ function Claim({ over, analysis }: ClaimProps) {
           <span class="cell-small">{countsOf(over)}</span>
         </td>
         <td>
-          {effect(over.is_share, over.claimed)}
+          {change(over, over.claimed)}
           <span class="cell-small">
-            {t('lab.claims.atLeast', { effect: effect(over.is_share, over.relevant) })}
+            {t('lab.claims.atLeast', { effect: size(over, over.relevant) })}
           </span>
         </td>
         <td>
-          {effect(over.is_share, over.median)}
+          {change(over, over.median)}
           {over.confidence !== null && (
-            <span class="cell-small">{within(over.is_share, over.low, over.high)}</span>
+            <span class="cell-small">{within(over, over.low, over.high)}</span>
           )}
           {over.sign_p !== null && (
             <span class="cell-small">
@@ -129,7 +129,7 @@ function Claim({ over, analysis }: ClaimProps) {
         <td>
           <Chip verdict={over.verdict} />
           {over.verdict === 'cannot-tell' && (
-            <span class="cell-small verdict-why">{t('lab.claims.fewMaps')}</span>
+            <span class="cell-small verdict-why">{whyNotOver(over, analysis)}</span>
           )}
         </td>
       </tr>
@@ -142,18 +142,18 @@ function Claim({ over, analysis }: ClaimProps) {
 }
 
 function MapRow({ line, name }: { line: VerdictLine; name: string }) {
-  const { improved_value: to, baseline_value: from, is_share, measure } = line
+  const { improved_value: to, baseline_value: from, measure } = line
   const values =
     from === null && to === null ? '' : `${value(measure, from)} → ${value(measure, to)}`
   return (
     <tr class="claim-map">
       <th scope="row">{name}</th>
       <td>{values}</td>
-      <td>{effect(is_share, line.claimed)}</td>
+      <td>{change(line, line.claimed)}</td>
       <td>
-        {effect(is_share, line.found)}
+        {change(line, line.found)}
         {line.effect && (
-          <span class="cell-small">{within(is_share, line.effect.low, line.effect.high)}</span>
+          <span class="cell-small">{within(line, line.effect.low, line.effect.high)}</span>
         )}
       </td>
       <td>

@@ -7,7 +7,7 @@ import type { Analysis, OverMaps, PaperReading } from '../../model/analysis'
 import { Labelled } from '../../ui/fields'
 import { RadioSegments } from '../../ui/radio_segments'
 import { measureWords } from '../words/numbers'
-import { Chip, effect, partOfMaps, within } from './claim_cells'
+import { Chip, change, partOfMaps, within } from './claim_cells'
 
 type Shown = PaperReading | 'all'
 
@@ -112,8 +112,8 @@ function Outcome({ over }: { over: OverMaps }) {
       <span class="cell-small">{partOfMaps(over)}</span>
       {over.median !== null && (
         <span class="cell-small">
-          {effect(over.is_share, over.median)}
-          {over.confidence !== null && ` (${within(over.is_share, over.low, over.high)})`}
+          {change(over, over.median)}
+          {over.confidence !== null && ` (${within(over, over.low, over.high)})`}
         </span>
       )}
     </>

@@ -45,10 +45,10 @@ export function ReportedTab({ analysis }: { analysis: Analysis }) {
           onClick={() => showCard(METHODOLOGY)}
         />
       </div>
+      <Claims analysis={analysis} />
       {maps.map((map) => (
         <ReportedMap key={map.id} map={map} />
       ))}
-      <Claims analysis={analysis} />
     </>
   )
 }
