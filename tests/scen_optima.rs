@@ -1,4 +1,4 @@
-//! Dijkstra and A* against the listed optima of every MovingAI scenario file in the data folder that the environment variable
+//! Dijkstra, A* and jump points against the listed optima of every MovingAI scenario file in the data folder that the environment variable
 //! FORMICARIUM_DATA names. The files themselves may not be redistributed, so without the variable this is skipped, aloud.
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use formicarium::catalog;
+use formicarium::exact::Optima;
 use formicarium::formats::{ScenLine, check_scen, import, import_scen, misfit};
 use formicarium::map::{CornerRule, Grid, Movement, Moves};
 use formicarium::params::Values;
-use formicarium::scenario::Scenario;
+use formicarium::scenario::{Goal, Scenario};
 
 /// Scenarios of each file, spread evenly over it.
 const SAMPLE: usize = 100;
@@ -88,4 +89,22 @@ fn scenarios_that_do_not_belong_to_their_map_are_named() {
         assert!(notice.message.starts_with("line ") && notice.kind.starts_with("scen-"), "{notice:?}");
     }
     println!("{INCONSISTENT}: {} of {} scenarios have an end on a wall", notices.len(), lines.len());
+}
+
+#[test]
+fn jump_points_find_every_listed_optimum() {
+    let Some(folder) = folder() else { return };
+    let mut run = 0;
+    for scen in scen_files(&folder).iter().filter(|f| !f.ends_with(INCONSISTENT)) {
+        let (lines, grid) = load(scen);
+        let scenario = Arc::new(Scenario::on(grid, Movement::default(), lines[0].start, lines[0].goal).unwrap());
+        let mut optima = Optima::new(&scenario);
+        for line in &lines {
+            let asked = scenario.with_ends(line.start, vec![Goal::new(line.goal, "")]).unwrap();
+            let found = optima.between(asked.start, asked.goal);
+            assert!(found.is_some_and(|l| line.fits(l)), "{}: {found:?} for {line:?}", scen.display());
+        }
+        run += lines.len();
+    }
+    println!("{run} scenarios, all equal");
 }

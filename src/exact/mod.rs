@@ -5,6 +5,9 @@ pub mod astar;
 mod best_first;
 mod contours;
 pub mod dijkstra;
+mod jump_map;
+mod jump_points;
+mod optima;
 pub mod order;
 pub mod order_problem;
 pub mod point_robot;
@@ -15,6 +18,7 @@ pub mod tour;
 pub mod turn_aware;
 
 pub use astar::Distance;
+pub use optima::Optima;
 pub use order::distances_from;
 pub use point_robot::point_robot;
 pub use search::Estimate;
@@ -95,6 +99,9 @@ impl Reference {
 /// # Ok::<(), formicarium::error::ScenarioError>(())
 /// ```
 pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
+    if objective == Objective::Length && scenario.goals.len() == 1 && scenario.by_slices().is_none() {
+        return optimum(scenario).map_or(Reference::NoPath, |value| Reference::Proven { value });
+    }
     if !scenario.reachable() {
         return Reference::NoPath;
     }
@@ -116,11 +123,12 @@ pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
     proven.map_or(Reference::Unknown, |value| Reference::Proven { value })
 }
 
-/// Length in cells of the shortest path of steps from cell to cell; `None` when there is none.
+/// Length in cells of the shortest path of steps from cell to cell; `None` when there is none. [`Optima`] answers many questions about one
+/// map faster.
 pub fn optimum(scenario: &Arc<Scenario>) -> Option<f64> {
-    let mut search = search::Search::new(Arc::clone(scenario), astar::Distance::of(scenario));
-    crate::planner::Planner::run(&mut search);
-    crate::planner::Planner::best(&search).map(|s| scenario.path_length(&s.path))
+    let (start, goal) = (scenario.start, scenario.goal);
+    // The opening build has A* anyway and is spared the rest.
+    if cfg!(feature = "whole") { Optima::new(scenario).between(start, goal) } else { optima::by_astar(scenario, start, goal).0 }
 }
 
 /// Σ of the legs of the best tour by all goals, or Σ R; `None` for more goals than can be ordered exactly.

@@ -48,12 +48,12 @@ impl From<Point> for [u32; 2] {
     }
 }
 
-/// A rectangular map of free and blocked cells.
+/// A rectangular map of free and blocked cells. Its copies share the cells until one of them is changed.
 #[derive(Debug, Clone)]
 pub struct Grid {
     width: u32,
     height: u32,
-    blocked: Vec<bool>,
+    blocked: Arc<[bool]>,
     /// One a cell on a terrain, in the unit of the file; NaN where there is no data, and such a cell is blocked.
     heights: Option<Arc<[f32]>>,
 }
@@ -75,7 +75,7 @@ impl Grid {
     /// [`ScenarioError::MapSize`] when a side is 0 or above [`MAX_SIDE`].
     pub fn open(width: u32, height: u32) -> Result<Self, ScenarioError> {
         check_size(u64::from(width), u64::from(height))?;
-        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize], heights: None })
+        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize].into(), heights: None })
     }
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
@@ -109,7 +109,7 @@ impl Grid {
             return Err(ScenarioError::CellCount { width: self.width, height: self.height, got: heights.len() });
         }
         let heights: Arc<[f32]> = heights.into_iter().map(|h| if h.is_finite() { h } else { f32::NAN }).collect();
-        self.blocked.iter_mut().zip(heights.iter()).for_each(|(blocked, h)| *blocked |= h.is_nan());
+        Arc::make_mut(&mut self.blocked).iter_mut().zip(heights.iter()).for_each(|(blocked, h)| *blocked |= h.is_nan());
         self.heights = Some(heights);
         Ok(self)
     }
@@ -171,6 +171,12 @@ impl Grid {
         self.blocked[cell as usize]
     }
 
+    /// Whether each cell of row y is blocked, from the left.
+    pub fn row(&self, y: u32) -> &[bool] {
+        let width = self.width as usize;
+        &self.blocked[y as usize * width..][..width]
+    }
+
     /// Whether a point is on the map and free; signed, so that neighbours need no care at the border.
     pub fn is_free_at(&self, x: i64, y: i64) -> bool {
         (0..i64::from(self.width)).contains(&x)
@@ -181,7 +187,7 @@ impl Grid {
     /// Blocks or frees a cell. A cell of a terrain without data stays blocked.
     pub fn set_blocked(&mut self, cell: Cell, blocked: bool) {
         let no_data = self.heights.as_ref().is_some_and(|h| h[cell as usize].is_nan());
-        self.blocked[cell as usize] = blocked || no_data;
+        Arc::make_mut(&mut self.blocked)[cell as usize] = blocked || no_data;
     }
 
     /// Number of free cells.

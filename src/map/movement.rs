@@ -4,6 +4,7 @@
 //! None of the papers states its corner rule, yet lengths change by up to 86 % with it; so it belongs to the scenario.
 
 use std::f64::consts::SQRT_2;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -149,18 +150,23 @@ impl Movement {
 }
 
 impl Movement {
-    /// The allowed steps of a free cell as bits, given which of its eight neighbours are free.
-    fn steps(self, [nw, n, ne, w, e, sw, s, se]: [bool; DIRECTIONS]) -> u8 {
-        let straight = u8::from(n) << 1 | u8::from(w) << 3 | u8::from(e) << 4 | u8::from(s) << 6;
-        if self.moves == Moves::Four {
-            return straight;
+    /// The allowed steps of a row's cells as bits, given whether cells are free, 1 or 0, in the row above, in this one and in the one
+    /// below, each with a border cell on both sides. Without a branch, so that many cells are worked out at once.
+    fn steps(self, [up, row, down]: [&[u8]; 3], out: &mut [u8]) {
+        let diagonal = u8::from(self.moves != Moves::Four);
+        let one = u8::from(self.corner_rule != CornerRule::BothFree);
+        let always = u8::from(self.corner_rule == CornerRule::Always);
+        let allowed = |to: u8, a: u8, b: u8| to & diagonal & ((a & b) | ((a | b) & one) | always);
+        let width = out.len();
+        let (up, row, down) = (&up[..width + 2], &row[..width + 2], &down[..width + 2]);
+        for x in 0..width {
+            let (nw, n, ne) = (up[x], up[x + 1], up[x + 2]);
+            let (w, free, e) = (row[x], row[x + 1], row[x + 2]);
+            let (sw, s, se) = (down[x], down[x + 1], down[x + 2]);
+            let straight = n << 1 | w << 3 | e << 4 | s << 6;
+            let aside = allowed(nw, n, w) | allowed(ne, n, e) << 2 | allowed(sw, s, w) << 5 | allowed(se, s, e) << 7;
+            out[x] = (straight | aside) * free;
         }
-        let rule = self.corner_rule;
-        straight
-            | u8::from(nw && rule.allows(n, w))
-            | u8::from(ne && rule.allows(n, e)) << 2
-            | u8::from(sw && rule.allows(s, w)) << 5
-            | u8::from(se && rule.allows(s, e)) << 7
     }
 }
 
@@ -172,13 +178,13 @@ const fn beside_far(d: Direction) -> [(i32, i32); 2] {
     [(long_x, long_y), (dx - long_x, dy - long_y)]
 }
 
-/// The allowed steps of every cell, as bits: the one neighbourhood that all planners share.
+/// The allowed steps of every cell, as bits: the one neighbourhood that all planners share. Its copies share the bits.
 #[derive(Debug, Clone)]
 pub struct MoveSet {
     /// Bit `d` of entry `c`: direction `d` may be taken from cell `c`. Blocked cells have none.
-    pub bits: Vec<u8>,
+    pub bits: Arc<[u8]>,
     /// The same for the directions 8..16; empty unless there are 16 moves.
-    far: Vec<u8>,
+    far: Arc<[u8]>,
     /// What to add to a cell index for each direction.
     pub delta: [i32; ALL_DIRECTIONS],
     /// The ground that steps go up and down; none on a plane.
@@ -190,41 +196,35 @@ impl MoveSet {
     pub fn new(grid: &Grid, movement: Movement) -> Self {
         let (w, h) = (grid.width() as usize, grid.height() as usize);
         let stride = w + 2;
-        let mut free = vec![false; stride * (h + 2)];
-        for y in 0..h {
-            for x in 0..w {
-                free[(y + 1) * stride + x + 1] = !grid.is_blocked((y * w + x) as Cell);
-            }
+        let mut free = vec![0u8; stride * (h + 2)];
+        for (y, row) in free.chunks_exact_mut(stride).skip(1).take(h).enumerate() {
+            row[1..=w].iter_mut().zip(grid.row(y as u32)).for_each(|(free, &blocked)| *free = u8::from(!blocked));
         }
-        let around = OFFSETS.map(|(dx, dy)| dy as isize * stride as isize + dx as isize);
         let mut bits = vec![0u8; grid.len()];
-        for y in 0..h {
-            for x in 0..w {
-                let at = (y + 1) * stride + x + 1;
-                if free[at] {
-                    bits[y * w + x] = movement.steps(around.map(|o| free[at.wrapping_add_signed(o)]));
-                }
-            }
+        for (y, out) in bits.chunks_exact_mut(w).enumerate() {
+            movement.steps([y, y + 1, y + 2].map(|row| &free[row * stride..][..stride]), out);
         }
         let delta = std::array::from_fn(|d| {
             let (dx, dy) = offset(d as Direction);
             dy * grid.width() as i32 + dx
         });
         let far = if movement.moves == Moves::Sixteen { far_steps(grid, movement) } else { Vec::new() };
-        Self { bits, far, delta, relief: None }
+        Self { bits: bits.into(), far: far.into(), delta, relief: None }
     }
 
     /// On a terrain: steps go over its ground, and those that are too steep are not allowed.
     #[must_use]
     pub fn over(mut self, relief: Relief) -> Self {
+        let (mut bits, mut far) = (self.bits.to_vec(), self.far.to_vec());
         for c in 0..self.bits.len() as Cell {
             for d in self.directions(c) {
                 if !relief.passable(c, self.step(c, d), d) {
-                    let (set, bit) = if d < DIRECTIONS as u8 { (&mut self.bits, d) } else { (&mut self.far, d - 8) };
+                    let (set, bit) = if d < DIRECTIONS as u8 { (&mut bits, d) } else { (&mut far, d - 8) };
                     set[c as usize] &= !(1 << bit);
                 }
             }
         }
+        (self.bits, self.far) = (bits.into(), far.into());
         self.relief = Some(relief);
         self
     }

@@ -222,10 +222,38 @@ impl Scenario {
     /// [`ScenarioError`] names the field, the value and what is allowed.
     pub fn new(grid: Grid, spec: ScenarioSpec) -> Result<Self, ScenarioError> {
         spec.check(&grid)?;
+        Self::asked(grid, spec, ScenarioSpec::steps)
+    }
+
+    /// The same map, rules and changes with another start and other goals. What depends on the map alone is shared with this scenario, so
+    /// it costs next to nothing, but by slices, whose places depend on their ends, and with changes, which must spare them.
+    ///
+    /// ```
+    /// use formicarium::map::{Grid, Movement, Point};
+    /// use formicarium::scenario::{Goal, Scenario};
+    ///
+    /// let scenario = Scenario::on(Grid::from_bytes(3, 1, &[0, 0, 1])?, Movement::default(), Point::new(0, 0), Point::new(1, 0))?;
+    /// let back = scenario.with_ends(Point::new(1, 0), vec![Goal::new(Point::new(0, 0), "home")])?;
+    /// assert_eq!((back.start, back.goal), (1, 0));
+    /// assert!(scenario.with_ends(Point::new(2, 0), scenario.spec.goals.clone()).is_err(), "its start is blocked");
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What [`Scenario::new`] says of ends and changes.
+    pub fn with_ends(&self, start: Point, goals: Vec<Goal>) -> Result<Self, ScenarioError> {
+        let spec = ScenarioSpec { start, goals, ..self.spec.clone() };
+        #[cfg(feature = "whole")]
+        changes::check_changes(&self.grid, &spec)?;
+        Self::asked(self.grid.clone(), spec, |_, _| self.moves.clone())
+    }
+
+    /// Validates the ends of a scenario that is otherwise usable; `moves` makes its steps once they are.
+    fn asked(grid: Grid, spec: ScenarioSpec, moves: impl FnOnce(&ScenarioSpec, &Grid) -> MoveSet) -> Result<Self, ScenarioError> {
         let start = free_cell(&grid, "start", spec.start)?;
         let goals = goal_cells(&grid, &spec.goals)?;
         let slices = if cfg!(feature = "whole") { slices(&grid, &spec, start, &goals)?.map(Arc::new) } else { None };
-        let moves = spec.steps(&grid);
+        let moves = moves(&spec, &grid);
         Ok(Self { grid, spec, moves, slices, start, goal: goals[0], goals })
     }
 
