@@ -10,8 +10,8 @@
 //! | straight | on; past a corner also to its side and diagonally around it | on; before a corner also diagonally around it |
 //! | diagonal | on, and straight along both of its axes | the same; past a blocked cell also diagonally around it |
 //!
-//! The rule of the papers' experiments is `always`; the first column is how it reads where no corner is cut. Under `one-free` the same
-//! holds as under `always`, because a step around a corner passes the cell ahead, which must be free, and each step is tried by its rule.
+//! The second column is printed in 2011; the first is what the same reasoning gives where no corner is cut. Under `one-free` the second
+//! holds as under `always`: a step around a corner passes the cell ahead, which must be free, and each step is tried by its rule.
 //!
 //! A cell can be reached by equally short ways in several directions. Each of them is followed: what may follow one need not follow
 //! another.
@@ -80,7 +80,7 @@ pub(super) struct JumpPoints {
     reached: Vec<u64>,
     /// The cells whose entry is not 0.
     touched: Vec<u32>,
-    /// Jump points to be expanded, by f: a bucket is [`BUCKETS_PER_CELL`] of a cell wide and worked off last in, first out.
+    /// Jump points to be expanded, by f. A bucket is worked off last in, first out.
     buckets: Vec<Vec<Open>>,
     /// The bucket at work, and the f at which bucket 0 begins.
     bucket: usize,
@@ -143,7 +143,7 @@ impl JumpPoints {
 
     /// The next jump point that can lead to a shorter path; those to which a shorter way has turned up are left out.
     fn pop(&mut self) -> Option<(Point, Direction, Steps)> {
-        while self.bucket < self.buckets.len() {
+        while self.bucket < self.buckets.len() && self.base + self.bucket as f64 / BUCKETS_PER_CELL < self.bound {
             let Some(Open { f, cell, direction }) = self.buckets[self.bucket].pop() else {
                 self.bucket += 1;
                 continue;

@@ -373,3 +373,6 @@ fn free_cell(grid: &Grid, role: &'static str, p: Point) -> Result<Cell, Scenario
     let cell = grid.cell(p);
     if grid.is_blocked(cell) { Err(ScenarioError::Blocked { role, x: p.x, y: p.y }) } else { Ok(cell) }
 }
+
+#[cfg(test)]
+mod tests;

@@ -115,6 +115,17 @@ fn bench_scen_finds_the_map_and_names_what_does_not_fit() {
 }
 
 #[test]
+fn bench_scen_without_a_planner_computes_lengths_alone() {
+    let folder = Folder::with_map("bench-optimum");
+    folder.run(&["bench-scen", "small.map.scen"]).ends(0).says(&["Optimum on small.map.scen", "2 of 2 scenarios, 100.0 %"]);
+    let alone = folder.run(&["bench-scen", "small.map.scen", "--format", "json"]).ends(0).json();
+    assert_eq!((&alone["planner"], &alone["matched"]), (&serde_json::Value::Null, &2.into()));
+    let astar = folder.run(&["bench-scen", "small.map.scen", "--planner", "astar", "--format", "json"]).ends(0).json();
+    assert_eq!((&astar["planner"], &astar["matched"]), (&"astar".into(), &2.into()));
+    folder.run(&["bench-scen", "small.map.scen", "--planner", "astar"]).ends(0).says(&["A* on small.map.scen"]);
+}
+
+#[test]
 fn help_has_examples() {
     let folder = Folder::with_map("help");
     folder.run(&["--help"]).ends(0).says(&["Examples:", "Exit codes"]);
