@@ -1,7 +1,8 @@
 //! Ant System's walk: time per ant move beside the naive kernel (pow per neighbour), and whole iterations on larger maps; and A* on a real
 //! surface.
 //!
-//! `cargo xtask bench` (all) or `cargo bench --bench walk`. Read ratios within one run; times drift with the machine.
+//! `cargo bench --bench walk` compares versions of the engine; beside others it is measured by `cargo xtask bench`. Read ratios within one
+//! run; times drift with the machine.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -120,7 +121,7 @@ fn snapshots(c: &mut Criterion) {
     group.finish();
 }
 
-/// The same figure as `benches/node/peers.mjs` gives for WebAssembly.
+/// Ant System on a map of a game.
 fn arena2(c: &mut Criterion) {
     let Ok(data) = std::env::var("FORMICARIUM_DATA") else {
         eprintln!("arena2 is skipped: FORMICARIUM_DATA is not set");

@@ -65,7 +65,7 @@ fn parse_version(version: &str) -> Option<(u32, u32)> {
 
 /// The browser of the tests, and what drives it.
 pub fn chromium() -> Result<()> {
-    let programs = [program("CHROMIUM_PATH", &["chromium"]), program("CHROMEDRIVER", &["chromedriver"])];
+    let programs = [chromium_program(), program("CHROMEDRIVER", &["chromedriver"])];
     if programs.iter().all(Option::is_some) {
         return Ok(());
     }
@@ -74,6 +74,15 @@ pub fn chromium() -> Result<()> {
          chromium-driver`, or set CHROMIUM_PATH and CHROMEDRIVER to your own"
             .to_owned()
     })
+}
+
+/// Whether the browser of the tests is here.
+pub fn has_chromium() -> bool {
+    chromium_program().is_some()
+}
+
+fn chromium_program() -> Option<PathBuf> {
+    program("CHROMIUM_PATH", &["chromium"])
 }
 
 /// The browsers beside Chromium.

@@ -4,6 +4,7 @@
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
 //! after what is missing.
 
+mod bench;
 mod cards;
 mod deny;
 mod fuzz;
@@ -50,11 +51,8 @@ enum Command {
     Test(test::Options),
     /// Give spoiled inputs to everything that reads, for as long as you like
     Fuzz(fuzz::Options),
-    /// Run the benchmarks; further arguments go to `cargo bench`
-    Bench {
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        args: Vec<OsString>,
-    },
+    /// Measure the engine beside its peers
+    Bench(bench::Options),
     /// Run the questions in experiments/ again and replace their records
     Record(record::Options),
     /// Write the tables of the papers' cards anew from the records
@@ -79,11 +77,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// As typed: clap would drop the `--` before what is meant for the benchmarks themselves.
-fn bench_arguments() -> impl Iterator<Item = OsString> {
-    std::env::args_os().skip_while(|word| word != "bench").skip(1)
-}
-
 fn run(command: Command) -> anyhow::Result<()> {
     match command {
         Command::Serve(options) => serve::serve(&options),
@@ -93,7 +86,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         }),
         Command::Test(options) => test::test(&options),
         Command::Fuzz(options) => fuzz::fuzz(&options),
-        Command::Bench { .. } => tools::run(tools::cargo().arg("bench").args(bench_arguments())),
+        Command::Bench(options) => bench::bench(&options),
         Command::Record(options) => record::record(&options),
         Command::Cards => cards::update(),
         Command::Maps(options) => maps::maps(&options),

@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::ValueEnum;
 
 use crate::tools::{self, node_script, root, run, with_data};
-use crate::{deny, fuzz, install, page, wasm};
+use crate::{bench, deny, fuzz, install, page};
 
 const WASM: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
 
@@ -113,12 +113,10 @@ fn wasm_tests(cargo: &mut Command) -> Result<()> {
     run(cargo.args(["test", "--package", "formicarium", "--test", "wasm"]).args(WASM))
 }
 
-/// What the README names is run, not measured.
+/// They are run, not measured.
 fn bench() -> Result<()> {
     run(with_data(tools::cargo().args(["bench", "--package", "formicarium", "--bench", "walk", "--", "--test"])))?;
-    wasm::build(wasm::Mode::Release)?;
-    let mut peers = Command::new("node");
-    run(with_data(peers.arg(root().join("benches/node/peers.mjs")).arg("--quick")))
+    bench::stage()
 }
 
 fn browser() -> Result<()> {

@@ -1,0 +1,129 @@
+//! Instructions that a move of an ant takes, counted by valgrind: a number that does not drift, so it is held.
+//!
+//! A run of more iterations less one of fewer: what it costs to start, to read the map and to make the planner is in both.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+
+use super::Extent;
+use super::interval::short;
+use super::maps;
+use super::report::{Section, table};
+use super::runner::native_program;
+use crate::tools::{find, root};
+
+const PLANNERS: [&str; 4] = ["ant-system", "ant-colony-system", "ship", "fire"];
+const ITERATIONS: [u32; 2] = [5, 15];
+/// More than this beyond the number that is held is a fault.
+const TOLERANCE: f64 = 0.05;
+
+const NOTE: &str = "\
+Of the engine on 100², 20 % walls by seed 1, each colony with its defaults, iterations 6 to 15 (`valgrind --tool=callgrind`). \
+`benches/instructions.json` holds the numbers for this machine's kind of processor; `cargo xtask test bench` fails where one has grown by \
+more than 5 %, and `cargo xtask bench instructions --bless` writes them anew. `cargo xtask bench instructions`";
+
+/// By planner.
+type Counts = BTreeMap<String, f64>;
+
+pub fn run(extent: &Extent) -> Result<Option<Section>> {
+    if find("valgrind").is_none() {
+        println!("bench: instructions SKIPPED, valgrind is not here");
+        return Ok(None);
+    }
+    let map = maps::random(&maps::formicarium(extent.quick)?, 100, 20)?;
+    let program = native_program()?;
+    let count = |id: &str| {
+        println!("bench: instructions of {id}…");
+        Ok((id.to_owned(), a_move(&program, &map, id)?))
+    };
+    let counted = PLANNERS.into_iter().map(count).collect::<Result<Counts>>()?;
+    let held = held()?;
+    if extent.bless {
+        bless(&counted)?;
+    } else {
+        compare(&counted, &held)?;
+    }
+    let row = |(id, count): (&String, &f64)| {
+        let change = held.get(id).map_or_else(|| "–".into(), |held| format!("{:+.1} %", 100.0 * (count / held - 1.0)));
+        vec![id.clone(), short(*count), change]
+    };
+    let rows: Vec<_> = counted.iter().map(row).collect();
+    let text = format!("{NOTE}\n\n{}", table(&["colony", "instructions an ant move", "beside the number held"], &rows));
+    Ok(Some(Section { name: "instructions", text, readme: None }))
+}
+
+fn a_move(program: &Path, map: &Path, planner: &str) -> Result<f64> {
+    let [few, many] = ITERATIONS;
+    let (few, many) = (counted(program, map, planner, few)?, counted(program, map, planner, many)?);
+    Ok((many.instructions - few.instructions) / (many.moves - few.moves))
+}
+
+struct Run {
+    instructions: f64,
+    moves: f64,
+}
+
+fn counted(program: &Path, map: &Path, planner: &str, iterations: u32) -> Result<Run> {
+    let mut valgrind = Command::new("valgrind");
+    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(program);
+    let output = valgrind.args(["count".as_ref(), map.as_os_str(), planner.as_ref()]).arg(iterations.to_string()).output()?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "valgrind fails: {told}");
+    let instructions = told.lines().find_map(|line| line.split_once("Collected : ")).map(|(_, number)| number);
+    let number = |text: &str| text.trim().parse().with_context(|| format!("no number: {text}"));
+    Ok(Run {
+        instructions: number(instructions.context("callgrind counts nothing")?)?,
+        moves: number(&String::from_utf8_lossy(&output.stdout))?,
+    })
+}
+
+/// Processors differ in the instructions that compilers choose for them.
+fn file() -> PathBuf {
+    root().join("benches/instructions.json")
+}
+
+fn held() -> Result<Counts> {
+    let text = fs::read_to_string(file()).unwrap_or_else(|_| "{}".into());
+    let mut all: BTreeMap<String, Counts> = serde_json::from_str(&text).context("benches/instructions.json")?;
+    Ok(all.remove(std::env::consts::ARCH).unwrap_or_default())
+}
+
+fn bless(counted: &Counts) -> Result<()> {
+    let text = fs::read_to_string(file()).unwrap_or_else(|_| "{}".into());
+    let mut all: BTreeMap<String, Counts> = serde_json::from_str(&text).context("benches/instructions.json")?;
+    let rounded = counted.iter().map(|(id, count)| (id.clone(), (count * 10.0).round() / 10.0));
+    all.insert(std::env::consts::ARCH.into(), rounded.collect());
+    fs::write(file(), serde_json::to_string_pretty(&all)? + "\n")?;
+    println!("bench: wrote benches/instructions.json");
+    Ok(())
+}
+
+fn compare(counted: &Counts, held: &Counts) -> Result<()> {
+    let grown = |(id, count): (&String, &f64)| {
+        let held = held.get(id)?;
+        (*count > held * (1.0 + TOLERANCE)).then(|| format!("{id}: {} instead of {}", short(*count), short(*held)))
+    };
+    let grown: Vec<String> = counted.iter().filter_map(grown).collect();
+    if !grown.is_empty() {
+        bail!("instructions an ant move have grown, {} (`--bless` accepts it)", grown.join(", "));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn growth_beyond_the_tolerance_is_a_fault() {
+        let counts = |count: f64| Counts::from([("ant-system".into(), count)]);
+        assert!(compare(&counts(104.0), &counts(100.0)).is_ok());
+        assert!(compare(&counts(50.0), &counts(100.0)).is_ok());
+        assert!(compare(&counts(106.0), &counts(100.0)).is_err());
+        assert!(compare(&counts(106.0), &Counts::new()).is_ok());
+    }
+}
