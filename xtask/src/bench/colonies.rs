@@ -1,5 +1,6 @@
 //! Every colony of the catalog: what a move of its ants takes.
 
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::{Context, Result};
@@ -8,12 +9,12 @@ use serde_json::{Map, Value, json};
 use super::Extent;
 use super::maps;
 use super::report::{Section, table};
-use super::rounds::{Race, nanoseconds_a_move};
+use super::rounds::{Race, Rounds, nanoseconds_a_move};
 use super::runner::Runner;
 
 const NOTE: &str = "\
-Every colony of the catalog with 50 ants and otherwise its defaults, natively, on 100², 20 % walls; those that need a terrain on hills of 60², \
-by slices or on their surface. Whole iterations, walls and ends by seed 1. Ratios are to the first colony of the same map, round by round. \
+Every colony of the catalog with 50 ants and otherwise its defaults, natively, on 100², 20 % walls; those that need a terrain by slices on hills of \
+60². Whole iterations, walls and ends by seed 1. Ratios are to the first colony of the same map, round by round. \
 `cargo xtask bench colonies`";
 
 /// What colonies are asked, where they know it: a hybrid's first stage is over at once.
@@ -23,7 +24,7 @@ const PARAMS: [(&str, u32); 3] = [("ants", 50), ("iterations", 100_000), ("seed_
 struct Site {
     name: &'static str,
     ground: &'static str,
-    map: std::path::PathBuf,
+    map: PathBuf,
 }
 
 pub fn run(extent: &Extent) -> Result<Section> {
@@ -53,13 +54,12 @@ fn on(colony: &Value, ground: &str) -> bool {
     colony["grounds"].as_array().is_some_and(|grounds| grounds.iter().any(|on| on == ground))
 }
 
-fn sites(formicarium: &impl Fn() -> Command, extent: &Extent) -> Result<[Site; 3]> {
+fn sites(formicarium: &impl Fn() -> Command, extent: &Extent) -> Result<[Site; 2]> {
     let (side, hills) = if extent.quick { (24, 20) } else { (100, 60) };
     let (from, to) = (format!("0,{}", hills / 2), format!("{},{}", hills - 1, hills / 2 - 1));
     let slices = ["--model", "slices", "--from", &from, "--to", &to];
     Ok([
         Site { name: "plane", ground: "plane", map: maps::random(formicarium, side, 20)? },
-        Site { name: "hills, surface", ground: "surface", map: maps::made(formicarium, "hills", hills, &[])? },
         Site { name: "hills, slices", ground: "slices", map: maps::made(formicarium, "hills", hills, &slices)? },
     ])
 }
@@ -73,7 +73,7 @@ fn raced(native: &mut Runner, site: &Site, colonies: &[Value], iterations: u32, 
         race.join(id, 0, &job)?;
     }
     let rounds = race.run(rounds)?;
-    let row = |of: &super::rounds::Rounds| {
+    let row = |of: &Rounds| {
         let ratio = of.ratio(&rounds[0], nanoseconds_a_move);
         vec![site.name.into(), of.name.clone(), of.median(nanoseconds_a_move).to_string(), ratio.to_string()]
     };

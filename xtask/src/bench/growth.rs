@@ -13,7 +13,7 @@ use super::Extent;
 use super::interval::Interval;
 use super::maps;
 use super::report::{Section, table};
-use super::rounds::{Race, nanoseconds_a_move, seconds};
+use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
 
 const ANTS: [u32; 3] = [10, 50, 200];
@@ -59,7 +59,7 @@ fn raced(
         race.join(name, 0, &job)?;
     }
     let rounds = race.run(extent.rounds)?;
-    let row = |(of, (_, side, ants)): (&super::rounds::Rounds, &(String, u32, u32))| {
+    let row = |(of, (_, side, ants)): (&Rounds, &(String, u32, u32))| {
         let ms = of.median(seconds).times(1e3 / f64::from(iterations(*side, *ants)));
         let ratio = of.ratio(&rounds[0], nanoseconds_a_move);
         vec![of.name.clone(), of.median(nanoseconds_a_move).to_string(), ms.to_string(), ratio.to_string()]

@@ -27,14 +27,14 @@ impl Interval {
     }
 }
 
-/// How many numbers can be left out at each end: P(all but k of n numbers lie on one side of the median) stays below 2.5 %.
+/// How many numbers can be left out at each end: so many or fewer of n lie on one side of the median with a probability of at most 2.5 %.
 fn cut(n: usize) -> usize {
     let mut binomial = 1.0;
     let mut tail = 0.0;
     for k in 0..n / 2 {
         tail += binomial / 2f64.powi(n as i32);
         if tail > 0.025 {
-            return k;
+            return k.saturating_sub(1);
         }
         binomial *= (n - k) as f64 / (k + 1) as f64;
     }
