@@ -184,13 +184,17 @@ export class AntSystem {
   }
 }
 
-/** So many iterations of it. */
+/** One iteration of it with its tables, then so many more. */
 export function walk(map, { iterations, params }) {
   return (seed) => {
-    const colony = new AntSystem(map, params.ants, seed)
     const begin = performance.now()
+    const colony = new AntSystem(map, params.ants, seed)
+    colony.iterate()
+    const first = (performance.now() - begin) / 1000
+    const before = colony.moves
+    const next = performance.now()
     for (let i = 0; i < iterations; i++) colony.iterate()
-    const seconds = (performance.now() - begin) / 1000
-    return { seconds, moves: colony.moves, path: colony.path(), length: colony.best.length }
+    const seconds = (performance.now() - next) / 1000
+    return { first, seconds, moves: colony.moves - before, path: colony.path() }
   }
 }

@@ -14,7 +14,7 @@ use super::runner::Runner;
 
 const NOTE: &str = "\
 Every colony of the catalog with 50 ants and otherwise its defaults, natively, on 100², 20 % walls; those that need a terrain by slices on hills of \
-60². Whole iterations, walls and ends by seed 1. Ratios are to the first colony of the same map, round by round. \
+60². Whole iterations after the first, walls and ends by seed 1. Ratios are to the first colony of the same map, round by round. \
 `cargo xtask bench colonies`";
 
 /// What colonies are asked, where they know it: a hybrid's first stage is over at once.

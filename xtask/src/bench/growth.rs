@@ -21,7 +21,7 @@ const SIDES: [u32; 6] = [20, 50, 100, 200, 512, 1024];
 
 const NOTE: &str = "\
 Ant System natively, 20 % walls by seed 1: with 10, 50 and 200 ants on 100², with 50 ants on larger and larger maps, \
-ratios to the first row of each. Then `formicarium compare`, the whole command: runs of Ant System on 100² on one core and on all of them, \
+whole iterations after the first, ratios to the first row of each. Then `formicarium compare`, the whole command: runs of Ant System on 100² on one core and on all of them, \
 and how many times as fast that is.";
 
 pub fn run(extent: &Extent) -> Result<Section> {
@@ -34,7 +34,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     rows.extend(raced(&formicarium, &mut native, extent, &cells)?);
     let walks = table(&["what", "ns an ant move", "ms an iteration", "a move takes times as long"], &rows);
     let map = maps::random(&formicarium, side, 20)?;
-    let lengths: &[(u32, u32)] = if extent.quick { &[(2, 4)] } else { &[(10, 400), (100, 60)] };
+    let lengths: &[(u32, u32)] = if extent.quick { &[(2, 4)] } else { &[(15, 400), (150, 60)] };
     let rows = lengths.iter().map(|&(iterations, runs)| cores(&formicarium, &map, iterations, runs, extent.rounds));
     let rows = rows.collect::<Result<Vec<_>>>()?;
     let compare = table(&["runs", "ms a run, one core", "cores", "times as fast"], &rows);
@@ -109,6 +109,7 @@ instances = [{{ id = "map", map = {map:?} }}]
 [[entries]]
 id = "ant-system"
 label = "Ant System"
+role = "baseline"
 planner = "ant-system"
 set = {{ iterations = {iterations} }}
 "#

@@ -37,7 +37,7 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let mut python = Runner::start("python", Command::new(python).arg(root().join("benches/peers/python.py")))?;
     let mut native = Runner::native()?;
     let mut race = Race::new(vec![&mut native, &mut python]);
-    let job = |who: &str, iterations: u32| json!({ "work": "walk", "who": who, "map": map, "planner": "ant-system", "params": {}, "iterations": iterations });
+    let job = |who: &str, iterations: u32| json!({ "work": "walk", "who": who, "map": map, "planner": "ant-system", "params": { "iterations": 100_000 }, "iterations": iterations });
     println!("bench: python…");
     race.join("engine, native", 0, &job("engine", ITERATIONS[0]))?;
     race.join("PyPI `python-motion-planning` 1.1.1", 1, &job("python-motion-planning", ITERATIONS[1]))?;

@@ -8,6 +8,9 @@ use serde_json::Value;
 use super::interval::Interval;
 use super::runner::Runner;
 
+/// Rounds that do not count: engines of JavaScript compile what they have seen to be slow.
+const WARM_UP: usize = 3;
+
 /// Who takes part: a job that a runner has been given.
 struct Contestant {
     name: String,
@@ -45,17 +48,17 @@ impl<'a> Race<'a> {
         Ok(())
     }
 
-    /// One round to warm up, then these.
+    /// Some rounds to warm up, then these.
     pub fn run(mut self, rounds: usize) -> Result<Vec<Rounds>> {
         let mut all: Vec<Rounds> =
             self.contestants.iter().map(|c| Rounds { name: c.name.clone(), answers: Vec::with_capacity(rounds) }).collect();
-        for round in 0..=rounds {
+        for round in 0..WARM_UP + rounds {
             for place in 0..all.len() {
                 let who = if round % 2 == 0 { place } else { all.len() - 1 - place };
                 let Contestant { name, runner, number } = &self.contestants[who];
                 let answer = self.runners[*runner].round(*number, round as u32 + 1);
                 let answer = answer.with_context(|| format!("{name} does not finish round {round}"))?;
-                if round > 0 {
+                if round >= WARM_UP {
                     all[who].answers.push(answer);
                 }
             }

@@ -89,6 +89,8 @@ pub fn native_program() -> Result<PathBuf> {
     let output = build.args(["--message-format", "json-render-diagnostics"]).stderr(Stdio::inherit()).output()?;
     let told = String::from_utf8_lossy(&output.stdout);
     let messages = told.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    let program = messages.filter_map(|message| message["executable"].as_str().map(PathBuf::from)).next_back();
+    // The command line is built with it.
+    let mut runners = messages.filter(|message| message["target"]["name"] == "runner");
+    let program = runners.find_map(|message| message["executable"].as_str().map(PathBuf::from));
     program.filter(|_| output.status.success()).context("benches/runner does not compile")
 }

@@ -15,8 +15,8 @@ use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
 use crate::install::has_chromium;
 
-/// Side, and iterations of a round.
-const SIZES: [(u32, u32); 4] = [(20, 100), (100, 20), (512, 4), (1024, 2)];
+/// Side, and iterations of a round, after the first.
+const SIZES: [(u32, u32); 4] = [(20, 100), (100, 20), (512, 8), (1024, 4)];
 const QUICK: [(u32, u32); 2] = [(20, 5), (48, 2)];
 const WALLS: [u32; 3] = [0, 20, 30];
 /// The map that the README speaks of.
@@ -33,8 +33,8 @@ const BESIDE: [(&str, &str); 4] = [(NAIVE, NATIVE), (NODE, NATIVE), (JAVASCRIPT,
 
 const NOTE: &str = "\
 Ant System with its defaults and 50 ants, from corner to corner of maps made by seed 1 (`formicarium generate random`). An ant makes at most \
-8 × side moves. Whole iterations from the first on: walks, deposit, evaporation, weights; making the planner is not timed. Every round has \
-another seed. The engine and the naive walk (`benches/reference`: a power for each neighbour of each step) end with equal digests; the \
+8 × side moves. *First*: the planner with its tables and the first iteration. The other columns: the iterations after it, whole, with walks, \
+deposit, evaporation, weights. Every round has another seed. The engine and the naive walk (`benches/reference`: a power for each neighbour of each step) end with equal digests; the \
 JavaScript (`benches/peers/typed_arrays.mjs`) has the same rules and another random stream, and its paths are checked.";
 
 pub fn run(extent: &Extent) -> Result<Section> {
@@ -55,7 +55,15 @@ pub fn run(extent: &Extent) -> Result<Section> {
             readme = Some(sentence(&rounds));
         }
     }
-    let heads = ["map, walls", "what", "ns an ant move", "million moves a second", "ms an iteration", "times as long"];
+    let heads = [
+        "map, walls",
+        "what",
+        "ns an ant move",
+        "million moves a second",
+        "ms an iteration",
+        "a move takes times as long",
+        "first, ms",
+    ];
     let left_out = if has_chromium() { "" } else { " Chromium is left out: it is not here." };
     let text = format!("{NOTE}{left_out} `cargo xtask bench walk`\n\n{}", table(&heads, &rows));
     Ok(Section { name: "walk", text, readme })
@@ -97,8 +105,9 @@ fn check(formicarium: &impl Fn() -> Command, map: &Path, rounds: &[Rounds]) -> R
 fn row(map: &str, of: &Rounds, all: &[Rounds], iterations: u32) -> Vec<String> {
     let ns = of.median(nanoseconds_a_move);
     let ms = of.median(seconds).times(1e3 / f64::from(iterations));
+    let first = of.median(|answer| answer["first"].as_f64().unwrap_or(f64::NAN)).times(1e3);
     let ratio = beside(&of.name, all).map_or_else(|| "–".into(), |(than, ratio)| format!("{ratio} of {than}"));
-    vec![map.into(), of.name.clone(), ns.to_string(), short(1e3 / ns.median), ms.to_string(), ratio]
+    vec![map.into(), of.name.clone(), ns.to_string(), short(1e3 / ns.median), ms.to_string(), ratio, first.to_string()]
 }
 
 /// How many times as long a move takes as one of whom it is compared with.
