@@ -76,12 +76,8 @@ pub fn chromium() -> Result<()> {
     })
 }
 
-/// Whether the browser of the tests is here.
-pub fn has_chromium() -> bool {
-    chromium_program().is_some()
-}
-
-fn chromium_program() -> Option<PathBuf> {
+/// The browser of the tests, where it is here.
+pub fn chromium_program() -> Option<PathBuf> {
     program("CHROMIUM_PATH", &["chromium"])
 }
 

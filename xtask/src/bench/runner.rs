@@ -7,6 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use anyhow::{Context, Result, anyhow};
 use serde_json::{Value, json};
 
+use crate::install;
 use crate::tools::{self, root, target_dir};
 use crate::wasm;
 
@@ -30,10 +31,13 @@ impl Runner {
         Self::start("node", Command::new("node").arg(root().join("benches/peers/node.mjs")))
     }
 
-    /// The engine in Chromium.
-    pub fn chromium() -> Result<Self> {
+    /// The engine in Chromium, where that is here: it is not installed for a measurement.
+    pub fn chromium() -> Result<Option<Self>> {
+        let Some(program) = install::chromium_program() else { return Ok(None) };
         wasm::build(wasm::Mode::Release)?;
-        Self::start("Chromium", Command::new("node").arg(root().join("benches/peers/chromium.mjs")))
+        let mut node = Command::new("node");
+        node.arg(root().join("benches/peers/chromium.mjs")).env("CHROMIUM_PATH", program);
+        Self::start("Chromium", &mut node).map(Some)
     }
 
     /// Searches of other crates.

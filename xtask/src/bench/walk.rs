@@ -13,7 +13,6 @@ use super::maps;
 use super::report::{Section, table};
 use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
-use crate::install::has_chromium;
 
 /// Side, and iterations of a round, after the first.
 const SIZES: [(u32, u32); 4] = [(20, 100), (100, 20), (512, 8), (1024, 4)];
@@ -40,9 +39,7 @@ JavaScript (`benches/peers/typed_arrays.mjs`) has the same rules and another ran
 pub fn run(extent: &Extent) -> Result<Section> {
     let formicarium = maps::formicarium(extent.quick)?;
     let mut runners = vec![Runner::native()?, Runner::node()?];
-    if has_chromium() {
-        runners.push(Runner::chromium()?);
-    }
+    runners.extend(Runner::chromium()?);
     let (sizes, walls) = if extent.quick { (&QUICK[..], &WALLS[1..2]) } else { (&SIZES[..], &WALLS[..]) };
     let (mut rows, mut readme) = (Vec::new(), None);
     for (&(side, iterations), &walls) in sizes.iter().flat_map(|size| walls.iter().map(move |walls| (size, walls))) {
@@ -64,7 +61,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
         "a move takes times as long",
         "first, ms",
     ];
-    let left_out = if has_chromium() { "" } else { " Chromium is left out: it is not here." };
+    let left_out = if runners.len() > 2 { "" } else { " Chromium is left out: it is not here." };
     let text = format!("{NOTE}{left_out} `cargo xtask bench walk`\n\n{}", table(&heads, &rows));
     Ok(Section { name: "walk", text, readme })
 }
