@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-const DOCUMENTS: [&str; 10] = [
+const DOCUMENTS: [&str; 11] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/architecture.md",
@@ -13,6 +13,7 @@ const DOCUMENTS: [&str; 10] = [
     "docs/hosting.md",
     "docs/lessons.md",
     "docs/methodology.md",
+    "docs/performance.md",
     "tests/fixtures/links/README.md",
 ];
 
