@@ -21,8 +21,8 @@ use crate::rng::Stream;
 /// Ants in a group.
 const LANES: usize = 4;
 
-/// Ants under way at once: two groups. The opening build must stay small, and has one.
-const ABREAST: usize = if cfg!(feature = "whole") { 2 * LANES } else { LANES };
+/// Ants under way at once: two groups.
+const ABREAST: usize = 2 * LANES;
 
 /// Steps of a group that are written down together.
 const TRACE: usize = 64;
@@ -30,13 +30,17 @@ const TRACE: usize = 64;
 /// Lets all walking ants walk to their end. One copy for all variants that select by the same rule.
 #[inline(never)]
 pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: &mut [Ant], rule: R) {
+    // The opening build must stay small.
+    if !cfg!(feature = "whole") {
+        return walk_all_by(weights, walk, ants, |row, stream| rule.choose_one(row, stream));
+    }
     let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
     let mut lanes: Vec<&mut Ant> = Vec::with_capacity(ABREAST);
     loop {
         lanes.extend(waiting.by_ref().take(ABREAST - lanes.len()));
         match lanes.len() {
             0 => break,
-            count if count == 2 * LANES && cfg!(feature = "whole") => walk_abreast::<W, R, 2>(weights, walk, &mut lanes, rule),
+            ABREAST => walk_abreast::<W, R, 2>(weights, walk, &mut lanes, rule),
             count if count >= LANES => walk_abreast::<W, R, 1>(weights, walk, &mut lanes, rule),
             _ => lanes.iter_mut().for_each(|ant| {
                 ant.count(walk);
