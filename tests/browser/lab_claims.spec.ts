@@ -140,7 +140,7 @@ test.describe('claims by reading', () => {
     ])
     await expect(table.getByRole('row')).toHaveCount(2)
     await expect(table.getByRole('cell')).toHaveText([
-      /^Reproduced7 of 7 maps\+10\.0% \(\+5\.0% to \+10\.0%\)$/,
+      /^Reproduced7 of 7 maps-10\.0% \(-10\.0% to -5\.0%\)$/,
       /^Partly7 of 7 maps/,
     ])
     const all = page.getByTestId('verdicts').locator('tbody')

@@ -39,8 +39,8 @@ const MADE: [&str; 5] = ["random", "rooms", "maze", "cave", "blocks"];
 
 const NOTE: &str = "\
 The length of the shortest path with eight moves, diagonal ones only where both cells beside them are free. Whoever answers gets the map in \
-the form that its own documentation asks for, and two cells; timed is everything that a further question on the map costs: the engine has \
-its scenario made and checked, npm's package needs a copy of its grid, `grid_pathfinding` has joined its cells to components before. All \
+the form that its own documentation asks for, and two cells; timed is everything that a further question on the map costs: natively the engine has scanned its rows before, as `grid_pathfinding` has \
+joined its cells to components; in node it makes its scenario anew for each question, and npm's package needs a copy of its grid. All \
 lengths are equal, and are those that MovingAI lists; only `grid_pathfinding` passes corners and answers another question: its lengths are \
 as large or smaller.";
 
