@@ -1,5 +1,5 @@
-//! Ants side by side: while one waits for memory, the others move. With the random proportional rule four share 128-bit lanes, and two such
-//! groups go in turns; with the very same numbers as one ant at a time.
+//! Ants side by side: while one waits for memory, the others move. By the rules of [`super::lane_rules`] four share 128-bit lanes, and two
+//! such groups go in turns; with the very same numbers as one ant at a time.
 //!
 //! Every lane sums its weights in the same order, draws from its own ant's stream and compares in the same way as a lone ant; so which lane
 //! an ant walks in, and beside whom, changes nothing. An ant that has ended is replaced by the next one that waits; the last ones finish
@@ -52,7 +52,7 @@ pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: 
     }
 }
 
-/// The same by another rule.
+/// The same by another rule: four ants in turns, each by itself.
 pub(super) fn walk_all_by<W: Weights>(
     weights: &mut W,
     walk: &Walk,

@@ -89,7 +89,7 @@ pub enum Abreast {
     Proportional,
     /// The pseudo-random proportional rule, with this q0.
     PseudoProportional(f64),
-    /// None of these: one ant after the other.
+    /// None of these: each ant by itself.
     Never,
 }
 
