@@ -39,11 +39,13 @@
 
 pub mod aco;
 pub mod catalog;
+#[cfg(feature = "whole")]
 pub mod comparison;
 pub mod digest;
 pub mod drawn;
 pub mod error;
 pub mod exact;
+#[cfg(feature = "whole")]
 pub mod formats;
 mod listed;
 pub mod map;

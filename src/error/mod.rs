@@ -7,6 +7,7 @@
 mod drawn;
 mod format;
 mod param;
+#[cfg(feature = "whole")]
 mod question;
 mod scenario;
 
@@ -18,6 +19,7 @@ use thiserror::Error;
 pub use drawn::DrawnError;
 pub use format::FormatError;
 pub use param::ParamError;
+#[cfg(feature = "whole")]
 pub use question::QuestionError;
 pub use scenario::ScenarioError;
 
@@ -73,6 +75,7 @@ pub enum Error {
     #[error(transparent)]
     Format(#[from] FormatError),
     /// See [`QuestionError`].
+    #[cfg(feature = "whole")]
     #[error(transparent)]
     Question(#[from] QuestionError),
 }
@@ -84,6 +87,7 @@ impl Error {
             Self::Param(e) => e.report(),
             Self::Scenario(e) => e.report(),
             Self::Format(e) => e.report(),
+            #[cfg(feature = "whole")]
             Self::Question(e) => e.report(),
         }
     }

@@ -44,7 +44,8 @@ fn npm_packages_are_current() -> bool {
     changed("node_modules/.package-lock.json") >= changed("package-lock.json")
 }
 
-fn node() -> Result<()> {
+/// Node.js, which nobody can install for others.
+pub fn node() -> Result<()> {
     let (major, minor) = NODE;
     let wanted = format!(
         "Node.js {major}.{minor} or newer with npm: install it from https://nodejs.org or with \

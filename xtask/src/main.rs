@@ -18,7 +18,6 @@ mod test;
 mod tools;
 mod wasm;
 
-use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -59,12 +58,6 @@ enum Command {
     Cards,
     /// Make the suite of maps in experiments/maps again, with the table in their README
     Maps(maps::Options),
-    /// Run a wasm test file, called by cargo
-    #[command(hide = true)]
-    TestRunner {
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        args: Vec<OsString>,
-    },
 }
 
 fn main() -> ExitCode {
@@ -90,6 +83,5 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Record(options) => record::record(&options),
         Command::Cards => cards::update(),
         Command::Maps(options) => maps::maps(&options),
-        Command::TestRunner { args } => wasm::run_tests(args),
     }
 }

@@ -1,12 +1,13 @@
 //! The engine as WebAssembly: cargo, wasm-bindgen, wasm-opt, pkg/.
 
-use std::ffi::OsString;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use anyhow::{Context, Result};
+use wasm_bindgen_cli_support::Bindgen;
 
 use crate::install;
 use crate::tools::{self, node_script, root, run};
@@ -58,31 +59,42 @@ impl Mode {
     }
 }
 
-/// One build of the engine: its folder in `pkg/`, and cargo's features.
+/// One build of the engine: what it is called, its folder in `pkg/`, and cargo's features.
 #[derive(Clone, Copy)]
 struct Build {
+    name: &'static str,
     folder: &'static str,
     features: &'static [&'static str],
 }
 
 /// The whole engine, and what a first visit needs: few planners, no file formats, no generators.
-const BUILDS: [Build; 2] = [Build { folder: "", features: &[] }, Build { folder: "core", features: &["--no-default-features"] }];
+const BUILDS: [Build; 2] = [
+    Build { name: "whole", folder: "", features: &[] },
+    Build { name: "opening", folder: "core", features: &["--no-default-features"] },
+];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
+///
+/// Each build ends with minutes on one core, so the two are made side by side, and the npm packages meanwhile.
 pub fn build(mode: Mode) -> Result<()> {
     install::wasm_target()?;
-    install::npm_packages()?;
-    println!("engine: compiling…");
-    let compiled: Vec<PathBuf> = BUILDS.iter().map(|build| compile(mode, build)).collect::<Result<_>>()?;
+    install::node()?;
+    println!(
+        "engine: compiling two builds side by side, then binding and optimizing them: minutes the first time, seconds later…"
+    );
+    let compiled = thread::scope(|scope| {
+        let packages = scope.spawn(install::npm_packages);
+        let compiled = side_by_side(|build| compile(mode, build));
+        packages.join().expect("no panic")?;
+        compiled
+    })?;
     let pkg = root().join("pkg");
     let stamp = stamp(mode, &compiled)?;
     if fs::read_to_string(pkg.join(STAMP)).is_ok_and(|old| old == stamp) {
         return Ok(());
     }
     let staging = root().join("pkg.new");
-    for (build, compiled) in BUILDS.iter().zip(&compiled) {
-        package(mode, compiled, &staging.join(build.folder))?;
-    }
+    side_by_side(|build| package(mode, build, &staging))?;
     fs::copy(root().join("pkg.json"), staging.join("package.json")).context("cannot copy pkg.json")?;
     run(Command::new("node").args(["--input-type=module", "--eval", FACTS]).arg(&staging))?;
     fs::write(staging.join(STAMP), stamp)?;
@@ -95,11 +107,19 @@ pub fn build(mode: Mode) -> Result<()> {
     Ok(())
 }
 
-fn package(mode: Mode, compiled: &Path, folder: &Path) -> Result<()> {
-    println!("engine: binding…");
-    bind(compiled, folder)?;
+/// The same for every build at once, in their order.
+fn side_by_side<T: Send>(work: impl Fn(&Build) -> Result<T> + Sync) -> Result<Vec<T>> {
+    thread::scope(|scope| {
+        let started = BUILDS.each_ref().map(|build| scope.spawn(|| work(build)));
+        started.into_iter().map(|thread| thread.join().expect("no panic")).collect()
+    })
+}
+
+fn package(mode: Mode, build: &Build, staging: &Path) -> Result<()> {
+    let folder = staging.join(build.folder);
+    bind(&build.compiled(mode), &folder)?;
     if mode == Mode::Release {
-        println!("engine: optimizing…");
+        println!("engine: optimizing the {} build…", build.name);
         optimize(&folder.join(WASM))?;
     }
     Ok(())
@@ -113,15 +133,29 @@ fn replace(staging: &Path, pkg: &Path) -> Result<()> {
     fs::rename(staging, pkg).context("cannot put the new pkg/ in place")
 }
 
+impl Build {
+    fn target_dir(&self) -> PathBuf {
+        tools::target_dir().join(self.folder)
+    }
+
+    /// Where cargo leaves it.
+    fn compiled(&self, mode: Mode) -> PathBuf {
+        self.target_dir().join("wasm32-unknown-unknown").join(mode.folder()).join("formicarium.wasm")
+    }
+}
+
 /// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Each build has a target folder of its own: both leave
 /// `formicarium.wasm`, and in one folder each would make cargo think the other's outdated.
 fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
-    let target_dir = tools::target_dir().join(build.folder);
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", mode.profile()];
     let quiet = ["--config".to_string(), anonymous_paths()];
-    run(tools::cargo().args(args).arg(&target_dir).args(target).args(build.features).args(quiet))?;
-    Ok(target_dir.join("wasm32-unknown-unknown").join(mode.folder()).join("formicarium.wasm"))
+    let mut cargo = tools::cargo();
+    // Two bars of progress on one terminal would write over each other.
+    cargo.env("CARGO_TERM_PROGRESS_WHEN", "never");
+    run(cargo.args(args).arg(build.target_dir()).args(target).args(build.features).args(quiet))?;
+    println!("engine: the {} build is compiled", build.name);
+    Ok(build.compiled(mode))
 }
 
 /// Panics name source files: the folders of the machine that builds are no business of who reads the library. Cargo adds these flags to
@@ -134,18 +168,15 @@ fn anonymous_paths() -> String {
 }
 
 fn bind(compiled: &Path, pkg: &Path) -> Result<()> {
-    let args: [OsString; 9] = [
-        "wasm-bindgen".into(),
-        compiled.into(),
-        "--target=web".into(),
-        "--omit-default-module-path".into(),
-        "--ts-typed-array-buffers".into(),
-        "--out-dir".into(),
-        pkg.into(),
-        "--out-name".into(),
-        "formicarium".into(),
-    ];
-    wasm_bindgen_cli::wasm_bindgen::run_cli_with_args(args)
+    let mut bindgen = Bindgen::new();
+    bindgen
+        .web(true)?
+        .typescript(true)
+        .input_path(compiled)
+        .out_name("formicarium")
+        .omit_default_module_path(true)
+        .ts_typed_array_buffers(true);
+    bindgen.generate(pkg)
 }
 
 fn optimize(wasm: &Path) -> Result<()> {
@@ -160,10 +191,4 @@ fn stamp(mode: Mode, compiled: &[PathBuf]) -> Result<String> {
     let inputs: Vec<Vec<u8>> = compiled.iter().chain([&root().join("pkg.json")]).map(read).collect::<Result<_>>()?;
     (mode, inputs, FEATURES, FACTS).hash(&mut hasher);
     Ok(format!("{:016x}\n", hasher.finish()))
-}
-
-/// Cargo's runner for wasm test files.
-pub fn run_tests(args: Vec<OsString>) -> Result<()> {
-    let program = OsString::from("wasm-bindgen-test-runner");
-    wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args([program].into_iter().chain(args))
 }
