@@ -7,8 +7,6 @@ mod moves;
 use std::ops::Range;
 use std::sync::Arc;
 
-use wide::bytemuck::cast;
-
 use crate::map::Cell;
 use crate::metrics::{SAME_LENGTH, obstacle_density};
 use crate::path::{Refinement, refine};
@@ -23,21 +21,22 @@ use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
 use super::criterion::{Criterion, way};
-use super::lane_rules::{Proportional, PseudoProportional};
+use super::lane_rules::{Maximal, Proportional, PseudoProportional, Threshold};
 use super::lanes;
+use super::lock_step::{self, Field};
 use super::on_demand::OnDemand;
-use super::selection::left;
-use super::trails::{Row, Trails};
+use super::trails::Trails;
 use super::variant::{Abreast, Iteration, Settings, Step, Variant};
-use super::weights::{Eta, WeightTable, Weights};
+use super::visibility::{Eta, Sight};
+use super::weights::{self, WeightTable, Weights};
 
 /// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
 #[derive(Clone)]
 struct Tables {
     trails: Trails,
-    /// The weights of every step, ready before the walk; empty with [`Variant::TIMED`].
+    /// The weights of every step; empty with [`Variant::TIMED`].
     weights: WeightTable,
-    /// The weights of the steps where ants come by; empty without [`Variant::TIMED`].
+    /// The same where η changes with time; empty without [`Variant::TIMED`].
     on_demand: OnDemand,
     ants: Vec<Ant>,
 }
@@ -50,7 +49,7 @@ impl Tables {
         let ant = |k| Ant::new(width, height, streams.ant(0, k));
         Self {
             trails,
-            weights: WeightTable::new(if timed { 0 } else { cells }, alpha, beta),
+            weights: WeightTable::new(if timed { 0 } else { cells }, alpha),
             on_demand: OnDemand::new(if timed { cells } else { 0 }, alpha, beta),
             ants: (0..settings.ants).map(ant).collect(),
         }
@@ -119,13 +118,18 @@ impl<V: Variant + 'static> Colony<V> {
     fn move_ants(&mut self, which: Range<usize>) -> bool {
         let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return true };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
+        if V::LOCK_STEP && !V::TIMED {
+            weights.catch_up(trails);
+        }
         let mut done = true;
         for ant in ants[which].iter_mut().filter(|a| a.fate() == Fate::Walking) {
             let from = ant.cell();
             let step = if V::TIMED {
                 move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
             } else {
-                move_one(&self.variant, &mut &*weights, &walk, ant)
+                let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
+                let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
+                move_one(&self.variant, &mut weights::Now { table: weights, trails, sight }, &walk, ant)
             };
             if let Some(direction) = step
                 && V::LOCK_STEP
@@ -140,6 +144,20 @@ impl<V: Variant + 'static> Colony<V> {
             done &= ant.fate() != Fate::Walking;
         }
         done
+    }
+}
+
+impl<V: Variant> Colony<V> {
+    /// Lets ants in lock step walk to their end side by side, where they can: true when they have.
+    fn move_abreast(&mut self) -> bool {
+        let Some(Tables { trails, weights, ants, .. }) = &mut self.tables else { return true };
+        if V::TIMED || cfg!(not(feature = "whole")) {
+            return false;
+        }
+        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
+        let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
+        let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
+        walk_in_lock_step(&self.variant, &mut Field { table: weights, trails, sight }, &walk, ants)
     }
 }
 
@@ -163,20 +181,16 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         let Tables { trails, weights, on_demand, .. } = &mut *tables;
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
-        let (scenario, variant) = (&*self.scenario, &self.variant);
-        match (V::TIMED, variant.heuristic_changes(number)) {
+        match (V::TIMED, self.variant.heuristic_changes(number)) {
             (true, true) => on_demand.another_time(),
             (false, true) => {
-                weights.see(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j));
-                if variant.enters_goal() {
-                    weights.enter(scenario);
-                }
+                weights.forget_all();
                 trails.all_changed();
             }
             (_, false) => {}
         }
         take_in_trails::<V>(weights, on_demand, trails);
-        tables.place_ants(scenario, self.streams, number);
+        tables.place_ants(&self.scenario, self.streams, number);
         self.constructing = true;
     }
 
@@ -188,7 +202,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
     /// Lets every ant walk to its end. Same walks as by [`Iterations::move_all`], in whatever order is fastest.
     fn move_to_the_end(&mut self) {
         if V::LOCK_STEP {
-            while !self.move_all() {}
+            while !self.move_abreast() && !self.move_all() {}
             return;
         }
         let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return };
@@ -196,7 +210,9 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         if V::TIMED {
             walk_to_the_end(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ants);
         } else {
-            walk_to_the_end(&self.variant, &mut &*weights, &walk, ants);
+            let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
+            let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
+            walk_to_the_end(&self.variant, &mut weights::Now { table: weights, trails, sight }, &walk, ants);
         }
     }
 
@@ -231,32 +247,49 @@ fn walk_rules<'a>(scenario: &'a Scenario, settings: &Settings, max_moves: u32) -
     Walk { moves: &scenario.moves, goal: scenario.goal, dead_end: settings.dead_end, max_moves }
 }
 
-/// Has the weights follow the trails.
+/// What ants of a variant see by this η, its own.
+fn sight<'a, V: Variant>(scenario: &'a Scenario, variant: &V, beta: f64, eta: &'a Eta<'a>) -> Sight<'a> {
+    Sight { scenario, eta, beta, enters_goal: variant.enters_goal() }
+}
+
+/// Has the weights follow the trails before an iteration. Ants in lock step weigh for themselves.
 #[inline(always)]
 fn take_in_trails<V: Variant>(weights: &mut WeightTable, on_demand: &mut OnDemand, trails: &mut Trails) {
     if V::TIMED {
         on_demand.outdate(trails);
-    } else {
+    } else if !V::LOCK_STEP {
         weights.refresh(trails);
     }
 }
 
-/// Every ant's walk, four side by side.
+/// Every ant's walk, side by side.
 fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
+    let whole = cfg!(feature = "whole");
     match variant.abreast() {
         Abreast::Proportional => lanes::walk_all(weights, walk, ants, Proportional),
-        Abreast::PseudoProportional(q0) if !V::TIMED && cfg!(feature = "whole") => {
+        Abreast::PseudoProportional(q0) if !V::TIMED && whole => {
             lanes::walk_all(weights, walk, ants, PseudoProportional::new(q0))
         }
+        Abreast::Maximal if !V::TIMED && whole => lanes::walk_all(weights, walk, ants, Maximal),
         _ => lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream)),
     }
+}
+
+/// The same in lock step; false where the variant's rule is not known here, and nobody has moved.
+fn walk_in_lock_step<V: Variant>(variant: &V, field: &mut Field, walk: &Walk, ants: &mut [Ant]) -> bool {
+    match variant.abreast() {
+        Abreast::Proportional => lock_step::walk_all(variant, field, walk, ants, Proportional),
+        Abreast::PseudoProportional(q0) => lock_step::walk_all(variant, field, walk, ants, PseudoProportional::new(q0)),
+        Abreast::Threshold(lambda) => lock_step::walk_all(variant, field, walk, ants, Threshold(lambda)),
+        Abreast::Maximal | Abreast::Never => return false,
+    }
+    true
 }
 
 /// One move of one ant; the step it took, if it was one forward.
 #[inline(always)]
 fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
-    let left: Row = cast(left(weights.row(ant.cell()), ant.seen()));
-    let step = variant.choose(&left, &mut ant.stream);
+    let step = lanes::chosen(weights, ant, |weights, stream| variant.choose(weights, stream));
     ant.go(walk, step);
     step
 }

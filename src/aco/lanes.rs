@@ -80,9 +80,23 @@ fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: i
 /// One move of one ant.
 #[inline(always)]
 fn move_one<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
-    let [low, high] = left(weights.row(ant.cell()), ant.seen());
-    let step = choose(&cast([low, high]), &mut ant.stream);
+    let step = chosen(weights, ant, choose);
     ant.go(walk, step);
+}
+
+/// The step that an ant chooses; none at a dead end, where nothing is drawn.
+#[inline(always)]
+pub(super) fn chosen<W: Weights>(
+    weights: &mut W,
+    ant: &mut Ant,
+    choose: impl Fn(&Row, &mut Stream) -> Option<Direction>,
+) -> Option<Direction> {
+    loop {
+        let step = choose(&cast(left(weights.row(ant.cell()), ant.seen())), &mut ant.stream);
+        if step.is_some() || !weights.learn(ant.cell()) {
+            return step;
+        }
+    }
 }
 
 /// Moves the first four or eight of these ants until one of them has ended.
@@ -118,21 +132,23 @@ struct Group {
     traced: usize,
     /// From where on the trace is a lane's own.
     from: [usize; LANES],
+    /// Turns in which a lane has not moved, for its weights had not been learnt.
+    waited: [u32; LANES],
 }
 
 impl Group {
     fn of(ants: &[&mut Ant; LANES]) -> Self {
         let (cells, places) = (each(|k| ants[k].cell), each(|k| ants[k].place));
         let draws = Draws::of(each(|k| &ants[k].stream));
-        Self { cells, places, draws, arrived: [false; LANES], trace: [0; TRACE], traced: 0, from: [0; LANES] }
+        Self { cells, places, draws, arrived: [false; LANES], trace: [0; TRACE], traced: 0, from: [0; LANES], waited: [0; LANES] }
     }
 
     /// One move of each; true when one of them has ended. A lane whose weights are all 0 is at a dead end and draws nothing.
     #[inline(always)]
     fn go<W: Weights, R: Rule>(&mut self, weights: &mut W, walk: &Walk, ants: &mut [&mut Ant; LANES], rule: R) -> bool {
-        let weights = self.weights(weights, ants);
-        let sums = Sums::of(&weights);
-        let chosen = rule.choose(&weights, &sums, &mut self.draws);
+        let rows = self.weights(weights, ants);
+        let sums = Sums::of(&rows);
+        let chosen = rule.choose(&rows, &sums, &mut self.draws);
         if self.traced == TRACE {
             self.hand_over(ants);
         }
@@ -148,7 +164,8 @@ impl Group {
         }
         let alive = sums.alive.to_array();
         for k in 0..LANES {
-            ended |= if alive[k] != 0 { self.step(walk, ants[k], k, steps[k]) } else { self.turn_back(walk, ants[k], k) };
+            ended |=
+                if alive[k] != 0 { self.step(walk, ants[k], k, steps[k]) } else { self.turn_back(weights, walk, ants[k], k) };
         }
         ended
     }
@@ -180,11 +197,18 @@ impl Group {
         is_there
     }
 
-    /// What the colony does at a dead end, in place of the step that was traced last; true when that is the end.
+    /// In place of the step that was traced last, where no weight was found: what the colony does at a dead end; or nothing yet, where the
+    /// weights had not been learnt. True when that is the end.
     #[inline(never)]
-    fn turn_back(&mut self, walk: &Walk, ant: &mut Ant, k: usize) -> bool {
+    fn turn_back<W: Weights>(&mut self, weights: &mut W, walk: &Walk, ant: &mut Ant, k: usize) -> bool {
         take_over(ant, &self.trace[self.from[k]..self.traced - 1], k);
         self.from[k] = self.traced;
+        weights.learn(self.cells[k]);
+        let [low, high] = left(weights.row(self.cells[k]), ant.tabu.around(self.places[k]));
+        if (low + high).simd_gt(f32x4::ZERO).any() {
+            self.waited[k] += 1;
+            return false;
+        }
         (ant.cell, ant.place) = (self.cells[k], self.places[k]);
         ant.at_dead_end(walk);
         (self.cells[k], self.places[k]) = (ant.cell, ant.place);
@@ -206,7 +230,7 @@ impl Group {
         self.hand_over(ants);
         for (k, stream) in self.draws.streams().into_iter().enumerate() {
             ants[k].stream = stream;
-            ants[k].stand(walk, self.cells[k], self.places[k], made);
+            ants[k].stand(walk, self.cells[k], self.places[k], made - self.waited[k]);
             if self.arrived[k] {
                 ants[k].fate = Fate::Arrived;
             }

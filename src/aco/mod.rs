@@ -8,13 +8,14 @@
 //! | parameter rows that many share | `shared_params.rs` |
 //! | η, what an ant can see | `heuristic.rs` |
 //! | τ, evaporation, limits | `trails.rs` |
-//! | τ^α·η^β by cell and direction | `weights.rs` |
+//! | τ^α·η^β by cell and direction; the part of it that η has | `weights.rs`, `visibility.rs` |
 //! | selection rules | `selection.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
 //! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
 //! | one ant: its way, its random stream | `ant.rs` |
 //! | its tabu list: where it has been | `tabu.rs` |
 //! | eight ants in SIMD lanes, the same walk | `lanes.rs` |
+//! | ants in lock step, which change trails as they walk, four in lanes | `lock_step.rs` |
 //! | their selection rules and their random streams | `lane_rules.rs`, `draws.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
 //! | what makes one finished path better than another | `criterion.rs` |
@@ -56,6 +57,7 @@ pub mod hybrid;
 mod lane_rules;
 mod lanes;
 pub mod legs;
+mod lock_step;
 pub mod odds;
 pub mod on_demand;
 pub mod order_run;
@@ -65,6 +67,7 @@ mod tabu;
 pub mod tour;
 pub mod trails;
 pub mod variant;
+mod visibility;
 pub mod weights;
 
 mod classics;

@@ -49,7 +49,7 @@ impl OnDemand {
     /// The weights whose trail has changed no longer hold.
     pub fn outdate(&mut self, trails: &mut Trails) {
         let state = &mut self.state;
-        trails.take_changes(|_, c| state[c as usize] = state[c as usize].min(OUTDATED));
+        trails.take_changes(0..state.len() as Cell, |_, c| state[c as usize] = state[c as usize].min(OUTDATED));
     }
 
     /// What is known of these cells no longer holds.

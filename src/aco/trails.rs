@@ -44,7 +44,7 @@ impl Trails {
     #[inline(never)]
     pub fn new(cells: usize, initial: f64) -> Self {
         Self {
-            stored: vec![[initial as f32; DIRECTIONS]; cells],
+            stored: vec![Row::default(); cells],
             scale: 1.0,
             state: vec![0; cells],
             touched: Vec::new(),
@@ -73,6 +73,13 @@ impl Trails {
     /// τ / scale of all steps from a cell: enough to compare them.
     pub fn relative(&self, c: Cell) -> Row {
         if self.state[c as usize] & ACTIVE != 0 { self.stored[c as usize] } else { [self.background; DIRECTIONS] }
+    }
+
+    /// The same where ants leave trails as they walk: a cell without any of its own gets a row.
+    #[inline(always)]
+    pub(super) fn here(&mut self, c: Cell) -> &Row {
+        self.touch(c);
+        &self.stored[c as usize]
     }
 
     /// τ ← (1 − ρ)·τ everywhere; ρ is the part that leaves.
@@ -109,12 +116,12 @@ impl Trails {
         *t = (*t - (amount / self.scale) as f32).max(t.min((floor / self.scale) as f32)).max(FLOOR);
     }
 
-    /// τ ← τ + amount on every step of the map, kept above 0; the amount may be negative. One sweep over the map.
+    /// τ ← τ + amount on every step of the map, kept above 0; the amount may be negative. One sweep over the cells with trails of their own.
     #[inline(never)]
     pub fn shift(&mut self, amount: f64) {
         let amount = (amount / self.scale) as f32;
-        for t in self.stored.iter_mut().flatten() {
-            *t = (*t + amount).max(FLOOR);
+        for &c in &self.active {
+            self.stored[c as usize].iter_mut().for_each(|t| *t = (*t + amount).max(FLOOR));
         }
         self.background = (self.background + amount).max(FLOOR);
         self.all_dirty = true;
@@ -187,14 +194,18 @@ impl Trails {
     #[inline(never)]
     fn sweep(&mut self) {
         let scale = self.scale as f32;
-        for row in &mut self.stored {
-            for t in row {
-                *t = (*t * scale).max(FLOOR);
-            }
+        for &c in &self.active {
+            self.stored[c as usize].iter_mut().for_each(|t| *t = (*t * scale).max(FLOOR));
         }
         self.background = (self.background * scale).max(FLOOR);
         self.scale = 1.0;
         self.all_dirty = true;
+    }
+
+    /// Whether there is something for [`Trails::take_changes`].
+    #[inline(always)]
+    pub fn has_changed(&self) -> bool {
+        self.all_dirty || !self.touched.is_empty()
     }
 
     /// The only cell that has changed since the last call, if it is one alone, with its trails.
@@ -209,10 +220,10 @@ impl Trails {
         Some((c, &self.stored[c as usize]))
     }
 
-    /// Calls `refresh` for every cell that has changed since the last call.
-    pub fn take_changes(&mut self, mut refresh: impl FnMut(&Row, Cell)) {
+    /// Calls `refresh` for every cell that has changed since the last call; where everything has, for these.
+    pub fn take_changes(&mut self, all: impl Iterator<Item = Cell>, mut refresh: impl FnMut(&Row, Cell)) {
         if std::mem::take(&mut self.all_dirty) {
-            (0..self.stored.len() as Cell).for_each(|c| refresh(&self.relative(c), c));
+            all.for_each(|c| refresh(&self.relative(c), c));
         } else {
             self.touched.iter().for_each(|&c| refresh(&self.stored[c as usize], c));
         }
@@ -233,12 +244,12 @@ mod tests {
         assert_eq!(t.get(0, 3), 0.5);
         assert_eq!(t.get(1, 3), 0.75);
         let mut seen = Vec::new();
-        t.take_changes(|_, c| seen.push(c));
+        t.take_changes(0..2, |_, c| seen.push(c));
         assert_eq!(seen, [0, 1]);
         t.deposit(1, 3, 0.25);
         t.deposit(1, 0, 0.25);
         seen.clear();
-        t.take_changes(|_, c| seen.push(c));
+        t.take_changes(0..2, |_, c| seen.push(c));
         assert_eq!(seen, [1]);
     }
 

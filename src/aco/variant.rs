@@ -89,14 +89,18 @@ pub enum Abreast {
     Proportional,
     /// The pseudo-random proportional rule, with this q0.
     PseudoProportional(f64),
+    /// The step of the largest weight.
+    Maximal,
+    /// The threshold rule, with this λ.
+    Threshold(f64),
     /// None of these: each ant by itself.
     Never,
 }
 
 /// A variant of the colony. Every default is Ant System.
 pub trait Variant: Clone + Send {
-    /// Whether ants change trails while they walk: then all of them move in lock step, one move each in index order. Otherwise each
-    /// ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
+    /// Whether ants change trails while they walk, each on the step that it has just taken: then all of them move in lock step, one move
+    /// each in index order. Otherwise each ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
     const LOCK_STEP: bool = false;
 
     /// Whether ln η(t) = a + b·w(t), given by [`Variant::log_heuristic`] and [`Variant::time`]. Then an η that changes in every
@@ -162,7 +166,7 @@ pub trait Variant: Clone + Send {
         odds::random_proportional(weights)
     }
 
-    /// After a step of an ant (only with [`Variant::LOCK_STEP`]).
+    /// After a step of an ant (only with [`Variant::LOCK_STEP`]): may change the trail of this step, and no other.
     fn on_move(&self, _trails: &mut Trails, _step: Step) {}
 
     /// At the end of an iteration: evaporate, then every arrived ant deposits Q/L.

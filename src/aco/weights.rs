@@ -4,136 +4,162 @@
 //! plain powers would leave the range of f32 (β = 25), and trails far from all paths evaporate for hundreds of iterations. So the best
 //! step of a cell weighs about 1 whatever the scale of its trails; a feasible step keeps at least [`FLOOR`], an infeasible one has 0.
 
-use std::sync::Arc;
-
 use wide::{bytemuck::cast, f32x4};
 
-use crate::map::{Cell, DIRECTIONS, Direction};
+use crate::map::{Cell, DIRECTIONS};
 use crate::planner::held;
-use crate::scenario::Scenario;
 
 use super::trails::{Row, Trails};
+use super::visibility::{Sight, Visibility};
 
 /// Smallest weight of a feasible step: it can always be taken when nothing else is left.
 pub(super) const FLOOR: f32 = 1e-30;
 
 /// Where a walk reads the weights of the steps from a cell.
 pub trait Weights {
-    /// Of the steps from a cell; 0 for infeasible ones.
+    /// Of the steps from a cell; 0 for infeasible ones, and for all where they are not known yet.
     fn row(&mut self, c: Cell) -> &Row;
-}
 
-/// Ready before the walk begins.
-impl Weights for &WeightTable {
-    #[inline(always)]
-    fn row(&mut self, c: Cell) -> &Row {
-        WeightTable::row(self, c)
+    /// Works out the weights of a cell that are not known yet; false where they are. Whoever finds all of a row to be 0 asks, and so no
+    /// time is spent on asking elsewhere.
+    fn learn(&mut self, _c: Cell) -> bool {
+        false
     }
 }
 
-/// η(i, direction, j) of a feasible step. Borrowed as an object: one copy of the loops over the map serves all variants.
-pub type Eta<'a> = dyn Fn(Cell, Direction, Cell) -> f64 + 'a;
-
-/// The weights of every step of a map: 8 a cell, ready before the walk.
+/// The weights of every step of a map, 8 a cell: of a cell by which no ant has come they are not known.
 #[derive(Debug, Clone)]
 pub struct WeightTable {
     alpha: f64,
-    beta: f64,
-    /// (η/η_max)^β by cell and direction; 0 for infeasible steps. Snapshots share it: it hardly ever changes.
-    visibility: Arc<Vec<Row>>,
-    /// τ^α·(η/η_max)^β.
+    visibility: Visibility,
+    /// τ^α·(η/η_max)^β; all 0 where they are not known.
     weights: Vec<Row>,
+    /// The cells that are.
+    known: Vec<Cell>,
 }
 
 impl WeightTable {
     /// Empty tables for a map of this many cells.
-    pub fn new(cells: usize, alpha: f64, beta: f64) -> Self {
-        let rows = || vec![[0.0; DIRECTIONS]; cells];
-        Self { alpha, beta, visibility: Arc::new(rows()), weights: rows() }
+    pub fn new(cells: usize, alpha: f64) -> Self {
+        Self { alpha, visibility: Visibility::new(cells), weights: vec![Row::default(); cells], known: Vec::new() }
     }
 
-    /// Takes in η(i, direction, j) of every feasible step.
+    /// The weights of a cell, known from now on; false where they were.
     #[inline(never)]
-    pub fn see(&mut self, scenario: &Scenario, eta: &Eta) {
-        let beta = self.beta;
-        let rows = Arc::make_mut(&mut self.visibility).iter_mut();
-        rows.zip(0..).for_each(|(row, c)| *row = visibility(scenario, eta, beta, c));
+    fn learn(&mut self, sight: &Sight, trails: &Trails, c: Cell) -> bool {
+        if self.visibility.row(c).is_some() {
+            return false;
+        }
+        self.known.push(c);
+        let seen = self.visibility.learn(sight, c);
+        self.weights[c as usize] = weigh(&trails.relative(c), self.alpha, seen);
+        true
+    }
+
+    /// Everything is to be learnt again: η has changed.
+    pub fn forget_all(&mut self) {
+        self.known.drain(..).for_each(|c| self.weights[c as usize] = Row::default());
+        self.visibility.forget_all();
     }
 
     /// The same for these cells alone.
     #[cfg(feature = "whole")]
-    pub fn see_again(&mut self, scenario: &Scenario, eta: &Eta, cells: &[Cell]) {
-        let rows = Arc::make_mut(&mut self.visibility);
-        cells.iter().for_each(|&c| rows[c as usize] = visibility(scenario, eta, self.beta, c));
+    pub fn forget(&mut self, cells: &[Cell]) {
+        for &c in cells {
+            self.visibility.forget(c);
+            self.weights[c as usize] = Row::default();
+        }
+        self.known.retain(|&c| self.visibility.row(c).is_some());
     }
 
-    /// From the cells beside the goal leaves the step onto it alone. Once η is known.
-    pub fn enter(&mut self, scenario: &Scenario) {
-        let rows = Arc::make_mut(&mut self.visibility).iter_mut();
-        rows.zip(0..).for_each(|(row, c)| only_onto_the_goal(scenario, c, row));
+    /// The weights of a cell as its trails are now, whatever the table holds.
+    #[inline(always)]
+    pub(super) fn weigh_now(&mut self, sight: &Sight, trails: &mut Trails, c: Cell) -> Row {
+        if self.visibility.row(c).is_none() {
+            self.learn(sight, trails, c);
+        }
+        let seen = self.visibility.row(c).unwrap_or(&NOTHING);
+        weigh_here(trails.here(c), self.alpha, seen)
     }
 
     /// Recomputes the weights whose trail has changed.
     #[inline(never)]
     pub fn refresh(&mut self, trails: &mut Trails) {
-        let (alpha, visibility, weights) = (self.alpha, &self.visibility, &mut self.weights);
-        trails.take_changes(|row, c| weights[c as usize] = weigh(row, alpha, &visibility[c as usize]));
+        let Self { alpha, visibility, weights, known } = self;
+        trails.take_changes(known.iter().copied(), |trail, c| {
+            if let Some(seen) = visibility.row(c) {
+                weights[c as usize] = weigh(trail, *alpha, seen);
+            }
+        });
+    }
+
+    /// The same where no change may be left from ants that walked by [`WeightTable::weigh_now`].
+    #[inline(always)]
+    pub(super) fn catch_up(&mut self, trails: &mut Trails) {
+        if trails.has_changed() {
+            self.refresh(trails);
+        }
     }
 
     /// The same where hardly more than one cell can have changed: after a move.
     #[inline(always)]
     pub fn follow(&mut self, trails: &mut Trails) {
         match trails.take_change() {
-            Some((c, row)) => self.weights[c as usize] = weigh(row, self.alpha, &self.visibility[c as usize]),
+            Some((c, trail)) => {
+                if let Some(seen) = self.visibility.row(c) {
+                    self.weights[c as usize] = weigh(trail, self.alpha, seen);
+                }
+            }
             None => self.refresh(trails),
         }
     }
 
     /// What it holds, in bytes, without what snapshots share.
     pub fn bytes(&self) -> usize {
-        held(&self.weights)
+        held(&self.weights) + held(&self.known) + self.visibility.bytes()
     }
+}
 
-    /// The weights of the steps from a cell.
+/// Of a cell without steps.
+const NOTHING: Row = [0.0; DIRECTIONS];
+
+/// The weights as a walk reads them, with all that is needed to learn more.
+pub(super) struct Now<'a> {
+    pub table: &'a mut WeightTable,
+    pub trails: &'a Trails,
+    pub sight: Sight<'a>,
+}
+
+impl Weights for Now<'_> {
     #[inline(always)]
-    pub fn row(&self, c: Cell) -> &Row {
-        &self.weights[c as usize]
+    fn row(&mut self, c: Cell) -> &Row {
+        &self.table.weights[c as usize]
     }
-}
 
-/// (η/η_max)^β of every step of a cell; 0 where the step is infeasible.
-pub(super) fn visibility(scenario: &Scenario, eta: &Eta, beta: f64, c: Cell) -> Row {
-    let mut seen = [0.0f64; DIRECTIONS];
-    for d in scenario.moves.directions(c) {
-        seen[d as usize] = eta(c, d, scenario.moves.step(c, d));
-    }
-    let largest = seen.iter().fold(0.0f64, |m, &e| m.max(e));
-    let mut row = [0.0; DIRECTIONS];
-    for d in scenario.moves.directions(c) {
-        row[d as usize] = (power(seen[d as usize] / largest, beta) as f32).max(FLOOR);
-    }
-    row
-}
-
-/// Where one of a cell's steps leads onto the goal, has that step alone feasible.
-pub(super) fn only_onto_the_goal(scenario: &Scenario, c: Cell, row: &mut Row) {
-    if let Some(onto) = scenario.moves.directions(c).find(|&d| scenario.moves.step(c, d) == scenario.goal) {
-        *row = std::array::from_fn(|d| f32::from(u8::from(d == onto as usize)));
+    fn learn(&mut self, c: Cell) -> bool {
+        self.table.learn(&self.sight, self.trails, c)
     }
 }
 
 /// (τ/τ_max)^α · (η/η_max)^β of every step of a cell; 0 where the step is infeasible (`seen` is 0).
 #[inline(never)]
 pub(super) fn weigh(trail: &Row, alpha: f64, seen: &Row) -> Row {
-    let (trail, seen): ([f32x4; 2], [f32x4; 2]) = (cast(*trail), cast(*seen));
-    let feasible = seen.map(|seen| seen.simd_gt(f32x4::ZERO));
-    let largest = (trail[0] & feasible[0]).fast_max(trail[1] & feasible[1]).to_array();
+    weigh_here(trail, alpha, seen)
+}
+
+/// [`weigh`], inlined.
+#[inline(always)]
+fn weigh_here(trail: &Row, alpha: f64, seen: &Row) -> Row {
+    let ([a, b], [seen_a, seen_b]): ([f32x4; 2], [f32x4; 2]) = (cast(*trail), cast(*seen));
+    let (feasible_a, feasible_b) = (seen_a.simd_gt(f32x4::ZERO), seen_b.simd_gt(f32x4::ZERO));
+    let largest = (a & feasible_a).fast_max(b & feasible_b).to_array();
     let largest = f32x4::splat(largest.into_iter().fold(f32::MIN_POSITIVE, |m, t| if t > m { t } else { m }));
-    cast([0, 1].map(|half| {
-        let ratio = trail[half] / largest;
-        let strength = if alpha == 1.0 { ratio } else { raised(ratio, alpha) };
-        (strength * seen[half]).fast_max(f32x4::splat(FLOOR)) & feasible[half]
-    }))
+    let (mut a, mut b) = (a / largest, b / largest);
+    if alpha != 1.0 {
+        (a, b) = (raised(a, alpha), raised(b, alpha));
+    }
+    let floor = f32x4::splat(FLOOR);
+    cast([(a * seen_a).fast_max(floor) & feasible_a, (b * seen_b).fast_max(floor) & feasible_b])
 }
 
 #[inline(never)]

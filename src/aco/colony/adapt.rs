@@ -32,7 +32,7 @@ impl<V: Variant + 'static> Colony<V> {
         }
         if let Some(tables) = &mut self.tables {
             self.variant.prepare(to);
-            tables.look_again(to, &self.variant, &around(&to.grid, change));
+            tables.look_again::<V>(&around(&to.grid, change));
         }
         self.progress.go_on(change, to, self.settings.iterations);
     }
@@ -40,14 +40,11 @@ impl<V: Variant + 'static> Colony<V> {
 
 impl Tables {
     /// Has the weights of these cells follow the map.
-    fn look_again<V: Variant>(&mut self, scenario: &Scenario, variant: &V, cells: &[Cell]) {
+    fn look_again<V: Variant>(&mut self, cells: &[Cell]) {
         if V::TIMED {
             self.on_demand.forget(cells);
         } else {
-            self.weights.see_again(scenario, &|i, d, j| variant.heuristic(scenario, i, d, j), cells);
-            if variant.enters_goal() {
-                self.weights.enter(scenario);
-            }
+            self.weights.forget(cells);
         }
         cells.iter().for_each(|&c| self.trails.look_again(c));
     }

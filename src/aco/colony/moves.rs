@@ -5,7 +5,7 @@ use crate::aco::on_demand;
 use crate::aco::selection::without;
 use crate::aco::trails::Trails;
 use crate::aco::variant::Variant;
-use crate::aco::weights::{self, weigh};
+use crate::aco::weights::weigh;
 use crate::map::Cell;
 use crate::planner::{Fate, MoveOdds, Turn, stand_ready};
 
@@ -26,14 +26,11 @@ impl<V: Variant + 'static> Colony<V> {
     pub(super) fn odds_at(&self, variant: &V, trails: &Trails, cell: Cell, visited: u8) -> Vec<MoveOdds> {
         let (scenario, settings) = (&*self.scenario, &self.settings);
         let eta = |d, to| variant.heuristic(scenario, cell, d, to);
-        let mut seen = if V::TIMED {
+        let seen = if V::TIMED {
             on_demand::visibility(scenario, variant, settings.beta, cell)
         } else {
-            weights::visibility(scenario, &|_, d, to| eta(d, to), settings.beta, cell)
+            super::sight(scenario, variant, settings.beta, &|_, d, to| eta(d, to)).row(cell)
         };
-        if variant.enters_goal() {
-            weights::only_onto_the_goal(scenario, cell, &mut seen);
-        }
         let weights = without(&weigh(&trails.relative(cell), settings.alpha, &seen), visited);
         let odds = variant.odds(&weights);
         let step = |d| {

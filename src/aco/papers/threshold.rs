@@ -220,7 +220,7 @@ impl Variant for Acost {
 
     fn abreast(&self) -> Abreast {
         match self.params.rule {
-            Rule::Threshold => Abreast::Never,
+            Rule::Threshold => Abreast::Threshold(self.lambda),
             Rule::Proportional => Abreast::Proportional,
         }
     }
@@ -282,7 +282,7 @@ impl Variant for Acomsp {
     }
 
     fn abreast(&self) -> Abreast {
-        if self.params.maximal { Abreast::Never } else { Abreast::Proportional }
+        if self.params.maximal { Abreast::Maximal } else { Abreast::Proportional }
     }
 
     #[inline(always)]
