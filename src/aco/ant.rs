@@ -61,7 +61,6 @@ impl Ant {
     pub fn begin(&mut self, width: u32, start: Cell, stream: Stream) {
         self.clear_tabu();
         self.place = self.tabu.place(width, start);
-        self.tabu.insert(self.place);
         self.cell = start;
         self.moves = 0;
         self.diagonals = 0;
@@ -129,15 +128,16 @@ impl Ant {
         held(&self.steps) + held(&self.abandoned) + self.tabu.bytes()
     }
 
-    /// Which of the eight neighbours it has visited.
+    /// Which of the eight neighbours it has visited. Its own cell is marked here, before it is left, and not when it is entered: by the time
+    /// it is read again the mark has long been written.
     #[inline(always)]
-    pub(super) fn seen(&self) -> Seen {
-        self.tabu.around(self.place)
+    pub(super) fn look_around(&mut self) -> Seen {
+        self.tabu.insert(self.place)
     }
 
-    /// The same as bits by direction.
+    /// The neighbours that it has visited, as bits by direction.
     pub fn visited(&self) -> u8 {
-        let seen = self.seen();
+        let seen = self.tabu.around(self.place);
         (0..).zip(SEEN).fold(0, |bits, (d, bit)| bits | u8::from(seen & bit != 0) << d)
     }
 
@@ -158,7 +158,6 @@ impl Ant {
     #[inline(never)]
     pub(super) fn stand(&mut self, walk: &Walk, cell: Cell, place: Place, made: u32) {
         (self.cell, self.place) = (cell, place);
-        self.tabu.insert(place);
         self.moves += made;
         if self.moves >= walk.max_moves {
             self.fate = Fate::Lost;
@@ -185,7 +184,6 @@ impl Ant {
         }
         self.cell = walk.moves.step(self.cell, d);
         self.place = self.tabu.step(self.place, d);
-        self.tabu.insert(self.place);
         if self.cell == walk.goal {
             self.fate = Fate::Arrived;
             if walk.moves.relief().is_some() {

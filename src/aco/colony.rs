@@ -7,6 +7,8 @@ mod moves;
 use std::ops::Range;
 use std::sync::Arc;
 
+use wide::bytemuck::cast;
+
 use crate::map::Cell;
 use crate::metrics::{SAME_LENGTH, obstacle_density};
 use crate::path::{Refinement, refine};
@@ -14,18 +16,18 @@ use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
     Walked, advance, held,
 };
-use crate::rng::Streams;
+use crate::rng::{Stream, Streams};
 #[cfg(feature = "whole")]
 use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
 use super::criterion::{Criterion, way};
-use super::lane_rules::{Maximal, Proportional, PseudoProportional, Threshold};
+use super::lane_rules::{Maximal, Proportional, PseudoProportional};
 use super::lanes;
-use super::lock_step::{self, Field};
 use super::on_demand::OnDemand;
-use super::trails::Trails;
+use super::selection::left;
+use super::trails::{Row, Trails};
 use super::variant::{Abreast, Iteration, Settings, Step, Variant};
 use super::visibility::{Eta, Sight};
 use super::weights::{self, WeightTable, Weights};
@@ -41,16 +43,41 @@ struct Tables {
     ants: Vec<Ant>,
 }
 
+/// What becomes of the weights that a walk has worked out.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    /// They are kept until the trails change: between iterations.
+    Kept,
+    /// Nothing: in lock step nearly every row has changed when it is read again.
+    Passing,
+    /// They are kept until time changes η.
+    Timed,
+}
+
+impl Kind {
+    fn of<V: Variant>() -> Self {
+        match (V::TIMED, V::LOCK_STEP) {
+            (true, _) => Self::Timed,
+            (false, true) => Self::Passing,
+            (false, false) => Self::Kept,
+        }
+    }
+}
+
 impl Tables {
     #[inline(never)]
-    fn new(scenario: &Scenario, settings: &Settings, trails: Trails, timed: bool, streams: Streams) -> Self {
+    fn new(scenario: &Scenario, settings: &Settings, trails: Trails, kind: Kind, streams: Streams) -> Self {
         let (cells, alpha, beta) = (scenario.grid.len(), settings.alpha, settings.beta);
         let (width, height) = (scenario.grid.width(), scenario.grid.height());
         let ant = |k| Ant::new(width, height, streams.ant(0, k));
         Self {
             trails,
-            weights: WeightTable::new(if timed { 0 } else { cells }, alpha),
-            on_demand: OnDemand::new(if timed { cells } else { 0 }, alpha, beta),
+            weights: match kind {
+                Kind::Kept => WeightTable::new(cells, alpha),
+                Kind::Passing => WeightTable::passing(cells, alpha),
+                Kind::Timed => WeightTable::new(0, alpha),
+            },
+            on_demand: OnDemand::new(if kind == Kind::Timed { cells } else { 0 }, alpha, beta),
             ants: (0..settings.ants).map(ant).collect(),
         }
     }
@@ -118,18 +145,21 @@ impl<V: Variant + 'static> Colony<V> {
     fn move_ants(&mut self, which: Range<usize>) -> bool {
         let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return true };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
-        if V::LOCK_STEP && !V::TIMED {
-            weights.catch_up(trails);
-        }
+        let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
+        let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
+        let choose = |weights: &Row, stream: &mut Stream| self.variant.choose(weights, stream);
         let mut done = true;
         for ant in ants[which].iter_mut().filter(|a| a.fate() == Fate::Walking) {
             let from = ant.cell();
             let step = if V::TIMED {
-                move_one(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant)
+                lanes::move_one(&mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant, choose)
+            } else if V::LOCK_STEP {
+                let weights = weights.weigh_now(&sight, trails, from);
+                let step = choose(&cast(left(&weights, ant.look_around())), &mut ant.stream);
+                ant.go(&walk, step);
+                step
             } else {
-                let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
-                let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
-                move_one(&self.variant, &mut weights::Now { table: weights, trails, sight }, &walk, ant)
+                lanes::move_one(&mut weights::Now { table: weights, trails, sight }, &walk, ant, choose)
             };
             if let Some(direction) = step
                 && V::LOCK_STEP
@@ -137,27 +167,11 @@ impl<V: Variant + 'static> Colony<V> {
                 self.variant.on_move(trails, Step { from, direction, walked: ant.walked() });
                 if V::TIMED {
                     on_demand.outdate(trails);
-                } else {
-                    weights.follow(trails);
                 }
             }
             done &= ant.fate() != Fate::Walking;
         }
         done
-    }
-}
-
-impl<V: Variant> Colony<V> {
-    /// Lets ants in lock step walk to their end side by side, where they can: true when they have.
-    fn move_abreast(&mut self) -> bool {
-        let Some(Tables { trails, weights, ants, .. }) = &mut self.tables else { return true };
-        if V::TIMED || cfg!(not(feature = "whole")) {
-            return false;
-        }
-        let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
-        let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
-        let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
-        walk_in_lock_step(&self.variant, &mut Field { table: weights, trails, sight }, &walk, ants)
     }
 }
 
@@ -173,7 +187,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
     fn prepare(&mut self) {
         self.variant.prepare(&self.scenario);
         let trails = self.initial_trails();
-        self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, V::TIMED, self.streams));
+        self.tables = Some(Tables::new(&self.scenario, &self.settings, trails, Kind::of::<V>(), self.streams));
     }
 
     fn begin_iteration(&mut self) {
@@ -202,7 +216,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
     /// Lets every ant walk to its end. Same walks as by [`Iterations::move_all`], in whatever order is fastest.
     fn move_to_the_end(&mut self) {
         if V::LOCK_STEP {
-            while !self.move_abreast() && !self.move_all() {}
+            while !self.move_all() {}
             return;
         }
         let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return };
@@ -252,13 +266,13 @@ fn sight<'a, V: Variant>(scenario: &'a Scenario, variant: &V, beta: f64, eta: &'
     Sight { scenario, eta, beta, enters_goal: variant.enters_goal() }
 }
 
-/// Has the weights follow the trails before an iteration. Ants in lock step weigh for themselves.
+/// Has the weights follow the trails before an iteration.
 #[inline(always)]
 fn take_in_trails<V: Variant>(weights: &mut WeightTable, on_demand: &mut OnDemand, trails: &mut Trails) {
-    if V::TIMED {
-        on_demand.outdate(trails);
-    } else if !V::LOCK_STEP {
-        weights.refresh(trails);
+    match Kind::of::<V>() {
+        Kind::Kept => weights.refresh(trails),
+        Kind::Passing => {}
+        Kind::Timed => on_demand.outdate(trails),
     }
 }
 
@@ -273,25 +287,6 @@ fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &
         Abreast::Maximal if !V::TIMED && whole => lanes::walk_all(weights, walk, ants, Maximal),
         _ => lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream)),
     }
-}
-
-/// The same in lock step; false where the variant's rule is not known here, and nobody has moved.
-fn walk_in_lock_step<V: Variant>(variant: &V, field: &mut Field, walk: &Walk, ants: &mut [Ant]) -> bool {
-    match variant.abreast() {
-        Abreast::Proportional => lock_step::walk_all(variant, field, walk, ants, Proportional),
-        Abreast::PseudoProportional(q0) => lock_step::walk_all(variant, field, walk, ants, PseudoProportional::new(q0)),
-        Abreast::Threshold(lambda) => lock_step::walk_all(variant, field, walk, ants, Threshold(lambda)),
-        Abreast::Maximal | Abreast::Never => return false,
-    }
-    true
-}
-
-/// One move of one ant; the step it took, if it was one forward.
-#[inline(always)]
-fn move_one<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ant: &mut Ant) -> Option<crate::map::Direction> {
-    let step = lanes::chosen(weights, ant, |weights, stream| variant.choose(weights, stream));
-    ant.go(walk, step);
-    step
 }
 
 /// The arrived ant with the best way and its length; the first of equals.

@@ -38,25 +38,16 @@ impl Draws {
         f32x4::from_i32x4(cast::<u32x4, i32x4>(drawn >> 8u32)) * f32x4::splat(1.0 / 16_777_216.0)
     }
 
-    /// One of the streams as it is now.
-    #[inline(never)]
-    pub fn stream(&self, k: usize) -> Stream {
-        stream_of(self.0.map(|word| word.to_array()[k]))
-    }
-
     /// The streams as they are now.
     #[inline(never)]
     pub fn streams(self) -> [Stream; 4] {
-        u32x4::transpose(self.0).map(|words| stream_of(words.to_array()))
+        u32x4::transpose(self.0).map(|words| {
+            let mut state = [0; 16];
+            let (bytes, _) = state.as_chunks_mut::<4>();
+            bytes.iter_mut().zip(words.to_array()).for_each(|(bytes, word)| *bytes = word.to_le_bytes());
+            Stream::from_seed(state)
+        })
     }
-}
-
-/// A stream of these words.
-fn stream_of(words: [u32; 4]) -> Stream {
-    let mut state = [0; 16];
-    let (bytes, _) = state.as_chunks_mut::<4>();
-    bytes.iter_mut().zip(words).for_each(|(bytes, word)| *bytes = word.to_le_bytes());
-    Stream::from_seed(state)
 }
 
 #[inline(always)]

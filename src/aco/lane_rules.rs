@@ -3,7 +3,7 @@
 use wide::{bytemuck::cast, f32x4, u32x4};
 
 use super::draws::Draws;
-use super::selection::{maximal, pseudo_random_proportional, random_proportional, threshold};
+use super::selection::{maximal, pseudo_random_proportional, random_proportional};
 use super::trails::Row;
 use crate::map::{DIRECTIONS, Direction};
 use crate::rng::Stream;
@@ -40,10 +40,6 @@ impl PseudoProportional {
 /// [`maximal`].
 #[derive(Clone, Copy)]
 pub(super) struct Maximal;
-
-/// [`threshold`], with this λ.
-#[derive(Clone, Copy)]
-pub(super) struct Threshold(pub f64);
 
 /// The weights of four ants, summed from direction 0 upwards.
 pub(super) struct Sums {
@@ -131,52 +127,6 @@ impl Rule for Maximal {
     }
 }
 
-impl Threshold {
-    /// The largest weight that a candidate may have, for each lane: the last number of 32 bits at or below λ·Σw, which has 64.
-    #[inline(always)]
-    fn limits(self, weights: &[f32x4; DIRECTIONS]) -> f32x4 {
-        let mut totals = [0.0f64; 4];
-        for weight in weights {
-            let weight = weight.to_array();
-            for k in 0..4 {
-                totals[k] += f64::from(weight[k]);
-            }
-        }
-        let mut limits = [0.0f32; 4];
-        for k in 0..4 {
-            let (limit, near) = (self.0 * totals[k], (self.0 * totals[k]) as f32);
-            limits[k] = if f64::from(near) > limit { near.next_down() } else { near };
-        }
-        f32x4::new(limits)
-    }
-}
-
-impl Rule for Threshold {
-    #[inline(always)]
-    fn choose(self, weights: &[f32x4; DIRECTIONS], sums: &Sums, draws: &mut Draws) -> u32x4 {
-        let limits = self.limits(weights);
-        let (mut candidates, mut feasible) = (*weights, *weights);
-        for weight in &mut candidates {
-            *weight &= weight.simd_le(limits);
-        }
-        let candidates = Sums::of(&candidates);
-        let chosen = candidates.at_or_below(draws.next(candidates.alive, candidates.all_alive));
-        let others = sums.alive & !candidates.alive;
-        if !others.any() {
-            return chosen;
-        }
-        for weight in &mut feasible {
-            *weight = f32x4::ONE & weight.simd_gt(f32x4::ZERO);
-        }
-        candidates.alive.bitselect(chosen, Sums::of(&feasible).at_or_below(draws.next(others, false)))
-    }
-
-    #[inline(always)]
-    fn choose_one(self, weights: &Row, stream: &mut Stream) -> Option<Direction> {
-        threshold(weights, self.0, stream)
-    }
-}
-
 #[inline(always)]
 fn largest(weights: &[f32x4; DIRECTIONS]) -> f32x4 {
     let [a, b, c, d, e, f, g, h] = *weights;
@@ -238,8 +188,5 @@ mod tests {
             chooses_as_alone(PseudoProportional::new(q0));
         }
         chooses_as_alone(Maximal);
-        for lambda in [0.0, 0.1, 0.25, 0.5, 0.9, 1.0 - 1e-9, 1.0] {
-            chooses_as_alone(Threshold(lambda));
-        }
     }
 }

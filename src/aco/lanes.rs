@@ -63,7 +63,9 @@ pub(super) fn walk_all_by<W: Weights>(
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
     while let Ok(abreast) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
         while abreast.iter().all(|a| a.fate() == Fate::Walking) {
-            abreast.iter_mut().for_each(|ant| move_one(weights, walk, ant, choose));
+            for ant in abreast.iter_mut() {
+                move_one(weights, walk, ant, choose);
+            }
         }
         lanes.retain(|a| a.fate() == Fate::Walking);
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
@@ -77,23 +79,19 @@ fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: i
     }
 }
 
-/// One move of one ant.
+/// One move of one ant; the step it took, if it was one forward.
 #[inline(always)]
-fn move_one<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
-    let step = chosen(weights, ant, choose);
-    ant.go(walk, step);
-}
-
-/// The step that an ant chooses; none at a dead end, where nothing is drawn.
-#[inline(always)]
-pub(super) fn chosen<W: Weights>(
+pub(super) fn move_one<W: Weights>(
     weights: &mut W,
+    walk: &Walk,
     ant: &mut Ant,
     choose: impl Fn(&Row, &mut Stream) -> Option<Direction>,
 ) -> Option<Direction> {
+    let seen = ant.look_around();
     loop {
-        let step = choose(&cast(left(weights.row(ant.cell()), ant.seen())), &mut ant.stream);
+        let step = choose(&cast(left(weights.row(ant.cell()), seen)), &mut ant.stream);
         if step.is_some() || !weights.learn(ant.cell()) {
+            ant.go(walk, step);
             return step;
         }
     }
@@ -170,9 +168,7 @@ impl Group {
         ended
     }
 
-    /// The weights of the steps that are left, by direction, for all lanes.
-    ///
-    /// A cell is marked here, when it is left, and not when it is entered: by the time it is read again the mark has long been written.
+    /// The weights of the steps that are left, by direction, for all lanes. The cells are marked, as by [`Ant::look_around`].
     #[inline(always)]
     fn weights<W: Weights>(&mut self, weights: &mut W, ants: &mut [&mut Ant; LANES]) -> [f32x4; DIRECTIONS] {
         let (mut low, mut high) = ([f32x4::ZERO; LANES], [f32x4::ZERO; LANES]);

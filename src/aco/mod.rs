@@ -15,7 +15,6 @@
 //! | one ant: its way, its random stream | `ant.rs` |
 //! | its tabu list: where it has been | `tabu.rs` |
 //! | eight ants in SIMD lanes, the same walk | `lanes.rs` |
-//! | ants in lock step, which change trails as they walk, four in lanes | `lock_step.rs` |
 //! | their selection rules and their random streams | `lane_rules.rs`, `draws.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
 //! | what makes one finished path better than another | `criterion.rs` |
@@ -57,7 +56,6 @@ pub mod hybrid;
 mod lane_rules;
 mod lanes;
 pub mod legs;
-mod lock_step;
 pub mod odds;
 pub mod on_demand;
 pub mod order_run;

@@ -42,18 +42,29 @@ pub fn random_proportional(weights: &Row, stream: &mut Stream) -> Option<Directi
     if total <= 0.0 {
         return None;
     }
-    let threshold = unit_f32(stream.next_u32()) * total;
-    Some(sums.iter().map(|&s| u8::from(s <= threshold)).sum())
+    let threshold = f32x4::splat(unit_f32(stream.next_u32()) * total);
+    // Sums do not fall, so those at or below it are the first ones.
+    let [low, high]: [f32x4; 2] = cast(sums);
+    let below = low.simd_le(threshold).to_bitmask() | high.simd_le(threshold).to_bitmask() << 4;
+    Some(below.trailing_ones() as Direction)
 }
 
 /// Threshold rule (Lai and Guo 2014, step 5): random proportional among the steps with probability w_d / Σ w ≤ λ; if there is none, any
 /// feasible step, uniformly. `None` when no step is left.
 #[inline]
 pub fn threshold(weights: &Row, lambda: f64, stream: &mut Stream) -> Option<Direction> {
-    // In f64: beside a step of weight 1, a probability of 1 − 1e-8 is not yet 1.
-    let total: f64 = weights.iter().map(|&w| f64::from(w)).sum();
-    let candidates = weights.map(|w| if f64::from(w) <= lambda * total { w } else { 0.0 });
+    let limit = f32x4::splat(largest_candidate(weights.iter().map(|&w| f64::from(w)).sum(), lambda));
+    let [low, high]: [f32x4; 2] = cast(*weights);
+    let candidates: Row = cast([low & low.simd_le(limit), high & high.simd_le(limit)]);
     random_proportional(&candidates, stream).or_else(|| random_proportional(&feasible(weights), stream))
+}
+
+/// The largest weight that a candidate of the threshold rule may have, as the weights have 32 bits. In f64: beside a step of weight 1, a
+/// probability of 1 − 1e-8 is not yet 1.
+#[inline(always)]
+fn largest_candidate(total: f64, lambda: f64) -> f32 {
+    let (limit, near) = (lambda * total, (lambda * total) as f32);
+    if f64::from(near) > limit { near.next_down() } else { near }
 }
 
 /// The step of the largest weight; equal ones are drawn from uniformly. `None` when no step is left.

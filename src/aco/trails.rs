@@ -202,24 +202,6 @@ impl Trails {
         self.all_dirty = true;
     }
 
-    /// Whether there is something for [`Trails::take_changes`].
-    #[inline(always)]
-    pub fn has_changed(&self) -> bool {
-        self.all_dirty || !self.touched.is_empty()
-    }
-
-    /// The only cell that has changed since the last call, if it is one alone, with its trails.
-    #[inline(always)]
-    pub fn take_change(&mut self) -> Option<(Cell, &Row)> {
-        let [c] = self.touched[..] else { return None };
-        if self.all_dirty {
-            return None;
-        }
-        self.touched.clear();
-        self.state[c as usize] &= !DIRTY;
-        Some((c, &self.stored[c as usize]))
-    }
-
     /// Calls `refresh` for every cell that has changed since the last call; where everything has, for these.
     pub fn take_changes(&mut self, all: impl Iterator<Item = Cell>, mut refresh: impl FnMut(&Row, Cell)) {
         if std::mem::take(&mut self.all_dirty) {

@@ -91,8 +91,6 @@ pub enum Abreast {
     PseudoProportional(f64),
     /// The step of the largest weight.
     Maximal,
-    /// The threshold rule, with this λ.
-    Threshold(f64),
     /// None of these: each ant by itself.
     Never,
 }

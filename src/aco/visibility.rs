@@ -64,41 +64,43 @@ const UNKNOWN: Row = [f32::NAN; DIRECTIONS];
 /// The rows that are known.
 #[derive(Debug, Clone)]
 pub(super) struct Visibility {
-    chunks: Vec<Option<Arc<[Row; CHUNK]>>>,
+    /// Of those without a known row, all are the same one.
+    chunks: Vec<Arc<[Row; CHUNK]>>,
+    unknown: Arc<[Row; CHUNK]>,
 }
 
 impl Visibility {
     /// Of a map of this many cells, with nothing known.
     pub fn new(cells: usize) -> Self {
-        Self { chunks: vec![None; cells.div_ceil(CHUNK)] }
+        let unknown = Arc::new([UNKNOWN; CHUNK]);
+        Self { chunks: vec![Arc::clone(&unknown); cells.div_ceil(CHUNK)], unknown }
     }
 
     /// The row of a cell where it is known.
     #[inline(always)]
     pub fn row(&self, c: Cell) -> Option<&Row> {
-        let chunk = self.chunks[c as usize / CHUNK].as_ref()?;
-        Some(&chunk[c as usize % CHUNK]).filter(|row| !row[0].is_nan())
+        let row = &self.chunks[c as usize / CHUNK][c as usize % CHUNK];
+        if row[0].is_nan() { None } else { Some(row) }
     }
 
     /// The row of a cell, known from now on.
     #[inline(never)]
     pub fn learn(&mut self, sight: &Sight, c: Cell) -> &Row {
-        let chunk = self.chunks[c as usize / CHUNK].get_or_insert_with(|| Arc::new([UNKNOWN; CHUNK]));
-        let row = &mut Arc::make_mut(chunk)[c as usize % CHUNK];
+        let row = &mut Arc::make_mut(&mut self.chunks[c as usize / CHUNK])[c as usize % CHUNK];
         *row = sight.row(c);
         row
     }
 
     /// Nothing is known any longer.
     pub fn forget_all(&mut self) {
-        self.chunks.fill(None);
+        self.chunks.fill(Arc::clone(&self.unknown));
     }
 
     /// This row is not known any longer.
     #[cfg(feature = "whole")]
     pub fn forget(&mut self, c: Cell) {
-        if let Some(chunk) = &mut self.chunks[c as usize / CHUNK] {
-            Arc::make_mut(chunk)[c as usize % CHUNK] = UNKNOWN;
+        if self.row(c).is_some() {
+            Arc::make_mut(&mut self.chunks[c as usize / CHUNK])[c as usize % CHUNK] = UNKNOWN;
         }
     }
 

@@ -6,7 +6,9 @@
 
 use wide::{bytemuck::cast, f32x4};
 
-use crate::map::{Cell, DIRECTIONS};
+use crate::map::Cell;
+#[cfg(test)]
+use crate::map::DIRECTIONS;
 use crate::planner::held;
 
 use super::trails::{Row, Trails};
@@ -44,6 +46,11 @@ impl WeightTable {
         Self { alpha, visibility: Visibility::new(cells), weights: vec![Row::default(); cells], known: Vec::new() }
     }
 
+    /// The same for who only asks for [`WeightTable::weigh_now`].
+    pub fn passing(cells: usize, alpha: f64) -> Self {
+        Self { visibility: Visibility::new(cells), ..Self::new(0, alpha) }
+    }
+
     /// The weights of a cell, known from now on; false where they were.
     #[inline(never)]
     fn learn(&mut self, sight: &Sight, trails: &Trails, c: Cell) -> bool {
@@ -67,18 +74,20 @@ impl WeightTable {
     pub fn forget(&mut self, cells: &[Cell]) {
         for &c in cells {
             self.visibility.forget(c);
-            self.weights[c as usize] = Row::default();
+            if let Some(weights) = self.weights.get_mut(c as usize) {
+                *weights = Row::default();
+            }
         }
         self.known.retain(|&c| self.visibility.row(c).is_some());
     }
 
-    /// The weights of a cell as its trails are now, whatever the table holds.
+    /// The weights of a cell as its trails are now: worked out, and not kept.
     #[inline(always)]
     pub(super) fn weigh_now(&mut self, sight: &Sight, trails: &mut Trails, c: Cell) -> Row {
-        if self.visibility.row(c).is_none() {
-            self.learn(sight, trails, c);
-        }
-        let seen = self.visibility.row(c).unwrap_or(&NOTHING);
+        let seen = match self.visibility.row(c) {
+            Some(seen) => seen,
+            None => self.visibility.learn(sight, c),
+        };
         weigh_here(trails.here(c), self.alpha, seen)
     }
 
@@ -93,35 +102,11 @@ impl WeightTable {
         });
     }
 
-    /// The same where no change may be left from ants that walked by [`WeightTable::weigh_now`].
-    #[inline(always)]
-    pub(super) fn catch_up(&mut self, trails: &mut Trails) {
-        if trails.has_changed() {
-            self.refresh(trails);
-        }
-    }
-
-    /// The same where hardly more than one cell can have changed: after a move.
-    #[inline(always)]
-    pub fn follow(&mut self, trails: &mut Trails) {
-        match trails.take_change() {
-            Some((c, trail)) => {
-                if let Some(seen) = self.visibility.row(c) {
-                    self.weights[c as usize] = weigh(trail, self.alpha, seen);
-                }
-            }
-            None => self.refresh(trails),
-        }
-    }
-
     /// What it holds, in bytes, without what snapshots share.
     pub fn bytes(&self) -> usize {
         held(&self.weights) + held(&self.known) + self.visibility.bytes()
     }
 }
-
-/// Of a cell without steps.
-const NOTHING: Row = [0.0; DIRECTIONS];
 
 /// The weights as a walk reads them, with all that is needed to learn more.
 pub(super) struct Now<'a> {

@@ -220,7 +220,7 @@ impl Variant for Acost {
 
     fn abreast(&self) -> Abreast {
         match self.params.rule {
-            Rule::Threshold => Abreast::Threshold(self.lambda),
+            Rule::Threshold => Abreast::Never,
             Rule::Proportional => Abreast::Proportional,
         }
     }
