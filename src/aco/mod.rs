@@ -65,7 +65,7 @@ mod tabu;
 pub mod tour;
 pub mod trails;
 pub mod variant;
-mod visibility;
+pub mod visibility;
 pub mod weights;
 
 mod classics;

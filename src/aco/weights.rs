@@ -53,7 +53,7 @@ impl WeightTable {
 
     /// The weights of a cell, known from now on; false where they were.
     #[inline(never)]
-    fn learn(&mut self, sight: &Sight, trails: &Trails, c: Cell) -> bool {
+    pub fn learn(&mut self, sight: &Sight, trails: &Trails, c: Cell) -> bool {
         if self.visibility.row(c).is_some() {
             return false;
         }
@@ -61,6 +61,12 @@ impl WeightTable {
         let seen = self.visibility.learn(sight, c);
         self.weights[c as usize] = weigh(&trails.relative(c), self.alpha, seen);
         true
+    }
+
+    /// The weights of the steps from a cell; all 0 where they are not known.
+    #[inline(always)]
+    pub fn row(&self, c: Cell) -> &Row {
+        &self.weights[c as usize]
     }
 
     /// Everything is to be learnt again: η has changed.
@@ -118,7 +124,7 @@ pub(super) struct Now<'a> {
 impl Weights for Now<'_> {
     #[inline(always)]
     fn row(&mut self, c: Cell) -> &Row {
-        &self.table.weights[c as usize]
+        self.table.row(c)
     }
 
     fn learn(&mut self, c: Cell) -> bool {

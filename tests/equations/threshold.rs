@@ -10,6 +10,7 @@ use formicarium::aco::threshold::{
 };
 use formicarium::aco::trails::{Row, Trails};
 use formicarium::aco::variant::{Iteration, Step, Variant};
+use formicarium::aco::visibility::Sight;
 use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::map::{CornerRule, Direction, Grid, Movement, Moves, Point};
@@ -69,9 +70,9 @@ fn eq_5_probabilities_are_proportional_to_trail_and_heuristic() {
     let up = direction(&s, (0, 1), (0, 0));
     let down = direction(&s, (0, 1), (0, 2));
     trails.deposit(1, up, 1.0);
-    let mut table = WeightTable::new(4, 1.0, 2.0);
-    table.see(&s, &|_, d, _| if d == up { 0.5 } else { 1.0 });
-    table.refresh(&mut trails);
+    let mut table = WeightTable::new(4, 1.0);
+    let sight = Sight { scenario: &s, eta: &|_, d, _| if d == up { 0.5 } else { 1.0 }, beta: 2.0, enters_goal: false };
+    assert!(table.learn(&sight, &trails, 1));
     let variant = Acost::new(AcostParams { rule: Rule::Proportional, ..AcostParams::default() });
     let row = *table.row(1);
     let seen = counts(|stream| variant.choose(&row, stream));

@@ -3,7 +3,7 @@
 use super::colony::{Numbers, Rules};
 use super::trails::RowTrails;
 use crate::aco::dead_end::DeadEnd;
-use crate::aco::terrain::walk::{Walker, combine, select};
+use crate::aco::terrain::walk::{Walker, combine, gather, select};
 use crate::aco::weights::{FLOOR, power};
 use crate::map::{Cell, Slices, Way};
 use crate::planner::held;
@@ -60,14 +60,12 @@ pub(super) fn deltas(slices: &Slices) -> Vec<i32> {
 /// τ_ij^α·η_ij^β of every step of an ant; 0 for steps that are infeasible or tabu.
 #[inline(always)]
 pub(super) fn weigh<R: Rules>(ant: &Walker, seen: &[f32], deltas: &[i32], trails: &RowTrails, alpha: f64, weights: &mut [f32]) {
-    let (from, mut largest) = (ant.place(), f32::MIN_POSITIVE);
-    for (k, weight) in weights.iter_mut().enumerate() {
-        let to = from.wrapping_add_signed(deltas[k]);
-        let (place, step) = slot::<R>(from, k, to);
-        *weight = if seen[k] > 0.0 && !ant.is_tabu(to) { trails.get(place, step) } else { 0.0 };
-        largest = if *weight > largest { *weight } else { largest };
+    match trails.row(ant.place()) {
+        _ if R::ON_PLACES => gather(ant, seen, deltas, weights, |to, _| trails.get(to, 0)),
+        Some(row) => gather(ant, seen, deltas, weights, |_, k| row[k]),
+        None => gather(ant, seen, deltas, weights, |_, _| trails.elsewhere()),
     }
-    combine(weights, seen, largest, alpha);
+    combine(weights, seen, alpha);
 }
 
 /// Of a colony at work.

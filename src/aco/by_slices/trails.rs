@@ -39,6 +39,21 @@ impl RowTrails {
         }
     }
 
+    /// τ of the steps of a place that has a row of its own.
+    #[inline(always)]
+    pub fn row(&self, place: Cell) -> Option<&[f32]> {
+        let first = match self.row_of[place as usize] {
+            NONE => return None,
+            row => row as usize * self.width,
+        };
+        Some(&self.rows[first..first + self.width])
+    }
+
+    /// τ wherever there is no row.
+    pub fn elsewhere(&self) -> f32 {
+        self.background
+    }
+
     /// τ of the strongest step of a place.
     pub fn strongest(&self, place: Cell) -> f32 {
         (0..self.width).map(|k| self.get(place, k)).fold(0.0, f32::max)

@@ -156,10 +156,14 @@ impl Sight {
         self.seen_in[row] = self.iteration;
         let steps = row * self.steps..(row + 1) * self.steps;
         let (near, pull) = (&self.near[steps.clone()], &self.pull[steps.clone()]);
-        let log = |k: usize| self.exponent * f64::from(pull[k]);
-        let largest = (0..self.steps).filter(|&k| near[k] > 0.0).map(log).fold(f64::NEG_INFINITY, f64::max);
-        for (k, seen) in self.seen[steps].iter_mut().enumerate() {
-            *seen = if near[k] > 0.0 { (near[k] * libm::exp(log(k) - largest) as f32).max(FLOOR) } else { 0.0 };
+        let exponent = self.exponent;
+        let log = |pull: f32| exponent * f64::from(pull);
+        let mut largest = f64::NEG_INFINITY;
+        for (&near, &pull) in near.iter().zip(pull) {
+            largest = if near > 0.0 && log(pull) > largest { log(pull) } else { largest };
+        }
+        for (seen, (&near, &pull)) in self.seen[steps].iter_mut().zip(near.iter().zip(pull)) {
+            *seen = if near > 0.0 { (near * libm::exp(log(pull) - largest) as f32).max(FLOOR) } else { 0.0 };
         }
     }
 

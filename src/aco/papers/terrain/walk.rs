@@ -1,6 +1,7 @@
 //! One ant of the terrain paper: its list of places, its path once it has one, and how it selects a step.
 
 use rand::Rng;
+use wide::f32x4;
 
 use super::space::Place;
 use super::trails::PlaceTrails;
@@ -90,10 +91,10 @@ impl Walker {
         held(&self.list) + held(&self.abandoned) + held(&self.tabu) + held(&self.route)
     }
 
-    /// Whether it has visited a place.
+    /// All ones where it has not visited a place.
     #[inline(always)]
-    pub fn is_tabu(&self, place: Place) -> bool {
-        self.tabu[place as usize >> 6] >> (place & 63) & 1 == 1
+    pub fn open(&self, place: Place) -> u32 {
+        ((self.tabu[place as usize >> 6] >> (place & 63) & 1) as u32).wrapping_sub(1)
     }
 
     /// One step.
@@ -171,30 +172,79 @@ pub fn alone(list: &[Place], way: Way, route: &mut Vec<Place>) {
 /// divided by the largest of the steps that are left.
 #[inline(always)]
 pub fn weigh(ant: &Walker, seen: &[f32], deltas: &[i32], trails: &PlaceTrails, alpha: f64, weights: &mut [f32]) {
+    gather(ant, seen, deltas, weights, |to, _| trails.relative(to));
+    combine(weights, seen, alpha);
+}
+
+/// The trail of every step that is left, by where it leads and its number; 0 for the others.
+#[inline(always)]
+pub fn gather(ant: &Walker, seen: &[f32], deltas: &[i32], trails: &mut [f32], trail: impl Fn(Place, usize) -> f32) {
     let from = ant.place();
-    let mut largest = f32::MIN_POSITIVE;
-    for ((weight, &seen), &delta) in weights.iter_mut().zip(seen).zip(deltas) {
-        let to = from.wrapping_add_signed(delta);
-        *weight = if seen > 0.0 && !ant.is_tabu(to) { trails.relative(to) } else { 0.0 };
-        largest = if *weight > largest { *weight } else { largest };
+    // Without branches: where no step is feasible one looks at the ant's own place, which is tabu.
+    let of = |seen: f32, delta: i32, k: usize| {
+        let to = if seen > 0.0 { from.wrapping_add_signed(delta) } else { from };
+        f32::from_bits(trail(to, k).to_bits() & ant.open(to))
+    };
+    // Eight at a time, which the compiler unrolls: there are 8 or 16 on the ground.
+    let (trails, rest) = trails.as_chunks_mut::<8>();
+    let eights = trails.len();
+    for (i, ((trails, seen), deltas)) in trails.iter_mut().zip(seen.as_chunks::<8>().0).zip(deltas.as_chunks::<8>().0).enumerate()
+    {
+        for k in 0..8 {
+            trails[k] = of(seen[k], deltas[k], 8 * i + k);
+        }
     }
-    combine(weights, seen, largest, alpha);
+    for (k, trail) in (8 * eights..).zip(rest) {
+        *trail = of(seen[k], deltas[k], k);
+    }
 }
 
 /// From the trails τ of the steps that are left to τ^α·η^β by what `seen` has of η; τ is divided by the largest. 0 stays 0.
 #[inline(always)]
-pub fn combine(weights: &mut [f32], seen: &[f32], largest: f32, alpha: f64) {
-    if alpha == 1.0 {
-        // Without branches, for SIMD.
-        for (weight, &seen) in weights.iter_mut().zip(seen) {
-            let product = (*weight / largest * seen).max(FLOOR);
-            *weight = if *weight > 0.0 { product } else { 0.0 };
-        }
-    } else {
+pub fn combine(weights: &mut [f32], seen: &[f32], alpha: f64) {
+    let largest = largest(weights).max(f32::MIN_POSITIVE);
+    if alpha != 1.0 {
         for (weight, &seen) in weights.iter_mut().zip(seen).filter(|(weight, _)| **weight > 0.0) {
             *weight = (power(f64::from(*weight / largest), alpha) as f32 * seen).max(FLOOR);
         }
+        return;
     }
+    let (fours, rest) = weights.as_chunks_mut::<4>();
+    let (seen_fours, seen_rest) = seen.as_chunks::<4>();
+    for (weights, &seen) in fours.iter_mut().zip(seen_fours) {
+        let trails = f32x4::new(*weights);
+        let product = (trails / f32x4::splat(largest) * f32x4::new(seen)).fast_max(f32x4::splat(FLOOR));
+        *weights = (product & trails.simd_gt(f32x4::ZERO)).to_array();
+    }
+    for (weight, seen) in rest.iter_mut().zip(seen_rest).filter(|(weight, _)| **weight > 0.0) {
+        *weight = (*weight / largest * seen).max(FLOOR);
+    }
+}
+
+/// The largest weight; 0 of none.
+#[inline(always)]
+fn largest(weights: &[f32]) -> f32 {
+    let (fours, rest) = weights.as_chunks::<4>();
+    let mut most = f32x4::ZERO;
+    for &four in fours {
+        most = most.fast_max(f32x4::new(four));
+    }
+    let [a, b, c, d] = most.to_array();
+    let larger = |a: f32, b: f32| if a > b { a } else { b };
+    rest.iter().fold(larger(larger(a, b), larger(c, d)), |most, &weight| larger(most, weight))
+}
+
+/// The first of the weights that are at least so large.
+#[inline(always)]
+fn first_at_least(weights: &[f32], least: f32) -> Option<usize> {
+    let (fours, rest) = weights.as_chunks::<4>();
+    for (i, &four) in fours.iter().enumerate() {
+        let found = f32x4::new(four).simd_ge(f32x4::splat(least)).to_bitmask();
+        if found != 0 {
+            return Some(4 * i + found.trailing_zeros() as usize);
+        }
+    }
+    rest.iter().position(|&weight| weight >= least).map(|k| 4 * fours.len() + k)
 }
 
 /// With probability q0 the step of the largest weight, the first of equals; otherwise Eq. 1. `None` when no step is left.
@@ -202,10 +252,12 @@ pub fn combine(weights: &mut [f32], seen: &[f32], largest: f32, alpha: f64) {
 /// Draws q first, unless q0 is 0, and for Eq. 1 a second number; at a dead end none at all.
 #[inline(always)]
 pub fn select(weights: &[f32], q0: f64, stream: &mut Stream) -> Option<usize> {
-    let largest = weights.iter().fold(0.0f32, |m, &w| if w > m { w } else { m });
-    let best = weights.iter().position(|&w| w == largest && w > 0.0)?;
+    let largest = largest(weights);
+    if largest <= 0.0 {
+        return None;
+    }
     if q0 > 0.0 && f64::from(unit_f32(stream.next_u32())) <= q0 {
-        return Some(best);
+        return first_at_least(weights, largest);
     }
     let threshold = unit_f32(stream.next_u32()) * weights.iter().sum::<f32>();
     let mut sum = 0.0;
