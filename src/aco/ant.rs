@@ -11,6 +11,8 @@ use super::tabu::{Place, SEEN, Seen, Tabu};
 #[derive(Debug, Clone)]
 pub struct Ant {
     pub(super) fate: Fate,
+    /// It walks, but waits for weights that somebody else has to learn.
+    pub(super) waits: bool,
     pub(super) cell: Cell,
     pub(super) place: Place,
     moves: u32,
@@ -45,6 +47,7 @@ impl Ant {
         let tabu = Tabu::new(width, height);
         Self {
             fate: Fate::Lost,
+            waits: false,
             cell: 0,
             place: tabu.place(width, 0),
             moves: 0,
@@ -91,6 +94,17 @@ impl Ant {
     #[inline(always)]
     pub fn fate(&self) -> Fate {
         self.fate
+    }
+
+    /// Whether it can make a move.
+    #[inline(always)]
+    pub(super) fn is_ready(&self) -> bool {
+        self.fate == Fate::Walking && !self.waits
+    }
+
+    /// It need not wait any longer.
+    pub(super) fn go_on(&mut self) {
+        self.waits = false;
     }
 
     /// Where it is.

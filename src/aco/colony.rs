@@ -4,6 +4,7 @@
 mod adapt;
 mod moves;
 
+use std::num::NonZero;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ use super::lane_rules::{Maximal, Proportional, PseudoProportional};
 use super::lanes;
 use super::on_demand::OnDemand;
 use super::selection::left;
+use super::threads;
 use super::trails::{Row, Trails};
 use super::variant::{Abreast, Iteration, Settings, Step, Variant};
 use super::visibility::{Eta, Sight};
@@ -107,9 +109,14 @@ pub struct Colony<V> {
     /// An iteration has begun and not ended.
     constructing: bool,
     progress: Progress,
+    /// On which ants walk.
+    threads: NonZero<usize>,
 }
 
 impl<V: Variant + 'static> Colony<V> {
+    /// Whether its ants can walk on several threads.
+    pub(super) const ON_THREADS: bool = cfg!(not(target_arch = "wasm32")) && !V::LOCK_STEP && !V::TIMED;
+
     /// A colony of the planner with this id; `run` tells repeated runs of one comparison apart.
     pub fn new(scenario: Arc<Scenario>, variant: V, planner: &str, seed: u32, run: u32) -> Self {
         let settings = variant.settings();
@@ -124,6 +131,7 @@ impl<V: Variant + 'static> Colony<V> {
             tables: None,
             constructing: false,
             progress: Progress::default(),
+            threads: NonZero::<usize>::MIN,
         }
     }
 
@@ -226,6 +234,10 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         } else {
             let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
             let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
+            if Self::ON_THREADS && self.threads.get() > 1 {
+                let (variant, known) = (&self.variant, &*weights);
+                threads::each_part(ants, self.threads, |part| walk_to_the_end(variant, &mut &*known, &walk, part));
+            }
             walk_to_the_end(&self.variant, &mut weights::Now { table: weights, trails, sight }, &walk, ants);
         }
     }
@@ -373,6 +385,11 @@ impl<V: Variant + 'static> Planner for Colony<V> {
     #[cfg(feature = "whole")]
     fn adapt(&mut self, change: &Change, to: &Arc<Scenario>) {
         self.go_on(change, to);
+    }
+
+    fn walk_on(&mut self, threads: NonZero<usize>) -> bool {
+        self.threads = threads;
+        Self::ON_THREADS
     }
 
     fn objective(&self) -> Objective {

@@ -3,6 +3,7 @@
 //! The iterations of both are numbered through, effort adds up, and the best path is the best of both: what a hybrid spends and finds can
 //! be held against planners that do it in one go.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use crate::map::Cell;
@@ -26,6 +27,8 @@ pub struct Hybrid<V> {
     layers: &'static [Layer],
     seed: u32,
     progress: Progress,
+    /// On which ants walk.
+    threads: NonZero<usize>,
 }
 
 impl<V: Variant + 'static> Hybrid<V> {
@@ -37,7 +40,8 @@ impl<V: Variant + 'static> Hybrid<V> {
         (planner, layers): (&'static str, &'static [Layer]),
         seed: u32,
     ) -> Self {
-        Self { scenario, first, second, colony: None, planner, layers, seed, progress: Progress::default() }
+        let (progress, threads) = (Progress::default(), NonZero::<usize>::MIN);
+        Self { scenario, first, second, colony: None, planner, layers, seed, progress, threads }
     }
 
     /// The second stage, from what the first has found so far.
@@ -45,7 +49,9 @@ impl<V: Variant + 'static> Hybrid<V> {
         let found = self.first.best().map(|b| (b.path.clone(), b.length));
         let mut second = self.second.clone();
         second.take_seed(found.as_ref());
-        Colony::new(Arc::clone(&self.scenario), second, self.planner, self.seed, 0)
+        let mut colony = Colony::new(Arc::clone(&self.scenario), second, self.planner, self.seed, 0);
+        colony.walk_on(self.threads);
+        colony
     }
 
     /// Goes from stage to stage, and ends.
@@ -105,6 +111,14 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
     fn bytes(&self) -> usize {
         let second = self.colony.as_ref().map_or(0, |colony| colony.bytes() - size_of::<Colony<V>>());
         size_of::<Self>() + self.progress.bytes() + self.first.bytes() + second
+    }
+
+    fn walk_on(&mut self, threads: NonZero<usize>) -> bool {
+        self.threads = threads;
+        if let Some(colony) = &mut self.colony {
+            colony.walk_on(threads);
+        }
+        Colony::<V>::ON_THREADS
     }
 
     /// Those of the colony; none while the first stage runs, which has no ants.

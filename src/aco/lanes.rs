@@ -27,14 +27,14 @@ const ABREAST: usize = 2 * LANES;
 /// Steps of a group that are written down together.
 const TRACE: usize = 64;
 
-/// Lets all walking ants walk to their end. One copy for all variants that select by the same rule.
+/// Lets all walking ants walk to their end, or to where they have to wait. One copy for all variants that select by the same rule.
 #[inline(never)]
 pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: &mut [Ant], rule: R) {
     // The opening build must stay small.
     if !cfg!(feature = "whole") {
         return walk_all_by(weights, walk, ants, |row, stream| rule.choose_one(row, stream));
     }
-    let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
+    let mut waiting = ants.iter_mut().filter(|a| a.is_ready());
     let mut lanes: Vec<&mut Ant> = Vec::with_capacity(ABREAST);
     loop {
         lanes.extend(waiting.by_ref().take(ABREAST - lanes.len()));
@@ -48,7 +48,7 @@ pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: 
             }),
         }
         lanes.iter_mut().filter(|a| a.fate() != Fate::Walking).for_each(|ant| ant.count(walk));
-        lanes.retain(|a| a.fate() == Fate::Walking);
+        lanes.retain(|a| a.is_ready());
     }
 }
 
@@ -59,22 +59,22 @@ pub(super) fn walk_all_by<W: Weights>(
     ants: &mut [Ant],
     choose: impl Fn(&Row, &mut Stream) -> Option<Direction> + Copy,
 ) {
-    let mut waiting = ants.iter_mut().filter(|a| a.fate() == Fate::Walking);
+    let mut waiting = ants.iter_mut().filter(|a| a.is_ready());
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
     while let Ok(abreast) = <&mut [&mut Ant; LANES]>::try_from(lanes.as_mut_slice()) {
-        while abreast.iter().all(|a| a.fate() == Fate::Walking) {
+        while abreast.iter().all(|a| a.is_ready()) {
             for ant in abreast.iter_mut() {
                 move_one(weights, walk, ant, choose);
             }
         }
-        lanes.retain(|a| a.fate() == Fate::Walking);
+        lanes.retain(|a| a.is_ready());
         lanes.extend(waiting.by_ref().take(LANES - lanes.len()));
     }
     lanes.iter_mut().for_each(|ant| to_the_end(weights, walk, ant, choose));
 }
 
 fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
-    while ant.fate() == Fate::Walking {
+    while ant.is_ready() {
         move_one(weights, walk, ant, &choose);
     }
 }
@@ -90,10 +90,14 @@ pub(super) fn move_one<W: Weights>(
     let seen = ant.look_around();
     loop {
         let step = choose(&cast(left(weights.row(ant.cell()), seen)), &mut ant.stream);
-        if step.is_some() || !weights.learn(ant.cell()) {
-            ant.go(walk, step);
-            return step;
+        if step.is_none() && weights.learn(ant.cell()) {
+            continue;
         }
+        ant.waits = step.is_none() && !weights.knows(ant.cell());
+        if !ant.waits {
+            ant.go(walk, step);
+        }
+        return step;
     }
 }
 
@@ -201,9 +205,10 @@ impl Group {
         self.from[k] = self.traced;
         weights.learn(self.cells[k]);
         let [low, high] = left(weights.row(self.cells[k]), ant.tabu.around(self.places[k]));
-        if (low + high).simd_gt(f32x4::ZERO).any() {
+        ant.waits = !weights.knows(self.cells[k]);
+        if ant.waits || (low + high).simd_gt(f32x4::ZERO).any() {
             self.waited[k] += 1;
-            return false;
+            return ant.waits;
         }
         (ant.cell, ant.place) = (self.cells[k], self.places[k]);
         ant.at_dead_end(walk);

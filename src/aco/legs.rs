@@ -7,6 +7,7 @@
 //! iterations nor as constructed paths nor as moves. On that level a move is one search or one iteration of the order colony; an iteration
 //! goes through all of it and on to the end of the legs' first iteration.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
@@ -58,6 +59,7 @@ pub fn planner<V: Variant + 'static>(
             stage: Stage::Begin,
             legs: Vec::new(),
             progress: Progress::default(),
+            threads: NonZero::<usize>::MIN,
         })
     }
 }
@@ -88,6 +90,8 @@ struct Legs<V> {
     /// In the order of the tour; empty before the legs are walked.
     legs: Vec<Colony<V>>,
     progress: Progress,
+    /// On which ants walk.
+    threads: NonZero<usize>,
 }
 
 impl<V: Variant + 'static> Legs<V> {
@@ -129,8 +133,9 @@ impl<V: Variant + 'static> Legs<V> {
         for (run, &goal) in self.progress.tour.iter().flat_map(|t| &t.order).enumerate() {
             let to = self.scenario.goals[goal as usize];
             let leg = Arc::new(self.scenario.leg(from, to));
-            let colony = Colony::new(leg, self.variant.clone(), self.streams, self.seed, run as u32);
-            self.legs.push(colony.never_stagnates());
+            let mut colony = Colony::new(leg, self.variant.clone(), self.streams, self.seed, run as u32).never_stagnates();
+            colony.walk_on(self.threads);
+            self.legs.push(colony);
             from = to;
         }
         self.stage = Stage::Walking;
@@ -258,6 +263,14 @@ impl<V: Variant + 'static> Planner for Legs<V> {
         let mut turn = if waits { Turn::over(colony.ant(ant)?) } else { colony.turn_of(ant)? };
         turn.odds.iter_mut().for_each(|odds| odds.colony = leg);
         Some(turn)
+    }
+
+    fn walk_on(&mut self, threads: NonZero<usize>) -> bool {
+        self.threads = threads;
+        for leg in &mut self.legs {
+            leg.walk_on(threads);
+        }
+        Colony::<V>::ON_THREADS
     }
 
     /// Ants of each leg.

@@ -14,7 +14,7 @@
 //! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
 //! | one ant: its way, its random stream | `ant.rs` |
 //! | its tabu list: where it has been | `tabu.rs` |
-//! | eight ants in SIMD lanes, the same walk | `lanes.rs` |
+//! | eight ants in SIMD lanes, the same walk; parts of all ants on threads | `lanes.rs`, `threads.rs` |
 //! | their selection rules and their random streams | `lane_rules.rs`, `draws.rs` |
 //! | what arrived ants leave behind | `deposit.rs` |
 //! | what makes one finished path better than another | `criterion.rs` |
@@ -62,6 +62,7 @@ pub mod order_run;
 pub mod selection;
 pub mod shared_params;
 mod tabu;
+mod threads;
 pub mod tour;
 pub mod trails;
 pub mod variant;

@@ -96,7 +96,7 @@ pub enum Abreast {
 }
 
 /// A variant of the colony. Every default is Ant System.
-pub trait Variant: Clone + Send {
+pub trait Variant: Clone + Send + Sync {
     /// Whether ants change trails while they walk, each on the step that it has just taken: then all of them move in lock step, one move
     /// each in index order. Otherwise each ant's walk depends on its own stream alone, and ants may walk in any order, four at a time.
     const LOCK_STEP: bool = false;

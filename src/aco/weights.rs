@@ -27,6 +27,23 @@ pub trait Weights {
     fn learn(&mut self, _c: Cell) -> bool {
         false
     }
+
+    /// Whether the weights of a cell are known, or could be learnt. Otherwise an ant there has to wait.
+    fn knows(&self, _c: Cell) -> bool {
+        true
+    }
+}
+
+/// A table that others read at the same time: nothing can be learnt.
+impl Weights for &WeightTable {
+    #[inline(always)]
+    fn row(&mut self, c: Cell) -> &Row {
+        WeightTable::row(self, c)
+    }
+
+    fn knows(&self, c: Cell) -> bool {
+        self.visibility.row(c).is_some()
+    }
 }
 
 /// The weights of every step of a map, 8 a cell: of a cell by which no ant has come they are not known.

@@ -1,7 +1,9 @@
 //! `plan`: one planner on one scenario.
 
 use std::fmt::Write;
+use std::num::NonZero;
 use std::sync::Arc;
+use std::thread;
 
 use clap::ValueEnum;
 use formicarium::catalog;
@@ -17,6 +19,7 @@ use serde::Serialize;
 
 use super::error::CliError;
 use super::input::ScenarioArgs;
+use super::streams::say;
 use super::text::{self, row};
 use super::{Outcome, text::grouped};
 
@@ -48,6 +51,9 @@ pub struct Args {
     /// A parameter, over preset and default; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]
     set: Vec<(String, Value)>,
+    /// Threads on which the ants of an iteration walk, 0 for all cores; the run is the same for any number
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    threads: usize,
     /// text, json (everything) or csv (one row per iteration)
     #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
     format: Format,
@@ -78,6 +84,12 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = catalog::find(&args.planner)?;
     let scenario = args.scenario.load()?;
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
+    if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
+        say(format!(
+            "note: --threads changes nothing here: {} has no ants, or each of them changes what the others see",
+            entry.id
+        ));
+    }
     let status = planner.run();
     // Results are those of the map as the last change has left it.
     let changing = planner.changing();
@@ -95,6 +107,11 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         Format::Csv => csv(planner.history()),
     };
     Ok(Outcome { text, fine: metrics.is_some() })
+}
+
+/// So many, or one for each core.
+fn threads(asked: usize) -> NonZero<usize> {
+    NonZero::new(asked).or_else(|| thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN)
 }
 
 /// The yardstick of the planner's objective: what was just proven, or a run of the exact planner.

@@ -8,6 +8,7 @@
 //! that iteration, or when the planner ends before. A search is no wiser in the middle of a contour than at its end: it begins anew at once,
 //! and the contours that it has closed count.
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use super::{
@@ -234,6 +235,10 @@ impl Planner for Changing {
 
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         self.planner.value(metrics)
+    }
+
+    fn walk_on(&mut self, threads: NonZero<usize>) -> bool {
+        self.planner.walk_on(threads)
     }
 
     fn adapts(&self) -> bool {

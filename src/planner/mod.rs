@@ -12,6 +12,7 @@ mod progress;
 mod reading;
 mod turn;
 
+use std::num::NonZero;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -185,6 +186,12 @@ pub trait Planner: Snapshot + Send {
     /// one. None where there is no such ant, and once the planner has ended.
     fn turn_of(&self, _number: u32) -> Option<Turn> {
         None
+    }
+
+    /// Has the ants of an iteration walk on so many threads from now on; the results are the same for any number. False where they cannot,
+    /// and nothing has changed: where an ant changes what the others see, and in a planner without ants.
+    fn walk_on(&mut self, _threads: NonZero<usize>) -> bool {
+        false
     }
 
     /// What its result is measured by.

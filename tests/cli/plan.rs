@@ -204,3 +204,16 @@ fn errors_come_as_json_where_json_was_asked_for() {
     assert_eq!((&error["kind"], &error["field"], &error["args"]["max"]), (&"out-of-range".into(), &"rho".into(), &"1".into()));
     assert!(run.err.contains("error: rho = 2"));
 }
+
+#[test]
+fn plan_says_where_threads_change_nothing() {
+    let folder = Folder::with_map("threads");
+    let plan = ["plan", "small.map", "--from", "0,0", "--to", "4,3", "--format", "json", "--planner"];
+    let with = |more: &[&str]| folder.run(&[&plan[..], more].concat()).ends(0);
+    let alone = with(&["ant-system"]);
+    for threads in ["0", "1", "2", "7"] {
+        let run = with(&["ant-system", "--threads", threads]);
+        assert_eq!((run.out, run.err), (alone.out.clone(), alone.err.clone()), "{threads}");
+    }
+    with(&["ant-colony-system", "--threads", "2"]).says(&["--threads changes nothing here", "ant-colony-system"]);
+}

@@ -1,5 +1,9 @@
 //! What a run tells: digests, stepping, layers, history.
 
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::num::NonZero;
+
 use formicarium::catalog;
 use formicarium::map::Movement;
 use formicarium::params::{Value, Values};
@@ -134,4 +138,28 @@ fn large_beta_on_a_large_map_does_not_underflow() {
             assert!(planner.best().is_some(), "no ant arrived with the default heuristic");
         }
     }
+}
+
+#[test]
+fn threads_change_no_run() {
+    let shared = RefCell::new(BTreeSet::new());
+    everywhere(|entry, what, scenario| {
+        let mut alone = planner(entry, scenario, 4);
+        alone.run();
+        for threads in [2, 3, 64] {
+            let mut run = planner(entry, scenario, 4);
+            if run.walk_on(NonZero::new(threads).expect("some")) {
+                shared.borrow_mut().insert(entry.id);
+            }
+            // In the middle of an iteration too.
+            run.advance(Granularity::Move);
+            run.run();
+            assert_eq!(run.digest().hex(), alone.digest().hex(), "{what} on {threads} threads");
+            assert_eq!((run.effort(), run.history()), (alone.effort(), alone.history()), "{what}");
+        }
+    });
+    let shared = shared.into_inner();
+    let expected = ["acomsp", "ant-system", "best-worst-ant-system", "custom", "elitist-ant-system", "fire", "fwa-aco"];
+    assert!(expected.iter().all(|id| shared.contains(id)), "{shared:?}");
+    assert!(!shared.contains("ant-colony-system") && !shared.contains("astar"), "{shared:?}");
 }
