@@ -54,7 +54,9 @@ impl Contestant for Engine {
         run(&mut *planner, 1);
         let (first, before, start) = (start.elapsed(), planner.effort().ant_moves, Instant::now());
         run(&mut *planner, self.job.iterations);
-        answer(first, start.elapsed(), planner.effort().ant_moves - before, &planner.digest().hex())
+        let mut told = answer(first, start.elapsed(), planner.effort().ant_moves - before, &planner.digest().hex());
+        told["bytes"] = planner.bytes().into();
+        told
     }
 }
 

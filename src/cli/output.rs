@@ -29,9 +29,14 @@ pub fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), CliError> {
 /// Whether a file can be written, as far as that can be told before there is anything to write.
 pub fn check(path: Option<&Path>) -> Result<(), CliError> {
     match path {
-        Some(path) if path != Path::new("-") => try_out(path).map_err(|error| failure(path, error)),
+        Some(path) if path != Path::new("-") => check_file(path, UNFINISHED),
         _ => Ok(()),
     }
+}
+
+/// The same of a file that [`put`] is to write with this `unfinished`: what a killed process leaves of the trial begins so too.
+pub fn check_file(path: &Path, unfinished: &str) -> Result<(), CliError> {
+    try_out(path, unfinished).map_err(|error| failure(path, error))
 }
 
 /// Writes a file; until it is whole, its name begins with `unfinished`.
@@ -70,9 +75,9 @@ fn replace(path: &Path, bytes: &[u8], unfinished: &str) -> io::Result<()> {
     Ok(())
 }
 
-fn try_out(path: &Path) -> io::Result<()> {
+fn try_out(path: &Path, unfinished: &str) -> io::Result<()> {
     existing(path)?;
-    if is_device(path) { Ok(()) } else { beside(path, UNFINISHED).map(drop) }
+    if is_device(path) { Ok(()) } else { beside(path, unfinished).map(drop) }
 }
 
 /// What is there already, if it may be replaced.

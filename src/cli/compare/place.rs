@@ -46,12 +46,12 @@ impl Place {
     /// Makes the folder, and tells before anything is run whether every file can be written and replaces nothing that is somebody else's.
     pub fn check(&self, files: &[(&'static str, ResultFile)], inputs: &[PathBuf], replace: bool) -> Result<(), CliError> {
         fs::create_dir_all(&self.folder).map_err(|error| failure(&self.folder, error))?;
-        output::check(Some(&self.file("partial")))?;
+        output::check_file(&self.file("partial"), &self.unfinished())?;
         files.iter().try_for_each(|(ending, file)| self.check_file(&self.file(ending), *file, inputs, replace))
     }
 
     fn check_file(&self, path: &Path, file: ResultFile, inputs: &[PathBuf], replace: bool) -> Result<(), CliError> {
-        output::check(Some(path))?;
+        output::check_file(path, &self.unfinished())?;
         let refused = |what: &str| {
             let message = format!("{} {what}: it is left as it is", path.display());
             Err(CliError::usage(message, "choose another folder with --out, or overwrite it with --replace"))

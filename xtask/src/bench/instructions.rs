@@ -52,7 +52,9 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
         vec![id.clone(), short(*count), change]
     };
     let rows: Vec<_> = counted.iter().map(row).collect();
-    let text = format!("{NOTE}\n\n{}", table(&["colony", "instructions an ant move", "beside the number held"], &rows));
+    let colonies = table(&["colony", "instructions an ant move", "beside the number held"], &rows);
+    let phases = table(&["phase of Ant System", "instructions an ant move", "share"], &phases(&program, &map)?);
+    let text = format!("{NOTE}\n\n{colonies}\n{phases}");
     Ok(Some(Section { name: "instructions", text, readme: None }))
 }
 
@@ -67,9 +69,58 @@ struct Run {
     moves: f64,
 }
 
+/// What an iteration of Ant System is spent on: the functions that do it, and all the rest.
+const PHASES: [(&str, &str); 3] = [
+    ("walking", "aco::lanes::walk_all"),
+    ("weights, where trails have changed or an ant comes by first", "aco::weights::WeightTable"),
+    ("ants at the start again, their marks taken back", "Tables::place_ants"),
+];
+const REST: &str = "the best ant, the record, deposit, evaporation";
+
+/// Each phase with its instructions an ant move, and its share of all.
+fn phases(program: &Path, map: &Path) -> Result<Vec<Vec<String>>> {
+    let file = maps::folder()?.join("callgrind.out");
+    let [few, many] = ITERATIONS.map(|iterations| {
+        let run = counted_into(&file, program, map, "ant-system", iterations)?;
+        anyhow::Ok((run, inclusive(&file)?))
+    });
+    let ((few, few_by), (many, many_by)) = (few?, many?);
+    let moves = many.moves - few.moves;
+    let all = (many.instructions - few.instructions) / moves;
+    let of = |function: &str| {
+        let sum = |by: &BTreeMap<String, f64>| by.iter().filter(|(name, _)| name.contains(function)).map(|(_, n)| n).sum::<f64>();
+        (sum(&many_by) - sum(&few_by)) / moves
+    };
+    let mut phases: Vec<(&str, f64)> = PHASES.iter().map(|&(phase, function)| (phase, of(function))).collect();
+    // An ant that comes by first has the weights learnt while it walks.
+    let known: f64 = phases[1].1 - of("WeightTable::refresh");
+    phases[0].1 -= known;
+    phases.push((REST, all - phases.iter().map(|(_, count)| count).sum::<f64>()));
+    let row = |(phase, count): (&str, f64)| vec![phase.to_owned(), short(count), format!("{:.0} %", 100.0 * count / all)];
+    Ok(phases.into_iter().map(row).collect())
+}
+
+/// Instructions by function, with those of what it calls.
+fn inclusive(file: &Path) -> Result<BTreeMap<String, f64>> {
+    let mut annotate = Command::new("callgrind_annotate");
+    let output = annotate.args(["--inclusive=yes", "--threshold=100", "--show-percs=no"]).arg(file).output()?;
+    ensure!(output.status.success(), "callgrind_annotate fails: {}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout);
+    // A count, then file:function [program].
+    let line = |line: &str| {
+        let (count, function) = line.trim_start().split_once(' ')?;
+        Some((function.trim().to_owned(), count.replace(',', "").parse().ok()?))
+    };
+    Ok(text.lines().filter_map(line).collect())
+}
+
 fn counted(program: &Path, map: &Path, planner: &str, iterations: u32) -> Result<Run> {
+    counted_into(Path::new("/dev/null"), program, map, planner, iterations)
+}
+
+fn counted_into(file: &Path, program: &Path, map: &Path, planner: &str, iterations: u32) -> Result<Run> {
     let mut valgrind = Command::new("valgrind");
-    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(program);
+    valgrind.arg("--tool=callgrind").arg(format!("--callgrind-out-file={}", file.display())).arg(program);
     let output = valgrind.args(["count".as_ref(), map.as_os_str(), planner.as_ref()]).arg(iterations.to_string()).output()?;
     let told = String::from_utf8_lossy(&output.stderr);
     ensure!(output.status.success(), "valgrind fails: {told}");
