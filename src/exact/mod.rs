@@ -5,6 +5,7 @@ pub mod astar;
 mod best_first;
 mod contours;
 pub mod dijkstra;
+mod frontier;
 mod jump_map;
 mod jump_points;
 mod optima;
@@ -16,6 +17,7 @@ pub mod slices;
 pub mod theta_star;
 pub mod tour;
 pub mod turn_aware;
+mod ways;
 
 pub use astar::Distance;
 pub use optima::Optima;
