@@ -67,11 +67,11 @@ impl Rules for InSight {
     }
 
     fn expand(&mut self, scenario: &Scenario, cell: State, tree: &mut Tree) {
-        let (g, at, grid) = (tree.g(cell), scenario.grid.point(cell), &scenario.grid);
+        let g = tree.g(cell);
         let mut shorter = std::mem::take(&mut self.shorter);
-        let looked = self.sight.around(at, |p| {
-            if tree.is_cheaper(grid.cell(p), g + at.distance(p)) {
-                shorter.push(grid.cell(p));
+        let looked = self.sight.around(scenario.grid.point(cell), |next, away| {
+            if tree.is_cheaper(next, g + away) {
+                shorter.push(next);
             }
         });
         self.left = self.left.saturating_sub(looked);

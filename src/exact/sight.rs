@@ -7,7 +7,7 @@
 //! ray that passes exactly through a corner of cells has the cells on both of its sides beside it: the corner rule tells whether the slope
 //! of a corner belongs to the wedge. All in whole numbers, so it is exact.
 
-use crate::map::{CornerRule, Grid, Movement, Moves, Point};
+use crate::map::{Cell, CornerRule, Grid, Movement, Moves, Point};
 
 /// A slope at the end of a wedge.
 #[derive(Debug, Clone, Copy)]
@@ -74,24 +74,28 @@ impl Wedge {
 /// Looks around on one map.
 #[derive(Debug, Clone)]
 pub(super) struct Sight {
-    grid: Grid,
     movement: Movement,
+    width: i32,
+    /// Whether cells are free, row by row within a border of blocked ones.
+    free: Vec<bool>,
     /// The wedges of the column at work, and of the next.
     wedges: Vec<Wedge>,
     next: Vec<Wedge>,
 }
 
-/// An octant around a cell: where its first column and its first row lead.
+/// An octant around a cell: where the next column and the next row lead.
 #[derive(Clone, Copy)]
 struct Octant {
-    from: (i32, i32),
+    from: Point,
     column: (i32, i32),
     row: (i32, i32),
 }
 
 impl Octant {
-    fn place(self, x: i32, y: i32) -> (i32, i32) {
-        (self.from.0 + x * self.column.0 + y * self.row.0, self.from.1 + x * self.column.1 + y * self.row.1)
+    /// The place of (x, y) in a table of lines of this length; `from` has a place of its own there.
+    #[inline(always)]
+    fn place(self, from: i32, line: i32, x: i32, y: i32) -> i32 {
+        from + x * (self.column.0 + self.column.1 * line) + y * (self.row.0 + self.row.1 * line)
     }
 }
 
@@ -99,46 +103,58 @@ const STRAIGHT: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 impl Sight {
     pub(super) fn new(grid: &Grid, movement: Movement) -> Self {
-        Self { grid: grid.clone(), movement, wedges: Vec::new(), next: Vec::new() }
+        let (width, height) = (grid.width() as usize, grid.height());
+        let mut free = vec![false; (width + 2) * (height as usize + 2)];
+        for (y, row) in (0..height).zip(free.chunks_exact_mut(width + 2).skip(1)) {
+            row[1..=width].iter_mut().zip(grid.row(y)).for_each(|(free, blocked)| *free = !blocked);
+        }
+        Self { movement, width: width as i32, free, wedges: Vec::new(), next: Vec::new() }
     }
 
-    /// What it holds beside the map, in bytes.
+    /// What it holds, in bytes.
     pub(super) fn bytes(&self) -> usize {
-        (self.wedges.capacity() + self.next.capacity()) * size_of::<Wedge>()
+        self.free.capacity() + (self.wedges.capacity() + self.next.capacity()) * size_of::<Wedge>()
     }
 
-    /// Calls `visit` with every cell that a free cell sees; itself not, and those on its row and its column twice. Returns how many cells
-    /// were looked at.
-    pub(super) fn around(&mut self, from: Point, mut visit: impl FnMut(Point)) -> u64 {
-        let from = (from.x as i32, from.y as i32);
+    /// Calls `visit` with every cell that a free cell sees, and with its distance in cells; itself not, and those on its row and its column
+    /// twice. Returns how many cells were looked at.
+    pub(super) fn around(&mut self, from: Point, mut visit: impl FnMut(Cell, f64)) -> u64 {
         let mut looked = 0;
         for (column, row) in STRAIGHT.into_iter().zip(STRAIGHT.into_iter().cycle().skip(1)) {
+            let octant = Octant { from, column, row };
             if self.movement.moves == Moves::Four {
-                looked += self.along(from, column, &mut visit);
+                looked += self.along(octant, 0, &mut visit);
                 continue;
             }
-            looked += self.along(from, (column.0 + row.0, column.1 + row.1), &mut visit);
-            looked += self.octant(Octant { from, column, row }, &mut visit);
-            looked += self.octant(Octant { from, column: row, row: column }, &mut visit);
+            looked += self.along(octant, 1, &mut visit);
+            looked += self.octant(octant, &mut visit);
+            looked += self.octant(Octant { column: row, row: column, ..octant }, &mut visit);
         }
         looked
     }
 
-    #[inline]
-    fn is_free(&self, (x, y): (i32, i32)) -> bool {
-        self.grid.is_free_at(i64::from(x), i64::from(y))
+    #[inline(always)]
+    fn is_free(&self, octant: Octant, x: i32, y: i32) -> bool {
+        let line = self.width + 2;
+        let from = (octant.from.y as i32 + 1) * line + octant.from.x as i32 + 1;
+        self.free[octant.place(from, line, x, y) as usize]
     }
 
-    /// Along a row, a column or a diagonal.
-    fn along(&self, from: (i32, i32), (dx, dy): (i32, i32), visit: &mut impl FnMut(Point)) -> u64 {
-        let beside =
-            |(x, y)| dx == 0 || dy == 0 || self.movement.corner_rule.allows(self.is_free((x - dx, y)), self.is_free((x, y - dy)));
-        let places = (1..).map(|k| (from.0 + k * dx, from.1 + k * dy));
-        let seen = places.take_while(|&at| self.is_free(at) && beside(at));
-        seen.map(|(x, y)| visit(Point::new(x as u32, y as u32))).count() as u64 + 1
+    #[inline(always)]
+    fn cell(&self, octant: Octant, x: i32, y: i32) -> Cell {
+        octant.place(octant.from.y as i32 * self.width + octant.from.x as i32, self.width, x, y) as Cell
     }
 
-    fn octant(&mut self, octant: Octant, visit: &mut impl FnMut(Point)) -> u64 {
+    /// Along the columns with so many rows to each: none, or 1 on the diagonal.
+    fn along(&self, octant: Octant, rows: i32, visit: &mut impl FnMut(Cell, f64)) -> u64 {
+        let free = |x, y| self.is_free(octant, x, y);
+        let beside = |x: i32| rows == 0 || self.movement.corner_rule.allows(free(x - 1, x), free(x, x - 1));
+        let seen = (1..).take_while(|&x| free(x, x * rows) && beside(x));
+        let visits = seen.map(|x| visit(self.cell(octant, x, x * rows), distance(x, x * rows)));
+        visits.count() as u64 + 1
+    }
+
+    fn octant(&mut self, octant: Octant, visit: &mut impl FnMut(Cell, f64)) -> u64 {
         let mut looked = 0;
         let all = Wedge { low: Slope { rise: 0, run: 1, is_open: false }, high: Slope { rise: 1, run: 1, is_open: true } };
         self.wedges.clear();
@@ -146,12 +162,7 @@ impl Sight {
         let mut x = 1;
         while !self.wedges.is_empty() {
             for k in 0..self.wedges.len() {
-                let wedge = self.wedges[k];
-                let (first, last) = wedge.centres(x);
-                for at in (first..=last).map(|y| octant.place(x, y)).filter(|&at| self.is_free(at)) {
-                    visit(Point::new(at.0 as u32, at.1 as u32));
-                }
-                looked += self.narrow(octant, x, wedge);
+                looked += self.narrow(octant, x, self.wedges[k], visit);
             }
             std::mem::swap(&mut self.wedges, &mut self.next);
             self.next.clear();
@@ -160,26 +171,34 @@ impl Sight {
         looked
     }
 
-    /// What the cells of column x leave of a wedge for the columns behind it.
-    fn narrow(&mut self, octant: Octant, x: i32, wedge: Wedge) -> u64 {
+    /// Visits what a wedge shows of column x, and keeps what its cells leave of the wedge for the columns behind it.
+    fn narrow(&mut self, octant: Octant, x: i32, wedge: Wedge, visit: &mut impl FnMut(Cell, f64)) -> u64 {
         let rule = self.movement.corner_rule;
-        let (first, last) = wedge.rows(x);
+        let ((first, last), (first_centre, last_centre)) = (wedge.rows(x), wedge.centres(x));
+        let looked = u64::from((last - first + 1).max(0) as u32);
         let (mut y, mut low) = (first, wedge.low);
         while y <= last {
-            if self.is_free(octant.place(x, y)) {
+            if self.is_free(octant, x, y) {
+                if first_centre <= y && y <= last_centre {
+                    visit(self.cell(octant, x, y), distance(x, y));
+                }
                 y += 1;
                 continue;
             }
             let below = Slope { rise: 2 * y - 1, run: 2 * x + 1, is_open: rule == CornerRule::BothFree };
             self.keep(Wedge { low, high: wedge.high.or_lower(below) });
-            while y <= last && !self.is_free(octant.place(x, y)) {
+            while y <= last && !self.is_free(octant, x, y) {
                 y += 1;
             }
-            let is_pinched = || !rule.allows(false, self.is_free(octant.place(x - 1, y)));
-            low = low.or_higher(Slope { rise: 2 * y - 1, run: 2 * x - 1, is_open: is_pinched() });
+            if y > last {
+                // Their upper left corner is above the wedge: nothing of it is left there.
+                return looked;
+            }
+            let is_pinched = !rule.allows(false, self.is_free(octant, x - 1, y));
+            low = low.or_higher(Slope { rise: 2 * y - 1, run: 2 * x - 1, is_open: is_pinched });
         }
         self.keep(Wedge { low, high: wedge.high });
-        u64::from((last - first + 1).max(0) as u32)
+        looked
     }
 
     fn keep(&mut self, wedge: Wedge) {
@@ -189,10 +208,17 @@ impl Sight {
     }
 }
 
+/// As [`Point::distance`], bit for bit.
+#[inline(always)]
+fn distance(x: i32, y: i32) -> f64 {
+    let (dx, dy) = (f64::from(x), f64::from(y));
+    libm::sqrt(dx * dx + dy * dy)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::map::{Cell, Generator, generate};
+    use crate::map::{Generator, generate};
     use crate::path::in_sight;
 
     /// Compares what each free cell sees with the rule of one segment; how many cells are seen in all.
@@ -202,7 +228,10 @@ mod tests {
         let mut all = 0;
         for from in cells().filter(|&p| !grid.is_blocked(grid.cell(p))) {
             let mut seen = vec![false; grid.len()];
-            let looked = sight.around(from, |p| seen[grid.cell(p) as usize] = true);
+            let looked = sight.around(from, |cell, away| {
+                assert_eq!(away.to_bits(), grid.point(cell).distance(from).to_bits());
+                seen[cell as usize] = true;
+            });
             for to in cells().filter(|&to| to != from) {
                 let expected = in_sight(grid, movement, from, to);
                 assert_eq!(seen[grid.cell(to) as usize], expected, "{from:?} to {to:?}, {movement:?}: {grid:?}");
