@@ -158,11 +158,11 @@ impl<E: Estimate> Search<E> {
         let g = self.ways.g(cell);
         self.ways.note_expansion(cell);
         self.progress.effort.cell_expansions += 1;
-        let allowed = self.scenario.moves.all_bits(cell);
         if self.scenario.moves.relief().is_some() {
-            self.expand_on_terrain(cell, g, allowed);
+            self.expand_on_terrain(cell, g);
             return;
         }
+        let allowed = self.scenario.moves.all_bits(cell);
         let width = self.scenario.grid.width();
         let (x, y) = (cell % width, cell / width);
         let mut cheaper = allowed & self.cheaper(cell, g, allowed);
@@ -186,9 +186,9 @@ impl<E: Estimate> Search<E> {
         u16::from(near) | u16::from(far) << DIRECTIONS
     }
 
-    #[cold]
-    fn expand_on_terrain(&mut self, cell: Cell, g: f64, allowed: u16) {
-        for d in (0..ALL_DIRECTIONS as Direction).filter(|d| allowed >> d & 1 == 1) {
+    #[inline(never)]
+    fn expand_on_terrain(&mut self, cell: Cell, g: f64) {
+        for d in self.scenario.moves.directions(cell) {
             let next = self.scenario.moves.step(cell, d);
             let next_g = g + self.scenario.moves.length(cell, d);
             if self.ways.is_cheaper(next, next_g) {
