@@ -234,17 +234,30 @@ fn polylines_have_a_proven_yardstick_up_to_64_by_64_cells() {
     assert!(
         matches!(exact::reference(&large, Objective::PolylineLength), Reference::Unproven { value } if same(value, length(&large, "theta-star")))
     );
-    let refused = catalog::build(&large, "any-angle", None, &Values::new(), 1).err().expect("too large");
-    assert!(matches!(&refused, ParamError::MapTooLarge { most: 4096, width: 65, .. }));
-    let report = refused.report();
-    assert_eq!((report.kind.as_str(), report.field.as_str()), ("map-too-large", "map"));
-    assert!(report.message.contains("4096") && report.hint.contains("theta-star"), "{report:?}");
     assert!(point_robot(&large).is_err_and(|e| (e.cells, e.most) == (65 * 65, 4096)));
 
     let grid = Grid::open(1025, 1024).expect("a map");
     let huge = Arc::new(Scenario::on(grid, rule, Point::new(0, 0), Point::new(9, 2)).expect("usable"));
     assert_eq!(exact::reference(&huge, Objective::PolylineLength), Reference::Unknown);
+    let refused = catalog::build(&huge, "any-angle", None, &Values::new(), 1).err().expect("too large");
+    assert!(matches!(&refused, ParamError::MapTooLarge { most: 1_048_576, width: 1025, .. }));
+    let report = refused.report();
+    assert_eq!((report.kind.as_str(), report.field.as_str()), ("map-too-large", "map"));
+    assert!(report.message.contains("1048576") && report.hint.contains("theta-star"), "{report:?}");
     assert!(matches!(exact::reference(&huge, Objective::TurnIndex), Reference::Proven { .. }));
+}
+
+#[test]
+fn the_shortest_polyline_is_proven_on_large_planes() {
+    for (seed, density) in [(1, 0.1), (2, 0.3)] {
+        let s = random(256, density, seed, Movement::default());
+        let planner = solve(&s, "any-angle");
+        let best = planner.best().expect("a path");
+        assert_eq!(planner.status(), Status::Optimal);
+        assert_eq!(audit(&s, &points(&s, &best.path), PathKind::Polyline), Ok(()));
+        assert_eq!(refine(&s, &best.path, Refinement::Farthest), best.path, "none of its bends can be left out");
+        assert!(best.length <= length(&s, "theta-star") + 1e-9 && best.length >= distance(s.spec.start, s.spec.goals[0].at));
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use super::contours::{self, Contours};
+use super::frontier::Frontier;
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
@@ -50,7 +51,7 @@ pub(super) trait Rules: Clone + Send {
 }
 
 /// A state that waits to be expanded.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub(super) struct Open {
     pub(super) state: State,
     /// Cost from the start.
@@ -80,6 +81,47 @@ impl PartialEq for Open {
 
 impl Eq for Open {}
 
+/// Buckets of the queue to a cell of f: narrow enough that a bucket's heap is small.
+const BUCKETS_PER_CELL: f64 = 4.0;
+
+/// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
+#[derive(Clone, Default)]
+struct Queue {
+    heap: BinaryHeap<Open>,
+    later: Frontier<Open>,
+    /// f at which bucket 0 begins.
+    base: f64,
+}
+
+impl Queue {
+    #[inline]
+    fn push(&mut self, open: Open) {
+        let bucket = ((open.f - self.base) * BUCKETS_PER_CELL) as u32 as usize;
+        if bucket <= self.later.at_work() {
+            self.heap.push(open);
+        } else {
+            self.later.file(bucket, open);
+        }
+    }
+
+    fn peek(&mut self) -> Option<&Open> {
+        while self.heap.is_empty() && self.later.has_more() {
+            self.later.next();
+            self.heap.extend(self.later.take());
+        }
+        self.heap.peek()
+    }
+
+    /// Without the state that was seen last by [`Queue::peek`].
+    fn pop(&mut self) {
+        self.heap.pop();
+    }
+
+    fn bytes(&self) -> usize {
+        self.heap.capacity() * size_of::<Open>() + self.later.bytes()
+    }
+}
+
 /// The ways found so far.
 #[derive(Clone)]
 pub(super) struct Tree {
@@ -87,7 +129,7 @@ pub(super) struct Tree {
     g: Vec<f64>,
     parent: Vec<State>,
     expanded: Vec<bool>,
-    open: BinaryHeap<Open>,
+    open: Queue,
     /// Cost of the best way to the goal so far, and the state at its end.
     bound: f64,
     arrived: State,
@@ -96,7 +138,7 @@ pub(super) struct Tree {
 impl Tree {
     fn new(states: usize) -> Self {
         let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
-        Self { g, parent, expanded, open: BinaryHeap::new(), bound: f64::INFINITY, arrived: NO_PARENT }
+        Self { g, parent, expanded, open: Queue::default(), bound: f64::INFINITY, arrived: NO_PARENT }
     }
 
     /// Cost of the best way to a state so far.
@@ -112,10 +154,16 @@ impl Tree {
         if parent == NO_PARENT { state } else { parent }
     }
 
+    /// Whether a way of cost g to a state is cheaper than the one known.
+    #[inline]
+    pub(super) fn is_cheaper(&self, state: State, g: f64) -> bool {
+        g < self.g[state as usize] - SAME_LENGTH
+    }
+
     /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
     #[inline]
     pub(super) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
-        g < self.g[state as usize] - SAME_LENGTH && g + to_goal < self.bound - SAME_LENGTH
+        self.is_cheaper(state, g) && g + to_goal < self.bound - SAME_LENGTH
     }
 
     /// Takes note of a way that improves; `at_goal` where it leads to the goal.
@@ -133,11 +181,11 @@ impl Tree {
         }
     }
 
-    /// The smallest f of an open state that is neither outdated nor hopeless.
-    fn least(&mut self) -> Option<f64> {
-        while let Some(top) = self.open.peek() {
-            if top.g <= self.g[top.state as usize] && top.f < self.bound - SAME_LENGTH {
-                return Some(top.f);
+    /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
+    fn least(&mut self) -> Option<(State, f64)> {
+        while let Some(&Open { state, g, f }) = self.open.peek() {
+            if g <= self.g[state as usize] && f < self.bound - SAME_LENGTH {
+                return Some((state, f));
             }
             self.open.pop();
         }
@@ -223,21 +271,22 @@ impl<R: Rules> Contours for BestFirst<R> {
         self.rules.prepare(scenario);
         self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
         let to_goal = self.rules.to_goal(scenario, scenario.start);
+        self.tree.open.base = libm::floor(to_goal);
         self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
         self.contour = libm::floor(to_goal) + 1.0;
     }
 
     fn advance_one(&mut self) -> bool {
         let least = self.tree.least();
-        if least.is_none_or(|f| f >= self.contour) {
-            self.close_contour(least);
+        let Some((state, _)) = least.filter(|&(_, f)| f < self.contour) else {
+            self.close_contour(least.map(|(_, f)| f));
             return false;
-        }
+        };
         if self.rules.is_spent() {
             self.stop();
             return false;
         }
-        let Some(Open { state, .. }) = self.tree.open.pop() else { return false };
+        self.tree.open.pop();
         self.tree.expanded[state as usize] = true;
         self.progress.effort.cell_expansions += 1;
         self.rules.expand(&self.scenario, state, &mut self.tree);
@@ -256,7 +305,7 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
 
     fn bytes(&self) -> usize {
         let Tree { g, parent, expanded, open, .. } = &self.tree;
-        let tree = held(g) + held(parent) + held(expanded) + open.capacity() * size_of::<Open>();
+        let tree = held(g) + held(parent) + held(expanded) + open.bytes();
         size_of::<Self>() + self.progress.bytes() + self.rules.bytes() + tree
     }
 

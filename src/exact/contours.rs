@@ -22,10 +22,13 @@ pub(super) fn advance(search: &mut impl Contours, by: Granularity) -> Status {
     if !search.is_prepared() {
         search.prepare();
     }
-    match by {
-        // A move that finds its contour empty goes on into the next one, so that every move expands a state.
-        Granularity::Move => while !search.advance_one() && !search.status().is_finished() {},
-        Granularity::Iteration => while search.advance_one() {},
+    // A move that finds its contour empty goes on into the next one, so that every move expands a state.
+    loop {
+        let has_expanded = search.advance_one();
+        let ends = if by == Granularity::Iteration { !has_expanded } else { has_expanded || search.status().is_finished() };
+        if ends {
+            break;
+        }
     }
     search.status()
 }

@@ -5,6 +5,7 @@ pub mod astar;
 mod best_first;
 mod contours;
 pub mod dijkstra;
+mod frontier;
 mod jump_map;
 mod jump_points;
 mod optima;
@@ -12,10 +13,12 @@ pub mod order;
 pub mod order_problem;
 pub mod point_robot;
 mod search;
+mod sight;
 pub mod slices;
 pub mod theta_star;
 pub mod tour;
 pub mod turn_aware;
+mod ways;
 
 pub use astar::Distance;
 pub use optima::Optima;
@@ -141,6 +144,8 @@ fn best_tour(scenario: &Arc<Scenario>, weighted: bool) -> Option<f64> {
     order::held_karp(&costs, order::Shape::Open).map(|order| costs.total(&order, order::Shape::Open))
 }
 
+/// Largest map in cells on which the shortest polyline is proven just to compare with it.
+const MOST_CELLS_TO_PROVE: usize = 64 * 64;
 /// Largest map in cells for which Theta* is run just to compare with it: half a second.
 const MOST_CELLS_TO_COMPARE: usize = 1 << 20;
 
@@ -151,7 +156,7 @@ fn polyline(scenario: &Arc<Scenario>) -> Reference {
     if cells > MOST_CELLS_TO_COMPARE {
         return Reference::Unknown;
     }
-    let proven = cells <= any_angle::MOST_CELLS;
+    let proven = cells <= MOST_CELLS_TO_PROVE;
     let entry = match (proven, scenario.moves.relief()) {
         (true, _) => &any_angle::ENTRY,
         (false, None) => &theta_star::ENTRY,

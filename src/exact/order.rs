@@ -13,7 +13,7 @@ use crate::path::Path;
 use crate::planner::{Planner, Tour};
 use crate::scenario::Scenario;
 
-/// Most goals that [`held_karp`] orders: 2^16 · 16 states are 8 MB and a fraction of a second.
+/// Most goals that [`held_karp`] orders: 2^16 · 16 states are 8 MB.
 pub const MAX_ORDERED: usize = 16;
 
 /// Whether a tour returns to its start.
@@ -113,43 +113,49 @@ fn everywhere(scenario: &Arc<Scenario>, cell: Cell) -> Search<Distance> {
 
 /// The cheapest order of the goals, the first found of equals; `None` for no goal and for more than [`MAX_ORDERED`].
 ///
-/// C(S, j) = min over i in S without j of C(S without j, i) + c_ij: the cheapest way by all goals of S that ends at j.
+/// C(S, k) = min over j in S of C(S without j, j) + c_jk: the cheapest way by all goals of S and then to k, which is not in S.
 pub fn held_karp(costs: &Costs, shape: Shape) -> Option<Vec<u32>> {
     let n = costs.nodes() - 1;
     if !(1..=MAX_ORDERED).contains(&n) {
         return None;
     }
-    let all = (1usize << n) - 1;
-    let mut cheapest = vec![f64::INFINITY; (all + 1) * n];
-    let mut before = vec![0u8; (all + 1) * n];
-    (0..n).for_each(|j| cheapest[(1 << j) * n + j] = costs.get(0, j + 1));
-    for set in 1..=all {
-        for j in (0..n).filter(|j| set >> j & 1 == 1) {
-            let here = cheapest[set * n + j];
-            for k in (0..n).filter(|k| set >> k & 1 == 0) {
-                let state = (set | 1 << k) * n + k;
-                let cost = here + costs.get(j + 1, k + 1);
-                if cost < cheapest[state] {
-                    (cheapest[state], before[state]) = (cost, j as u8);
-                }
+    let to: Vec<Row> = (0..=n).map(|node| std::array::from_fn(|k| if k < n { costs.get(node, k + 1) } else { 0.0 })).collect();
+    let mut cheapest = vec![to[0]; 1 << n];
+    for set in 1..cheapest.len() {
+        let mut row = [f64::INFINITY; MAX_ORDERED];
+        for j in members(set) {
+            let here = cheapest[set & !(1 << j)][j];
+            for (least, step) in row.iter_mut().zip(to[j + 1]) {
+                let cost = here + step;
+                *least = if cost < *least { cost } else { *least };
             }
         }
+        cheapest[set] = row;
     }
-    let back = |j: usize| if shape == Shape::Closed { costs.get(j + 1, 0) } else { 0.0 };
-    let end = |j: usize| cheapest[all * n + j] + back(j);
-    let last = (1..n).fold(0, |best, j| if end(j) < end(best) { j } else { best });
-    Some(trace_back(&before, n, last))
+    Some(trace_back(&cheapest, costs, shape))
 }
 
-/// The order that ends at goal `last`, from the goal before each goal of each set.
-fn trace_back(before: &[u8], n: usize, last: usize) -> Vec<u32> {
-    let (mut set, mut at) = ((1usize << n) - 1, last);
-    let mut order = vec![at as u32];
-    while order.len() < n {
-        let previous = before[set * n + at] as usize;
-        set &= !(1 << at);
-        at = previous;
-        order.push(at as u32);
+/// A number for each goal: they are worked out side by side.
+type Row = [f64; MAX_ORDERED];
+
+/// The goals of a set, in order.
+fn members(set: usize) -> impl Iterator<Item = usize> {
+    let rest = std::iter::successors(Some(set), |rest| Some(rest & rest.wrapping_sub(1)));
+    rest.take_while(|&rest| rest != 0).map(|rest| rest.trailing_zeros() as usize)
+}
+
+/// The cheapest order, from its last goal to its first: of equals the first that leads there as cheaply.
+fn trace_back(cheapest: &[Row], costs: &Costs, shape: Shape) -> Vec<u32> {
+    let mut set = cheapest.len() - 1;
+    let back = |j: usize| if shape == Shape::Closed { costs.get(j + 1, 0) } else { 0.0 };
+    let mut order: Vec<u32> = Vec::new();
+    while set != 0 {
+        let onwards = |j: usize| order.last().map_or_else(|| back(j), |&k| costs.get(j + 1, k as usize + 1));
+        let cost = |j: usize| cheapest[set & !(1 << j)][j] + onwards(j);
+        let before = members(set).reduce(|best, j| if cost(j) < cost(best) { j } else { best });
+        let Some(j) = before else { break };
+        order.push(j as u32);
+        set &= !(1 << j);
     }
     order.reverse();
     order
@@ -212,6 +218,49 @@ mod tests {
                 orders(n, &mut Vec::new(), &mut |order| best = best.min(costs.total(order, shape)));
                 let order = held_karp(&costs, shape).expect("few goals");
                 assert_eq!(costs.total(&order, shape), best, "seed {seed}, {shape:?}");
+            }
+        }
+    }
+
+    /// The same by C(S, k) with k in S, goal by goal, each with the goal before it: the first found of equals.
+    fn one_by_one(costs: &Costs, shape: Shape) -> Vec<u32> {
+        let n = costs.nodes() - 1;
+        let mut cheapest = vec![vec![(f64::INFINITY, 0); n]; 1 << n];
+        (0..n).for_each(|k| cheapest[1 << k][k].0 = costs.get(0, k + 1));
+        for set in 1..1usize << n {
+            for (j, k) in members(set).flat_map(|j| (0..n).map(move |k| (j, k))).filter(|(_, k)| set >> k & 1 == 0) {
+                let cost = cheapest[set][j].0 + costs.get(j + 1, k + 1);
+                if cost < cheapest[set | 1 << k][k].0 {
+                    cheapest[set | 1 << k][k] = (cost, j);
+                }
+            }
+        }
+        let mut set = (1 << n) - 1;
+        let end = |k: usize| cheapest[set][k].0 + if shape == Shape::Closed { costs.get(k + 1, 0) } else { 0.0 };
+        let mut at = (1..n).fold(0, |best, k| if end(k) < end(best) { k } else { best });
+        let mut order = vec![at as u32];
+        while order.len() < n {
+            let before = cheapest[set][at].1;
+            set &= !(1 << at);
+            at = before;
+            order.push(at as u32);
+        }
+        order.reverse();
+        order
+    }
+
+    #[test]
+    fn of_equally_cheap_orders_the_first_is_chosen() {
+        for seed in 1..=60u32 {
+            let n = 1 + seed % 10;
+            // One of five lengths, so that most orders cost as much as others; sums are rounded.
+            let cost = |i: usize, j: usize| {
+                f64::from((seed + 7 * i as u32 + 31 * j as u32).wrapping_mul(2_654_435_761) >> 24) % 5.0
+                    * std::f64::consts::SQRT_2
+            };
+            let costs = Costs::new(n as usize + 1, cost);
+            for shape in [Shape::Open, Shape::Closed] {
+                assert_eq!(held_karp(&costs, shape), Some(one_by_one(&costs, shape)), "seed {seed}, {shape:?}");
             }
         }
     }

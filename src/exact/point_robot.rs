@@ -13,8 +13,8 @@ use std::cmp::Ordering;
 use crate::map::{CornerRule, Grid, Moves, Point};
 use crate::scenario::Scenario;
 
-/// Largest map in cells: 64 × 64, as for `any-angle`.
-pub const MOST_CELLS: usize = super::any_angle::MOST_CELLS;
+/// Largest map in cells: 64 × 64.
+pub const MOST_CELLS: usize = 64 * 64;
 
 /// The map has too many cells for the point robot's way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

@@ -4,6 +4,9 @@
 //! per cell where a heap costs O(log n). Order within a bucket is loose, so a cell can be expanded again when a shorter way to it turns up;
 //! the search ends only when no open cell can beat the goal's cost, which keeps the result exact for any consistent estimate.
 //!
+//! On a plane all neighbours of a cell are looked at at once, and only those to which the way is cheaper one by one: they are one or two of
+//! eight.
+//!
 //! On a terrain hardly two ways are equally long, and loose order would expand cells dozens of times over: there the bucket at work is a
 //! heap, and each cell is expanded once.
 
@@ -12,10 +15,12 @@ use std::sync::Arc;
 
 use super::best_first::Open;
 use super::contours::{self, Contours};
-use crate::map::{Cell, Direction, offset, opposite};
+use super::frontier::Frontier;
+use super::ways::{NO_PARENT, Ways};
+use crate::map::{ALL_DIRECTIONS, Cell, DIRECTIONS, Direction, offset, opposite, step_length};
 use crate::metrics::SAME_LENGTH;
 use crate::path::Path;
-use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status, held, nested};
+use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
 
 /// A lower bound of the remaining cost that never drops by more than a step costs.
@@ -25,11 +30,27 @@ pub trait Estimate: Clone + Send {
 }
 
 /// Buckets per contour, which is a cell of f wide unless steps are far longer.
-const BUCKETS_PER_CONTOUR: f64 = 2.0;
-/// Parent of the start.
-const NO_PARENT: u8 = u8::MAX;
+const BUCKETS_PER_CONTOUR: usize = 2;
+/// Length of a step on the plane by direction.
+const LENGTHS: [f64; ALL_DIRECTIONS] = {
+    let mut lengths = [0.0; ALL_DIRECTIONS];
+    let mut d = 0;
+    while d < ALL_DIRECTIONS {
+        lengths[d] = step_length(d as Direction);
+        d += 1;
+    }
+    lengths
+};
 /// The goal of a search that is to reach every cell.
 pub(super) const EVERYWHERE: Cell = Cell::MAX;
+
+/// A cell that waits to be expanded.
+#[derive(Clone, Copy)]
+struct Waiting {
+    /// Cost from the start when it was seen; a cheaper way may have turned up since.
+    g: f64,
+    cell: Cell,
+}
 
 /// A search at work.
 #[derive(Clone)]
@@ -38,20 +59,17 @@ pub(super) struct Search<E> {
     start: Cell,
     goal: Cell,
     estimate: E,
-    /// Cost from the start by cell; empty until the first step.
-    g: Vec<f64>,
-    /// Direction of the step that led here.
-    parent: Vec<u8>,
-    expanded: Vec<bool>,
-    buckets: Vec<Vec<Open>>,
-    /// The bucket worked on.
-    bucket: usize,
-    /// On a terrain what that bucket holds, the least f first.
+    /// Empty until the first step.
+    ways: Ways,
+    frontier: Frontier<Waiting>,
+    /// On a terrain what the bucket at work holds, the least f first.
     sorted: Option<BinaryHeap<Open>>,
     /// f below which bucket 0 begins.
     base: f64,
     /// Cells of f to a contour: 1 but on a terrain with steps of hundreds of cells.
     contour: f64,
+    /// [`BUCKETS_PER_CONTOUR`] over that.
+    buckets_per_cell: f64,
     /// Cost of the best way to the goal so far.
     bound: f64,
     progress: Progress,
@@ -70,14 +88,12 @@ impl<E: Estimate> Search<E> {
             start,
             goal,
             estimate,
-            g: Vec::new(),
-            parent: Vec::new(),
-            expanded: Vec::new(),
-            buckets: Vec::new(),
-            bucket: 0,
+            ways: Ways::default(),
+            frontier: Frontier::default(),
             sorted: None,
             base: 0.0,
             contour: 1.0,
+            buckets_per_cell: BUCKETS_PER_CONTOUR as f64,
             bound: f64::INFINITY,
             progress: Progress::default(),
         }
@@ -85,7 +101,7 @@ impl<E: Estimate> Search<E> {
 
     /// Cost from the start by cell, in cells; exact everywhere once a search [`EVERYWHERE`] has ended, infinite where it cannot go.
     pub(super) fn costs(&self) -> &[f64] {
-        &self.g
+        self.ways.costs()
     }
 
     /// The bucket at work as a heap; the opening build knows no terrains and is spared its code.
@@ -94,67 +110,105 @@ impl<E: Estimate> Search<E> {
         if cfg!(feature = "whole") { self.sorted.as_mut() } else { None }
     }
 
-    /// Takes note of a way to a cell when it is the shortest so far and can still lead to a shorter path.
+    /// Least cost from a cell to the goal.
     #[inline(always)]
-    fn relax(&mut self, cell: Cell, g: f64, f: f64, parent: u8) {
-        if g >= self.g[cell as usize] - SAME_LENGTH || f >= self.bound - SAME_LENGTH {
+    fn to_goal(&self, cell: Cell) -> f64 {
+        let width = self.scenario.grid.width();
+        self.estimate.to_goal(cell % width, cell / width)
+    }
+
+    /// Takes note of a cheaper way to a cell, if it can still lead to a shorter path.
+    #[inline(always)]
+    fn open(&mut self, cell: Cell, g: f64, f: f64, parent: Direction) {
+        if f >= self.bound - SAME_LENGTH {
             return;
         }
-        self.g[cell as usize] = g;
-        self.parent[cell as usize] = parent;
+        self.ways.note(cell, g, parent);
         if cell == self.goal {
             self.bound = g;
             return;
         }
-        // Rounding may put f a hair below the bucket at work: never file behind it.
-        let bucket = (((f - self.base) * (BUCKETS_PER_CONTOUR / self.contour)) as usize).max(self.bucket);
-        let open = Open { state: cell, g, f };
-        if bucket == self.bucket
+        let bucket = ((f - self.base) * self.buckets_per_cell) as u32 as usize;
+        // Rounding may put f a hair below the bucket at work.
+        if bucket <= self.frontier.at_work()
             && let Some(sorted) = self.sorted()
         {
-            sorted.push(open);
+            sorted.push(Open { state: cell, g, f });
             return;
         }
-        if bucket >= self.buckets.len() {
-            self.buckets.resize_with(bucket + 1, Vec::new);
-        }
-        self.buckets[bucket].push(open);
+        self.frontier.file(bucket, Waiting { g, cell });
     }
 
     /// The next open cell of the bucket at work that is neither outdated nor hopeless.
+    #[inline(always)]
     fn pop(&mut self) -> Option<Cell> {
         loop {
-            let open = match self.sorted() {
-                Some(sorted) => sorted.pop()?,
-                None => self.buckets.get_mut(self.bucket)?.pop()?,
+            let Waiting { g, cell } = match self.sorted() {
+                Some(sorted) => sorted.pop().map(|open| Waiting { g: open.g, cell: open.state })?,
+                None => self.frontier.pop()?,
             };
-            if open.g <= self.g[open.state as usize] && open.f < self.bound - SAME_LENGTH {
-                return Some(open.state);
+            if g <= self.ways.g(cell) && (self.bound == f64::INFINITY || g + self.to_goal(cell) < self.bound - SAME_LENGTH) {
+                return Some(cell);
             }
         }
     }
 
+    #[inline(always)]
     fn expand(&mut self, cell: Cell) {
+        let g = self.ways.g(cell);
+        self.ways.note_expansion(cell);
+        self.progress.effort.cell_expansions += 1;
+        if self.scenario.moves.relief().is_some() {
+            self.expand_on_terrain(cell, g);
+            return;
+        }
+        let allowed = self.scenario.moves.all_bits(cell);
         let width = self.scenario.grid.width();
         let (x, y) = (cell % width, cell / width);
-        let g = self.g[cell as usize];
-        self.expanded[cell as usize] = true;
-        self.progress.effort.cell_expansions += 1;
-        let mut bits = self.scenario.moves.all_bits(cell);
-        while bits != 0 {
-            let d = bits.trailing_zeros() as Direction;
-            bits &= bits - 1;
+        let mut cheaper = allowed & self.cheaper(cell, g, allowed);
+        while cheaper != 0 {
+            let d = cheaper.trailing_zeros() as Direction;
+            cheaper &= cheaper - 1;
             let (dx, dy) = offset(d);
+            let next_g = g + LENGTHS[usize::from(d)];
+            let h = self.estimate.to_goal(x.wrapping_add_signed(dx), y.wrapping_add_signed(dy));
+            self.open(self.scenario.moves.step(cell, d), next_g, next_g + h, d);
+        }
+    }
+
+    /// In which directions a step from a cell of cost g leads to another more cheaply than before, on the plane, as bits.
+    #[inline(always)]
+    fn cheaper(&self, cell: Cell, g: f64, allowed: u16) -> u16 {
+        let (near, far) = self.scenario.moves.delta.split_at(DIRECTIONS);
+        let near = self.ways.cheaper(cell, near, std::array::from_fn(|d| g + LENGTHS[d]));
+        let far =
+            if allowed >> DIRECTIONS == 0 { 0 } else { self.ways.cheaper(cell, far, [g + LENGTHS[DIRECTIONS]; DIRECTIONS]) };
+        u16::from(near) | u16::from(far) << DIRECTIONS
+    }
+
+    #[inline(never)]
+    fn expand_on_terrain(&mut self, cell: Cell, g: f64) {
+        for d in self.scenario.moves.directions(cell) {
             let next = self.scenario.moves.step(cell, d);
             let next_g = g + self.scenario.moves.length(cell, d);
-            let h = self.estimate.to_goal(x.wrapping_add_signed(dx), y.wrapping_add_signed(dy));
-            self.relax(next, next_g, next_g + h, d);
+            if self.ways.is_cheaper(next, next_g) {
+                self.open(next, next_g, next_g + self.to_goal(next), d);
+            }
+        }
+    }
+
+    /// On a terrain takes the bucket at work into the heap.
+    fn sort(&mut self) {
+        if self.sorted().is_some() {
+            let waiting: Vec<Waiting> = self.frontier.take().collect();
+            let open = waiting.iter().map(|&Waiting { g, cell }| Open { state: cell, g, f: g + self.to_goal(cell) });
+            self.sorted = Some(open.collect());
         }
     }
 
     fn close_contour(&mut self, exhausted: bool) {
         self.progress.effort.iterations += 1;
-        let floor = self.base + self.bucket as f64 * (self.contour / BUCKETS_PER_CONTOUR);
+        let floor = self.base + self.frontier.at_work() as f64 * (self.contour / BUCKETS_PER_CONTOUR as f64);
         if exhausted || floor >= self.bound - SAME_LENGTH {
             self.finish();
         }
@@ -177,8 +231,8 @@ impl<E: Estimate> Search<E> {
     fn path(&self) -> Path {
         let mut path = vec![self.goal];
         let mut at = self.goal;
-        while self.parent[at as usize] != NO_PARENT {
-            at = self.scenario.moves.step(at, opposite(self.parent[at as usize]));
+        while self.ways.parent(at) != NO_PARENT {
+            at = self.scenario.moves.step(at, opposite(self.ways.parent(at)));
             path.push(at);
         }
         path.reverse();
@@ -202,20 +256,17 @@ impl<E: Estimate> Contours for Search<E> {
     }
 
     fn is_prepared(&self) -> bool {
-        !self.g.is_empty()
+        !self.ways.costs().is_empty()
     }
 
     fn prepare(&mut self) {
-        let cells = self.scenario.grid.len();
-        self.g = vec![f64::INFINITY; cells];
-        self.parent = vec![NO_PARENT; cells];
-        self.expanded = vec![false; cells];
-        let start = self.start;
-        let p = self.scenario.grid.point(start);
+        self.ways = Ways::new(self.scenario.grid.width(), self.scenario.grid.len());
         self.contour = contour(&self.scenario);
+        self.buckets_per_cell = BUCKETS_PER_CONTOUR as f64 / self.contour;
         self.sorted = self.scenario.moves.relief().map(|_| BinaryHeap::new());
-        self.base = libm::floor(self.estimate.to_goal(p.x, p.y));
-        self.relax(start, 0.0, self.estimate.to_goal(p.x, p.y), NO_PARENT);
+        let to_goal = self.to_goal(self.start);
+        self.base = libm::floor(to_goal);
+        self.open(self.start, 0.0, to_goal, NO_PARENT);
     }
 
     fn advance_one(&mut self) -> bool {
@@ -224,15 +275,11 @@ impl<E: Estimate> Contours for Search<E> {
                 self.expand(cell);
                 return true;
             }
-            let more = self.bucket + 1 < self.buckets.len();
-            let ends_contour = (self.bucket + 1) as f64 % BUCKETS_PER_CONTOUR == 0.0;
+            let more = self.frontier.has_more();
+            let ends_contour = (self.frontier.at_work() + 1).is_multiple_of(BUCKETS_PER_CONTOUR);
             if more {
-                // Given back: on a large map the emptied buckets would hold more than all tables together.
-                self.buckets[self.bucket] = Vec::new();
-                self.bucket += 1;
-                if self.sorted().is_some() {
-                    self.sorted = Some(std::mem::take(&mut self.buckets[self.bucket]).into());
-                }
+                self.frontier.next();
+                self.sort();
             }
             if !more || ends_contour {
                 self.close_contour(!more);
@@ -253,18 +300,20 @@ impl<E: Estimate + 'static> Planner for Search<E> {
 
     fn bytes(&self) -> usize {
         let sorted = self.sorted.as_ref().map_or(0, |sorted| sorted.capacity() * size_of::<Open>());
-        let tables = held(&self.g) + held(&self.parent) + held(&self.expanded) + nested(&self.buckets);
-        size_of::<Self>() + self.progress.bytes() + tables + sorted
+        size_of::<Self>() + self.progress.bytes() + self.ways.bytes() + self.frontier.bytes() + sorted
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         out.clear();
         match kind {
-            Layer::Visits => out.extend(self.expanded.iter().map(|&e| f32::from(u8::from(e)))),
-            Layer::Cost => out.extend(self.g.iter().map(|&g| g as f32)),
+            Layer::Visits => out.extend(self.ways.expanded().iter().map(|&e| f32::from(u8::from(e)))),
+            Layer::Cost => out.extend(self.ways.costs().iter().map(|&g| g as f32)),
             _ => return false,
         }
         out.resize(self.scenario.grid.len(), contours::untouched(kind));
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -35,9 +35,9 @@ impl TurnAware {
         let next = scenario.moves.step(state / Self::STATES_PER_CELL, d);
         let turns = came != NO_DIRECTION && came != d;
         let v = tree.g(state) + step_length(d) * if turns { TURN_WEIGHT } else { 1.0 };
-        if self.may_save(scenario, next, d, v) {
-            let to_goal = self.to_goal(scenario, next);
-            tree.relax(next * Self::STATES_PER_CELL + State::from(d), v, to_goal, state, next == scenario.goal);
+        let to = next * Self::STATES_PER_CELL + State::from(d);
+        if tree.is_cheaper(to, v) && self.may_save(scenario, next, d, v) {
+            tree.relax(to, v, self.to_goal(scenario, next), state, next == scenario.goal);
         }
     }
 
