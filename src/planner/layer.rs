@@ -32,9 +32,29 @@ listed! {
 
 /// Smallest and largest value of a layer over the free cells; infinite values do not count. None where there is no finite one.
 pub fn extent(field: &[f32], grid: &Grid) -> Option<[f32; 2]> {
-    let free = field.iter().zip(0..).filter(|&(value, cell)| value.is_finite() && !grid.is_blocked(cell));
-    let (low, high) = free.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, h), (&v, _)| (l.min(v), h.max(v)));
+    // Several at a time, each with its own ends: a chain of comparisons would wait for itself.
+    let mut ends = [[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]];
+    for (y, values) in (0..).zip(field.chunks_exact(grid.width() as usize)) {
+        let (groups, rest) = values.as_chunks::<LANES>();
+        let (blocked, blocked_rest) = grid.row(y).as_chunks::<LANES>();
+        groups.iter().zip(blocked).for_each(|(values, blocked)| widen(&mut ends, values, blocked));
+        widen(&mut ends, rest, blocked_rest);
+    }
+    let [low, high] = ends;
+    let (low, high) = (low.into_iter().fold(f32::INFINITY, f32::min), high.into_iter().fold(f32::NEG_INFINITY, f32::max));
     (low <= high).then_some([low, high])
+}
+
+const LANES: usize = 8;
+
+#[inline(always)]
+fn widen([low, high]: &mut [[f32; LANES]; 2], values: &[f32], blocked: &[bool]) {
+    for (k, (&value, &blocked)) in values.iter().zip(blocked).enumerate() {
+        let counts = value.is_finite() && !blocked;
+        let (least, most) = if counts { (value, value) } else { (f32::INFINITY, f32::NEG_INFINITY) };
+        low[k] = if least < low[k] { least } else { low[k] };
+        high[k] = if most > high[k] { most } else { high[k] };
+    }
 }
 
 #[cfg(test)]
@@ -46,5 +66,19 @@ mod tests {
         let grid = Grid::from_bytes(2, 2, &[0, 1, 0, 0]).expect("a grid");
         assert_eq!(extent(&[0.5, 9.0, f32::INFINITY, -1.0], &grid), Some([-1.0, 0.5]));
         assert_eq!(extent(&[f32::NAN, 9.0, f32::INFINITY, f32::NAN], &grid), None);
+    }
+
+    #[test]
+    fn an_extent_is_that_of_a_plain_look_at_each_cell() {
+        for width in [1, 7, 8, 19] {
+            let cells: Vec<u8> = (0..width * 5).map(|c| u8::from(c % 11 == 3)).collect();
+            let grid = Grid::from_bytes(width, 5, &cells).expect("a grid");
+            let field: Vec<f32> =
+                (0..width * 5).map(|c| if c % 13 == 5 { f32::INFINITY } else { (c * 37 % 101) as f32 - 40.0 }).collect();
+            let free = field.iter().zip(&cells).filter(|(value, blocked)| value.is_finite() && **blocked == 0);
+            let sorted = std::collections::BTreeSet::from_iter(free.map(|(&value, _)| value as i32));
+            let ends = [sorted.first(), sorted.last()].map(|end| *end.expect("some are free") as f32);
+            assert_eq!(extent(&field, &grid), Some(ends), "{width}");
+        }
     }
 }

@@ -1,4 +1,7 @@
-/** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
+/**
+ * Keeps one panel's picture, in layers, each made anew only when it has changed: the raster that the engine paints; in the view what
+ * lies on the ground, which is the raster, lines and the best path; and over it ants, marks and cursor. Lives in the worker.
+ */
 import type { Run } from '@pkg/core/formicarium'
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
@@ -7,7 +10,7 @@ import type { LayerScale, PanelView } from '../model/messages'
 import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
-import { paintLayer } from './shown_layer'
+import { paintLayer, pictureOf } from './shown_layer'
 
 type Context = OffscreenCanvasRenderingContext2D
 type PaintMap = (context: Context, theme: PanelView['theme'], shaded: boolean) => void
@@ -20,12 +23,17 @@ const SHORTEST_GLIDE_MS = 24
 export class Painter {
   private readonly context: Context
   private raster: Context | null = null
+  /** Which picture the raster has. */
+  private painted = ''
+  /** What lies on the ground, as large as the view, and of what it was drawn. */
+  private readonly ground = contextOf(new OffscreenCanvas(1, 1))
+  private grounded = ''
   private run: Run | null = null
   /** Paints the map where there is no run. */
   private bare: PaintMap | null = null
   private spec: ScenarioSpec | null = null
   /** On a terrain. */
-  private ground: ContourLayer | null = null
+  private contours: ContourLayer | null = null
   private path: Uint32Array = new Uint32Array()
   /** For each goal its place in the order of visits, from 1. */
   private places: number[] = []
@@ -43,26 +51,27 @@ export class Painter {
     private readonly onScale: (scale: LayerScale) => void,
   ) {
     this.context = contextOf(canvas)
-    this.fitCanvas()
+    fit(canvas, view)
   }
 
   /** Shows another run from now on. */
-  show(run: Run, spec: ScenarioSpec, ground: ContourLayer | null): void {
+  show(run: Run, spec: ScenarioSpec, contours: ContourLayer | null): void {
     this.run = run
-    this.begin(spec, ground)
+    this.begin(spec, contours)
   }
 
   /** Shows a map with its marks, and no run, from now on. */
-  showMap(spec: ScenarioSpec, ground: ContourLayer | null, paint: PaintMap): void {
+  showMap(spec: ScenarioSpec, contours: ContourLayer | null, paint: PaintMap): void {
     this.run = null
     this.bare = paint
-    this.begin(spec, ground)
+    this.begin(spec, contours)
   }
 
-  private begin(spec: ScenarioSpec, ground: ContourLayer | null): void {
+  private begin(spec: ScenarioSpec, contours: ContourLayer | null): void {
     this.spec = spec
-    this.ground = ground
-    this.path = new Uint32Array()
+    this.contours = contours
+    this.painted = ''
+    this.setPath(new Uint32Array())
     this.places = []
     this.crowd.clear()
     this.glideMs = 0
@@ -75,6 +84,8 @@ export class Painter {
 
   /** x0, y0, x1, y1, …; shown from the next drawing on. */
   setPath(path: Uint32Array): void {
+    if (path.length !== this.path.length || path.some((value, i) => value !== this.path[i]))
+      this.grounded = ''
     this.path = path
   }
 
@@ -98,21 +109,10 @@ export class Painter {
   }
 
   setView(view: PanelView): void {
-    const before = this.view
     this.view = view
-    this.fitCanvas()
-    const other =
-      before.layer !== view.layer ||
-      before.theme !== view.theme ||
-      JSON.stringify(before.ends) !== JSON.stringify(view.ends)
-    if (other || before.hidden !== view.hidden) this.repaint()
+    fit(this.canvas, this.view)
+    this.repaint()
     this.draw()
-  }
-
-  private fitCanvas(): void {
-    const { width, height } = this.view
-    if (this.canvas.width !== width) this.canvas.width = width
-    if (this.canvas.height !== height) this.canvas.height = height
   }
 
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
@@ -124,7 +124,13 @@ export class Painter {
   }
 
   private repaint(): void {
-    if (this.raster !== null && !this.view.hidden) this.paint(this.raster, true)
+    const { run, view, raster } = this
+    if (raster === null || view.hidden) return
+    const picture = run ? pictureOf(run, view) : view.theme
+    if (picture === this.painted) return
+    this.painted = picture
+    this.grounded = ''
+    this.paint(raster, true)
   }
 
   private paint(onto: Context, shaded: boolean): void {
@@ -140,18 +146,40 @@ export class Painter {
   }
 
   private draw(): void {
-    const { context, view, spec, raster, ground } = this
+    const { context, view, spec, raster } = this
     if (view.hidden) return
-    context.clearRect(0, 0, view.width, view.height)
-    if (spec === null || raster === null) return
-    if (ground?.hasHoles) drawHatch(context, view, spec)
-    drawRaster(context, view, raster.canvas)
-    if (view.showContours) ground?.draw(context, view, () => this.draw())
-    drawGrid(context, view, spec)
-    if (view.showPath) drawPath(context, view, this.path)
+    if (spec === null || raster === null) {
+      context.clearRect(0, 0, view.width, view.height)
+      return
+    }
+    this.drawGround(spec, raster)
+    context.globalCompositeOperation = 'copy'
+    context.drawImage(this.ground.canvas, 0, 0)
+    context.globalCompositeOperation = 'source-over'
     if (view.showAnts) this.drawAnts(spec)
     drawMarks(context, view, spec, this.places)
     drawCursor(context, view)
+  }
+
+  private drawGround(spec: ScenarioSpec, raster: Context): void {
+    const { ground, view, contours } = this
+    const { width, height, scale, originX, originY, dpr, theme, colour } = view
+    const seen = [width, height, scale, originX, originY, dpr, theme, colour]
+    const now = `${seen} ${view.showPath} ${view.showContours}`
+    if (now === this.grounded) return
+    this.grounded = now
+    fit(ground.canvas, view)
+    ground.clearRect(0, 0, width, height)
+    if (contours?.hasHoles) drawHatch(ground, view, spec)
+    drawRaster(ground, view, raster.canvas)
+    if (view.showContours) contours?.draw(ground, view, () => this.drawAnew())
+    drawGrid(ground, view, spec)
+    if (view.showPath) drawPath(ground, view, this.path)
+  }
+
+  private drawAnew(): void {
+    this.grounded = ''
+    this.draw()
   }
 
   private drawAnts({ goals }: ScenarioSpec): void {
@@ -161,6 +189,11 @@ export class Painter {
     if (progress < 1 && this.crowd.size > 0)
       this.requested = requestAnimationFrame(() => this.draw())
   }
+}
+
+function fit(canvas: OffscreenCanvas, { width, height }: PanelView): void {
+  if (canvas.width !== width) canvas.width = width
+  if (canvas.height !== height) canvas.height = height
 }
 
 function contextOf(canvas: OffscreenCanvas): Context {
