@@ -25,10 +25,12 @@ export async function opening(browser, address, throttling) {
   await session.send('Emulation.setCPUThrottlingRate', { rate: throttling })
   await page.goto(address)
   await page.waitForFunction(() => performance.getEntriesByName('first step').length > 0)
-  const { at, marks } = await page.evaluate(() => ({
-    at: performance.getEntriesByName('first step')[0].startTime,
-    marks: performance.getEntries().map((entry) => [entry.name, entry.entryType, entry.startTime, entry.responseEnd]),
-  }))
+  const entries = await page.evaluate(() =>
+    performance
+      .getEntries()
+      .map(({ name, startTime, responseEnd }) => [name, startTime, responseEnd]),
+  )
   await context.close()
-  return { seconds: at / 1000, marks }
+  const [, at] = entries.find(([name]) => name === 'first step')
+  return { seconds: at / 1000, entries }
 }

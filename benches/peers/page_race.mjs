@@ -3,8 +3,10 @@
 /** Inputs come so far apart that one has been shown before the next. */
 const APART_MS = 400
 const VIEWPORT = { width: 1440, height: 900 }
+/** Of the wheel; about 1.6 times larger. */
+const CLOSER = -300
 
-/** On the page: says in what it asks its workers when it asked. */
+/** On the page: notes inputs, and stamps what workers are asked. */
 function stampRequests() {
   const post = Worker.prototype.postMessage
   Worker.prototype.postMessage = function (message, ...rest) {
@@ -18,24 +20,32 @@ function stampRequests() {
   }
 }
 
-/** In a worker: notes when what it was asked has been drawn. It draws in its own frames, or before the next of them. */
+/** In a worker: notes, from now on, when what it was asked has been drawn. It draws in its own frames, or before the next of them. */
 function stampFrames() {
+  const isNew = !self.shown
   self.shown = []
-  self.steps = 0
+  if (!isNew) return
   self.addEventListener('message', ({ data: { kind, askedAt } }) => {
-    if (kind === 'tick') self.steps++
-    else
-      requestAnimationFrame(() =>
-        self.shown.push({ kind, askedAt, at: performance.timeOrigin + performance.now() }),
-      )
+    if (kind === 'tick') return
+    requestAnimationFrame(() =>
+      self.shown.push({ askedAt, at: performance.timeOrigin + performance.now() }),
+    )
   })
+}
+
+/** Plays, wherever the race stands, until every panel has made some iterations. */
+async function playsOn(page) {
+  const play = page.getByTestId('play')
+  if ((await play.getAttribute('data-phase')) !== 'running') await play.click()
+  await page.waitForFunction(() =>
+    window.formicarium.results().every(({ summary }) => summary?.iteration > 2),
+  )
 }
 
 export class PlayingRace {
   /** Opens a map (JSON, as `formicarium` writes it) with these planners, and plays. */
   static async open(browser, address, map, planners) {
     const page = await browser.newPage({ viewport: VIEWPORT })
-    page.on('pageerror', (error) => console.error(error))
     await page.addInitScript(stampRequests)
     await page.goto(address)
     await page.waitForFunction(() => window.formicarium?.session())
@@ -44,93 +54,95 @@ export class PlayingRace {
         window.formicarium.pause()
         await window.formicarium.load(map)
         const session = window.formicarium.session()
+        const params = { iterations: 100_000 }
         session.panels = planners.map((planner) => ({
           planner,
           preset: null,
-          params: { iterations: 100_000 },
+          params,
           result: null,
         }))
         await window.formicarium.load(session)
       },
       [map, planners],
     )
-    await page.getByTestId('play').click()
-    await page.waitForFunction(() =>
-      window.formicarium.results().every(({ summary }) => summary?.iteration > 2),
-    )
-    const workers = page.workers()
-    await Promise.all(workers.map((worker) => worker.evaluate(stampFrames)))
-    return new PlayingRace(page, workers)
+    await playsOn(page)
+    return new PlayingRace(page)
   }
 
-  constructor(page, workers) {
+  constructor(page) {
     this.page = page
-    this.workers = workers
   }
 
-  /** Seconds from one input until the last panel has drawn it, and how many iterations the slowest panel made in a second. */
+  /**
+   * Seconds from one input until the last panel has drawn it, until the first has, and how many iterations the slowest panel made in
+   * a second around it.
+   */
   async input(kind, seed) {
     const { page } = this
     const stage = await page.locator('[data-testid="panel-1"] .stage').boundingBox()
-    const [x, y] = [stage.x + stage.width / 2, stage.y + stage.height / 2]
-    await page.mouse.move(x + 3 * (seed % 7), y)
+    const at = { x: stage.x + stage.width / 2 + 3 * (seed % 7), y: stage.y + stage.height / 2 }
+    await page.mouse.move(at.x, at.y)
+    if (kind === 'pan') {
+      await this.#wheel(CLOSER)
+      await page.mouse.down({ button: 'middle' })
+    }
     await page.waitForTimeout(APART_MS)
-    await this.#prepare(kind)
     const [before, began] = [await this.#iterations(), performance.now()]
     await this.#forget()
-    await this.#do(kind, x, y, seed)
+    await this.#do(kind, at, seed)
     await page.waitForTimeout(APART_MS)
-    const shown = await Promise.all(this.workers.map((worker) => worker.evaluate(() => self.shown)))
     const made = (await this.#iterations()) - before
-    const [input] = await page.evaluate(() => window.inputs)
+    const passed = (performance.now() - began) / 1000
+    const answer = await this.#shown()
     await this.#undo(kind)
-    const times = shown
-      .map((frames) => frames.find(({ askedAt }) => askedAt >= input))
-      .filter((frame) => frame)
-      .map(({ at }) => (at - input) / 1000)
-    return {
-      seconds: Math.max(...times),
-      first: Math.min(...times),
-      panels: times.length,
-      iterations: (1000 * made) / (performance.now() - began),
-    }
+    return kind === 'press' ? answer : { ...answer, iterations: made / passed }
   }
 
-  #forget() {
-    const forget = () => {
-      self.shown = []
-    }
-    const forgetInputs = () => {
-      window.inputs = []
-    }
-    return Promise.all([
-      ...this.workers.map((worker) => worker.evaluate(forget)),
-      this.page.evaluate(forgetInputs),
-    ])
-  }
-
-  async #prepare(kind) {
-    if (kind === 'pan') await this.page.mouse.down({ button: 'middle' })
-  }
-
-  async #do(kind, x, y, seed) {
-    const { mouse } = this.page
-    if (kind === 'hover' || kind === 'pan') await mouse.move(x + 40 + (seed % 5), y + 30)
-    if (kind === 'press') await mouse.down()
-    if (kind === 'zoom') {
-      await this.page.keyboard.down('Control')
-      await mouse.wheel(0, seed % 2 === 0 ? 300 : -300)
-      await this.page.keyboard.up('Control')
-    }
+  async #do(kind, { x, y }, seed) {
+    if (kind === 'hover' || kind === 'pan') await this.page.mouse.move(x + 40, y + 30)
+    if (kind === 'press') await this.page.mouse.down()
+    if (kind === 'zoom') await this.#wheel(seed % 2 === 0 ? -CLOSER : CLOSER)
   }
 
   async #undo(kind) {
-    if (kind === 'pan') await this.page.mouse.up({ button: 'middle' })
-    if (kind === 'press') {
-      await this.page.mouse.up()
-      await this.page.keyboard.press('Control+z')
-      await this.page.waitForTimeout(APART_MS)
+    const { mouse, keyboard } = this.page
+    if (kind === 'pan') {
+      await mouse.up({ button: 'middle' })
+      await this.#wheel(-CLOSER)
     }
+    if (kind === 'press') {
+      await mouse.up()
+      await keyboard.press('Control+z')
+      // A wall begins the runs anew.
+      await playsOn(this.page)
+    }
+  }
+
+  async #wheel(pixels) {
+    await this.page.keyboard.down('Control')
+    await this.page.mouse.wheel(0, pixels)
+    await this.page.keyboard.up('Control')
+  }
+
+  async #shown() {
+    const frames = await this.#inWorkers(() => self.shown ?? [])
+    const [input] = await this.page.evaluate(() => window.inputs)
+    const firsts = frames.flatMap((all) => all.find(({ askedAt }) => askedAt >= input) ?? [])
+    const times = firsts.map(({ at }) => (at - input) / 1000)
+    return { seconds: Math.max(...times), first: Math.min(...times) }
+  }
+
+  async #forget() {
+    await this.#inWorkers(stampFrames)
+    await this.page.evaluate(() => {
+      window.inputs = []
+    })
+  }
+
+  /** Panels may get other workers in between. */
+  async #inWorkers(what) {
+    const all = this.page.workers().map((worker) => worker.evaluate(what).catch(() => null))
+    return (await Promise.all(all)).filter((answer) => answer !== null && answer !== undefined)
   }
 
   /** Finished iterations of the slowest panel. */

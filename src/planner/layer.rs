@@ -1,7 +1,9 @@
 //! What a planner can show of its inside, cell by cell.
 
 use serde::{Deserialize, Serialize};
+use wide::f32x4;
 
+use super::shades::fours;
 use crate::listed::listed;
 use crate::map::Grid;
 
@@ -32,29 +34,18 @@ listed! {
 
 /// Smallest and largest value of a layer over the free cells; infinite values do not count. None where there is no finite one.
 pub fn extent(field: &[f32], grid: &Grid) -> Option<[f32; 2]> {
-    // Several at a time, each with its own ends: a chain of comparisons would wait for itself.
-    let mut ends = [[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]];
-    for (y, values) in (0..).zip(field.chunks_exact(grid.width() as usize)) {
-        let (groups, rest) = values.as_chunks::<LANES>();
-        let (blocked, blocked_rest) = grid.row(y).as_chunks::<LANES>();
-        groups.iter().zip(blocked).for_each(|(values, blocked)| widen(&mut ends, values, blocked));
-        widen(&mut ends, rest, blocked_rest);
+    // Four chains of comparisons: one alone would wait for itself.
+    let (mut low, mut high) = (f32x4::splat(f32::INFINITY), f32x4::splat(f32::NEG_INFINITY));
+    for (four, blocked) in fours(field).zip(grid.blocked().chunks(4)) {
+        let mut four = four.to_array();
+        four.iter_mut().zip(blocked).for_each(|(value, &blocked)| *value = if blocked { f32::NAN } else { *value });
+        let four = f32x4::new(four);
+        let counts = four.is_finite();
+        low = counts.bitselect(four, low).fast_min(low);
+        high = counts.bitselect(four, high).fast_max(high);
     }
-    let [low, high] = ends;
-    let (low, high) = (low.into_iter().fold(f32::INFINITY, f32::min), high.into_iter().fold(f32::NEG_INFINITY, f32::max));
+    let (low, high) = (low.to_array().into_iter().reduce(f32::min)?, high.to_array().into_iter().reduce(f32::max)?);
     (low <= high).then_some([low, high])
-}
-
-const LANES: usize = 8;
-
-#[inline(always)]
-fn widen([low, high]: &mut [[f32; LANES]; 2], values: &[f32], blocked: &[bool]) {
-    for (k, (&value, &blocked)) in values.iter().zip(blocked).enumerate() {
-        let counts = value.is_finite() && !blocked;
-        let (least, most) = if counts { (value, value) } else { (f32::INFINITY, f32::NEG_INFINITY) };
-        low[k] = if least < low[k] { least } else { low[k] };
-        high[k] = if most > high[k] { most } else { high[k] };
-    }
 }
 
 #[cfg(test)]

@@ -123,8 +123,8 @@ impl Shown {
     pub fn pixels(&self, theme: Theme) -> [u32; SHADES] {
         let mut pixels = [0; SHADES];
         pixels.iter_mut().zip(&self.table).for_each(|(pixel, &color)| *pixel = opaque(color));
-        pixels[BARE as usize] = opaque(theme.free());
-        pixels[BLOCKED as usize] = opaque(theme.blocked());
+        pixels[BARE] = opaque(theme.free());
+        pixels[BLOCKED] = opaque(theme.blocked());
         pixels
     }
 
@@ -152,10 +152,11 @@ pub fn map_colors(layer: &LayerOrNone, theme: &ThemeName) -> Answer<Vec<u8>> {
         Some(layer) => {
             let shown = Shown::new(layer, theme, Some([0.0, 255.0]));
             let values: [f32; 256] = std::array::from_fn(|value| value as f32);
-            let mut shades = [0; 256];
-            shown.scale.shade(&values, &[false; 256], &mut shades);
-            let bare = theme.free();
-            colors.extend(shades.map(|shade| shown.table.get(shade as usize).copied().unwrap_or(bare)));
+            let mut shades = [theme.free(); 256];
+            let mut table = [theme.free(); SHADES];
+            table[..256].copy_from_slice(&shown.table);
+            shown.scale.colour(&values, &[false; 256], &table, &mut shades);
+            colors.extend(shades);
         }
         None => colors.extend(theme.ground()),
     }

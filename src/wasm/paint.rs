@@ -115,25 +115,14 @@ impl Canvas {
             return self.fill_terrain(grid, heights, style, layer);
         }
         match layer {
-            Some(shown) => self.fill_layer(grid, style.theme, &shown),
-            None => self.fill_map(grid, style.theme),
-        }
-    }
-
-    fn fill_map(&mut self, grid: &Grid, theme: Theme) {
-        let (free, blocked) = (opaque(theme.free()), opaque(theme.blocked()));
-        for (y, row) in (0..).zip(self.pixels.chunks_exact_mut(grid.width() as usize)) {
-            row.iter_mut().zip(grid.row(y)).for_each(|(pixel, &wall)| *pixel = if wall { blocked } else { free });
-        }
-    }
-
-    fn fill_layer(&mut self, grid: &Grid, theme: Theme, shown: &Shown) {
-        let width = grid.width() as usize;
-        let (colors, mut shades) = (shown.pixels(theme), vec![0; width]);
-        let rows = self.pixels.chunks_exact_mut(width).zip(self.field.values.chunks_exact(width));
-        for (y, (row, values)) in (0..).zip(rows) {
-            shown.scale.shade(values, grid.row(y), &mut shades);
-            row.iter_mut().zip(&shades).for_each(|(pixel, &shade)| *pixel = colors[shade as usize]);
+            Some(shown) => {
+                shown.scale.colour(&self.field.values, grid.blocked(), &shown.pixels(style.theme), &mut self.pixels);
+            }
+            None => {
+                let colours = [style.theme.free(), style.theme.blocked()].map(opaque);
+                let cells = self.pixels.iter_mut().zip(grid.blocked());
+                cells.for_each(|(pixel, &blocked)| *pixel = colours[usize::from(blocked)]);
+            }
         }
     }
 

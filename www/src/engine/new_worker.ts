@@ -4,6 +4,22 @@ import CoreWorker from '../worker/core.worker?worker'
 import WholeWorker from '../worker/whole.worker?worker'
 import type { Build } from './builds'
 
+/** Workers on the core that nobody has yet. */
+const ahead = new Set<Worker>()
+
+/** Starts workers on the core, for those who will want them soon. One that fails is forgotten: the next one's failure is heard. */
+export function startAhead(count: number): void {
+  for (let i = 0; i < count; i++) {
+    const worker = new CoreWorker()
+    worker.onerror = () => ahead.delete(worker)
+    ahead.add(worker)
+  }
+}
+
 export function newWorker(build: Build): Worker {
-  return build === 'core' ? new CoreWorker() : new WholeWorker()
+  if (build === 'whole') return new WholeWorker()
+  const [first] = ahead
+  if (!first) return new CoreWorker()
+  ahead.delete(first)
+  return first
 }

@@ -51,7 +51,6 @@ export class Painter {
     private readonly onScale: (scale: LayerScale) => void,
   ) {
     this.context = contextOf(canvas)
-    fit(canvas, view)
   }
 
   /** Shows another run from now on. */
@@ -78,7 +77,6 @@ export class Painter {
     if (this.raster?.canvas.width !== spec.width || this.raster.canvas.height !== spec.height) {
       this.raster = contextOf(new OffscreenCanvas(spec.width, spec.height))
     }
-    this.repaint()
     this.draw()
   }
 
@@ -98,21 +96,18 @@ export class Painter {
   /** The run has moved on. `single`: by one move, so that every ant went one cell at most. */
   refresh(single: boolean): void {
     if (this.run === null) return
-    this.repaint()
     this.crowd.update(this.run.ants(), single)
     const now = performance.now()
     const since = now - this.lastStep
     this.lastStep = now
     this.glideFrom = now
     this.glideMs = single && since > SHORTEST_GLIDE_MS ? Math.min(since, LONGEST_GLIDE_MS) : 0
-    this.draw()
+    this.drawSoon()
   }
 
   setView(view: PanelView): void {
     this.view = view
-    fit(this.canvas, this.view)
-    this.repaint()
-    this.draw()
+    this.drawSoon()
   }
 
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
@@ -145,13 +140,24 @@ export class Painter {
     this.scale = key
   }
 
+  /** With the next frame, however often it is asked for until then: steps and views are many, and each would take its time. */
+  private drawSoon(): void {
+    if (this.requested !== 0) return
+    this.requested = requestAnimationFrame(() => {
+      this.requested = 0
+      this.draw()
+    })
+  }
+
   private draw(): void {
     const { context, view, spec, raster } = this
-    if (view.hidden) return
+    fit(this.canvas, view)
+    if (view.hidden || view.width === 0 || view.height === 0) return
     if (spec === null || raster === null) {
       context.clearRect(0, 0, view.width, view.height)
       return
     }
+    this.repaint()
     this.drawGround(spec, raster)
     context.globalCompositeOperation = 'copy'
     context.drawImage(this.ground.canvas, 0, 0)
@@ -185,9 +191,7 @@ export class Painter {
   private drawAnts({ goals }: ScenarioSpec): void {
     const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
     drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
-    cancelAnimationFrame(this.requested)
-    if (progress < 1 && this.crowd.size > 0)
-      this.requested = requestAnimationFrame(() => this.draw())
+    if (progress < 1 && this.crowd.size > 0) this.drawSoon()
   }
 }
 
