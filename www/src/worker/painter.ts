@@ -42,6 +42,8 @@ export class Painter {
   private glideFrom = 0
   private glideMs = 0
   private requested = 0
+  /** What is to be done once the view that was given last has been drawn; null when it has. */
+  private waiting: (() => void)[] | null = null
   private scale = ''
 
   constructor(
@@ -102,12 +104,28 @@ export class Painter {
     this.lastStep = now
     this.glideFrom = now
     this.glideMs = single && since > SHORTEST_GLIDE_MS ? Math.min(since, LONGEST_GLIDE_MS) : 0
-    this.drawSoon()
+    this.draw()
   }
 
   setView(view: PanelView): void {
     this.view = view
-    this.drawSoon()
+    if (this.waiting) return
+    this.waiting = []
+    // Of views that have come together the last one is drawn.
+    setTimeout(() => this.drawView())
+  }
+
+  /** Does something at once or, where a view waits to be drawn, after that: a reader who moves the map waits for no step of a planner. */
+  afterView(what: () => void): void {
+    if (this.waiting) this.waiting.push(what)
+    else what()
+  }
+
+  private drawView(): void {
+    this.draw()
+    const waiting = this.waiting ?? []
+    this.waiting = null
+    for (const what of waiting) what()
   }
 
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
@@ -138,15 +156,6 @@ export class Painter {
     const key = `${scale.layer} ${scale.own}`
     if (key !== this.scale) this.onScale(scale)
     this.scale = key
-  }
-
-  /** With the next frame, however often it is asked for until then: steps and views are many, and each would take its time. */
-  private drawSoon(): void {
-    if (this.requested !== 0) return
-    this.requested = requestAnimationFrame(() => {
-      this.requested = 0
-      this.draw()
-    })
   }
 
   private draw(): void {
@@ -191,7 +200,9 @@ export class Painter {
   private drawAnts({ goals }: ScenarioSpec): void {
     const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
     drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
-    if (progress < 1 && this.crowd.size > 0) this.drawSoon()
+    cancelAnimationFrame(this.requested)
+    if (progress < 1 && this.crowd.size > 0)
+      this.requested = requestAnimationFrame(() => this.draw())
   }
 }
 
