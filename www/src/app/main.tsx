@@ -27,7 +27,6 @@ async function main(): Promise<void> {
   await Promise.race([started, new Promise((resolve) => setTimeout(resolve, SOON_MS))])
   const root = document.getElementById('app')
   if (root) render(<App />, root)
-  await started
 }
 
 void main()

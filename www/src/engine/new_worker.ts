@@ -5,21 +5,17 @@ import WholeWorker from '../worker/whole.worker?worker'
 import type { Build } from './builds'
 
 /** Workers on the core that nobody has yet. */
-const ahead = new Set<Worker>()
+const ahead: Worker[] = []
 
-/** Starts workers on the core, for those who will want them soon. One that fails is forgotten: the next one's failure is heard. */
+/** Starts workers on the core, for those who will want them soon. One that fails before is forgotten. */
 export function startAhead(count: number): void {
   for (let i = 0; i < count; i++) {
     const worker = new CoreWorker()
-    worker.onerror = () => ahead.delete(worker)
-    ahead.add(worker)
+    worker.onerror = () => ahead.splice(ahead.indexOf(worker), 1)
+    ahead.push(worker)
   }
 }
 
 export function newWorker(build: Build): Worker {
-  if (build === 'whole') return new WholeWorker()
-  const [first] = ahead
-  if (!first) return new CoreWorker()
-  ahead.delete(first)
-  return first
+  return build === 'whole' ? new WholeWorker() : (ahead.pop() ?? new CoreWorker())
 }

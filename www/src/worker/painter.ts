@@ -178,13 +178,12 @@ export class Painter {
 
   private drawGround(spec: ScenarioSpec, raster: Context): void {
     const { ground, view, contours } = this
-    const { width, height, scale, originX, originY, dpr, theme, colour } = view
-    const seen = [width, height, scale, originX, originY, dpr, theme, colour]
-    const now = `${seen} ${view.showPath} ${view.showContours}`
+    const { cursor, cursorFocus, showAnts, goalNames, ...seen } = view
+    const now = JSON.stringify(seen)
     if (now === this.grounded) return
     this.grounded = now
     fit(ground.canvas, view)
-    ground.clearRect(0, 0, width, height)
+    ground.clearRect(0, 0, view.width, view.height)
     if (contours?.hasHoles) drawHatch(ground, view, spec)
     drawRaster(ground, view, raster.canvas)
     if (view.showContours) contours?.draw(ground, view, () => this.drawAnew())

@@ -21,7 +21,7 @@ export function paintLayer(
 /** Stays the same as long as `paintLayer` would paint the same picture. */
 export function pictureOf(run: Run, { layer: wanted, ends, theme }: Look): string {
   const layer = layerOf(run, wanted)
-  return `${run.moment(layer)} ${layer} ${layer === 'none' ? '' : ends[layer]} ${theme}`
+  return `${run.moment(layer)} ${layer} ${ends[layer as Layer]} ${theme}`
 }
 
 /** One layer is chosen for all panels; a planner without it shows the first it has. */
