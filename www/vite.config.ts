@@ -14,6 +14,9 @@ const pkg = path('../pkg')
 const NEEDED =
   /src.(words.(gap|planner|height|place|objective)_words|ui.lazily|stage.(stage|keyboard|pointer)\.)/
 
+/** What begins before the rest has been read. */
+const EARLY = /src.engine.(early|load|new_worker)\.|src.model.errors\./
+
 /** `cargo xtask serve --dev` writes pkg/.stamp last: the engine is new, so is the page. */
 function reloadOnNewEngine(): Plugin {
   return {
@@ -46,7 +49,16 @@ export default defineConfig({
     target: 'es2022',
     sourcemap: false,
     // What every visit needs is one file: cut up by which late part needs what, it would be larger by kilobytes.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: 'page', test: NEEDED }] } } },
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            { name: 'early', test: EARLY, priority: 1 },
+            { name: 'page', test: NEEDED },
+          ],
+        },
+      },
+    },
   },
   worker: { format: 'es' },
 })

@@ -419,6 +419,19 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         true
     }
 
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        let finished = self.progress.effort.iterations;
+        let begun = finished + u32::from(self.constructing);
+        match kind {
+            Layer::Density => Some(0),
+            // What a variant learns of the map before its first step.
+            Layer::InitialTrail => Some(u64::from(self.tables.is_some())),
+            Layer::Heuristic => Some((1..=begun).rev().find(|&n| self.variant.heuristic_changes(n)).unwrap_or(0).into()),
+            Layer::Trail if !V::LOCK_STEP => Some(u64::from(finished) + u64::from(self.tables.is_some())),
+            _ => None,
+        }
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
         if let (Some(tables), true) = (&self.tables, self.constructing) {
@@ -449,7 +462,7 @@ pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
 /// The strongest trail that leaves each cell.
 #[inline(never)]
 fn strongest(trails: &Trails, out: &mut [f32]) {
-    out.iter_mut().enumerate().for_each(|(c, t)| *t = trails.strongest(c as Cell));
+    trails.strongest_of_all(out);
 }
 
 /// Mean η of the steps that lead into each cell.

@@ -164,6 +164,13 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
         true
     }
 
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        match kind {
+            Layer::SeedPath | Layer::Priority => self.colony.as_ref().map(|_| 0),
+            _ => self.colony.as_ref().and_then(|colony| colony.layer_version(kind)),
+        }
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         match &self.colony {
             Some(colony) => colony.ants(out),

@@ -296,6 +296,11 @@ impl<V: Variant + 'static> Planner for Legs<V> {
         self.layers.contains(&kind)
     }
 
+    /// No version gets smaller, so that their sum tells whether one has changed.
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        self.legs.iter().try_fold(self.legs.len() as u64, |sum, leg| Some(sum + leg.layer_version(kind)?))
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
         let mut of_leg = Vec::new();

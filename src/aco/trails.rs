@@ -70,6 +70,12 @@ impl Trails {
         (f64::from(stored) * self.scale) as f32
     }
 
+    /// [`Trails::strongest`] of every cell. Costs as much as ants have deposited around: all other cells share one value.
+    pub fn strongest_of_all(&self, out: &mut [f32]) {
+        out.fill((f64::from(self.background.max(0.0)) * self.scale) as f32);
+        self.active.iter().for_each(|&c| out[c as usize] = self.strongest(c));
+    }
+
     /// τ / scale of all steps from a cell: enough to compare them.
     pub fn relative(&self, c: Cell) -> Row {
         if self.state[c as usize] & ACTIVE != 0 { self.stored[c as usize] } else { [self.background; DIRECTIONS] }
@@ -264,6 +270,9 @@ mod tests {
                     assert!((t.get(c, d) - swept[c as usize][d as usize]).abs() < 1e-5, "iteration {i}, cell {c}, direction {d}");
                 }
             }
+            let mut all = [0.0; 9];
+            t.strongest_of_all(&mut all);
+            assert_eq!(all, std::array::from_fn(|c| t.strongest(c as Cell)), "iteration {i}");
         }
     }
 

@@ -171,6 +171,11 @@ impl Grid {
         self.blocked[cell as usize]
     }
 
+    /// Whether each cell is blocked, row by row.
+    pub fn blocked(&self) -> &[bool] {
+        &self.blocked
+    }
+
     /// Whether each cell of row y is blocked, from the left.
     pub fn row(&self, y: u32) -> &[bool] {
         let width = self.width as usize;

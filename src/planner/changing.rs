@@ -207,6 +207,11 @@ impl Planner for Changing {
         self.planner.layer(kind, out)
     }
 
+    /// A planner that began anew counts from 0 again: the changes count more than all that it can count.
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        self.planner.layer_version(kind).map(|version| u64::from(self.made) << 40 | version)
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         self.planner.ants(out);
     }

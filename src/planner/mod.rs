@@ -10,6 +10,7 @@ mod moves;
 pub mod playback;
 mod progress;
 mod reading;
+pub mod shades;
 mod turn;
 
 use std::num::NonZero;
@@ -162,6 +163,27 @@ pub trait Planner: Snapshot + Send {
     }
     /// Writes a layer (one value a cell, row by row); false when the planner has no such layer.
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool;
+    /// A count that grows whenever a layer's values may have changed: while it stays, so do they. None where nobody counts: then every step
+    /// may have changed them.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use formicarium::map::{Grid, Movement, Point};
+    /// # use formicarium::planner::{Granularity, Layer};
+    /// # use formicarium::{catalog, params::Values, scenario::Scenario};
+    /// # let scenario = Scenario::on(Grid::open(9, 9)?, Movement::default(), Point::new(0, 0), Point::new(8, 8))?;
+    /// let mut ants = catalog::build(&Arc::new(scenario), "ant-system", None, &Values::new(), 1)?;
+    /// ants.advance(Granularity::Move);
+    /// let before = ants.layer_version(Layer::Trail);
+    /// ants.advance(Granularity::Move);
+    /// assert_eq!(ants.layer_version(Layer::Trail), before, "ants deposit at the end of an iteration");
+    /// ants.advance(Granularity::Iteration);
+    /// assert!(ants.layer_version(Layer::Trail) > before);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn layer_version(&self, _kind: Layer) -> Option<u64> {
+        None
+    }
     /// Writes the cell of every living ant of the current iteration.
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();

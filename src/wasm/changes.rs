@@ -40,6 +40,7 @@ impl Run {
         let change = Change { at: changing.next_end(), blocked, freed };
         changing.schedule(change.clone()).map_err(throw)?;
         self.drawn = coming(changing);
+        self.looks += 1;
         (self.replay, self.past) = (None, None);
         self.playback.change(&*self.planner, &change);
         Ok(change.at)
@@ -57,6 +58,7 @@ impl Run {
             Change { at: 0, blocked, freed }.make(&mut grid, &changing.scenario().spec, 0).map_err(throw)?;
             Some(Drawn { grid, until: u32::MAX })
         };
+        self.looks += 1;
         Ok(())
     }
 

@@ -4,7 +4,8 @@ use wasm_bindgen::prelude::*;
 
 use super::Answer;
 use super::arguments::{Heights, Number};
-use super::paint::{Rgb, Style, Theme};
+use super::colours::{Rgb, Theme};
+use super::paint::Style;
 use crate::map::{self, LEVEL_LIGHT, Shading};
 
 impl Theme {

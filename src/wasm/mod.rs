@@ -8,6 +8,7 @@ mod ahead;
 mod arguments;
 #[cfg(feature = "whole")]
 mod changes;
+mod colours;
 #[cfg(feature = "whole")]
 mod comparison;
 #[cfg(feature = "whole")]
@@ -42,6 +43,8 @@ use crate::scenario::{Scenario, ScenarioSpec};
 #[cfg(feature = "whole")]
 pub use ahead::LookAhead;
 #[cfg(feature = "whole")]
+pub use colours::map_colors;
+#[cfg(feature = "whole")]
 pub use comparison::{Comparison, ablation, formats};
 #[cfg(feature = "whole")]
 pub use drawn::HandPath;
@@ -56,8 +59,6 @@ pub use maps::{
 };
 #[cfg(feature = "whole")]
 pub use order::{OrderRun, read_order};
-#[cfg(feature = "whole")]
-pub use paint::map_colors;
 #[cfg(feature = "whole")]
 pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};

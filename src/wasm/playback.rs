@@ -35,6 +35,7 @@ impl Run {
         let at_most = at_most.whole("at_most")?;
         let Some(iteration) = iteration else {
             (self.replay, self.past) = (None, None);
+            self.looks += 1;
             return Ok(true);
         };
         let iteration = iteration.whole("iteration")?.min(self.iteration());
@@ -44,6 +45,7 @@ impl Run {
         let arrived = self.replay.as_mut().is_some_and(|replay| replay.go_on(at_most));
         if arrived {
             self.past = self.replay.take().map(|replay| replay.into_planner());
+            self.looks += 1;
         }
         Ok(arrived)
     }

@@ -8,7 +8,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Bytes, Context, Flag, Heights, LayerOrNone, Number, ParamValues, Text, ThemeName};
-use super::paint::{Canvas, Style, layer_of};
+use super::paint::{Canvas, Moment, Style, layer_of};
 use super::{Answer, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::planner::playback::{Playback, Replay};
@@ -81,6 +81,10 @@ pub struct Run {
     pub(super) drawn: Option<super::changes::Drawn>,
     /// Moves made since the last iteration ended.
     moves: u32,
+    /// How often it has advanced by a move or an iteration.
+    steps: u32,
+    /// How often something else was to be looked at: the past, or other walls.
+    pub(super) looks: u32,
     layers: &'static [Layer],
     canvas: RefCell<Canvas>,
     /// Metrics of the best path, the iteration that found it, and the changes of the map so far: measured once per improvement, not per frame.
@@ -115,6 +119,8 @@ impl Run {
             #[cfg(feature = "whole")]
             drawn: None,
             moves: 0,
+            steps: 0,
+            looks: 0,
             layers,
             canvas,
             measured,
@@ -126,6 +132,7 @@ impl Run {
         let by = arguments::word(&by.js_value(), "by")?;
         for _ in 0..count.whole("count")? {
             let iteration = self.iteration();
+            self.steps = self.steps.wrapping_add(1);
             let finished = self.planner.advance(by).is_finished();
             self.moves = if self.iteration() == iteration { self.moves + 1 } else { 0 };
             self.playback.note(&*self.planner, by);
@@ -225,8 +232,15 @@ impl Run {
         let layer = layer_of(layer)?;
         let style = Style::of(theme, cells_per_unit(&self.scenario.spec), shaded)?;
         let ends = ends.map(|ends| ends_of(&ends)).transpose()?;
-        let own = self.canvas.borrow_mut().paint(context, self.grid(), self.shown(), layer, style, ends)?;
+        let shown = (self.shown(), self.moment_of(layer));
+        let own = self.canvas.borrow_mut().paint(context, self.grid(), shown, layer, style, ends)?;
         Ok(own.map_or_else(Vec::new, |own| own.to_vec()))
+    }
+
+    /// What `paint` would show with a layer, as four numbers: while they stay the same it paints the same picture by the same theme and ends.
+    pub fn moment(&self, layer: &LayerOrNone) -> Answer<Vec<f64>> {
+        let Moment { looks, changes, version, steps } = self.moment_of(layer_of(layer)?);
+        Ok(vec![looks.into(), changes.into(), version.map_or(-1.0, |version| version as f64), steps.into()])
     }
 }
 
@@ -262,6 +276,13 @@ impl Run {
     /// The planner that everything but stepping asks: as it stands, or as it stood.
     pub(super) fn shown(&self) -> &dyn Planner {
         self.past.as_deref().unwrap_or(&*self.planner)
+    }
+
+    /// The map alone is where no layer is shown.
+    fn moment_of(&self, layer: Option<Layer>) -> Moment {
+        let version = layer.map_or(Some(0), |kind| self.shown().layer_version(kind));
+        let steps = if version.is_some() { 0 } else { self.steps };
+        Moment { looks: self.looks, changes: self.changes(), version, steps }
     }
 
     /// The map that it is on, as changes have left it.

@@ -7,6 +7,7 @@ mod changes;
 mod common;
 mod components;
 mod grounds;
+mod layers;
 mod parameters;
 mod paths;
 mod runs;

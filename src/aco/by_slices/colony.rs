@@ -230,6 +230,11 @@ impl<R: Rules + 'static> Planner for SliceColony<R> {
         self.show(kind, out)
     }
 
+    /// η of a step is the rules' and the map's alone; trails may change with every move.
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        (kind == Layer::Heuristic).then_some(0)
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
         if let (Some(tables), true) = (&self.tables, self.constructing) {

@@ -41,6 +41,7 @@ function valid(): Record<string, unknown[]> {
     'Run.keep_snapshots': [1 << 20],
     'Run.layer': ['trail'],
     'Run.level_at': [1, 1],
+    'Run.moment': ['trail'],
     'Run.moves_from': [1, 1, 0],
     'Run.paint': [{}, 'trail', 'light', true, null],
     'Run.show_iteration': [1, 10],

@@ -1,3 +1,4 @@
+import '../engine/early'
 import '../styles/index.css'
 import './lazy_parts'
 import { render } from 'preact'
@@ -10,10 +11,11 @@ import { offerScripting } from './scripting'
 import { listenForKeys } from './shortcuts'
 import { whenAntsWalk } from './when_ants_walk'
 
+/** What comes sooner is not announced. */
+const SOON_MS = 400
+
 async function main(): Promise<void> {
   await startLanguage()
-  const root = document.getElementById('app')
-  if (root) render(<App />, root)
   listenForKeys()
   listenForPaste()
   listenForDrops()
@@ -21,7 +23,10 @@ async function main(): Promise<void> {
   whenAntsWalk(() =>
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )
-  await startPage()
+  const started = startPage()
+  await Promise.race([started, new Promise((resolve) => setTimeout(resolve, SOON_MS))])
+  const root = document.getElementById('app')
+  if (root) render(<App />, root)
 }
 
 void main()

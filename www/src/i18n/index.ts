@@ -89,7 +89,10 @@ export async function setLanguage(choice: Language): Promise<void> {
 }
 
 export function t(key: TextKey, args?: Record<string, unknown>): string {
-  return i18next.t(key, { lng: language.value, ...args })
+  const lng = language.value
+  // Most texts stand as they are in the dictionary, and opening the page asks for hundreds.
+  const text: unknown = args ?? i18next.getResource(lng, 'translation', key)
+  return typeof text === 'string' ? text : i18next.t(key, { lng, ...args })
 }
 
 /** Text of the engine, translated if the dictionary has it. */

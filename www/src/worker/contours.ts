@@ -64,7 +64,7 @@ export class ContourLayer {
 
   private strokeLater(view: PanelView, again: () => void): void {
     clearTimeout(this.timer)
-    this.timer = setTimeout(() => {
+    this.timer = self.setTimeout(() => {
       this.picture = this.stroke(view)
       again()
     }, SETTLED_MS)

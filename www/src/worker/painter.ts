@@ -1,4 +1,7 @@
-/** Keeps one panel's picture: the raster the engine paints, and the vector marks drawn over it. Lives in the worker. */
+/**
+ * Keeps one panel's picture, in layers, each made anew only when it has changed: the raster that the engine paints; in the view what
+ * lies on the ground, which is the raster, lines and the best path; and over it ants, marks and cursor. Lives in the worker.
+ */
 import type { Run } from '@pkg/core/formicarium'
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
@@ -7,7 +10,7 @@ import type { LayerScale, PanelView } from '../model/messages'
 import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
-import { paintLayer } from './shown_layer'
+import { paintLayer, pictureOf } from './shown_layer'
 
 type Context = OffscreenCanvasRenderingContext2D
 type PaintMap = (context: Context, theme: PanelView['theme'], shaded: boolean) => void
@@ -20,12 +23,17 @@ const SHORTEST_GLIDE_MS = 24
 export class Painter {
   private readonly context: Context
   private raster: Context | null = null
+  /** Which picture the raster has. */
+  private painted = ''
+  /** What lies on the ground, as large as the view, and of what it was drawn. */
+  private readonly ground = contextOf(new OffscreenCanvas(1, 1))
+  private grounded = ''
   private run: Run | null = null
   /** Paints the map where there is no run. */
   private bare: PaintMap | null = null
   private spec: ScenarioSpec | null = null
   /** On a terrain. */
-  private ground: ContourLayer | null = null
+  private contours: ContourLayer | null = null
   private path: Uint32Array = new Uint32Array()
   /** For each goal its place in the order of visits, from 1. */
   private places: number[] = []
@@ -34,6 +42,8 @@ export class Painter {
   private glideFrom = 0
   private glideMs = 0
   private requested = 0
+  /** What is to be done once the view that was given last has been drawn; null when it has. */
+  private waiting: (() => void)[] | null = null
   private scale = ''
 
   constructor(
@@ -43,38 +53,39 @@ export class Painter {
     private readonly onScale: (scale: LayerScale) => void,
   ) {
     this.context = contextOf(canvas)
-    this.fitCanvas()
   }
 
   /** Shows another run from now on. */
-  show(run: Run, spec: ScenarioSpec, ground: ContourLayer | null): void {
+  show(run: Run, spec: ScenarioSpec, contours: ContourLayer | null): void {
     this.run = run
-    this.begin(spec, ground)
+    this.begin(spec, contours)
   }
 
   /** Shows a map with its marks, and no run, from now on. */
-  showMap(spec: ScenarioSpec, ground: ContourLayer | null, paint: PaintMap): void {
+  showMap(spec: ScenarioSpec, contours: ContourLayer | null, paint: PaintMap): void {
     this.run = null
     this.bare = paint
-    this.begin(spec, ground)
+    this.begin(spec, contours)
   }
 
-  private begin(spec: ScenarioSpec, ground: ContourLayer | null): void {
+  private begin(spec: ScenarioSpec, contours: ContourLayer | null): void {
     this.spec = spec
-    this.ground = ground
-    this.path = new Uint32Array()
+    this.contours = contours
+    this.painted = ''
+    this.setPath(new Uint32Array())
     this.places = []
     this.crowd.clear()
     this.glideMs = 0
     if (this.raster?.canvas.width !== spec.width || this.raster.canvas.height !== spec.height) {
       this.raster = contextOf(new OffscreenCanvas(spec.width, spec.height))
     }
-    this.repaint()
     this.draw()
   }
 
   /** x0, y0, x1, y1, …; shown from the next drawing on. */
   setPath(path: Uint32Array): void {
+    if (path.length !== this.path.length || path.some((value, i) => value !== this.path[i]))
+      this.grounded = ''
     this.path = path
   }
 
@@ -87,7 +98,6 @@ export class Painter {
   /** The run has moved on. `single`: by one move, so that every ant went one cell at most. */
   refresh(single: boolean): void {
     if (this.run === null) return
-    this.repaint()
     this.crowd.update(this.run.ants(), single)
     const now = performance.now()
     const since = now - this.lastStep
@@ -98,21 +108,24 @@ export class Painter {
   }
 
   setView(view: PanelView): void {
-    const before = this.view
     this.view = view
-    this.fitCanvas()
-    const other =
-      before.layer !== view.layer ||
-      before.theme !== view.theme ||
-      JSON.stringify(before.ends) !== JSON.stringify(view.ends)
-    if (other || before.hidden !== view.hidden) this.repaint()
-    this.draw()
+    if (this.waiting) return
+    this.waiting = []
+    // Of views that have come together the last one is drawn.
+    setTimeout(() => this.drawView())
   }
 
-  private fitCanvas(): void {
-    const { width, height } = this.view
-    if (this.canvas.width !== width) this.canvas.width = width
-    if (this.canvas.height !== height) this.canvas.height = height
+  /** Does something at once or, where a view waits to be drawn, after that: a reader who moves the map waits for no step of a planner. */
+  afterView(what: () => void): void {
+    if (this.waiting) this.waiting.push(what)
+    else what()
+  }
+
+  private drawView(): void {
+    this.draw()
+    const waiting = this.waiting ?? []
+    this.waiting = null
+    for (const what of waiting) what()
   }
 
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
@@ -124,7 +137,13 @@ export class Painter {
   }
 
   private repaint(): void {
-    if (this.raster !== null && !this.view.hidden) this.paint(this.raster, true)
+    const { run, view, raster } = this
+    if (raster === null || view.hidden) return
+    const picture = run ? pictureOf(run, view) : view.theme
+    if (picture === this.painted) return
+    this.painted = picture
+    this.grounded = ''
+    this.paint(raster, true)
   }
 
   private paint(onto: Context, shaded: boolean): void {
@@ -140,18 +159,41 @@ export class Painter {
   }
 
   private draw(): void {
-    const { context, view, spec, raster, ground } = this
-    if (view.hidden) return
-    context.clearRect(0, 0, view.width, view.height)
-    if (spec === null || raster === null) return
-    if (ground?.hasHoles) drawHatch(context, view, spec)
-    drawRaster(context, view, raster.canvas)
-    if (view.showContours) ground?.draw(context, view, () => this.draw())
-    drawGrid(context, view, spec)
-    if (view.showPath) drawPath(context, view, this.path)
+    const { context, view, spec, raster } = this
+    fit(this.canvas, view)
+    if (view.hidden || view.width === 0 || view.height === 0) return
+    if (spec === null || raster === null) {
+      context.clearRect(0, 0, view.width, view.height)
+      return
+    }
+    this.repaint()
+    this.drawGround(spec, raster)
+    context.globalCompositeOperation = 'copy'
+    context.drawImage(this.ground.canvas, 0, 0)
+    context.globalCompositeOperation = 'source-over'
     if (view.showAnts) this.drawAnts(spec)
     drawMarks(context, view, spec, this.places)
     drawCursor(context, view)
+  }
+
+  private drawGround(spec: ScenarioSpec, raster: Context): void {
+    const { ground, view, contours } = this
+    const { cursor, cursorFocus, showAnts, goalNames, ...seen } = view
+    const now = JSON.stringify(seen)
+    if (now === this.grounded) return
+    this.grounded = now
+    fit(ground.canvas, view)
+    ground.clearRect(0, 0, view.width, view.height)
+    if (contours?.hasHoles) drawHatch(ground, view, spec)
+    drawRaster(ground, view, raster.canvas)
+    if (view.showContours) contours?.draw(ground, view, () => this.drawAnew())
+    drawGrid(ground, view, spec)
+    if (view.showPath) drawPath(ground, view, this.path)
+  }
+
+  private drawAnew(): void {
+    this.grounded = ''
+    this.draw()
   }
 
   private drawAnts({ goals }: ScenarioSpec): void {
@@ -161,6 +203,11 @@ export class Painter {
     if (progress < 1 && this.crowd.size > 0)
       this.requested = requestAnimationFrame(() => this.draw())
   }
+}
+
+function fit(canvas: OffscreenCanvas, { width, height }: PanelView): void {
+  if (canvas.width !== width) canvas.width = width
+  if (canvas.height !== height) canvas.height = height
 }
 
 function contextOf(canvas: OffscreenCanvas): Context {

@@ -191,7 +191,7 @@ function handle(request: PanelRequest): Promise<void> | undefined {
       break
     case 'tick':
       if (request.stops) return tickWithStops(request, request.stops)
-      tick(request)
+      painter?.afterView(() => tick(request))
       break
     case 'raster':
       raster()

@@ -18,6 +18,12 @@ export function paintLayer(
   return { layer, own: low === undefined || high === undefined ? null : [low, high] }
 }
 
+/** Stays the same as long as `paintLayer` would paint the same picture. */
+export function pictureOf(run: Run, { layer: wanted, ends, theme }: Look): string {
+  const layer = layerOf(run, wanted)
+  return `${run.moment(layer)} ${layer} ${ends[layer as Layer]} ${theme}`
+}
+
 /** One layer is chosen for all panels; a planner without it shows the first it has. */
 function layerOf(run: Run, wanted: Layer | 'none'): Layer | 'none' {
   if (wanted === 'none') return 'none'

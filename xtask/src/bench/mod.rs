@@ -9,6 +9,7 @@ mod growth;
 mod instructions;
 mod interval;
 mod maps;
+mod page;
 mod python;
 mod report;
 mod rounds;
@@ -52,6 +53,8 @@ enum Part {
     Python,
     /// Time as ants, cells and cores grow
     Growth,
+    /// The page in Chromium: from an input to its picture, from the address to the first step
+    Page,
     /// Instructions an ant move, beside those that were counted before
     Instructions,
 }
@@ -94,6 +97,7 @@ impl Part {
             Self::Exact => exact::run(extent).map(Some),
             Self::Python => python::run(extent),
             Self::Growth => growth::run(extent).map(Some),
+            Self::Page => page::run(extent),
             Self::Instructions => instructions::run(extent),
         }
     }

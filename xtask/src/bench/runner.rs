@@ -8,6 +8,7 @@ use anyhow::{Context, Result, anyhow};
 use serde_json::{Value, json};
 
 use crate::install;
+use crate::page;
 use crate::tools::{self, root, target_dir};
 use crate::wasm;
 
@@ -38,6 +39,15 @@ impl Runner {
         let mut node = Command::new("node");
         node.arg(root().join("benches/peers/chromium.mjs")).env("CHROMIUM_PATH", program);
         Self::start("Chromium", &mut node).map(Some)
+    }
+
+    /// The built page in Chromium, where that is here.
+    pub fn page() -> Result<Option<Self>> {
+        let Some(program) = install::chromium_program() else { return Ok(None) };
+        page::build(None)?;
+        let mut node = Command::new("node");
+        node.arg(root().join("benches/peers/page.mjs")).env("CHROMIUM_PATH", program);
+        Self::start("the page", &mut node).map(Some)
     }
 
     /// Searches of other crates.

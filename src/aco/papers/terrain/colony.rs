@@ -195,6 +195,15 @@ impl<S: Space + 'static> Planner for FieldColony<S> {
         self.show(kind, out)
     }
 
+    fn layer_version(&self, kind: Layer) -> Option<u64> {
+        let fades = self.params.force && self.params.force_fades;
+        match kind {
+            Layer::InitialTrail => Some(0),
+            Layer::Heuristic => Some(if fades { u64::from(self.iteration()) } else { 0 }),
+            _ => None,
+        }
+    }
+
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
         if let (Some(tables), true) = (&self.tables, self.constructing) {

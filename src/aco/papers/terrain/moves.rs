@@ -56,7 +56,7 @@ impl<S: Space> FieldColony<S> {
         let odds = odds::pseudo_random_proportional(&weights, params.common.q0);
         let feasible = (0..space.steps()).filter_map(|k| Some((space.step(from, k, way)?, k)));
         let eyes = eyes(space, params, way);
-        let seen = eyes.eta(space, from, self.weight(self.iteration()));
+        let seen = eyes.eta(space, from, self.weight(self.iteration()), |place| eyes.left(space, place));
         let step = |((to, k), (_, heuristic)): ((Place, usize), (Place, f64))| MoveOdds {
             colony: team,
             to,

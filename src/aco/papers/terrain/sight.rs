@@ -64,22 +64,33 @@ pub struct Eyes {
 impl Eyes {
     /// η without the force, and F_tot·cos φ, of a feasible step.
     fn step(&self, space: &impl Space, from: Place, to: Place, k: usize, force: [f64; 3]) -> (f64, f64) {
-        let left = distance(space.seen_at(to), space.seen_at(space.target(self.way)));
-        let seen = visibility(self.heuristic, space.length(from, to, k), left);
+        let seen = visibility(self.heuristic, space.length(from, to, k), self.left(space, to));
         (seen, along(force, space.position(from), space.position(to)))
+    }
+
+    /// The distance from a place to the target, as ants see it.
+    pub fn left(&self, space: &impl Space, from: Place) -> f64 {
+        distance(space.seen_at(from), space.seen_at(space.target(self.way)))
     }
 
     fn force_at(&self, space: &impl Space, place: Place) -> [f64; 3] {
         self.force.map_or([0.0; 3], |(field, _)| field.force(space, place))
     }
 
-    /// η of every feasible step from a place, with its end.
-    pub fn eta(&self, space: &impl Space, from: Place, weight: f64) -> impl Iterator<Item = (Place, f64)> {
-        let force = self.force_at(space, from);
+    /// η of every feasible step from a place, with its end. `left` is [`Eyes::left`], or what is known of it: many steps lead to a place.
+    pub fn eta(
+        &self,
+        space: &impl Space,
+        from: Place,
+        weight: f64,
+        left: impl Fn(Place) -> f64,
+    ) -> impl Iterator<Item = (Place, f64)> {
+        let (at, force) = (space.position(from), self.force.map(|(_, base)| (self.force_at(space, from), base)));
         (0..space.steps()).filter_map(move |k| {
             let to = space.step(from, k, self.way)?;
-            let (seen, pull) = self.step(space, from, to, k, force);
-            Some((to, seen * self.force.map_or(1.0, |(_, base)| force_factor(base, weight, pull))))
+            let seen = visibility(self.heuristic, space.length(from, to, k), left(to));
+            let pulled = |(force, base)| force_factor(base, weight, along(force, at, space.position(to)));
+            Some((to, seen * force.map_or(1.0, pulled)))
         })
     }
 }

@@ -35,8 +35,10 @@ impl<S: Space> FieldColony<S> {
     fn mean_heuristic(&self, eyes: &Eyes, out: &mut [f32]) {
         let (weight, area) = (self.weight(self.iteration()), out.len());
         let mut ways = vec![0.0f32; area];
-        for from in 0..self.space.places() as Place {
-            for (to, eta) in eyes.eta(&self.space, from, weight) {
+        let places = 0..self.space.places() as Place;
+        let left: Vec<f64> = places.clone().map(|place| eyes.left(&self.space, place)).collect();
+        for from in places {
+            for (to, eta) in eyes.eta(&self.space, from, weight, |place| left[place as usize]) {
                 out[to as usize % area] += eta as f32;
                 ways[to as usize % area] += 1.0;
             }
