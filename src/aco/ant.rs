@@ -173,7 +173,8 @@ impl Ant {
     pub(super) fn stand(&mut self, walk: &Walk, cell: Cell, place: Place, made: u32) {
         (self.cell, self.place) = (cell, place);
         self.moves += made;
-        if self.moves >= walk.max_moves {
+        // Under a cap below one move an ant still makes one.
+        if self.moves >= walk.max_moves.max(1) {
             self.fate = Fate::Lost;
         }
     }

@@ -173,7 +173,8 @@ fn eq_2_a_level_counts_as_many_cells_as_it_is_told() {
     assert!(close(flat.length(slices.start(), to, k), 2.16f64.sqrt()));
     assert!(close(distance(flat.seen_at(to), flat.seen_at(goal)), 40.04f64.sqrt()));
     let eyes = Eyes { way: Way::Forward, heuristic: Heuristic::Both, beta: 1.0, force: None };
-    let eta = eyes.eta(&flat, slices.start(), 1.0).find(|&(end, _)| end == to).expect("a step").1;
+    let eta =
+        eyes.eta(&flat, slices.start(), 1.0, |place| eyes.left(&flat, place)).find(|&(end, _)| end == to).expect("a step").1;
     assert!(close(eta, 1.0 / (2.16f64.sqrt() + 40.04f64.sqrt())));
     // The field does not change, and with one cell a level nothing does.
     let field = |space: &Layered| Field::new(space, Way::Forward, gains(Reading::Repaired)).trail(space, to);
@@ -360,7 +361,7 @@ fn second_eq_12_eta_of_two_steps_by_hand() {
     let (space, slices) = (layered(&s), s.slices.as_ref().expect("by slices"));
     let field = Field::new(&space, Way::Forward, gains(Reading::Repaired));
     let eyes = Eyes { way: Way::Forward, heuristic: Heuristic::Goal, beta: 3.0, force: Some((field, 2.5)) };
-    let etas: Vec<(Place, f64)> = eyes.eta(&space, slices.place(3, 2, 5), 0.125).collect();
+    let etas: Vec<(Place, f64)> = eyes.eta(&space, slices.place(3, 2, 5), 0.125, |place| eyes.left(&space, place)).collect();
     let eta = |level| etas.iter().find(|(to, _)| *to == slices.place(4, 2, level)).expect("a step").1;
     // At (3, 2, 5) the pull is 3·√51 / (√51 + √20) = 1.844764 along (4, 0, −2)/√20, and the push 0.1639942 down. Down along (1, 0, −1)/√2
     // both help: (6/√20·1.844764 + 0.1639942)/√2 = 1.866058; 2.5^(0.125·1.866058) = 1.238290, and √10 are left to the goal.
@@ -383,7 +384,7 @@ fn eq_1_and_12_rows_are_the_powers_of_the_formula() {
             let weight = force_weight(reading, it, 100);
             sight.begin(it, weight);
             for from in [slices.place(3, 2, 5), slices.place(4, 5, 4), space.origin(way)] {
-                let etas: Vec<(Place, f64)> = eyes.eta(&space, from, weight).collect();
+                let etas: Vec<(Place, f64)> = eyes.eta(&space, from, weight, |place| eyes.left(&space, place)).collect();
                 assert!(!etas.is_empty());
                 let powers: f64 = etas.iter().map(|(_, eta)| eta.powi(3)).sum();
                 let row = sight.row(&space, from).to_vec();
