@@ -38,8 +38,10 @@ impl<T> Frontier<T> {
     /// Adds to a bucket that there is none of yet.
     #[cold]
     fn file_first(&mut self, ahead: usize, waiting: T) {
-        self.buckets.resize_with(ahead + 1, Vec::new);
-        self.buckets[ahead].push(waiting);
+        while self.buckets.len() < ahead {
+            self.buckets.push_back(Vec::new());
+        }
+        self.buckets.push_back(vec![waiting]);
     }
 
     /// What came last into the bucket at work.
@@ -57,8 +59,8 @@ impl<T> Frontier<T> {
     pub(super) fn next(&mut self) {
         debug_assert!(self.buckets.front().is_none_or(Vec::is_empty));
         self.at_work += 1;
-        if !self.buckets.is_empty() {
-            self.buckets.rotate_left(1);
+        if let Some(worked_off) = self.buckets.pop_front() {
+            self.buckets.push_back(worked_off);
         }
     }
 

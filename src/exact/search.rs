@@ -158,8 +158,9 @@ impl<E: Estimate> Search<E> {
         let g = self.ways.g(cell);
         self.ways.note_expansion(cell);
         self.progress.effort.cell_expansions += 1;
-        if self.scenario.moves.relief().is_some() {
-            self.expand_on_terrain(cell, g);
+        // The opening build must stay small.
+        if self.scenario.moves.relief().is_some() || !cfg!(feature = "whole") {
+            self.expand_one_by_one(cell, g);
             return;
         }
         let allowed = self.scenario.moves.all_bits(cell);
@@ -186,8 +187,9 @@ impl<E: Estimate> Search<E> {
         u16::from(near) | u16::from(far) << DIRECTIONS
     }
 
+    /// The same step by step, whatever the ground.
     #[inline(never)]
-    fn expand_on_terrain(&mut self, cell: Cell, g: f64) {
+    fn expand_one_by_one(&mut self, cell: Cell, g: f64) {
         for d in self.scenario.moves.directions(cell) {
             let next = self.scenario.moves.step(cell, d);
             let next_g = g + self.scenario.moves.length(cell, d);

@@ -42,35 +42,21 @@ impl Mode {
     pub fn from_dev(dev: bool) -> Self {
         if dev { Self::Dev } else { Self::Release }
     }
-
-    fn profile(self) -> &'static str {
-        match self {
-            Self::Release => "wasm",
-            Self::Dev => "dev",
-        }
-    }
-
-    /// Cargo's folder for the profile.
-    fn folder(self) -> &'static str {
-        match self {
-            Self::Release => "wasm",
-            Self::Dev => "debug",
-        }
-    }
 }
 
-/// One build of the engine: what it is called, its folder in `pkg/`, and cargo's features.
+/// One build of the engine: what it is called, its folder in `pkg/`, cargo's features, and the profile of what ships.
 #[derive(Clone, Copy)]
 struct Build {
     name: &'static str,
     folder: &'static str,
     features: &'static [&'static str],
+    profile: &'static str,
 }
 
 /// The whole engine, and what a first visit needs: few planners, no file formats, no generators.
 const BUILDS: [Build; 2] = [
-    Build { name: "whole", folder: "", features: &[] },
-    Build { name: "opening", folder: "core", features: &["--no-default-features"] },
+    Build { name: "whole", folder: "", features: &[], profile: "wasm" },
+    Build { name: "opening", folder: "core", features: &["--no-default-features"], profile: "opening" },
 ];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
@@ -138,9 +124,17 @@ impl Build {
         tools::target_dir().join(self.folder)
     }
 
+    /// Cargo's profile, and its folder for it.
+    fn profile(&self, mode: Mode) -> (&'static str, &'static str) {
+        match mode {
+            Mode::Release => (self.profile, self.profile),
+            Mode::Dev => ("dev", "debug"),
+        }
+    }
+
     /// Where cargo leaves it.
     fn compiled(&self, mode: Mode) -> PathBuf {
-        self.target_dir().join("wasm32-unknown-unknown").join(mode.folder()).join("formicarium.wasm")
+        self.target_dir().join("wasm32-unknown-unknown").join(self.profile(mode).1).join("formicarium.wasm")
     }
 }
 
@@ -148,7 +142,7 @@ impl Build {
 /// `formicarium.wasm`, and in one folder each would make cargo think the other's outdated.
 fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
-    let target = ["--target", "wasm32-unknown-unknown", "--profile", mode.profile()];
+    let target = ["--target", "wasm32-unknown-unknown", "--profile", build.profile(mode).0];
     let quiet = ["--config".to_string(), anonymous_paths()];
     let mut cargo = tools::cargo();
     // Two bars of progress on one terminal would write over each other.
