@@ -40,6 +40,20 @@ pub fn vite() -> Command {
     node_script("vite/bin/vite.js")
 }
 
+/// The same command for a core that nothing else wants, where the system has such a thing.
+pub fn patient(command: Command) -> Command {
+    if find("nice").is_none() {
+        return command;
+    }
+    let mut nice = Command::new("nice");
+    nice.args(["-n", "19"]).arg(command.get_program()).args(command.get_args());
+    nice.envs(command.get_envs().filter_map(|(name, value)| Some((name, value?))));
+    if let Some(folder) = command.get_current_dir() {
+        nice.current_dir(folder);
+    }
+    nice
+}
+
 /// Runs to the end; anything but success is an error that names the command.
 pub fn run(command: &mut Command) -> Result<()> {
     let status = command.status().with_context(|| format!("cannot start {}", line(command)))?;

@@ -44,19 +44,21 @@ impl Mode {
     }
 }
 
-/// One build of the engine: what it is called, its folder in `pkg/`, cargo's features, and the profile of what ships.
+/// One build of the engine: what it is called, its folder in `pkg/`, cargo's features, the profile of what ships, and how much wasm-opt is
+/// to do after rustc: for the whole engine more takes far longer and gains nothing.
 #[derive(Clone, Copy)]
 struct Build {
     name: &'static str,
     folder: &'static str,
     features: &'static [&'static str],
     profile: &'static str,
+    wasm_opt: &'static str,
 }
 
 /// The whole engine, and what a first visit needs: few planners, no file formats, no generators.
 const BUILDS: [Build; 2] = [
-    Build { name: "whole", folder: "", features: &[], profile: "wasm" },
-    Build { name: "opening", folder: "core", features: &["--no-default-features"], profile: "opening" },
+    Build { name: "whole", folder: "", features: &[], profile: "wasm", wasm_opt: "-O2" },
+    Build { name: "opening", folder: "core", features: &["--no-default-features"], profile: "opening", wasm_opt: "-O3" },
 ];
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
@@ -106,7 +108,7 @@ fn package(mode: Mode, build: &Build, staging: &Path) -> Result<()> {
     bind(&build.compiled(mode), &folder)?;
     if mode == Mode::Release {
         println!("engine: optimizing the {} build…", build.name);
-        optimize(&folder.join(WASM))?;
+        optimize(&folder.join(WASM), build.wasm_opt)?;
     }
     Ok(())
 }
@@ -120,6 +122,11 @@ fn replace(staging: &Path, pkg: &Path) -> Result<()> {
 }
 
 impl Build {
+    /// Whether it is the small one.
+    fn is_small(&self) -> bool {
+        !self.features.is_empty()
+    }
+
     fn target_dir(&self) -> PathBuf {
         tools::target_dir().join(self.folder)
     }
@@ -144,7 +151,8 @@ fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", build.profile(mode).0];
     let quiet = ["--config".to_string(), anonymous_paths()];
-    let mut cargo = tools::cargo();
+    // The opening build is soon made once it has a core to itself; until then it must not hold up the whole one.
+    let mut cargo = if build.is_small() { tools::patient(tools::cargo()) } else { tools::cargo() };
     // Two bars of progress on one terminal would write over each other.
     cargo.env("CARGO_TERM_PROGRESS_WHEN", "never");
     run(cargo.args(args).arg(build.target_dir()).args(target).args(build.features).args(quiet))?;
@@ -173,9 +181,9 @@ fn bind(compiled: &Path, pkg: &Path) -> Result<()> {
     bindgen.generate(pkg)
 }
 
-fn optimize(wasm: &Path) -> Result<()> {
+fn optimize(wasm: &Path, level: &str) -> Result<()> {
     let mut wasm_opt = node_script("binaryen/bin/wasm-opt");
-    run(wasm_opt.arg("-O3").args(FEATURES).arg(wasm).arg("-o").arg(wasm))
+    run(wasm_opt.arg(level).args(FEATURES).arg(wasm).arg("-o").arg(wasm))
 }
 
 /// Changes with whatever pkg/ is made from.
