@@ -191,6 +191,6 @@ fn stamp(mode: Mode, compiled: &[PathBuf]) -> Result<String> {
     let read = |path: &PathBuf| fs::read(path).with_context(|| format!("no {}", path.display()));
     let mut hasher = DefaultHasher::new();
     let inputs: Vec<Vec<u8>> = compiled.iter().chain([&root().join("pkg.json")]).map(read).collect::<Result<_>>()?;
-    (mode, inputs, FEATURES, FACTS).hash(&mut hasher);
+    (mode, inputs, FEATURES, BUILDS.map(|build| build.wasm_opt), FACTS).hash(&mut hasher);
     Ok(format!("{:016x}\n", hasher.finish()))
 }
