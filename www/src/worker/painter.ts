@@ -115,17 +115,25 @@ export class Painter {
     setTimeout(() => this.drawView())
   }
 
-  /** Does something at once or, where a view waits to be drawn, after that: a reader who moves the map waits for no step of a planner. */
-  afterView(what: () => void): void {
-    if (this.waiting) this.waiting.push(what)
-    else what()
+  /**
+   * Does something at once or, where a view waits to be drawn, after that: a reader who moves the map waits for no step of a planner. The
+   * promise tells when it is done, and what it throws.
+   */
+  afterView(what: () => void): Promise<void> | undefined {
+    const { waiting } = this
+    if (waiting) return new Promise<void>((resolve) => waiting.push(resolve)).then(what)
+    what()
+    return undefined
   }
 
   private drawView(): void {
-    this.draw()
     const waiting = this.waiting ?? []
     this.waiting = null
-    for (const what of waiting) what()
+    try {
+      this.draw()
+    } finally {
+      for (const go of waiting) go()
+    }
   }
 
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */

@@ -191,8 +191,7 @@ function handle(request: PanelRequest): Promise<void> | undefined {
       break
     case 'tick':
       if (request.stops) return tickWithStops(request, request.stops)
-      painter?.afterView(() => tick(request))
-      break
+      return painter?.afterView(() => tick(request))
     case 'raster':
       raster()
       break
