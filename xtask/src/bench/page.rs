@@ -34,6 +34,11 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     };
     let side = if extent.quick { 64 } else { 1024 };
     let map = maps::random(&maps::formicarium(extent.quick)?, side, 20)?;
+    // First, while no other page is open beside it.
+    println!("bench: first visits…");
+    let mut race = Race::new(vec![&mut page]);
+    race.join("first visit: first step", 0, &json!({ "work": "opening", "throttling": THROTTLING }))?;
+    let visits = race.run(extent.rounds)?;
     println!("bench: page on {side} × {side}…");
     let mut race = Race::new(vec![&mut page]);
     for (input, name) in INPUTS {
@@ -41,10 +46,6 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
         race.join(&format!("{side}², playing: {name}"), 0, &job)?;
     }
     let playing = race.run(extent.rounds)?;
-    println!("bench: first visits…");
-    let mut race = Race::new(vec![&mut page]);
-    race.join("first visit: first step", 0, &json!({ "work": "opening", "throttling": THROTTLING }))?;
-    let visits = race.run(extent.rounds)?;
     let rows: Vec<_> = playing.iter().chain(&visits).map(row).collect();
     let heads = ["what", "ms, last panel", "ms, first panel", "iterations a second"];
     Ok(Some(Section { name: "page", text: format!("{NOTE}\n\n{}", table(&heads, &rows)), readme: None }))
