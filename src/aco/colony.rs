@@ -3,6 +3,8 @@
 #[cfg(feature = "whole")]
 mod adapt;
 mod moves;
+mod tables;
+mod view;
 
 use std::num::NonZero;
 use std::ops::Range;
@@ -11,11 +13,11 @@ use std::sync::Arc;
 use wide::bytemuck::cast;
 
 use crate::map::Cell;
-use crate::metrics::{SAME_LENGTH, obstacle_density};
+use crate::metrics::SAME_LENGTH;
 use crate::path::{Refinement, refine};
 use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
-    Walked, advance, held,
+    Walked, advance,
 };
 use crate::rng::{Stream, Streams};
 #[cfg(feature = "whole")]
@@ -26,76 +28,14 @@ use super::ant::{Ant, Walk};
 use super::criterion::{Criterion, way};
 use super::lane_rules::{Maximal, Proportional, PseudoProportional};
 use super::lanes;
-use super::on_demand::OnDemand;
 use super::selection::left;
 use super::threads;
 use super::trails::{Row, Trails};
 use super::variant::{Abreast, Iteration, Settings, Step, Variant};
 use super::visibility::{Eta, Sight};
-use super::weights::{self, WeightTable, Weights};
+use super::weights::{self, Weights};
 
-/// What a colony needs while it works; allocated at its first step, so that a colony that is only shown costs nothing.
-#[derive(Clone)]
-struct Tables {
-    trails: Trails,
-    /// The weights of every step; empty with [`Variant::TIMED`].
-    weights: WeightTable,
-    /// The same where η changes with time; empty without [`Variant::TIMED`].
-    on_demand: OnDemand,
-    ants: Vec<Ant>,
-}
-
-/// What becomes of the weights that a walk has worked out.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    /// They are kept until the trails change: between iterations.
-    Kept,
-    /// Nothing: in lock step nearly every row has changed when it is read again.
-    Passing,
-    /// They are kept until time changes η.
-    Timed,
-}
-
-impl Kind {
-    fn of<V: Variant>() -> Self {
-        match (V::TIMED, V::LOCK_STEP) {
-            (true, _) => Self::Timed,
-            (false, true) => Self::Passing,
-            (false, false) => Self::Kept,
-        }
-    }
-}
-
-impl Tables {
-    #[inline(never)]
-    fn new(scenario: &Scenario, settings: &Settings, trails: Trails, kind: Kind, streams: Streams) -> Self {
-        let (cells, alpha, beta) = (scenario.grid.len(), settings.alpha, settings.beta);
-        let (width, height) = (scenario.grid.width(), scenario.grid.height());
-        let ant = |k| Ant::new(width, height, streams.ant(0, k));
-        Self {
-            trails,
-            weights: match kind {
-                Kind::Kept => WeightTable::new(cells, alpha),
-                Kind::Passing => WeightTable::passing(cells, alpha),
-                Kind::Timed => WeightTable::new(0, alpha),
-            },
-            on_demand: OnDemand::new(if kind == Kind::Timed { cells } else { 0 }, alpha, beta),
-            ants: (0..settings.ants).map(ant).collect(),
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        let ants = held(&self.ants) + self.ants.iter().map(Ant::bytes).sum::<usize>();
-        self.trails.bytes() + self.weights.bytes() + self.on_demand.bytes() + ants
-    }
-
-    #[inline(never)]
-    fn place_ants(&mut self, scenario: &Scenario, streams: Streams, iteration: u32) {
-        for (k, ant) in self.ants.iter_mut().enumerate() {
-            ant.begin(scenario.grid.width(), scenario.start, streams.ant(iteration, k as u32));
-        }
-    }
-}
+use tables::{Kind, Tables};
 
 /// A colony at work on one scenario.
 #[derive(Clone)]
@@ -200,18 +140,9 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
 
     fn begin_iteration(&mut self) {
         let Some(tables) = self.tables.as_mut().filter(|_| !self.constructing) else { return };
-        let Tables { trails, weights, on_demand, .. } = &mut *tables;
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
-        match (V::TIMED, self.variant.heuristic_changes(number)) {
-            (true, true) => on_demand.another_time(),
-            (false, true) => {
-                weights.forget_all();
-                trails.all_changed();
-            }
-            (_, false) => {}
-        }
-        take_in_trails::<V>(weights, on_demand, trails);
+        tables.take_in(Kind::of::<V>(), self.variant.heuristic_changes(number));
         tables.place_ants(&self.scenario, self.streams, number);
         self.constructing = true;
     }
@@ -276,16 +207,6 @@ fn walk_rules<'a>(scenario: &'a Scenario, settings: &Settings, max_moves: u32) -
 /// What ants of a variant see by this η, its own.
 fn sight<'a, V: Variant>(scenario: &'a Scenario, variant: &V, beta: f64, eta: &'a Eta<'a>) -> Sight<'a> {
     Sight { scenario, eta, beta, enters_goal: variant.enters_goal() }
-}
-
-/// Has the weights follow the trails before an iteration.
-#[inline(always)]
-fn take_in_trails<V: Variant>(weights: &mut WeightTable, on_demand: &mut OnDemand, trails: &mut Trails) {
-    match Kind::of::<V>() {
-        Kind::Kept => weights.refresh(trails),
-        Kind::Passing => {}
-        Kind::Timed => on_demand.outdate(trails),
-    }
 }
 
 /// Every ant's walk, side by side.
@@ -397,39 +318,11 @@ impl<V: Variant + 'static> Planner for Colony<V> {
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
-        let scenario = &self.scenario;
-        let count = scenario.grid.len();
-        out.clear();
-        out.resize(count, 0.0);
-        match (kind, &self.tables) {
-            (Layer::Cost | Layer::SeedPath | Layer::Priority, _) => return false,
-            (Layer::Density, _) => {
-                out.iter_mut().enumerate().for_each(|(c, v)| *v = obstacle_density(scenario, c as Cell) as f32)
-            }
-            (Layer::InitialTrail, _) => strongest(&self.initial_trails(), out),
-            (Layer::Heuristic, _) => mean_heuristic(scenario, out, &|i, d, j| self.variant.heuristic(scenario, i, d, j)),
-            (Layer::Trail, Some(tables)) => strongest(&tables.trails, out),
-            (Layer::Visits, Some(tables)) => {
-                for ant in &tables.ants {
-                    way(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
-                }
-            }
-            (Layer::Trail | Layer::Visits, None) => {}
-        }
-        true
+        self.show(kind, out)
     }
 
     fn layer_version(&self, kind: Layer) -> Option<u64> {
-        let finished = self.progress.effort.iterations;
-        let begun = finished + u32::from(self.constructing);
-        match kind {
-            Layer::Density => Some(0),
-            // What a variant learns of the map before its first step.
-            Layer::InitialTrail => Some(u64::from(self.tables.is_some())),
-            Layer::Heuristic => Some((1..=begun).rev().find(|&n| self.variant.heuristic_changes(n)).unwrap_or(0).into()),
-            Layer::Trail if !V::LOCK_STEP => Some(u64::from(finished) + u64::from(self.tables.is_some())),
-            _ => None,
-        }
+        self.version_of(kind)
     }
 
     fn ants(&self, out: &mut Vec<Cell>) {
@@ -457,24 +350,4 @@ pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
         (Refinement::None, Criterion::TurnIndex) => Objective::TurnIndex,
         _ => Objective::PolylineLength,
     }
-}
-
-/// The strongest trail that leaves each cell.
-#[inline(never)]
-fn strongest(trails: &Trails, out: &mut [f32]) {
-    trails.strongest_of_all(out);
-}
-
-/// Mean η of the steps that lead into each cell.
-#[inline(never)]
-fn mean_heuristic(scenario: &Scenario, out: &mut [f32], eta: &Eta) {
-    let mut ways = vec![0.0f32; out.len()];
-    for i in 0..out.len() as Cell {
-        for d in scenario.moves.directions(i) {
-            let j = scenario.moves.step(i, d);
-            out[j as usize] += eta(i, d, j) as f32;
-            ways[j as usize] += 1.0;
-        }
-    }
-    out.iter_mut().zip(ways).for_each(|(sum, n)| *sum /= n.max(1.0));
 }

@@ -14,7 +14,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::{Colony, Tables, Variant, refined};
+use super::tables::Tables;
+use super::{Colony, Variant, refined};
 use crate::map::{Cell, Grid};
 use crate::path::Path;
 use crate::scenario::{Change, Scenario};

@@ -1,6 +1,7 @@
 //! What an ant weighs at a cell, and the next move of one ant, as the page shows them: by the walk's own weights and rule.
 
-use super::{Colony, Tables, walked};
+use super::tables::Tables;
+use super::{Colony, walked};
 use crate::aco::on_demand;
 use crate::aco::selection::without;
 use crate::aco::trails::Trails;
