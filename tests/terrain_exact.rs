@@ -203,6 +203,21 @@ fn any_angle_on_a_surface_is_the_shortest_polyline_over_its_ground() {
 }
 
 #[test]
+fn cliffs_of_a_million_cells_cost_no_memory() {
+    let grid = Grid::open(12, 12).expect("a size");
+    let heights = (0..144).map(|c| if c / 12 % 2 == 0 { 0.0 } else { 1e6 }).collect();
+    let ends = (Point::new(0, 0), Point::new(11, 11));
+    let s = surface(grid, heights, Movement::default(), 90.0, ends);
+    for id in ["any-angle", "astar"] {
+        let mut planner = formicarium::catalog::build(&s, id, None, &Default::default(), 1).expect("knows the ground");
+        assert_eq!(planner.run(), Status::Optimal, "{id}");
+        assert!(planner.bytes() < 1_000_000, "{id} holds {} bytes", planner.bytes());
+        // Eleven cliffs, whatever the way.
+        assert!(planner.best().expect("a path").length >= 11e6, "{id}");
+    }
+}
+
+#[test]
 fn yardsticks_that_do_not_know_the_ground_are_not_asked() {
     let on_hills = hilly(8, 8, 1, 5.0, Movement::default(), 90.0);
     let by_slices = hilly_slices(8, 7, 1, rules(Measure::Cost));

@@ -51,6 +51,8 @@ pub struct Colony<V> {
     progress: Progress,
     /// On which ants walk.
     threads: NonZero<usize>,
+    /// The last iteration in which η was another one than before.
+    seen_since: u32,
 }
 
 impl<V: Variant + 'static> Colony<V> {
@@ -72,6 +74,7 @@ impl<V: Variant + 'static> Colony<V> {
             constructing: false,
             progress: Progress::default(),
             threads: NonZero::<usize>::MIN,
+            seen_since: 0,
         }
     }
 
@@ -142,7 +145,11 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         let Some(tables) = self.tables.as_mut().filter(|_| !self.constructing) else { return };
         let number = self.progress.effort.iterations + 1;
         self.variant.begin_iteration(number);
-        tables.take_in(Kind::of::<V>(), self.variant.heuristic_changes(number));
+        let is_seen_anew = self.variant.heuristic_changes(number);
+        if is_seen_anew {
+            self.seen_since = number;
+        }
+        tables.take_in(Kind::of::<V>(), is_seen_anew);
         tables.place_ants(&self.scenario, self.streams, number);
         self.constructing = true;
     }

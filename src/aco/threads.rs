@@ -4,7 +4,7 @@
 //! yet, it waits there: learning changes the tables, and is left to the one thread that goes on after the others.
 
 use std::num::NonZero;
-use std::thread;
+use std::thread::{self, Builder};
 
 use super::ant::Ant;
 
@@ -14,7 +14,8 @@ pub(super) fn each_part(ants: &mut [Ant], threads: NonZero<usize>, walk: impl Fn
     if let Some((own, others)) = ants.split_at_mut_checked(share) {
         thread::scope(|scope| {
             for part in others.chunks_mut(share) {
-                scope.spawn(|| walk(part));
+                // Ants for which there is no thread walk with those that wait.
+                let _ = Builder::new().spawn_scoped(scope, || walk(part));
             }
             walk(own);
         });

@@ -67,13 +67,15 @@ pub(super) struct Visibility {
     /// Of those without a known row, all are the same one.
     chunks: Vec<Arc<[Row; CHUNK]>>,
     unknown: Arc<[Row; CHUNK]>,
+    /// How many others there are.
+    learnt: usize,
 }
 
 impl Visibility {
     /// Of a map of this many cells, with nothing known.
     pub fn new(cells: usize) -> Self {
         let unknown = Arc::new([UNKNOWN; CHUNK]);
-        Self { chunks: vec![Arc::clone(&unknown); cells.div_ceil(CHUNK)], unknown }
+        Self { chunks: vec![Arc::clone(&unknown); cells.div_ceil(CHUNK)], unknown, learnt: 0 }
     }
 
     /// The row of a cell where it is known.
@@ -86,7 +88,9 @@ impl Visibility {
     /// The row of a cell, known from now on.
     #[inline(never)]
     pub fn learn(&mut self, sight: &Sight, c: Cell) -> &Row {
-        let row = &mut Arc::make_mut(&mut self.chunks[c as usize / CHUNK])[c as usize % CHUNK];
+        let chunk = &mut self.chunks[c as usize / CHUNK];
+        self.learnt += usize::from(Arc::ptr_eq(chunk, &self.unknown));
+        let row = &mut Arc::make_mut(chunk)[c as usize % CHUNK];
         *row = sight.row(c);
         row
     }
@@ -94,6 +98,7 @@ impl Visibility {
     /// Nothing is known any longer.
     pub fn forget_all(&mut self) {
         self.chunks.fill(Arc::clone(&self.unknown));
+        self.learnt = 0;
     }
 
     /// This row is not known any longer.
@@ -104,8 +109,8 @@ impl Visibility {
         }
     }
 
-    /// What it holds, in bytes, without the chunks.
+    /// What it holds, in bytes: a snapshot comes to hold every chunk into which more is learnt after it.
     pub fn bytes(&self) -> usize {
-        held(&self.chunks)
+        held(&self.chunks) + self.learnt * size_of::<[Row; CHUNK]>()
     }
 }

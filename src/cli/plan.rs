@@ -86,7 +86,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
         say(format!(
-            "note: --threads changes nothing here: {} has no ants, or each of them changes what the others see",
+            "note: --threads changes nothing here: {} has no ants, or they share what changes while they walk",
             entry.id
         ));
     }

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use super::contours::{self, Contours};
 use super::frontier::Frontier;
+use super::search::contour;
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
@@ -81,8 +82,8 @@ impl PartialEq for Open {
 
 impl Eq for Open {}
 
-/// Buckets of the queue to a cell of f: narrow enough that a bucket's heap is small.
-const BUCKETS_PER_CELL: f64 = 4.0;
+/// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
+const BUCKETS_PER_CONTOUR: f64 = 4.0;
 
 /// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
 #[derive(Clone, Default)]
@@ -91,12 +92,13 @@ struct Queue {
     later: Frontier<Open>,
     /// f at which bucket 0 begins.
     base: f64,
+    buckets_per_cell: f64,
 }
 
 impl Queue {
     #[inline]
     fn push(&mut self, open: Open) {
-        let bucket = ((open.f - self.base) * BUCKETS_PER_CELL) as u32 as usize;
+        let bucket = ((open.f - self.base) * self.buckets_per_cell) as u32 as usize;
         if bucket <= self.later.at_work() {
             self.heap.push(open);
         } else {
@@ -272,6 +274,7 @@ impl<R: Rules> Contours for BestFirst<R> {
         self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
         let to_goal = self.rules.to_goal(scenario, scenario.start);
         self.tree.open.base = libm::floor(to_goal);
+        self.tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR / contour(scenario);
         self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
         self.contour = libm::floor(to_goal) + 1.0;
     }

@@ -243,7 +243,7 @@ impl<E: Estimate> Search<E> {
 }
 
 /// Width of a contour in cells of f: no step is longer than 16 of them. Every step leads back, so half of the directions are looked at.
-fn contour(scenario: &Scenario) -> f64 {
+pub(super) fn contour(scenario: &Scenario) -> f64 {
     const ONWARDS: u16 = 0xf0f0;
     let moves = &scenario.moves;
     let cells = if moves.relief().is_none() { 0 } else { scenario.grid.len() as Cell };

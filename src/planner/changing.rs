@@ -52,6 +52,8 @@ pub struct Changing {
     between: bool,
     /// None until it begins anew.
     anew: Option<Anew>,
+    /// On which ants walk.
+    threads: NonZero<usize>,
 }
 
 impl Changing {
@@ -63,7 +65,8 @@ impl Changing {
         let planner = build(scenario, &values, seed)?;
         let recipe = Arc::new(Recipe { build, values, seed });
         let due = scenario.spec.changes.clone();
-        let mut changing = Self { planner, recipe, now: Arc::clone(scenario), due, made: 0, between: true, anew: None };
+        let (now, threads) = (Arc::clone(scenario), NonZero::<usize>::MIN);
+        let mut changing = Self { planner, recipe, now, due, made: 0, between: true, anew: None, threads };
         changing.make_due();
         Ok(changing)
     }
@@ -150,6 +153,7 @@ impl Changing {
         progress.begin_anew(change);
         let Recipe { build, values, seed } = &*self.recipe;
         self.planner = build(&self.now, values, *seed).expect("the same values suit a map of the same size");
+        self.planner.walk_on(self.threads);
         self.between = true;
         self.anew = Some(Anew { before: progress.effort, progress, taken: 0 });
     }
@@ -243,6 +247,7 @@ impl Planner for Changing {
     }
 
     fn walk_on(&mut self, threads: NonZero<usize>) -> bool {
+        self.threads = threads;
         self.planner.walk_on(threads)
     }
 

@@ -211,7 +211,7 @@ pub trait Planner: Snapshot + Send {
     }
 
     /// Has the ants of an iteration walk on so many threads from now on; the results are the same for any number. False where they cannot,
-    /// and nothing has changed: where an ant changes what the others see, and in a planner without ants.
+    /// and nothing has changed: where ants share what changes while they walk, and in a planner without ants.
     fn walk_on(&mut self, _threads: NonZero<usize>) -> bool {
         false
     }

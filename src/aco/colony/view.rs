@@ -38,12 +38,11 @@ impl<V: Variant + 'static> Colony<V> {
     /// [`Planner::layer_version`](crate::planner::Planner::layer_version).
     pub(super) fn version_of(&self, kind: Layer) -> Option<u64> {
         let finished = self.progress.effort.iterations;
-        let begun = finished + u32::from(self.constructing);
         match kind {
             Layer::Density => Some(0),
             // What a variant learns of the map before its first step.
             Layer::InitialTrail => Some(u64::from(self.tables.is_some())),
-            Layer::Heuristic => Some((1..=begun).rev().find(|&n| self.variant.heuristic_changes(n)).unwrap_or(0).into()),
+            Layer::Heuristic => Some(self.seen_since.into()),
             Layer::Trail if !V::LOCK_STEP => Some(u64::from(finished) + u64::from(self.tables.is_some())),
             _ => None,
         }

@@ -24,9 +24,11 @@ async function main(): Promise<void> {
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )
   const started = startPage()
-  await Promise.race([started, new Promise((resolve) => setTimeout(resolve, SOON_MS))])
+  const soon = new Promise((resolve) => setTimeout(resolve, SOON_MS))
+  await Promise.race([started.catch(() => {}), soon])
   const root = document.getElementById('app')
   if (root) render(<App />, root)
+  await started
 }
 
 void main()

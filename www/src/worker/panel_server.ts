@@ -196,8 +196,8 @@ function handle(request: PanelRequest): Promise<void> | undefined {
       raster()
       break
     case 'ask':
-      void ask(request)
-      break
+      if (painter === null) return ask(request)
+      return painter.afterView(() => void ask(request))
   }
 }
 
