@@ -48,6 +48,9 @@ test('a press looks back, a drag zooms, a double press shows all and changes not
   page,
 }) => {
   const race = await openRun(page)
+  // Once the plot has all of the run: until then a press in the middle means less.
+  await page.mouse.move(...(await pointOf(page, 'chart', 0.5)))
+  await at(page, ITERATIONS / 2)
   await page.mouse.click(...(await pointOf(page, 'chart', 0.5)))
   await expect(page.getByTestId('looking-back')).toBeVisible()
   const looked = await page.getByTestId('scrubber').inputValue()
