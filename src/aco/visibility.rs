@@ -67,15 +67,13 @@ pub(super) struct Visibility {
     /// Of those without a known row, all are the same one.
     chunks: Vec<Arc<[Row; CHUNK]>>,
     unknown: Arc<[Row; CHUNK]>,
-    /// How many others there are.
-    learnt: usize,
 }
 
 impl Visibility {
     /// Of a map of this many cells, with nothing known.
     pub fn new(cells: usize) -> Self {
         let unknown = Arc::new([UNKNOWN; CHUNK]);
-        Self { chunks: vec![Arc::clone(&unknown); cells.div_ceil(CHUNK)], unknown, learnt: 0 }
+        Self { chunks: vec![Arc::clone(&unknown); cells.div_ceil(CHUNK)], unknown }
     }
 
     /// The row of a cell where it is known.
@@ -88,9 +86,7 @@ impl Visibility {
     /// The row of a cell, known from now on.
     #[inline(never)]
     pub fn learn(&mut self, sight: &Sight, c: Cell) -> &Row {
-        let chunk = &mut self.chunks[c as usize / CHUNK];
-        self.learnt += usize::from(Arc::ptr_eq(chunk, &self.unknown));
-        let row = &mut Arc::make_mut(chunk)[c as usize % CHUNK];
+        let row = &mut Arc::make_mut(&mut self.chunks[c as usize / CHUNK])[c as usize % CHUNK];
         *row = sight.row(c);
         row
     }
@@ -98,7 +94,6 @@ impl Visibility {
     /// Nothing is known any longer.
     pub fn forget_all(&mut self) {
         self.chunks.fill(Arc::clone(&self.unknown));
-        self.learnt = 0;
     }
 
     /// This row is not known any longer.
@@ -109,8 +104,8 @@ impl Visibility {
         }
     }
 
-    /// What it holds, in bytes: a snapshot comes to hold every chunk into which more is learnt after it.
+    /// What it holds, in bytes, without the chunks, which snapshots share.
     pub fn bytes(&self) -> usize {
-        held(&self.chunks) + self.learnt * size_of::<[Row; CHUNK]>()
+        held(&self.chunks)
     }
 }

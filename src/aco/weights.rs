@@ -125,7 +125,7 @@ impl WeightTable {
         });
     }
 
-    /// What it holds, in bytes.
+    /// What it holds, in bytes, without what snapshots share.
     pub fn bytes(&self) -> usize {
         held(&self.weights) + held(&self.known) + self.visibility.bytes()
     }
