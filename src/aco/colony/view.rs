@@ -2,7 +2,6 @@
 
 use super::Colony;
 use crate::aco::criterion::way;
-use crate::aco::trails::Trails;
 use crate::aco::variant::Variant;
 use crate::aco::visibility::Eta;
 use crate::map::Cell;
@@ -22,9 +21,9 @@ impl<V: Variant + 'static> Colony<V> {
             (Layer::Density, _) => {
                 out.iter_mut().enumerate().for_each(|(c, v)| *v = obstacle_density(scenario, c as Cell) as f32)
             }
-            (Layer::InitialTrail, _) => strongest(&self.initial_trails(), out),
+            (Layer::InitialTrail, _) => self.initial_trails().strongest_of_all(out),
             (Layer::Heuristic, _) => mean_heuristic(scenario, out, &|i, d, j| self.variant.heuristic(scenario, i, d, j)),
-            (Layer::Trail, Some(tables)) => strongest(&tables.trails, out),
+            (Layer::Trail, Some(tables)) => tables.trails.strongest_of_all(out),
             (Layer::Visits, Some(tables)) => {
                 for ant in &tables.ants {
                     way(scenario, ant).iter().for_each(|&c| out[c as usize] += 1.0);
@@ -47,12 +46,6 @@ impl<V: Variant + 'static> Colony<V> {
             _ => None,
         }
     }
-}
-
-/// The strongest trail that leaves each cell.
-#[inline(never)]
-fn strongest(trails: &Trails, out: &mut [f32]) {
-    trails.strongest_of_all(out);
 }
 
 /// Mean η of the steps that lead into each cell.
