@@ -27,6 +27,8 @@ pub fn check() -> Result<()> {
         command.current_dir(root()).args(["--workspace", "--locked"]);
         command
     };
+    // What other systems would need is read too, and no build here has brought it yet.
+    run(tools::cargo().current_dir(root()).args(["fetch", "--locked", "--quiet"]))?;
     let check = ["check", "--hide-inclusion-graph"];
     run(deny().arg("--offline").args(check).args(["bans", "licenses", "sources"]))?;
     if !fetched(deny().args(["fetch", "db"])) {
