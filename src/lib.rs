@@ -31,7 +31,8 @@
 //! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
-//! agree natively and in every browser. `wasm/` is the whole browser boundary, `main.rs` and `cli/` the command line.
+//! agree natively and in every browser. `wasm/` is the whole browser boundary, `cli/` the command line, which
+//! `main.rs` and the Python package start.
 
 #![warn(missing_docs)]
 // The library has no unsafe code; only what wasm-bindgen generates for the browser boundary has.
@@ -39,6 +40,8 @@
 
 pub mod aco;
 pub mod catalog;
+#[cfg(all(feature = "whole", not(target_arch = "wasm32")))]
+pub mod cli;
 #[cfg(feature = "whole")]
 pub mod comparison;
 pub mod digest;

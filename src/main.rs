@@ -1,11 +1,8 @@
-//! The command line of Formicarium. Everything it does is in the library; here are arguments, files and print-outs.
-
-#[cfg(not(target_arch = "wasm32"))]
-mod cli;
+//! The command line's program. What it does is in the library: `cli/`.
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
-    cli::run()
+    formicarium::cli::run(std::env::args_os()).into()
 }
 
 /// The browser uses the library; there is no command line in it.

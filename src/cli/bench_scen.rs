@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use formicarium::catalog;
-use formicarium::error::Notice;
-use formicarium::exact::Optima;
-use formicarium::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
-use formicarium::map::{CornerRule, Grid, Movement, Point};
-use formicarium::params::Values;
-use formicarium::planner::{Family, Objective, PlannerEntry};
-use formicarium::rng::Streams;
-use formicarium::scenario::{Goal, Scenario};
+use crate::catalog;
+use crate::error::Notice;
+use crate::exact::Optima;
+use crate::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
+use crate::map::{CornerRule, Grid, Movement, Point};
+use crate::params::Values;
+use crate::planner::{Family, Objective, PlannerEntry};
+use crate::rng::Streams;
+use crate::scenario::{Goal, Scenario};
 use rand::Rng;
 use serde::Serialize;
 

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use formicarium::catalog::{CatalogEntry, catalog};
-use formicarium::params::{ParamKind, ParamSpec};
+use crate::catalog::{CatalogEntry, catalog};
+use crate::params::{ParamKind, ParamSpec};
 
 use super::error::CliError;
 use super::{Outcome, text};
@@ -26,7 +26,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut all = catalog();
     if let Some(id) = &args.planner {
-        formicarium::catalog::find(id)?;
+        crate::catalog::find(id)?;
         all.planners.retain(|p| p.id == *id);
     }
     if args.json {

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use formicarium::error::{FormatError, Notice};
-use formicarium::formats::{Imported, MAX_TEXT_BYTES, names_columns, path_kind, read_places, read_world_path};
-use formicarium::map::{Grid, Movement, Point};
-use formicarium::metrics::Metrics;
-use formicarium::path::{PathKind, audit_slices, direction_between, in_sight};
-use formicarium::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+use crate::error::{FormatError, Notice};
+use crate::formats::{Imported, MAX_TEXT_BYTES, names_columns, path_kind, read_places, read_world_path};
+use crate::map::{Grid, Movement, Point};
+use crate::metrics::Metrics;
+use crate::path::{PathKind, audit_slices, direction_between, in_sight};
+use crate::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use serde::Serialize;
 
 use super::error::CliError;

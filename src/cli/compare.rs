@@ -7,9 +7,9 @@ mod place;
 mod question;
 mod runs;
 
-use formicarium::comparison::report::{self, Reports};
-use formicarium::comparison::{Comparison, Deviation, Intervals, Row, Samples, Seen, Verification, analysis, effects};
-use formicarium::formats::{self, comparison_json};
+use crate::comparison::report::{self, Reports};
+use crate::comparison::{Comparison, Deviation, Intervals, Row, Samples, Seen, Verification, analysis, effects};
+use crate::formats::{self, comparison_json};
 
 use super::error::CliError;
 use super::{Outcome, text};

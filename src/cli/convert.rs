@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::exact;
+use crate::formats::{self, BinaryExport, Export, Imported, Kind, MAX_BYTES, TerrainOptions, ros};
+use crate::map::{Movement, Window};
+use crate::scenario::{Scenario, ScenarioSpec};
 use clap::ValueEnum;
-use formicarium::exact;
-use formicarium::formats::{self, BinaryExport, Export, Imported, Kind, MAX_BYTES, TerrainOptions, ros};
-use formicarium::map::{Movement, Window};
-use formicarium::scenario::{Scenario, ScenarioSpec};
 
 use super::error::CliError;
 use super::input::RouteArgs;

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use formicarium::error::{Error, ErrorReport, FormatError, ParamError, ScenarioError};
+use crate::error::{Error, ErrorReport, FormatError, ParamError, ScenarioError};
 use thiserror::Error;
 
 /// Any failure that ends with exit code 2.

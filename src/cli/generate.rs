@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use crate::formats::{Imported, Kind};
+use crate::map::{Generator, generate};
+use crate::scenario::Scenario;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use formicarium::formats::{Imported, Kind};
-use formicarium::map::{Generator, generate};
-use formicarium::scenario::Scenario;
 
 use super::convert::{Format, tell_of_losses};
 use super::error::CliError;

@@ -5,11 +5,11 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::error::{Error, FormatError, Notice};
+use crate::formats::{self, Imported, MAX_TEXT_BYTES, ScenLine};
+use crate::map::{CornerRule, Moves, Point, Window};
+use crate::scenario::{Goal, Scenario};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use formicarium::error::{Error, FormatError, Notice};
-use formicarium::formats::{self, Imported, MAX_TEXT_BYTES, ScenLine};
-use formicarium::map::{CornerRule, Moves, Point, Window};
-use formicarium::scenario::{Goal, Scenario};
 
 use super::error::CliError;
 use super::reading::ReadingArgs;

@@ -1,4 +1,4 @@
-//! Subcommands, one file each. Exit codes: 0 = fine, 1 = no path or a failed check, 2 = unusable input.
+//! The command line: subcommands, one file each. Exit codes: 0 = fine, 1 = no path or a failed check, 2 = unusable input.
 
 mod bench_scen;
 mod catalog;
@@ -16,11 +16,11 @@ mod streams;
 mod terrain;
 mod text;
 
+use std::ffi::OsString;
 use std::io::Write as _;
-use std::process::ExitCode;
 
+use crate::error::ErrorReport;
 use clap::{Parser, Subcommand};
-use formicarium::error::ErrorReport;
 use serde::Serialize;
 
 use error::CliError;
@@ -105,30 +105,30 @@ impl Command {
     }
 }
 
-/// Runs the command line.
-pub fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+/// Runs the command line with these arguments, the program's name first. Prints what comes out, and returns the exit code.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(said) => return say_as_clap(&said),
     };
     match cli.command.run().and_then(|outcome| streams::print(streams::harmless(&outcome.text).as_bytes()).map(|()| outcome.fine))
     {
-        Ok(fine) => ExitCode::from(u8::from(!fine)),
+        Ok(fine) => u8::from(!fine),
         Err(error) => fail(&error, cli.command.wants_json()),
     }
 }
 
 /// Help, the version, or what is wrong with the arguments.
-fn say_as_clap(said: &clap::Error) -> ExitCode {
+fn say_as_clap(said: &clap::Error) -> u8 {
     let printed = said.print().and_then(|()| std::io::stdout().flush());
     match streams::heeded(printed) {
-        Ok(()) => ExitCode::from(u8::try_from(said.exit_code()).unwrap_or(2)),
+        Ok(()) => u8::try_from(said.exit_code()).unwrap_or(2),
         Err(error) => fail(&error, false),
     }
 }
 
 /// Tells what went wrong.
-fn fail(error: &CliError, as_json: bool) -> ExitCode {
+fn fail(error: &CliError, as_json: bool) -> u8 {
     let report = error.report();
     streams::say(format!("error: {}\nhint: {}", report.message, report.hint));
     if as_json {
@@ -136,5 +136,5 @@ fn fail(error: &CliError, as_json: bool) -> ExitCode {
         // The exit code says enough where even that cannot be printed.
         let _ = streams::print(failure.as_bytes());
     }
-    ExitCode::from(2)
+    2
 }

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use formicarium::aco::order_run::{ORDER_COLONY, OrderParams, OrderRun};
-use formicarium::comparison::gap::relative_gap;
-use formicarium::comparison::statistics::Summary;
-use formicarium::error::{Error, FormatError, ParamError};
-use formicarium::exact::order::Shape;
-use formicarium::exact::order_problem::{LISTED_SOURCE, OrderProblem};
-use formicarium::formats::{self, Kind, MAX_TEXT_BYTES, tsplib};
-use formicarium::params::{Params, Value, Values};
+use crate::aco::order_run::{ORDER_COLONY, OrderParams, OrderRun};
+use crate::comparison::gap::relative_gap;
+use crate::comparison::statistics::Summary;
+use crate::error::{Error, FormatError, ParamError};
+use crate::exact::order::Shape;
+use crate::exact::order_problem::{LISTED_SOURCE, OrderProblem};
+use crate::formats::{self, Kind, MAX_TEXT_BYTES, tsplib};
+use crate::params::{Params, Value, Values};
 use serde::Serialize;
 
 use super::error::CliError;

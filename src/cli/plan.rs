@@ -5,16 +5,16 @@ use std::num::NonZero;
 use std::sync::Arc;
 use std::thread;
 
+use crate::catalog;
+use crate::comparison::gap::relative_gap;
+use crate::exact::{self, Reference};
+use crate::map::Point;
+use crate::metrics::Metrics;
+use crate::params::{Value, Values};
+use crate::path::points;
+use crate::planner::{Effort, Objective, Planner, Record, Status, Tour};
+use crate::scenario::{Goal, Scenario, ScenarioSpec};
 use clap::ValueEnum;
-use formicarium::catalog;
-use formicarium::comparison::gap::relative_gap;
-use formicarium::exact::{self, Reference};
-use formicarium::map::Point;
-use formicarium::metrics::Metrics;
-use formicarium::params::{Value, Values};
-use formicarium::path::points;
-use formicarium::planner::{Effort, Objective, Planner, Record, Status, Tour};
-use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 use serde::Serialize;
 
 use super::error::CliError;

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::error::Notice;
+use crate::formats::figure::Lattice;
+use crate::formats::picture::PictureOptions;
+use crate::formats::ros::{self, Unknown};
+use crate::formats::{self, Companion, FigureOptions, Imported, Kind, MAX_BYTES, ReadOptions};
+use crate::map::Window;
 use clap::ValueEnum;
-use formicarium::error::Notice;
-use formicarium::formats::figure::Lattice;
-use formicarium::formats::picture::PictureOptions;
-use formicarium::formats::ros::{self, Unknown};
-use formicarium::formats::{self, Companion, FigureOptions, Imported, Kind, MAX_BYTES, ReadOptions};
-use formicarium::map::Window;
 
 use super::error::CliError;
 use super::input;

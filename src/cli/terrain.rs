@@ -1,9 +1,9 @@
 //! How one moves on a terrain, from the command line.
 
+use crate::formats::Imported;
+use crate::map::{Measure, SliceRules};
+use crate::scenario::{TerrainMoves, TerrainSpec};
 use clap::ValueEnum;
-use formicarium::formats::Imported;
-use formicarium::map::{Measure, SliceRules};
-use formicarium::scenario::{TerrainMoves, TerrainSpec};
 
 use super::error::CliError;
 

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 use std::io;
 
-use formicarium::error::Notice;
-use formicarium::map::Point;
-use formicarium::metrics::Metrics;
+use crate::error::Notice;
+use crate::map::Point;
+use crate::metrics::Metrics;
 use serde::Serialize;
 use serde_json::ser::Formatter;
 

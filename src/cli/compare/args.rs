@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use formicarium::comparison::Budget;
-use formicarium::comparison::report::{ReportLanguage, ResultFile};
-use formicarium::error::QuestionError;
-use formicarium::params::Value;
+use crate::comparison::Budget;
+use crate::comparison::report::{ReportLanguage, ResultFile};
+use crate::error::QuestionError;
+use crate::params::Value;
 
 use super::place::Place;
 use crate::cli::error::CliError;

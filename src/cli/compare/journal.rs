@@ -10,7 +10,7 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use formicarium::comparison::{Comparison, Row};
+use crate::comparison::{Comparison, Row};
 
 use super::place::Place;
 use crate::cli::error::CliError;

@@ -4,8 +4,8 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use formicarium::comparison::report::{HEADER, ReportLanguage, ResultFile};
-use formicarium::digest::Digest;
+use crate::comparison::report::{HEADER, ReportLanguage, ResultFile};
+use crate::digest::Digest;
 
 use crate::cli::error::CliError;
 use crate::cli::output::{self, UNFINISHED, UNFINISHED_END, failure};

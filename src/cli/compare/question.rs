@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use formicarium::comparison::imported::{self, ImportedResults};
-use formicarium::comparison::{Budget, Comparison, Instance, Question, Record, Row, Seeds, Verification, ablation};
-use formicarium::error::{Error, FormatError, QuestionError};
-use formicarium::formats::{MAX_BYTES, MAX_TEXT_BYTES, comparison_json, import_results};
-use formicarium::scenario::Scenario;
+use crate::comparison::imported::{self, ImportedResults};
+use crate::comparison::{Budget, Comparison, Instance, Question, Record, Row, Seeds, Verification, ablation};
+use crate::error::{Error, FormatError, QuestionError};
+use crate::formats::{MAX_BYTES, MAX_TEXT_BYTES, comparison_json, import_results};
+use crate::scenario::Scenario;
 
 use super::args::Args;
 use crate::cli::error::CliError;

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use formicarium::comparison::{Comparison, Row, Task};
+use crate::comparison::{Comparison, Row, Task};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::args::Args;

@@ -8,8 +8,8 @@
 //! Every line tells by itself to which comparison it belongs and which of its tasks it is, and carries a check sum. A line counts only if all
 //! of that holds and its row, written again, is the row that it has, byte for byte.
 
-use formicarium::comparison::{Comparison, Row, Task};
-use formicarium::digest::Digest;
+use crate::comparison::{Comparison, Row, Task};
+use crate::digest::Digest;
 
 /// How the first line of every version begins.
 const BEGINS: &str = r#"{"format":"formicarium/journal@"#;

@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
-use formicarium::comparison::Question;
-use formicarium::map::{Grid, Point};
-use formicarium::scenario::{Scenario, ScenarioSpec};
+use crate::comparison::Question;
+use crate::map::{Grid, Point};
+use crate::scenario::{Scenario, ScenarioSpec};
 use serde_json::json;
 
 use super::*;
