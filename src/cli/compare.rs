@@ -3,12 +3,16 @@
 mod args;
 mod held;
 mod journal;
+mod merge;
 mod place;
 mod question;
+mod recheck;
 mod runs;
+mod shard;
 
 use crate::comparison::report::{self, Reports};
 use crate::comparison::{Comparison, Deviation, Intervals, Row, Samples, Seen, Verification, analysis, effects};
+use crate::formats::journal::JournalLines;
 use crate::formats::{self, comparison_json};
 
 use super::error::CliError;
@@ -29,19 +33,30 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     if args.results_template {
         return Ok(Outcome::fine(formats::results_table(&comparison.question)));
     }
+    if let Some(shard) = args.shard {
+        return shard::run(args, &comparison, shard);
+    }
     let (place, held) = (args.place(), Held::of(args));
     let check = || held.places(&place).iter().try_for_each(|place| place.check(&args.files, &inputs, args.replace));
     check()?;
-    let (mut journal, kept) = Journal::open(&place, &comparison, !args.no_wait)?;
-    place.sweep();
-    // Whoever had the name before may have written meanwhile.
-    check()?;
-    let done = runs::run_all(args, &comparison, &mut journal, kept)?;
+    let (done, journal, mut said) = match &args.merge {
+        Some(folder) => match merge::merged(args, &comparison, folder)? {
+            Ok(merged) => (merged.rows, None, merged.said),
+            Err(findings) => return Ok(Outcome { text: findings, fine: false }),
+        },
+        None => {
+            let (mut journal, kept) = Journal::open(&place, JournalLines::of(&comparison, None), !args.no_wait)?;
+            place.sweep();
+            // Whoever had the name before may have written meanwhile.
+            check()?;
+            (runs::run_whole(args, &comparison, &mut journal, kept)?, Some(journal), String::new())
+        }
+    };
     let verification = before.as_ref().and_then(|before| before.verify(&comparison, &done));
     let stands = before.as_ref().is_none_or(|before| before.stands(verification.as_ref()));
     let (place, aside) = held.choose(place, stands);
-    let mut said = report(args, &comparison, &done, &place)?;
-    journal.close()?;
+    said += &report(args, &comparison, &done, &place)?;
+    journal.map_or(Ok(()), Journal::close)?;
     said += &verification.as_ref().map_or_else(String::new, verified);
     Ok(Outcome { text: said + &aside, fine: !verification.is_some_and(|v| v.refuted) })
 }

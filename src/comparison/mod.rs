@@ -34,11 +34,13 @@ mod row;
 mod run;
 mod running_time;
 mod samples;
+mod shard;
 mod signs;
 pub mod statistics;
 mod verdict;
 mod verify;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::digest::Digest;
@@ -62,6 +64,7 @@ pub use question::{Entry, Instance, Published, Question, Role, Seeds};
 pub use row::{Found, Improvement, MAX_COUNT, Row, Spent, Task};
 pub use run::{Clock, Timed};
 pub use samples::{Samples, Seen};
+pub use shard::{MAX_SHARDS, Shard};
 pub use verdict::{Verdict, WhyNot};
 pub use verify::{Deviation, Record, Recorded, Runs, Verification};
 
@@ -133,11 +136,14 @@ impl Comparison {
         Ok(run::run(task, &map.scenario, planner, self.question.budget, clock))
     }
 
-    /// The runs that were done and the imported ones, in the order of the rows.
-    pub fn all_rows(&self, done: &[Row]) -> Vec<Row> {
+    /// The runs that were done and the imported ones, in the order of the rows. `done` is in that order.
+    pub fn all_rows<'a>(&self, done: &'a [Row]) -> Cow<'a, [Row]> {
+        if self.imported.is_empty() {
+            return done.into();
+        }
         let mut rows: Vec<Row> = done.iter().chain(&self.imported).cloned().collect();
         rows.sort_by_key(|row| row.task);
-        rows
+        rows.into()
     }
 }
 

@@ -10,6 +10,11 @@ impl Comparison {
         (0..self.maps.len()).flat_map(|i| entries.iter().flat_map(move |&e| of(i, e))).collect()
     }
 
+    /// How many there are.
+    pub fn task_count(&self) -> usize {
+        self.maps.len() * self.question.runnable().len() * self.question.seeds.count as usize
+    }
+
     /// Whether a run is one of [`Comparison::tasks`].
     pub fn has_task(&self, Task { instance, entry, seed }: Task) -> bool {
         let seeds = self.question.seeds;
@@ -68,6 +73,7 @@ mod tests {
         let mut all = comparison.seed_by_seed(u32::MAX);
         all.sort_unstable();
         assert_eq!(all, (0..tasks.len()).collect::<Vec<_>>());
+        assert_eq!(comparison.task_count(), tasks.len());
         assert!(tasks.is_sorted() && tasks.iter().all(|&task| comparison.has_task(task)));
         for wrong in [(2, 0, 7), (0, 1, 7), (0, 3, 7), (0, 0, 6), (0, 0, 10)] {
             assert!(!comparison.has_task(task(wrong)), "{wrong:?}");

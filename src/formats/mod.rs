@@ -12,6 +12,7 @@ mod ends;
 pub mod figure;
 mod foreign;
 mod imported_map;
+pub mod journal;
 mod kind;
 mod matrix;
 mod movingai;

@@ -82,13 +82,13 @@ pub fn ablation(planner: &Text, preset: Option<Text>, set: &ParamValues) -> Answ
 /// A question with its maps and the runs of it that are done.
 #[wasm_bindgen]
 pub struct Comparison {
-    inner: comparison::Comparison,
+    pub(super) inner: comparison::Comparison,
     /// What the document told of runs.
     record: Record,
     tasks: Vec<Task>,
-    done: BTreeMap<usize, Timed>,
+    pub(super) done: BTreeMap<usize, Timed>,
     /// The runs among them that were not done in this browser, or had not been: as they came.
-    brought: BTreeMap<usize, Row>,
+    pub(super) brought: BTreeMap<usize, Row>,
     /// Runs that were done again, to be compared with those.
     again: BTreeMap<usize, Row>,
     /// Those of the runs as they were when somebody asked last.
@@ -205,7 +205,7 @@ impl Comparison {
         let analysis = analysis::whole(&Samples::new(&self.inner, rows.iter().map(Seen::from)), &mut self.intervals);
         let recorded = self.recorded_now(&done);
         let document = |with_rows| comparison_json::write_as(&self.inner, &done, with_rows, recorded.as_ref());
-        let (comparison, rows, analysis, command, document) = (&self.inner, &rows[..], &analysis, &*command, &document);
+        let (comparison, rows, analysis, command, document) = (&self.inner, &*rows, &analysis, &*command, &document);
         let reports = Reports { comparison, rows, analysis, command, language, document };
         Ok(reports.contents(file))
     }
@@ -213,7 +213,8 @@ impl Comparison {
     /// What each component does, on each map, by the kept runs; empty where the question is no ablation. Infinite: half of the runs or more
     /// found no path.
     pub fn effects(&self) -> Vec<Ts<Ablated>> {
-        let rows = self.inner.all_rows(&self.done_rows());
+        let done = self.done_rows();
+        let rows = self.inner.all_rows(&done);
         comparison::effects(&Samples::new(&self.inner, rows.iter().map(Seen::from))).iter().map(object).collect()
     }
 

@@ -7,6 +7,8 @@
 mod ahead;
 mod arguments;
 #[cfg(feature = "whole")]
+mod campaign;
+#[cfg(feature = "whole")]
 mod changes;
 mod colours;
 #[cfg(feature = "whole")]
@@ -42,6 +44,8 @@ use crate::scenario::{Scenario, ScenarioSpec};
 
 #[cfg(feature = "whole")]
 pub use ahead::LookAhead;
+#[cfg(feature = "whole")]
+pub use campaign::most_shards;
 #[cfg(feature = "whole")]
 pub use colours::map_colors;
 #[cfg(feature = "whole")]

@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::comparison::Budget;
 use crate::comparison::report::{ReportLanguage, ResultFile};
+use crate::comparison::{Budget, Shard};
 use crate::error::QuestionError;
 use crate::params::Value;
 
 use super::place::Place;
+use super::recheck::Share;
 use crate::cli::error::CliError;
 use crate::cli::input::{file_name, stem};
 
@@ -22,6 +23,10 @@ Every finished run is kept in NAME.partial at once: a comparison that was broken
 second process of the same NAME waits for the first. Files that this program has not written are not overwritten, nor is a NAME.json whose
 runs do not come out again: what came out instead is in NAME.again.*. The question's format and the rule of the verdicts: docs/methodology.md.
 
+--shard and --merge split the runs among machines, tabs or jobs of a cluster: docs/campaigns.md. A shard's journal, NAME.DIGEST.shard-IofN.journal,
+is whole when it has that name; one that was broken off goes on where it was. --merge gives the bytes of an unbroken comparison, or says
+which runs are missing and which journals are damaged, foreign, or at odds with each other: exit code 1, and nothing is written.
+
 --ablate asks without a file what each component of a planner does: the full planner beside the same without one, on maps of your own.
 `formicarium catalog PLANNER` lists the components.
 
@@ -35,6 +40,8 @@ Examples:
   formicarium compare experiments/ship.toml --results mine.csv --out /tmp/beside-mine
   formicarium compare experiments/ship.toml --results-template > mine.csv
   formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
+  formicarium compare experiments/ship.toml --shard 3/30 --out /shared/ship
+  formicarium compare experiments/ship.toml --merge /shared/ship --out results --recheck 2%
   formicarium compare experiments/ship.toml --document > ship.json")]
 pub struct Args {
     /// The question as TOML (formicarium/question@1), or with its maps and results as JSON (formicarium/comparison@1)
@@ -49,9 +56,22 @@ pub struct Args {
     /// With --ablate: a parameter, over preset and default; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::plan::assignment)]
     pub set: Vec<(String, Value)>,
-    /// Folder for the files; made if it is missing
-    #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template"])]
+    /// Folder for the files; made if it is missing [default with --merge: the journals' folder]
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template", "merge"])]
     out: Option<PathBuf>,
+    /// Only this part of the runs, such as 3/30: keeps them in a journal in --out, and writes no results
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "document", "results_template", "replace", "files", "language"])]
+    pub shard: Option<Shard>,
+    /// Run nothing: the results from the journals of shards in this folder, however many machines have written them
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["document", "results_template"])]
+    pub merge: Option<PathBuf>,
+    /// Repeat so many runs of somebody else, such as 2%: with --merge here and now, of each journal at least one; with --shard runs of the
+    /// next shard, which --merge compares
+    #[arg(long, value_name = "P%", conflicts_with_all = ["document", "results_template"])]
+    pub recheck: Option<Share>,
+    /// With --merge: which runs are repeated, to do the same again [default: others each time]
+    #[arg(long, value_name = "SEED", requires_all = ["recheck", "merge"])]
+    pub recheck_seed: Option<u64>,
     /// Overwrite files that have the names of the results and are something else
     #[arg(long, conflicts_with_all = ["document", "results_template"])]
     pub replace: bool,
@@ -97,7 +117,17 @@ pub struct Args {
 impl Args {
     /// Where the files go.
     pub fn place(&self) -> Place {
-        Place::new(self.out.as_deref().unwrap_or(Path::new("")), self.name())
+        Place::new(self.folder(), self.name())
+    }
+
+    /// Where a shard's journal goes. It is one of a kind: by name, question and shard.
+    pub fn place_of(&self, shard: Shard, digest: &str) -> Place {
+        Place::new(self.folder(), format!("{}.{digest}.shard-{}of{}", self.name(), shard.index(), shard.of()))
+    }
+
+    /// The folder for the files.
+    pub fn folder(&self) -> &Path {
+        self.out.as_deref().or(self.merge.as_deref()).unwrap_or(Path::new(""))
     }
 
     /// What the files are called.
@@ -124,17 +154,27 @@ impl Args {
         }
     }
 
+    /// The command that does one shard, for whoever looks for a missing one.
+    pub fn command_of(&self, shard: Shard, journals: &Path) -> String {
+        self.said(&self.typed(), &format!("--shard {shard} --out {}", journals.display()), |file| file.display().to_string())
+    }
+
     /// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
     pub fn command(&self) -> String {
-        let mut said = format!("formicarium compare {} --out DIR", self.asked());
+        self.said(&self.asked(), "--out DIR", file_name)
+    }
+
+    /// The arguments on which runs depend, with files by the names that `named` gives them.
+    fn said(&self, asked: &str, out: &str, named: impl Fn(&Path) -> String) -> String {
+        let mut said = format!("formicarium compare {asked} {out}");
         self.preset.iter().for_each(|name| said += &format!(" --preset {name}"));
         self.set.iter().for_each(|(key, value)| said += &format!(" --set {key}={value}"));
         self.seeds.iter().for_each(|n| said += &format!(" --seeds {n}"));
         self.budget.iter().for_each(|b| said += &format!(" --budget {b}"));
         self.only.iter().for_each(|id| said += &format!(" --only {id}"));
         let id = |id: &Option<String>| id.as_ref().map_or_else(String::new, |id| format!("{id}="));
-        self.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), file_name(file)));
-        self.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), file_name(file)));
+        self.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), named(file)));
+        self.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), named(file)));
         if self.language != ReportLanguage::default() {
             said += &format!(" --language {}", self.language.code());
         }

@@ -4,20 +4,17 @@
 //! The system takes the lock back when a process dies. The journal goes when the results stand. What is in its way but no journal of this
 //! comparison is never emptied: another comparison's is set aside, anything else is refused.
 
-mod lines;
-
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-
-use crate::comparison::{Comparison, Row};
 
 use super::place::Place;
 use crate::cli::error::CliError;
 use crate::cli::output::{beside, failure};
 use crate::cli::streams::say;
 use crate::cli::text;
-use lines::{Found, Lines};
+use crate::comparison::Row;
+use crate::formats::journal::{Found, JournalLines};
 
 /// As much of a file as tells whether it is a journal.
 const BEGINNING: u64 = 1 << 20;
@@ -26,13 +23,13 @@ const BEGINNING: u64 = 1 << 20;
 pub struct Journal {
     path: PathBuf,
     file: File,
-    lines: Lines,
+    lines: JournalLines,
 }
 
 impl Journal {
     /// Opens the journal beside a comparison's results and gives the runs that it holds. While another process has it, waits, or fails.
-    pub fn open(place: &Place, comparison: &Comparison, wait: bool) -> Result<(Self, Vec<Row>), CliError> {
-        let (path, lines) = (place.file("partial"), Lines::of(comparison));
+    pub fn open(place: &Place, lines: JournalLines, wait: bool) -> Result<(Self, Vec<Row>), CliError> {
+        let path = place.file("partial");
         loop {
             let mut file = taken(place, &path, &lines, wait)?;
             let bytes = contents(&path, &mut file, &lines)?;
@@ -56,6 +53,11 @@ impl Journal {
         self.file.write_all(self.lines.line(row).as_bytes()).map_err(|error| failure(&self.path, error))
     }
 
+    /// Gives it the name of a whole one, whose bytes have reached the disk.
+    pub fn finish(self, name: &Path) -> Result<(), CliError> {
+        self.file.sync_all().and_then(|()| fs::rename(&self.path, name)).map_err(|error| failure(name, error))
+    }
+
     /// Removes it, and then lets others have the name: the results stand.
     pub fn close(self) -> Result<(), CliError> {
         fs::remove_file(&self.path).map_err(|error| failure(&self.path, error))
@@ -63,7 +65,7 @@ impl Journal {
 }
 
 /// The locked file under the journal's name; a new one where there is none.
-fn taken(place: &Place, path: &Path, lines: &Lines, wait: bool) -> Result<File, CliError> {
+fn taken(place: &Place, path: &Path, lines: &JournalLines, wait: bool) -> Result<File, CliError> {
     let failed = |error| failure(path, error);
     loop {
         match fs::symlink_metadata(path) {
@@ -100,7 +102,7 @@ fn begun(place: &Place, path: &Path, text: &str) -> std::io::Result<Option<File>
 }
 
 /// The journal with these runs alone, in the place of what is there.
-fn anew(place: &Place, path: &Path, lines: &Lines, rows: &[Row]) -> Result<File, CliError> {
+fn anew(place: &Place, path: &Path, lines: &JournalLines, rows: &[Row]) -> Result<File, CliError> {
     let write = || {
         let mut new = beside(path, &place.unfinished())?;
         tried(new.as_file().try_lock())?;
@@ -120,7 +122,7 @@ fn cut(mut file: File, length: u64) -> std::io::Result<File> {
 }
 
 /// What a journal holds; what is none is refused after its beginning.
-fn contents(path: &Path, file: &mut File, lines: &Lines) -> Result<Vec<u8>, CliError> {
+fn contents(path: &Path, file: &mut File, lines: &JournalLines) -> Result<Vec<u8>, CliError> {
     let unread = |error| CliError::File { action: "read", path: path.display().to_string(), error };
     let mut bytes = Vec::new();
     file.seek(SeekFrom::Start(0)).map_err(unread)?;

@@ -19,7 +19,7 @@ fn jobs(args: &Args) -> usize {
 }
 
 /// Does every run that is not kept from before. The rows are in the order of the tasks, not in that in which they finish.
-pub fn run_all(args: &Args, comparison: &Comparison, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
+pub fn run_whole(args: &Args, comparison: &Comparison, journal: &mut Journal, kept: Vec<Row>) -> Result<Vec<Row>, CliError> {
     let all = comparison.tasks();
     let mut rows: Vec<Option<Row>> = vec![None; all.len()];
     let mut place = |row: Row| {
@@ -30,11 +30,27 @@ pub fn run_all(args: &Args, comparison: &Comparison, journal: &mut Journal, kept
     let done: BTreeSet<Task> = kept.iter().map(|row| row.task).collect();
     kept.into_iter().for_each(&mut place);
     let tasks: Vec<Task> = all.iter().copied().filter(|task| !done.contains(task)).collect();
+    run_all(args, comparison, &tasks, done.len(), |row| {
+        journal.note(&row)?;
+        place(row);
+        Ok(())
+    })?;
+    Ok(rows.into_iter().flatten().collect())
+}
+
+/// Does these runs and hands over each when it ends; `kept`: how many are there from before.
+pub fn run_all(
+    args: &Args,
+    comparison: &Comparison,
+    tasks: &[Task],
+    kept: usize,
+    mut done: impl FnMut(Row) -> Result<(), CliError>,
+) -> Result<(), CliError> {
     let next = AtomicUsize::new(0);
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
         for _ in 0..jobs(args).min(tasks.len()) {
-            let (sender, next, tasks) = (sender.clone(), &next, &tasks);
+            let (sender, next) = (sender.clone(), &next);
             scope.spawn(move || {
                 let take = || tasks.get(next.fetch_add(1, Ordering::Relaxed));
                 // A closed channel: an error has ended the whole.
@@ -42,19 +58,17 @@ pub fn run_all(args: &Args, comparison: &Comparison, journal: &mut Journal, kept
             });
         }
         drop(sender);
-        let (bar, mut without_path) = (bar(done.len(), all.len()), 0);
+        let (bar, mut without_path) = (bar(kept, kept + tasks.len()), 0);
         for row in receiver {
             let row = row.map_err(|e| args.wrong(e))?.row;
-            journal.note(&row)?;
             without_path += usize::from(row.found.is_none());
-            bar.set_message(beside(done.len(), without_path));
+            done(row)?;
+            bar.set_message(beside(kept, without_path));
             bar.inc(1);
-            place(row);
         }
         bar.finish_and_clear();
-        Ok::<_, CliError>(())
-    })?;
-    Ok(rows.into_iter().flatten().collect())
+        Ok(())
+    })
 }
 
 /// A bar on the error stream, where somebody looks at it; it starts with the runs that are kept from before.

@@ -27,7 +27,7 @@ fn comparison(ants: u32) -> Comparison {
 fn journal(comparison: &Comparison) -> (Vec<Row>, String) {
     let run = |task| comparison.run(task, &mut || 0.0).unwrap().row;
     let rows: Vec<Row> = comparison.tasks().into_iter().map(run).collect();
-    let lines = Lines::of(comparison);
+    let lines = JournalLines::of(comparison, None);
     let text = lines.head() + &rows.iter().map(|row| lines.line(row)).collect::<String>();
     (rows, text)
 }
@@ -36,7 +36,7 @@ fn journal(comparison: &Comparison) -> (Vec<Row>, String) {
 fn a_journal_gives_its_rows_back() {
     let comparison = comparison(2);
     let (rows, text) = journal(&comparison);
-    let lines = Lines::of(&comparison);
+    let lines = JournalLines::of(&comparison, None);
     let whole = text.len();
     assert_eq!(lines.read(text.as_bytes()), Found::Ours { rows: rows.clone(), damaged: 0, whole });
     // Half a line, of which a process was killed in the middle.
@@ -53,7 +53,7 @@ fn a_journal_gives_its_rows_back() {
 fn no_flipped_bit_gives_a_wrong_row() {
     let comparison = comparison(2);
     let (rows, text) = journal(&comparison);
-    let lines = Lines::of(&comparison);
+    let lines = JournalLines::of(&comparison, None);
     for bit in 0..8 * text.len() {
         let mut bytes = text.clone().into_bytes();
         bytes[bit / 8] ^= 1 << (bit % 8);
@@ -68,7 +68,7 @@ fn no_flipped_bit_gives_a_wrong_row() {
 #[test]
 fn what_is_not_from_this_comparison_does_not_count() {
     let (mine, other) = (comparison(2), comparison(3));
-    let lines = Lines::of(&mine);
+    let lines = JournalLines::of(&mine, None);
     let ((rows, text), (_, foreign)) = (journal(&mine), journal(&other));
     assert_eq!(lines.read(foreign.as_bytes()), Found::Other);
     // A line of the other one between ours; and one of ours whose row says it is another task's.
@@ -87,7 +87,7 @@ fn what_is_not_from_this_comparison_does_not_count() {
 
 #[test]
 fn somebody_elses_file_is_no_journal() {
-    let lines = Lines::of(&comparison(2));
+    let lines = JournalLines::of(&comparison(2), None);
     for text in ["my notes\n", "{\"format\":\"mine\"}\n", "\n", "{\"format\":\"formicarium/journey\"}\n"] {
         assert!(!lines.is_journal(text.as_bytes()), "{text}");
     }

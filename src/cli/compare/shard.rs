@@ -1,0 +1,85 @@
+//! `--shard`: one part of a comparison's runs, kept in a journal.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use super::args::Args;
+use super::journal::Journal;
+use super::place::Place;
+use super::{recheck, runs};
+use crate::cli::error::CliError;
+use crate::cli::output::failure;
+use crate::cli::streams::say;
+use crate::cli::{Outcome, text};
+use crate::comparison::{Comparison, Shard, Task};
+use crate::formats::journal::{Found, JournalLines};
+
+/// Does a shard's runs that are not done yet. Its journal gets its name when all are.
+pub fn run(args: &Args, comparison: &Comparison, shard: Shard) -> Result<Outcome, CliError> {
+    let lines = JournalLines::of(comparison, Some(shard));
+    let asked = asked(args, comparison, shard, &lines);
+    let place = args.place_of(shard, lines.digest());
+    let whole = place.file("journal");
+    fs::create_dir_all(args.folder()).map_err(|error| failure(args.folder(), error))?;
+    if is_whole(&whole, &lines, &asked)? {
+        return Ok(already(shard, &whole));
+    }
+    take_up(&place, &whole, &lines)?;
+    let (mut journal, kept) = Journal::open(&place, lines, !args.no_wait)?;
+    place.sweep();
+    let lines = JournalLines::of(comparison, Some(shard));
+    // Whoever had the journal before may have finished it meanwhile.
+    if kept.is_empty() && is_whole(&whole, &lines, &asked)? {
+        journal.close()?;
+        return Ok(already(shard, &whole));
+    }
+    let done: BTreeSet<Task> = kept.iter().map(|row| row.task).collect();
+    drop(kept);
+    let tasks: Vec<Task> = asked.iter().copied().filter(|task| !done.contains(task)).collect();
+    runs::run_all(args, comparison, &tasks, done.len(), |row| journal.note(&row))?;
+    journal.finish(&whole)?;
+    let runs = text::count(asked.len() as u64, "run", "runs");
+    let before = if done.is_empty() { String::new() } else { format!(", {} from before", done.len()) };
+    Ok(Outcome::fine(format!("shard {shard}: {runs}{before}\nwrote {}\n", whole.display())))
+}
+
+/// The runs of a shard, and with `--recheck` some of the next one's.
+fn asked(args: &Args, comparison: &Comparison, shard: Shard, lines: &JournalLines) -> BTreeSet<Task> {
+    let others = match args.recheck {
+        Some(share) if shard.of() > 1 => recheck::spread(&comparison.dealt(shard.next()), share),
+        _ => Vec::new(),
+    };
+    comparison.dealt(shard).into_iter().chain(others).map(|place| lines.tasks()[place]).collect()
+}
+
+fn already(shard: Shard, whole: &Path) -> Outcome {
+    Outcome::fine(format!("shard {shard} is whole already: {}\n", whole.display()))
+}
+
+/// Whether a journal is there that has all that is asked, and nothing that does not hold.
+fn is_whole(path: &Path, lines: &JournalLines, asked: &BTreeSet<Task>) -> Result<bool, CliError> {
+    let Some(bytes) = contents(path)? else { return Ok(false) };
+    let Found::Ours { rows, whole, .. } = lines.read(&bytes) else { return Ok(false) };
+    let has: BTreeSet<Task> = rows.iter().map(|row| row.task).collect();
+    Ok(whole == bytes.len() && asked.is_subset(&has))
+}
+
+/// Makes a journal that has its name and is not whole one that is gone on with: a disk may have damaged it, or more is asked than before.
+fn take_up(place: &Place, whole: &Path, lines: &JournalLines) -> Result<(), CliError> {
+    let Some(bytes) = contents(whole)? else { return Ok(()) };
+    let partial = place.file("partial");
+    if !lines.is_journal(&bytes) || partial.exists() {
+        return Ok(());
+    }
+    say(format!("note: {} does not have all that is asked, or does not hold: it is gone on with", whole.display()));
+    fs::rename(whole, &partial).map_err(|error| failure(&partial, error))
+}
+
+/// What a file holds; none where there is no file.
+fn contents(path: &Path) -> Result<Option<Vec<u8>>, CliError> {
+    match fs::read(path) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        read => read.map(Some).map_err(|error| CliError::File { action: "read", path: path.display().to_string(), error }),
+    }
+}
