@@ -38,19 +38,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     }
     let (place, held) = (args.place(), Held::of(args));
     let check = || held.places(&place).iter().try_for_each(|place| place.check(&args.files, &inputs, args.replace));
-    check()?;
-    let (done, journal, mut said) = match &args.merge {
-        Some(folder) => match merge::merged(args, &comparison, folder)? {
-            Ok(merged) => (merged.rows, None, merged.said),
-            Err(findings) => return Ok(Outcome { text: findings, fine: false }),
-        },
-        None => {
-            let (mut journal, kept) = Journal::open(&place, JournalLines::of(&comparison, None), !args.no_wait)?;
-            place.sweep();
-            // Whoever had the name before may have written meanwhile.
-            check()?;
-            (runs::run_whole(args, &comparison, &mut journal, kept)?, Some(journal), String::new())
-        }
+    let Done { rows: done, journal, mut said } = match done(args, &comparison, &place, &check)? {
+        Ok(done) => done,
+        Err(findings) => return Ok(Outcome { text: findings, fine: false }),
     };
     let verification = before.as_ref().and_then(|before| before.verify(&comparison, &done));
     let stands = before.as_ref().is_none_or(|before| before.stands(verification.as_ref()));
@@ -59,6 +49,35 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     journal.map_or(Ok(()), Journal::close)?;
     said += &verification.as_ref().map_or_else(String::new, verified);
     Ok(Outcome { text: said + &aside, fine: !verification.is_some_and(|v| v.refuted) })
+}
+
+/// All runs of a comparison, and the journal that is held as long as their results are written; none where they come from others.
+struct Done {
+    rows: Vec<Row>,
+    journal: Option<Journal>,
+    said: String,
+}
+
+/// Does the runs, or merges those that are done; what keeps them from being whole is for the reader. `check` tells whether results can be
+/// written.
+fn done(
+    args: &Args,
+    comparison: &Comparison,
+    place: &Place,
+    check: &impl Fn() -> Result<(), CliError>,
+) -> Result<Result<Done, String>, CliError> {
+    if let Some(folder) = &args.merge {
+        let merged = merge::merged(args, comparison, folder)?;
+        check()?;
+        return Ok(merged.map(|merged| Done { rows: merged.rows, journal: None, said: merged.said }));
+    }
+    check()?;
+    let (mut journal, kept) = Journal::open(place, JournalLines::of(comparison, None), !args.no_wait)?;
+    place.sweep();
+    // Whoever had the name before may have written meanwhile.
+    check()?;
+    let rows = runs::run_whole(args, comparison, &mut journal, kept)?;
+    Ok(Ok(Done { rows, journal: Some(journal), said: String::new() }))
 }
 
 /// Writes the files that are asked for, and says what came out in a few lines.

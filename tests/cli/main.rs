@@ -22,4 +22,5 @@ mod order;
 mod plan;
 mod quantities;
 mod results;
+mod shards;
 mod terrain;

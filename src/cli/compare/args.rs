@@ -60,14 +60,14 @@ pub struct Args {
     #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template", "merge"])]
     out: Option<PathBuf>,
     /// Only this part of the runs, such as 3/30: keeps them in a journal in --out, and writes no results
-    #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "document", "results_template", "replace", "files", "language"])]
+    #[arg(long, value_name = "I/N", group = "shards", conflicts_with_all = ["merge", "document", "results_template", "replace", "files", "language"])]
     pub shard: Option<Shard>,
     /// Run nothing: the results from the journals of shards in this folder, however many machines have written them
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["document", "results_template"])]
+    #[arg(long, value_name = "DIR", group = "shards", conflicts_with_all = ["document", "results_template"])]
     pub merge: Option<PathBuf>,
     /// Repeat so many runs of somebody else, such as 2%: with --merge here and now, of each journal at least one; with --shard runs of the
     /// next shard, which --merge compares
-    #[arg(long, value_name = "P%", conflicts_with_all = ["document", "results_template"])]
+    #[arg(long, value_name = "P%", requires = "shards")]
     pub recheck: Option<Share>,
     /// With --merge: which runs are repeated, to do the same again [default: others each time]
     #[arg(long, value_name = "SEED", requires_all = ["recheck", "merge"])]

@@ -134,7 +134,8 @@ fn contents(path: &Path, file: &mut File, lines: &JournalLines) -> Result<Vec<u8
     Ok(bytes)
 }
 
-fn refused(path: &Path) -> CliError {
+/// Refuses a file that is in a journal's way and is none.
+pub fn refused(path: &Path) -> CliError {
     let message = format!("{} is no journal of this program: it is left as it is", path.display());
     CliError::usage(message, "the runs would be kept under this name: move the file away, or choose another folder with --out")
 }

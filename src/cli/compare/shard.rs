@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use super::args::Args;
-use super::journal::Journal;
+use super::journal::{self, Journal};
 use super::place::Place;
 use super::{recheck, runs};
 use crate::cli::error::CliError;
@@ -68,8 +68,11 @@ fn is_whole(path: &Path, lines: &JournalLines, asked: &BTreeSet<Task>) -> Result
 /// Makes a journal that has its name and is not whole one that is gone on with: a disk may have damaged it, or more is asked than before.
 fn take_up(place: &Place, whole: &Path, lines: &JournalLines) -> Result<(), CliError> {
     let Some(bytes) = contents(whole)? else { return Ok(()) };
+    if !lines.is_journal(&bytes) {
+        return Err(journal::refused(whole));
+    }
     let partial = place.file("partial");
-    if !lines.is_journal(&bytes) || partial.exists() {
+    if partial.exists() {
         return Ok(());
     }
     say(format!("note: {} does not have all that is asked, or does not hold: it is gone on with", whole.display()));
