@@ -33,6 +33,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     if args.results_template {
         return Ok(Outcome::fine(formats::results_table(&comparison.question)));
     }
+    if let Some(of) = args.list_shards {
+        return Ok(Outcome::fine(shard::names(args, &comparison, of)));
+    }
     if let Some(shard) = args.shard {
         return shard::run(args, &comparison, shard);
     }

@@ -276,6 +276,14 @@ fn two_processes_of_one_shard_do_it_once() {
 }
 
 #[test]
+fn the_journals_names_are_known_before_they_are_there() {
+    let folder = four_shards("names");
+    let listed = folder.run(&["compare", "q.toml", "--list-shards", "4"]).ends(0).out;
+    assert_eq!(listed.lines().collect::<Vec<_>>(), journals(&folder, "out").iter().map(name).collect::<Vec<_>>());
+    assert_eq!(folder.compare(&["q.toml", "--list-shards", "0"]).0, 2);
+}
+
+#[test]
 fn what_goes_with_no_shard_is_refused() {
     let folder = Folder::with_question("refused");
     for (args, tells) in [

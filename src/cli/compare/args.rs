@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::comparison::report::{ReportLanguage, ResultFile};
-use crate::comparison::{Budget, Shard};
+use crate::comparison::{Budget, MAX_SHARDS, Shard};
 use crate::error::QuestionError;
 use crate::params::Value;
 
@@ -41,6 +41,7 @@ Examples:
   formicarium compare experiments/ship.toml --results-template > mine.csv
   formicarium compare --ablate ship --map cave.json --map maze.json --seeds 50 --out /tmp/ablation
   formicarium compare experiments/ship.toml --shard 3/30 --out /shared/ship
+  formicarium compare experiments/ship.toml --list-shards 30
   formicarium compare experiments/ship.toml --merge /shared/ship --out results --recheck 2%
   formicarium compare experiments/ship.toml --document > ship.json")]
 pub struct Args {
@@ -57,11 +58,15 @@ pub struct Args {
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::plan::assignment)]
     pub set: Vec<(String, Value)>,
     /// Folder for the files; made if it is missing [default with --merge: the journals' folder]
-    #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template", "merge"])]
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template", "merge", "list_shards"])]
     out: Option<PathBuf>,
     /// Only this part of the runs, such as 3/30: keeps them in a journal in --out, and writes no results
     #[arg(long, value_name = "I/N", group = "shards", conflicts_with_all = ["merge", "document", "results_template", "replace", "files", "language"])]
     pub shard: Option<Shard>,
+    /// Run nothing: print the names that the journals of so many shards will have, one a line, for what runs the shards
+    #[arg(long, value_name = "N", conflicts_with_all = ["out", "shard", "merge", "document", "results_template"],
+          value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_SHARDS)))]
+    pub list_shards: Option<u32>,
     /// Run nothing: the results from the journals of shards in this folder, however many machines have written them
     #[arg(long, value_name = "DIR", group = "shards", conflicts_with_all = ["document", "results_template"])]
     pub merge: Option<PathBuf>,

@@ -44,6 +44,14 @@ pub fn run(args: &Args, comparison: &Comparison, shard: Shard) -> Result<Outcome
     Ok(Outcome::fine(format!("shard {shard}: {runs}{before}\nwrote {}\n", whole.display())))
 }
 
+/// What the journals of so many shards are called, one a line.
+pub fn names(args: &Args, comparison: &Comparison, of: u32) -> String {
+    let digest = comparison.digest().hex();
+    let shards = (1..=of).filter_map(|index| Shard::new(index, of).ok());
+    let name = |shard| args.place_of(shard, &digest).file("journal").file_name().map(|name| name.to_string_lossy().into_owned());
+    shards.filter_map(name).map(|name| name + "\n").collect()
+}
+
 /// The runs of a shard, and with `--recheck` some of the next one's.
 fn asked(args: &Args, comparison: &Comparison, shard: Shard, lines: &JournalLines) -> BTreeSet<Task> {
     let others = match args.recheck {
