@@ -50,7 +50,7 @@ pub(super) fn median_of(values: &mut [f64]) -> Option<f64> {
     let even = values.len().is_multiple_of(2);
     let (_, &mut low, above) = values.select_nth_unstable_by(half, f64::total_cmp);
     let next = above.iter().copied().fold(f64::INFINITY, f64::min);
-    Some(if even && low != next && low != f64::NEG_INFINITY { low + 0.5 * (next - low) } else { low })
+    Some(if even { between(low, next) } else { low })
 }
 
 /// Arithmetic mean; `None` of an empty sample.
@@ -154,13 +154,38 @@ pub fn mean_difference(pairs: &[(f64, f64)], name: &str) -> Option<Difference> {
 }
 
 /// The bootstrap interval of a sample's median. `None` of an empty one.
+///
+/// Places among the distinct values are drawn and counted: what is drawn need not be sorted anew each time.
 pub fn median_interval(values: &[f64], name: &str) -> Option<[f64; 2]> {
-    let mut copy = values.to_vec();
-    let median = |drawn: &[f64]| {
-        copy.copy_from_slice(drawn);
-        median_of(&mut copy)
+    let mut distinct = sorted(values.to_vec());
+    distinct.dedup_by(|a, b| a.total_cmp(b).is_eq());
+    let place = |value: &f64| distinct.partition_point(|other| other.total_cmp(value).is_lt()) as u32;
+    let places: Vec<u32> = values.iter().map(place).collect();
+    let mut counts = vec![0u32; distinct.len()];
+    let median = |drawn: &[u32]| {
+        counts.fill(0);
+        drawn.iter().for_each(|&place| counts[place as usize] += 1);
+        let half = drawn.len().checked_sub(1)? / 2;
+        let low = counted(&counts, half);
+        let next = if drawn.len().is_multiple_of(2) { counted(&counts, half + 1) } else { low };
+        Some(between(distinct[low], distinct[next]))
     };
-    bootstrap(values, name, median).map(|d| [d.low, d.high])
+    bootstrap(&places, name, median).map(|d| [d.low, d.high])
+}
+
+/// In which class, each with its count, the item of this number is, from 0; the last one beyond all.
+fn counted(counts: &[u32], number: usize) -> usize {
+    let mut before = 0;
+    let within = |count: &u32| {
+        before += *count as usize;
+        before > number
+    };
+    counts.iter().position(within).unwrap_or(counts.len().saturating_sub(1))
+}
+
+/// Half way between the two values in the middle.
+fn between(low: f64, next: f64) -> f64 {
+    if low != next && low != f64::NEG_INFINITY { low + 0.5 * (next - low) } else { low }
 }
 
 /// The bootstrap interval of a sample's mean. Only finite values. `None` of an empty one.

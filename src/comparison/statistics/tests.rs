@@ -164,3 +164,21 @@ fn a_bootstrap_is_bounded_and_the_same_for_every_sample_that_can_be_run_in_time(
     let [low, high] = mean_interval(&many, "many").unwrap();
     assert!(low < 499.5 && high > 499.5 && high - low < 4.0, "{low} to {high}");
 }
+
+#[test]
+fn counted_medians_are_those_of_the_sorted_draws() {
+    let sorted_draws = |values: &[f64], name: &str| {
+        let median = |drawn: &[f64]| median_of(&mut drawn.to_vec());
+        bootstrap(values, name, median).map(|d| [d.low, d.high])
+    };
+    let spread = |n: u32, distinct: u32| (0..n).map(|i| f64::from(i * 7919 % distinct) * 0.37 + 1.1).collect::<Vec<f64>>();
+    let mut without_path = spread(40, 11);
+    without_path.extend([f64::INFINITY; 15]);
+    let odd = [f64::NEG_INFINITY, 0.0, -0.0, 3.5, f64::INFINITY];
+    for values in
+        [vec![], vec![2.0], vec![1.0, 2.0], spread(31, 1000), spread(100, 6), spread(301, 17), without_path, odd.to_vec()]
+    {
+        let bits = |range: Option<[f64; 2]>| range.map(|ends| ends.map(f64::to_bits));
+        assert_eq!(bits(median_interval(&values, "a")), bits(sorted_draws(&values, "a")), "{values:?}");
+    }
+}
