@@ -10,8 +10,8 @@
 use super::bytes::{Reader, push_bits, push_varint};
 use super::document::{self, Described};
 use super::{Origin, Session, damaged, heights};
-use crate::error::{Error, FormatError, ScenarioError};
-use crate::map::{Grid, MAX_SIDE, check_size, generate};
+use crate::error::{Error, FormatError};
+use crate::map::{Grid, MAX_SIDE, check_size};
 use crate::scenario::ScenarioSpec;
 
 const PLANE: u8 = 1;
@@ -75,7 +75,7 @@ fn own(reader: &mut Reader<'_>, spec: &ScenarioSpec) -> Result<Grid, Error> {
 
 fn edited(reader: &mut Reader<'_>, spec: &ScenarioSpec, origin: Option<Origin>) -> Result<Grid, Error> {
     let origin = origin.ok_or_else(|| damaged("it has edits of a map but not the map they belong to"))?;
-    let mut grid = made(origin, spec)?;
+    let mut grid = origin.make(spec)?;
     if grid.heights().is_some() != spec.terrain.is_some() {
         return Err(document::wrong("scenario.origin.generator", "makes another kind of map").into());
     }
@@ -94,10 +94,6 @@ fn edited(reader: &mut Reader<'_>, spec: &ScenarioSpec, origin: Option<Origin>) 
     }
 }
 
-fn made(origin: Origin, spec: &ScenarioSpec) -> Result<Grid, ScenarioError> {
-    generate(origin.generator, spec.width, spec.height, origin.seed, origin.density).map(|made| made.grid)
-}
-
 fn check_heights(count: usize) -> Result<(), FormatError> {
     if count <= MAX_HEIGHTS {
         return Ok(());
@@ -106,7 +102,7 @@ fn check_heights(count: usize) -> Result<(), FormatError> {
 }
 
 pub(super) fn pack(session: &Session) -> Result<Vec<u8>, FormatError> {
-    let is_made = session.origin.is_some_and(|origin| made(origin, &session.spec).as_ref() == Ok(&session.grid));
+    let is_made = session.origin.is_some_and(|origin| origin.make(&session.spec).as_ref() == Ok(&session.grid));
     let json = document::write(session, if is_made { EDITS } else { BITS });
     let mut covered = vec![if session.spec.terrain.is_some() { TERRAIN } else { PLANE }];
     push_varint(&mut covered, json.len() as u32);

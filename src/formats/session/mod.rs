@@ -10,10 +10,10 @@ mod rows;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Error, FormatError};
-use crate::map::{Generator, Grid};
+use crate::comparison::best_known::RecordedRun;
+use crate::error::{Error, FormatError, ScenarioError};
+use crate::map::{Generator, Grid, generate};
 use crate::params::Values;
-use crate::planner::Status;
 use crate::scenario::ScenarioSpec;
 
 /// What stands before the text of a session's link, in an address of the page.
@@ -55,6 +55,16 @@ pub struct Origin {
     pub density: f64,
 }
 
+impl Origin {
+    /// The map that it makes, in the size of a scenario.
+    ///
+    /// # Errors
+    /// [`ScenarioError::Quantity`] for a density that the generator does not take.
+    pub fn make(&self, spec: &ScenarioSpec) -> Result<Grid, ScenarioError> {
+        generate(self.generator, spec.width, spec.height, self.seed, self.density).map(|made| made.grid)
+    }
+}
+
 /// One planner of a session.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Panel {
@@ -66,20 +76,6 @@ pub struct Panel {
     pub params: Values,
     /// What its run had come to; none where nothing is recorded.
     pub result: Option<RecordedRun>,
-}
-
-/// What a run had come to.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RecordedRun {
-    /// Iterations that were finished.
-    pub iterations: u32,
-    /// Whether and how it had ended.
-    pub status: Status,
-    /// Length of the best path in cells; none without a path.
-    pub length: Option<f64>,
-    /// 16 hexadecimal digits.
-    pub digest: String,
 }
 
 /// Reads a session's file.
