@@ -237,7 +237,7 @@ pub fn check_bound(value: f64, reference: Reference) -> Result<(), BestKnownErro
     }
 }
 
-/// How one scenario differs from another in what its runs depend on; none where they are the same question. Names and the place in the world
+/// How one scenario differs from another in what its runs depend on, in words; none where they are the same question. Names and the place in the world
 /// do not count.
 pub fn difference(one: &Scenario, other: &Scenario) -> Option<&'static str> {
     let (a, b) = (&one.spec, &other.spec);
@@ -246,14 +246,14 @@ pub fn difference(one: &Scenario, other: &Scenario) -> Option<&'static str> {
         scenario.spec.goals.iter().map(number).collect::<Vec<_>>()
     };
     let parts = [
-        ("its size", (a.width, a.height) == (b.width, b.height)),
-        ("its cells", one.grid == other.grid),
-        ("its start", a.start == b.start),
-        ("its goals", goals(one) == goals(other)),
-        ("its moves", a.movement == b.movement),
-        ("its terrain", a.terrain == b.terrain),
-        ("its metres a cell", a.resolution == b.resolution),
-        ("its changes", a.changes == b.changes),
+        ("its size differs", (a.width, a.height) == (b.width, b.height)),
+        ("its cells differ", one.grid == other.grid),
+        ("its start differs", a.start == b.start),
+        ("its goals differ", goals(one) == goals(other)),
+        ("its moves differ", a.movement == b.movement),
+        ("its terrain differs", a.terrain == b.terrain),
+        ("its metres a cell differ", a.resolution == b.resolution),
+        ("its changes differ", a.changes == b.changes),
     ];
     parts.into_iter().find(|(_, is_same)| !is_same).map(|(name, _)| name)
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::cli::error::CliError;
 use crate::cli::input;
 use crate::cli::{Outcome, text};
-use crate::comparison::best_known::same;
+use crate::comparison::best_known::{check_bound, same};
 
 use super::Where;
 use super::entry::Entry;
@@ -48,6 +48,8 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 
 fn check(file: &Path, tracked: &Tracked) -> Result<(), CliError> {
     let entry = Entry::read(file)?;
+    // What cannot be needs no run.
+    check_bound(entry.value, tracked.reference(entry.objective))?;
     let measured = Proof::of(&entry)?.measure(tracked, &entry.planner)?;
     same("objective", &entry.objective, &measured.objective)?;
     same("value", &entry.value, &measured.value)?;

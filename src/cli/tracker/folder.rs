@@ -103,7 +103,7 @@ impl Tracker {
         let is_close = |tracked: &Tracked| tracked.scenario.grid == scenario.grid;
         let close = differences().find_map(|(tracked, what)| what.filter(|_| is_close(tracked)).map(|what| (tracked, what)));
         let difference = match close {
-            Some((tracked, what)) => format!("it has the cells of {}, but {what} differ", tracked.id),
+            Some((tracked, what)) => format!("it has the cells of {}, but {what}", tracked.id),
             None => format!("its {} × {} cells are those of none", scenario.grid.width(), scenario.grid.height()),
         };
         Err(BestKnownError::OtherMap { difference, known: self.ids() })

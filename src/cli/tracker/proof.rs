@@ -75,7 +75,7 @@ impl Proof {
 
 fn repeated(session: &Session, tracked: &Tracked, planner: &str) -> Result<Measured, BestKnownError> {
     check_session(session)?;
-    let scenario = Scenario::new(session.grid.clone(), session.spec.clone()).map_err(|_| other_map(tracked, "its map"))?;
+    let scenario = Scenario::new(session.grid.clone(), session.spec.clone()).map_err(|_| other_map(tracked, "its map differs"))?;
     if let Some(difference) = difference(&scenario, &tracked.scenario) {
         return Err(other_map(tracked, difference));
     }
@@ -87,7 +87,7 @@ fn repeated(session: &Session, tracked: &Tracked, planner: &str) -> Result<Measu
 }
 
 fn other_map(tracked: &Tracked, difference: &str) -> BestKnownError {
-    BestKnownError::OtherMap { difference: format!("{difference} differ from {}", tracked.id), known: tracked.id.clone() }
+    BestKnownError::OtherMap { difference: format!("{difference} from {}", tracked.id), known: tracked.id.clone() }
 }
 
 /// Refuses sessions whose runs cannot be repeated here.

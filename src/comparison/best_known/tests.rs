@@ -86,7 +86,7 @@ fn scenarios_differ_by_what_runs_depend_on() {
     };
     assert_eq!(with(&|spec| spec.name = "other".into()), None);
     assert_eq!(with(&|spec| spec.goals[0].name = "door".into()), None);
-    assert_eq!(with(&|spec| spec.goals.push(Goal::new(Point::new(2, 2), ""))), Some("its goals"));
-    assert_eq!(with(&|spec| spec.start = Point::new(0, 1)), Some("its start"));
-    assert_eq!(with(&|spec| spec.resolution = 2.0), Some("its metres a cell"));
+    assert_eq!(with(&|spec| spec.goals.push(Goal::new(Point::new(2, 2), ""))), Some("its goals differ"));
+    assert_eq!(with(&|spec| spec.start = Point::new(0, 1)), Some("its start differs"));
+    assert_eq!(with(&|spec| spec.resolution = 2.0), Some("its metres a cell differ"));
 }
