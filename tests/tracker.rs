@@ -47,7 +47,9 @@ impl Small {
         let small = Self(folder);
         fs::copy(Path::new(ROOT).join("experiments/maps/threshold-1.json"), small.0.join("map.json")).expect("a map");
         small.write("scenarios/threshold-1.toml", "map = \"../map.json\"\nabout = \"Walls with gaps.\"\n");
-        small.run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-3", "--date", "2026-03-21"]).is(0, &["1 entry written"]);
+        small
+            .run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-3", "--date", "2026-03-21"])
+            .is(0, &["1 entry written"]);
         small
     }
 
@@ -241,7 +243,11 @@ fn sessions_are_repeated_and_compared() {
     let mut forged = small.session();
     small.write("entries/threshold-1/ant-system--ada.toml", &small.read(ANTS));
     fs::remove_file(small.0.join(ANTS)).expect("a file");
-    let equal = ["equal to the best known, which was there first", "of Formicarium, 2026-03-21", "40.2426, proven; the value is 0.00 % above"];
+    let equal = [
+        "equal to the best known, which was there first",
+        "of Formicarium, 2026-03-21",
+        "40.2426, proven; the value is 0.00 % above",
+    ];
     small.run(&["submit", &honest, "--by", "Bo"]).is(0, &equal);
     let address = format!("https://example.org/ants/{honest}");
     small.run(&["submit", &address, "--by", "Bo"]).is(0, &equal);
@@ -251,7 +257,9 @@ fn sessions_are_repeated_and_compared() {
     small.run(&["submit", "race.link", "--scenario", "elsewhere"]).is(2, &["the session is on threshold-1, not on elsewhere"]);
 
     fs::remove_file(small.0.join("entries/threshold-1/ant-system--ada.toml")).expect("a file");
-    small.run(&["submit", &honest, "--dry-run"]).is(0, &["the first value of this planner here", "would be written for ant-system"]);
+    small
+        .run(&["submit", &honest, "--dry-run"])
+        .is(0, &["the first value of this planner here", "would be written for ant-system"]);
     small.run(&["submit", &honest]).is(2, &["the entry's file needs a name", "--by NAME"]);
     small.run(&["submit", &honest, "--by", "Bo"]).is(0, &["written: ./entries/threshold-1/ant-system--bo.toml"]);
     assert!(small.read("entries/threshold-1/ant-system--bo.toml").contains(&honest), "the link is kept as it is");
@@ -278,13 +286,13 @@ fn sessions_that_cannot_be_judged_are_refused() {
     small.run(&["submit", &small.link()[..80], "--by", "Ada"]).is(2, &["damaged"]);
     small.run(&["submit", "nothing.csv"]).is(2, &["cannot read nothing.csv"]);
 
-    let sample = fs::read_to_string(Path::new(ROOT).join("tests/fixtures/links/0.1.0/session.experiment.json")).expect("a sample");
+    let sample =
+        fs::read_to_string(Path::new(ROOT).join("tests/fixtures/links/0.1.0/session.experiment.json")).expect("a sample");
     small.write("race.experiment.json", &sample);
     small.run(&["submit", "race.experiment.json", "--by", "Ada"]).is(2, &["its 36 × 22 cells are those of none"]);
-    let changing = sample.replace("experiment@1", "experiment@2").replace(
-        "\"resolution\":",
-        "\"changes\": [{\"blocked\": [[1, 1]], \"freed\": [], \"at\": [1, 1]}], \"resolution\":",
-    );
+    let changing = sample
+        .replace("experiment@1", "experiment@2")
+        .replace("\"resolution\":", "\"changes\": [{\"blocked\": [[1, 1]], \"freed\": [], \"at\": [1, 1]}], \"resolution\":");
     small.write("race.experiment.json", &changing);
     small.run(&["submit", "race.experiment.json", "--by", "Ada"]).is(2, &["walls changed 1 times while the planners ran"]);
 }
@@ -293,6 +301,8 @@ fn sessions_that_cannot_be_judged_are_refused() {
 fn a_worse_run_takes_nobodys_place() {
     let small = Small::new("worse");
     let before = small.read(ANTS);
-    small.run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-1"]).is(0, &["no better than what is there", "0 entries written"]);
+    small
+        .run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-1"])
+        .is(0, &["no better than what is there", "0 entries written"]);
     assert_eq!(small.read(ANTS), before);
 }

@@ -149,10 +149,14 @@ impl Args {
             let hint = "say on which map, and what to call its planner: --scenario ID --planner NAME";
             return Err(CliError::usage("a path does not say what it is a claim for", hint));
         };
-        let is_name = !planner.is_empty() && planner.split('-').all(|p| !p.is_empty() && p.bytes().all(|b| b.is_ascii_alphanumeric()));
+        let is_name =
+            !planner.is_empty() && planner.split('-').all(|p| !p.is_empty() && p.bytes().all(|b| b.is_ascii_alphanumeric()));
         if !is_name || catalog::find(planner).is_ok() {
             let message = format!("`{planner}` cannot name a planner from elsewhere");
-            return Err(CliError::usage(message, "take letters, digits and single hyphens, and no name of `formicarium catalog`"));
+            return Err(CliError::usage(
+                message,
+                "take letters, digits and single hyphens, and no name of `formicarium catalog`",
+            ));
         }
         let tracked = tracker.scenario(id)?;
         let kind = if self.polyline { PathKind::Polyline } else { path.kind };

@@ -114,10 +114,7 @@ fn outcome(scenario: &Scenario, planner: &dyn Planner) -> (RecordedRun, Option<M
 ///
 /// # Errors
 /// As [`run`].
-pub fn shortest_run(
-    scenario: &Arc<Scenario>,
-    recipe: Recipe<'_>,
-) -> Result<(RecordedRun, Option<Measured>), BestKnownError> {
+pub fn shortest_run(scenario: &Arc<Scenario>, recipe: Recipe<'_>) -> Result<(RecordedRun, Option<Measured>), BestKnownError> {
     let planner = advanced(scenario, recipe, None)?;
     let whole = outcome(scenario, planner.as_ref());
     // A search that has ended says so; a colony's iterations after the best one add nothing.
@@ -193,7 +190,9 @@ impl ClaimedPath {
         let metrics = Metrics::of(scenario, &path);
         let by_slices = metrics.terrain.and_then(|terrain| terrain.level_cost);
         let value = match objective {
-            Objective::SliceCost if scenario.by_slices().is_some_and(|slices| slices.rules().measure == Measure::Cost) => by_slices,
+            Objective::SliceCost if scenario.by_slices().is_some_and(|slices| slices.rules().measure == Measure::Cost) => {
+                by_slices
+            }
             Objective::SliceCost => Some(metrics.length),
             _ => objective.of_steps(&metrics),
         };

@@ -66,20 +66,7 @@ impl Entry {
     /// An entry without a proof.
     pub fn new(Head { scenario, planner, objective, value, by, date, note }: Head) -> Self {
         let format = FORMAT.into();
-        Self {
-            format,
-            scenario,
-            planner,
-            objective,
-            value,
-            by,
-            date,
-            note,
-            session: None,
-            kind: None,
-            path: None,
-            levels: None,
-        }
+        Self { format, scenario, planner, objective, value, by, date, note, session: None, kind: None, path: None, levels: None }
     }
 
     /// Reads a file, which must be called by what it says.
@@ -175,7 +162,9 @@ pub fn date(text: &str) -> Result<String, String> {
 fn is_date(text: &str) -> bool {
     let parts: Vec<&str> = text.split('-').collect();
     let number = |i: usize, digits: usize, most: u32| {
-        parts[i].len() == digits && parts[i].bytes().all(|b| b.is_ascii_digit()) && parts[i].parse().is_ok_and(|n| (1..=most).contains(&n))
+        parts[i].len() == digits
+            && parts[i].bytes().all(|b| b.is_ascii_digit())
+            && parts[i].parse().is_ok_and(|n| (1..=most).contains(&n))
     };
     parts.len() == 3 && number(0, 4, 9999) && number(1, 2, 12) && number(2, 2, 31)
 }

@@ -75,7 +75,8 @@ impl Proof {
 
 fn repeated(session: &Session, tracked: &Tracked, planner: &str) -> Result<Measured, BestKnownError> {
     check_session(session)?;
-    let scenario = Scenario::new(session.grid.clone(), session.spec.clone()).map_err(|_| other_map(tracked, "its map differs"))?;
+    let scenario =
+        Scenario::new(session.grid.clone(), session.spec.clone()).map_err(|_| other_map(tracked, "its map differs"))?;
     if let Some(difference) = difference(&scenario, &tracked.scenario) {
         return Err(other_map(tracked, difference));
     }

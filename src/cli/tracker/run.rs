@@ -43,7 +43,8 @@ pub struct Args {
 fn seeds(text: &str) -> Result<(u32, u32), String> {
     let number = |part: &str| part.trim().parse().ok();
     let pair = text.split_once('-').and_then(|(from, to)| Some((number(from)?, number(to)?)));
-    pair.filter(|(from, to)| from <= to).ok_or_else(|| format!("`{text}` are no seeds: write the first and the last such as 1-100"))
+    pair.filter(|(from, to)| from <= to)
+        .ok_or_else(|| format!("`{text}` are no seeds: write the first and the last such as 1-100"))
 }
 
 /// The best run of a planner, and the seed that gave it.

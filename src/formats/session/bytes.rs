@@ -61,5 +61,7 @@ pub(super) fn push_varint(out: &mut Vec<u8>, mut value: u32) {
 
 /// Writes flags, one bit each, the most significant first.
 pub(super) fn push_bits(out: &mut Vec<u8>, flags: &[bool]) {
-    out.extend(flags.chunks(8).map(|eight| eight.iter().enumerate().fold(0, |byte, (i, &flag)| byte | (u8::from(flag) << (7 - i)))));
+    out.extend(
+        flags.chunks(8).map(|eight| eight.iter().enumerate().fold(0, |byte, (i, &flag)| byte | (u8::from(flag) << (7 - i)))),
+    );
 }

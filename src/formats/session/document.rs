@@ -42,7 +42,8 @@ pub(super) fn wrong(field: &str, what: impl std::fmt::Display) -> FormatError {
 
 /// Reads a document; with it what stands in its other fields, the map's among them.
 pub(super) fn read(json: &str) -> Result<(Described, Map<String, Json>), FormatError> {
-    let syntax = |e: serde_json::Error| FormatError::syntax(e.line(), format!("broken JSON: {e}"), "a session as the page saves it");
+    let syntax =
+        |e: serde_json::Error| FormatError::syntax(e.line(), format!("broken JSON: {e}"), "a session as the page saves it");
     let mut fields: Map<String, Json> = serde_json::from_str(json).map_err(syntax)?;
     let format = take::<String>(&mut fields, "format")?;
     if format != FORMAT && format != CHANGING {
