@@ -170,6 +170,28 @@ fn changed_runs_are_refused() {
 }
 
 #[test]
+fn entries_of_another_engine_are_renewed_where_they_come_out_again() {
+    let small = Small::new("renew");
+    let honest = small.read(ANTS);
+    small.run(&["tracker", "renew"]).is(0, &["0 entries renewed"]);
+    let of = |spoil: &dyn Fn(&mut Session)| {
+        small.write(ANTS, &honest);
+        let mut session = small.session();
+        session.engine = "0.0.9".into();
+        spoil(&mut session);
+        small.write(ANTS, &honest.replace(&small.link(), &write_session_link(&session).expect("short")));
+    };
+    of(&|_| ());
+    small.run(&["tracker", "check"]).is(1, &["the run is of engine 0.0.9"]);
+    small.run(&["tracker", "renew"]).is(0, &["1 entry renewed"]);
+    assert_eq!(small.read(ANTS), honest);
+    of(&|session| result(session).digest = "feedfacecafebeef".into());
+    let forged = small.read(ANTS);
+    small.run(&["tracker", "renew"]).is(1, &["the digest does not come out again", "0 entries renewed"]);
+    assert_eq!(small.read(ANTS), forged);
+}
+
+#[test]
 fn runs_of_other_maps_are_refused() {
     let small = Small::new("map");
     let wall = |session: &mut Session| session.grid.set_blocked(6 * 20 + 4, true);

@@ -4,6 +4,7 @@ mod check;
 pub mod entry;
 pub mod folder;
 mod proof;
+mod renew;
 mod run;
 mod table;
 
@@ -54,6 +55,7 @@ impl Where {
 #[derive(Subcommand)]
 enum What {
     Check(check::Args),
+    Renew(renew::Args),
     Run(run::Args),
     Table(table::Args),
 }
@@ -61,6 +63,7 @@ enum What {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     match &args.what {
         What::Check(args) => check::run(args),
+        What::Renew(args) => renew::run(args),
         What::Run(args) => run::run(args),
         What::Table(args) => table::run(args),
     }

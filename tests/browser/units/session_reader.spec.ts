@@ -48,7 +48,10 @@ test.describe('the command line reads', () => {
       expect(code).toBe(1)
 
       const file = `${folder}/race.experiment.json`
-      writeFileSync(file, JSON.stringify({ ...documentOf(session, ENGINE), ...rowsOf(session.scenario) }))
+      writeFileSync(
+        file,
+        JSON.stringify({ ...documentOf(session, ENGINE), ...rowsOf(session.scenario) }),
+      )
       expect(submit(folder, file).said).toContain(REFUSED)
     })
   }
