@@ -316,7 +316,7 @@ fn sessions_that_cannot_be_judged_are_refused() {
         .replace("experiment@1", "experiment@2")
         .replace("\"resolution\":", "\"changes\": [{\"blocked\": [[1, 1]], \"freed\": [], \"at\": [1, 1]}], \"resolution\":");
     small.write("race.experiment.json", &changing);
-    small.run(&["submit", "race.experiment.json", "--by", "Ada"]).is(2, &["walls changed 1 times while the planners ran"]);
+    small.run(&["submit", "race.experiment.json", "--by", "Ada"]).is(2, &["walls changed while the planners ran (changes: 1)"]);
 }
 
 #[test]

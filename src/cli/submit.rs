@@ -111,27 +111,27 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 impl Args {
     fn claims<'a>(&self, tracker: &'a Tracker) -> Result<Claims<'a>, CliError> {
         if self.claim.contains(LINK_PREFIX) || (is_payload(&self.claim) && !Path::new(&self.claim).exists()) {
-            return self.session(tracker, read_session_link(&self.claim)?);
+            return self.session(tracker, &read_session_link(&self.claim)?);
         }
         let file = Path::new(&self.claim);
         let content = input::in_file(file, MAX_TEXT_BYTES, |bytes, _| {
             let text = String::from_utf8_lossy(bytes);
             Ok(if text.contains(LINK_PREFIX) && !text.trim_start().starts_with('{') {
-                Content::Session(read_session_link(&text)?)
+                Content::Session(Box::new(read_session_link(&text)?))
             } else if text.contains("formicarium/experiment@") {
-                Content::Session(read_session(&text)?)
+                Content::Session(Box::new(read_session(&text)?))
             } else {
                 Content::Path(ClaimedPath { kind: path_kind(bytes), places: read_places(bytes)? })
             })
         })?;
         match content {
-            Content::Session(session) => self.session(tracker, session),
+            Content::Session(session) => self.session(tracker, &session),
             Content::Path(path) => self.path(tracker, path),
         }
     }
 
-    fn session<'a>(&self, tracker: &'a Tracker, session: Session) -> Result<Claims<'a>, CliError> {
-        check_session(&session)?;
+    fn session<'a>(&self, tracker: &'a Tracker, session: &Session) -> Result<Claims<'a>, CliError> {
+        check_session(session)?;
         let scenario = Scenario::new(session.grid.clone(), session.spec.clone())?;
         let tracked = tracker.same_as(&scenario)?;
         if let Some(asked) = self.scenario.as_ref().filter(|asked| **asked != tracked.id) {
@@ -207,7 +207,7 @@ impl Args {
 }
 
 enum Content {
-    Session(Session),
+    Session(Box<Session>),
     Path(ClaimedPath),
 }
 

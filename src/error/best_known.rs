@@ -16,7 +16,7 @@ pub enum BestKnownError {
         known: String,
     },
     /// Walls changed during the run.
-    #[error("walls changed {changes} times while the planners ran")]
+    #[error("walls changed while the planners ran (changes: {changes})")]
     Changes {
         /// How often.
         changes: usize,
