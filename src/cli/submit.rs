@@ -194,9 +194,7 @@ impl Args {
         report.written.push(place);
         Ok(())
     }
-}
 
-impl Args {
     /// The file of an entry; a planner that somebody claims by two measures has two.
     fn place(&self, tracker: &Tracker, tracked: &Tracked, planner: &str, objective: Objective) -> Result<PathBuf, CliError> {
         let name = outside_name(planner, &self.by)?;

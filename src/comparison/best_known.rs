@@ -28,7 +28,6 @@ pub struct Recipe<'a> {
 
 /// What a run had come to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RecordedRun {
     /// Iterations that were finished.
     pub iterations: u32,

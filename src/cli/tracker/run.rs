@@ -133,7 +133,6 @@ impl Args {
             changes: 0,
             panels: vec![panel],
             seed: found.seed,
-            title: String::new(),
         };
         Proof::Run(Box::new(session)).into_entry(entry)
     }

@@ -3,7 +3,7 @@
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value as Json, json};
 
-use super::{MAX_PANELS, Origin, Panel, Session};
+use super::{Origin, Panel, Session};
 use crate::error::{Error, FormatError};
 use crate::formats::scenario_json::read_spec;
 use crate::formats::text::quote;
@@ -22,16 +22,15 @@ pub(super) struct Described {
     changes: usize,
     panels: Vec<Panel>,
     seed: u32,
-    title: String,
 }
 
 impl Described {
     /// The session on its map.
     pub(super) fn on(self, grid: Grid) -> Result<Session, Error> {
-        let Self { spec, origin, engine, changes, panels, seed, title } = self;
+        let Self { spec, origin, engine, changes, panels, seed } = self;
         // Validation takes both and gives them back.
         let Scenario { grid, spec, .. } = Scenario::new(grid, spec)?;
-        Ok(Session { engine, grid, spec, origin, changes, panels, seed, title })
+        Ok(Session { engine, grid, spec, origin, changes, panels, seed })
     }
 }
 
@@ -64,15 +63,11 @@ pub(super) fn read(json: &str) -> Result<(Described, Map<String, Json>), FormatE
         changes: changes.map_or(0, |changes| changes.len()),
         panels,
         seed: take(&mut fields, "seed")?,
-        title: optional(&mut fields, "title")?.unwrap_or_default(),
     };
     Ok((described, fields))
 }
 
 fn check(panels: &[Panel]) -> Result<(), FormatError> {
-    if panels.len() > MAX_PANELS {
-        return Err(wrong("panels", format!("has {} entries; at most {MAX_PANELS} are allowed", panels.len())));
-    }
     let is_digest = |text: &str| text.len() == 16 && text.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b));
     let results = panels.iter().enumerate().filter_map(|(i, panel)| Some((i, panel.result.as_ref()?)));
     match results.into_iter().find(|(_, result)| !is_digest(&result.digest)) {
@@ -97,7 +92,7 @@ pub(super) fn write(session: &Session, map: &str) -> String {
     if let (Some(origin), Some(fields)) = (session.origin, scenario.as_object_mut()) {
         fields.insert("origin".into(), json!(origin));
     }
-    let mut document = json!({
+    json!({
         "format": FORMAT,
         "engine": session.engine,
         "scenario": scenario,
@@ -107,9 +102,6 @@ pub(super) fn write(session: &Session, map: &str) -> String {
         "speed": "iteration",
         "layer": "trail",
         "map": map,
-    });
-    if let (false, Some(fields)) = (session.title.is_empty(), document.as_object_mut()) {
-        fields.insert("title".into(), json!(session.title));
-    }
-    document.to_string()
+    })
+    .to_string()
 }

@@ -19,9 +19,6 @@ use crate::scenario::ScenarioSpec;
 /// What stands before the text of a session's link, in an address of the page.
 pub const LINK_PREFIX: &str = "#x=";
 
-/// Most panels of a session.
-pub const MAX_PANELS: usize = 6;
-
 /// A session, as far as its runs depend on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Session {
@@ -39,13 +36,10 @@ pub struct Session {
     pub panels: Vec<Panel>,
     /// The seed of every panel.
     pub seed: u32,
-    /// What the reader calls it; empty where they do not.
-    pub title: String,
 }
 
 /// The call that makes a map.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Origin {
     /// Which generator.
     pub generator: Generator,

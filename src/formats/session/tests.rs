@@ -41,7 +41,6 @@ fn made(generator: Generator) -> Session {
         changes: 0,
         panels: Vec::new(),
         seed: 7,
-        title: String::new(),
     }
 }
 
