@@ -67,7 +67,7 @@ impl Small {
         fs::read_to_string(self.0.join(name)).expect(name)
     }
 
-    /// The link of the entry, without its key.
+    /// The link of the entry.
     fn link(&self) -> String {
         let text = self.read(ANTS);
         let line = text.lines().find_map(|line| line.strip_prefix("session = ")).expect("a session");
@@ -165,7 +165,7 @@ fn changed_runs_are_refused() {
     forge(&|session| drop(session.panels[0].params.insert("ants".into(), 3.0.into())), "the digest does not come out again");
     forge(&|session| drop(session.panels[0].params.insert("wings".into(), 2.0.into())), "wings");
     forge(&|session| session.panels[0].planner = "fire".into(), "planner = \"ant-system\" is claimed");
-    forge(&|session| session.panels[0].result = None, "no run that is recorded");
+    forge(&|session| session.panels[0].result = None, "no recorded run with a path");
     forge(&|session| session.engine = "0.0.9".into(), "the run is of engine 0.0.9; this is");
 }
 
@@ -290,6 +290,11 @@ fn sessions_are_repeated_and_compared() {
     result(&mut forged).digest = "feedfacecafebeef".into();
     let link = write_session_link(&forged).expect("short");
     small.run(&["submit", &link, "--by", "Cy"]).is(1, &["refused", "digest", "feedfacecafebeef is claimed", "hint"]);
+    let mut early = forged.panels[0].clone();
+    early.result.as_mut().expect("a result").length = None;
+    let mixed = Session { panels: vec![read_session_link(&honest).expect("a session").panels[0].clone(), early], ..forged };
+    let link = write_session_link(&mixed).expect("short");
+    small.run(&["submit", &link, "--by", "Cy"]).is(0, &["equal to the best known", "no path yet, so nothing is claimed"]);
 }
 
 #[test]
@@ -301,7 +306,7 @@ fn sessions_that_cannot_be_judged_are_refused() {
         small.run(&["submit", &write_session_link(&session).expect("short"), "--by", "Ada"]).is(2, said);
     };
     submit(&|session| session.engine = "9.9.9".into(), &["the run is of engine 9.9.9", "hint: repeat the run with engine"]);
-    submit(&|session| session.panels[0].result = None, &["no run that is recorded"]);
+    submit(&|session| session.panels[0].result = None, &["no recorded run with a path"]);
     let wall = |session: &mut Session| session.grid.set_blocked(6 * 20 + 4, true);
     submit(&wall, &["its 20 × 20 cells are those of none", "hint: take one of threshold-1"]);
     submit(&|session| session.spec.start.x = 1, &["it has the cells of threshold-1, but its start differs"]);

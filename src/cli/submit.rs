@@ -91,6 +91,8 @@ struct Claims<'a> {
     tracked: &'a Tracked,
     /// Each with the planner that it names.
     proofs: Vec<(String, Proof)>,
+    /// Planners of recorded runs that have no path yet.
+    silent: Vec<String>,
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
@@ -104,6 +106,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
             Err(error) => report.refuse(&planner, &error),
         }
     }
+    claims.silent.iter().for_each(|planner| report.pass_over(planner));
     report.next(args.dry_run);
     Ok(Outcome { text: report.text, fine: report.fine })
 }
@@ -138,10 +141,15 @@ impl Args {
             let message = format!("the session is on {}, not on {asked}", tracked.id);
             return Err(CliError::usage(message, "leave out --scenario: the map tells it"));
         }
-        let recorded = session.panels.iter().filter(|panel| panel.result.is_some());
         let alone = |panel: &Panel| Session { panels: vec![panel.clone()], ..session.clone() };
-        let proofs: Vec<_> = recorded.map(|panel| (panel.planner.clone(), Proof::Run(Box::new(alone(panel))))).collect();
-        if proofs.is_empty() { Err(BestKnownError::NoRun.into()) } else { Ok(Claims { tracked, proofs }) }
+        let (mut proofs, mut silent) = (Vec::new(), Vec::new());
+        for (panel, run) in session.panels.iter().filter_map(|panel| Some((panel, panel.result.as_ref()?))) {
+            match run.length {
+                Some(_) => proofs.push((panel.planner.clone(), Proof::Run(Box::new(alone(panel))))),
+                None => silent.push(panel.planner.clone()),
+            }
+        }
+        if proofs.is_empty() { Err(BestKnownError::NoRun.into()) } else { Ok(Claims { tracked, proofs, silent }) }
     }
 
     fn path<'a>(&self, tracker: &'a Tracker, path: ClaimedPath) -> Result<Claims<'a>, CliError> {
@@ -162,7 +170,7 @@ impl Args {
         let kind = if self.polyline { PathKind::Polyline } else { path.kind };
         let path = ClaimedPath { kind, ..path };
         let objective = self.objective.map_or_else(|| path.usual_objective(&tracked.scenario), Objective::from);
-        Ok(Claims { tracked, proofs: vec![(planner.clone(), Proof::Path(path, objective))] })
+        Ok(Claims { tracked, proofs: vec![(planner.clone(), Proof::Path(path, objective))], silent: Vec::new() })
     }
 
     /// Tells how a claim that holds stands, and writes it where it is the best.
@@ -253,6 +261,11 @@ impl Report {
         let _ = writeln!(self.text, "{planner}");
         row(&mut self.text, "refused", format!("{}: {}", report.field, report.message));
         row(&mut self.text, "hint", report.hint);
+    }
+
+    fn pass_over(&mut self, planner: &str) {
+        let _ = writeln!(self.text, "{planner}");
+        row(&mut self.text, "verdict", "no path yet, so nothing is claimed");
     }
 
     /// What to do with what was written.

@@ -30,7 +30,7 @@ pub enum BestKnownError {
         now: &'static str,
     },
     /// Nothing was recorded.
-    #[error("the session has no run that is recorded")]
+    #[error("the session has no recorded run with a path")]
     NoRun,
     /// The planner cannot be made as it is described.
     #[error("the run cannot be repeated: {0}")]
@@ -94,7 +94,7 @@ impl BestKnownError {
             Self::OtherMap { known, .. } => report("other-map", "scenario", &format!("take one of {known}, unchanged")),
             Self::Changes { .. } => report("changed-walls", "scenario.changes", "begin the run anew on the scenario as it is"),
             Self::Engine { now, .. } => report("engine", "engine", &format!("repeat the run with engine {now}")),
-            Self::NoRun => report("no-run", "panels", "let a planner finish an iteration before you share"),
+            Self::NoRun => report("no-run", "panels", "let a planner find a path before you share"),
             Self::Planner(error) => {
                 let inner = error.report();
                 report(&inner.kind, &inner.field, &inner.hint)

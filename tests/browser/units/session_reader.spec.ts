@@ -19,7 +19,7 @@ function runnable(session: Session): Session {
   cells[cells.length - 1] = 0
   const [panel] = session.panels
   if (!panel) throw new Error('a session has a panel')
-  const params = { ants: 5, rho: 0.3, dead_end: 'retreat' }
+  const params = { ants: 5, rho: 0.3, dead_end: 'die' }
   return { ...session, panels: [{ ...panel, params }], layer: 'trail' }
 }
 
