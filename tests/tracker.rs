@@ -332,4 +332,10 @@ fn a_worse_run_takes_nobodys_place() {
         .run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-1"])
         .is(0, &["no better than what is there", "0 entries written"]);
     assert_eq!(small.read(ANTS), before);
+    small.write(ANTS, &before.replace("#x=A", "#x=B"));
+    assert_ne!(small.read(ANTS), before);
+    small
+        .run(&["tracker", "run", "--planner", "ant-system", "--seeds", "1-3", "--date", "2026-03-21"])
+        .is(0, &["1 entry written"]);
+    assert_eq!(small.read(ANTS), before, "what does not hold is made anew");
 }

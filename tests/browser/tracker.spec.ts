@@ -26,13 +26,11 @@ test.describe('the tracker', () => {
     test(`its link ${entry} opens and is verified`, async ({ page }) => {
       await page.goto(`./${linkOf(entry)}`)
       await expect(page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
-      const { panels, scenario } = await new RacePage(page).session()
+      const { panels } = await new RacePage(page).session()
       expect(panels.map(({ planner }) => planner)).toEqual([entry.split('/')[1]])
-      const value = /^value = (.+)$/m.exec(readFileSync(join(entries, `${entry}.toml`), 'utf8'))
-      expect(Number(value?.[1])).toBeGreaterThan(scenario.spec.width)
     })
 
-  test('links that no page would shorten are short enough', () => {
+  test('its links are short enough for any host', () => {
     for (const folder of readdirSync(entries))
       for (const file of readdirSync(join(entries, folder)))
         expect(linkOf(`${folder}/${file.replace(/\.toml$/, '')}`).length).toBeLessThan(8000)

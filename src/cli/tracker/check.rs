@@ -46,12 +46,13 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     Ok(Outcome { text: out, fine: refused == 0 })
 }
 
-fn check(file: &Path, tracked: &Tracked) -> Result<(), CliError> {
+/// Reads an entry and repeats it.
+pub fn check(file: &Path, tracked: &Tracked) -> Result<Entry, CliError> {
     let entry = Entry::read(file)?;
     // What cannot be needs no run.
     check_bound(entry.value, tracked.reference(entry.objective))?;
     let measured = Proof::of(&entry)?.measure(tracked, &entry.planner)?;
     same("objective", &entry.objective, &measured.objective)?;
     same("value", &entry.value, &measured.value)?;
-    Ok(())
+    Ok(entry)
 }

@@ -12,6 +12,7 @@ use crate::params::Values;
 use crate::planner::PlannerEntry;
 
 use super::Where;
+use super::check::check;
 use super::entry::{self, Entry, Head};
 use super::folder::{Tracked, Tracker};
 use super::proof::Proof;
@@ -19,7 +20,7 @@ use super::proof::Proof;
 /// Runs planners with their default parameters over seeds and keeps the best run of each
 #[derive(clap::Args)]
 #[command(after_help = "\
-Seeds are taken in order until a run reaches the proven optimum. An entry is written where it is better than the one of its name.")]
+Seeds are taken in order until a run reaches the proven optimum. An entry is written where it is better than the one of its name, or that one does not hold.")]
 pub struct Args {
     #[command(flatten)]
     tracker: Where,
@@ -83,7 +84,8 @@ impl Args {
             Err(error) => return Err(error.into()),
         };
         let place = tracker.place(&tracked.id, planner.id);
-        let known = if place.exists() { Some(Entry::read(&place)?.value) } else { None };
+        // What does not hold any more stands in nobody's way.
+        let known = if place.exists() { check(&place, tracked).ok().map(|entry| entry.value) } else { None };
         let is_better = Standing::of(found.measured.value, known).wins();
         let how = if is_better { "written" } else { "no better than what is there" };
         say(format!("{} on {}: {} by seed {}, {how}", planner.id, tracked.id, found.measured.value, found.seed));
