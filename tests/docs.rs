@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-const DOCUMENTS: [&str; 11] = [
+const DOCUMENTS: [&str; 12] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/architecture.md",
@@ -14,6 +14,7 @@ const DOCUMENTS: [&str; 11] = [
     "docs/lessons.md",
     "docs/methodology.md",
     "docs/performance.md",
+    "docs/tracker.md",
     "tests/fixtures/links/README.md",
 ];
 

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::error::{Error, ErrorReport, FormatError, ParamError, ScenarioError};
+use crate::error::{BestKnownError, Error, ErrorReport, FormatError, ParamError, ScenarioError};
 use thiserror::Error;
 
 /// Any failure that ends with exit code 2.
@@ -11,6 +11,9 @@ pub enum CliError {
     /// The engine refuses its input.
     #[error(transparent)]
     Engine(#[from] Error),
+    /// A claim to be the best known does not hold.
+    #[error(transparent)]
+    BestKnown(#[from] BestKnownError),
     /// A file's contents cannot be used.
     #[error("{path}: {error}")]
     Contents {
@@ -49,6 +52,7 @@ impl CliError {
         let message = self.to_string();
         let report = match self {
             Self::Engine(error) | Self::Contents { error, .. } => error.report(),
+            Self::BestKnown(error) => error.report(),
             Self::File { path, action, .. } => {
                 let hint = if *action == "read" {
                     "check the name, and that the file may be read"

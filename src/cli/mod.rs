@@ -13,8 +13,10 @@ mod output;
 mod plan;
 mod reading;
 mod streams;
+mod submit;
 mod terrain;
 mod text;
+mod tracker;
 
 use std::ffi::OsString;
 use std::io::Write as _;
@@ -43,6 +45,7 @@ Examples:
   formicarium check path.csv --map arena2.map
   formicarium bench-scen arena2.map.scen
   formicarium order berlin52.tsp --runs 10
+  formicarium submit race.experiment.json --by Ada
 
 Exit codes: 0 fine, 1 no path or a failed check, 2 unusable input.
 Coordinates are column,row from 0; 0,0 is the upper left. `-` stands for standard input or output.";
@@ -57,6 +60,8 @@ enum Command {
     Generate(generate::Args),
     BenchScen(bench_scen::Args),
     Order(order::Args),
+    Submit(submit::Args),
+    Tracker(tracker::Args),
 }
 
 /// An error as JSON.
@@ -89,6 +94,8 @@ impl Command {
             Self::Generate(args) => generate::run(args),
             Self::BenchScen(args) => bench_scen::run(args),
             Self::Order(args) => order::run(args),
+            Self::Submit(args) => submit::run(args),
+            Self::Tracker(args) => tracker::run(args),
         }
     }
 
@@ -100,7 +107,7 @@ impl Command {
             Self::Check(args) => args.wants_json(),
             Self::BenchScen(args) => args.wants_json(),
             Self::Order(args) => args.wants_json(),
-            Self::Compare(_) | Self::Convert(_) | Self::Generate(_) => false,
+            Self::Compare(_) | Self::Convert(_) | Self::Generate(_) | Self::Submit(_) | Self::Tracker(_) => false,
         }
     }
 }

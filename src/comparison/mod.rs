@@ -4,11 +4,13 @@
 //! A [`Comparison`] is a question with its maps. Each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was found; the
 //! row tells every improvement on the way. [`imported`] joins runs from elsewhere. [`analysis`] makes the numbers, [`judge`] gives a verdict
 //! on each claim by the rule of docs/methodology.md, [`ablation`] tells what each component of a planner does, and [`report`] prints.
+//! [`best_known`] judges claims to have a better value than any before.
 //!
 //! No clock, no threads, no files: the caller decides where the tasks run, so that the browser can do it too.
 
 pub mod ablation;
 pub mod analysis;
+pub mod best_known;
 mod budget;
 mod by_reading;
 mod check;

@@ -1,9 +1,11 @@
 //! What an operation answers when its input cannot be used: what is wrong, where, what is allowed, and what to do next.
 //!
 //! One enum per operation ([`ParamError`], [`ScenarioError`], [`FormatError`], [`QuestionError`]); [`Error`] is their sum, without
-//! [`DrawnError`], which concerns nobody but a hand that draws. Every variant can
+//! [`DrawnError`], which concerns nobody but a hand that draws, and [`BestKnownError`], which judges claims. Every variant can
 //! be turned into an [`ErrorReport`], the flat form that crosses into the page, where `kind` is the key of a translated message.
 
+#[cfg(feature = "whole")]
+mod best_known;
 mod drawn;
 mod format;
 mod param;
@@ -16,6 +18,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use thiserror::Error;
 
+#[cfg(feature = "whole")]
+pub use best_known::BestKnownError;
 pub use drawn::DrawnError;
 pub use format::FormatError;
 pub use param::ParamError;

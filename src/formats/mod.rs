@@ -1,7 +1,7 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_with`] one that leaves a choice or comes in two files, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`import_results`] results of runs from elsewhere, [`tsplib`] order problems, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! path, [`import_results`] results of runs from elsewhere, [`session`] a race as the page shares it, [`tsplib`] order problems, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
@@ -25,6 +25,7 @@ mod results;
 pub mod ros;
 mod scen;
 mod scenario_json;
+pub mod session;
 mod terrain;
 mod text;
 pub mod tsplib;

@@ -89,7 +89,8 @@ fn complete(object: &mut Object) {
     }
 }
 
-fn read_spec(mut object: Object) -> Result<ScenarioSpec, FormatError> {
+/// Reads the fields of a scenario but for its format and map.
+pub(super) fn read_spec(mut object: Object) -> Result<ScenarioSpec, FormatError> {
     complete(&mut object);
     let read = Value::Object(object);
     let spec: ScenarioSpec =
@@ -113,7 +114,8 @@ fn unknown_field(read: &Value, known: &Value, path: &str) -> Option<(String, Str
     }
 }
 
-fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
+/// Reads `map`: rows of letters, on a terrain rows of heights.
+pub(super) fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
     const EXPECTED: &str = r#"{"rows": ["..@.", …]} with `.` for free and `@` for blocked"#;
     if let Some(key) = map.as_object().and_then(|m| m.keys().find(|k| *k != "rows" && *k != "heights")) {
         return Err(field_error(format!("there is no field `map.{}`", quote(key)), EXPECTED));

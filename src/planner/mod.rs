@@ -101,6 +101,18 @@ impl Objective {
     pub const ALL: [Self; 6] =
         [Self::Length, Self::PolylineLength, Self::SliceCost, Self::TurnIndex, Self::TourLength, Self::TourWeight];
 
+    /// Its id in files.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::PolylineLength => "polyline-length",
+            Self::SliceCost => "slice-cost",
+            Self::TurnIndex => "turn-index",
+            Self::TourLength => "tour-length",
+            Self::TourWeight => "tour-weight",
+        }
+    }
+
     /// What it is, in words.
     pub const fn words(self) -> &'static str {
         match self {

@@ -129,7 +129,7 @@ fn bench_scen_without_a_planner_computes_lengths_alone() {
 fn help_has_examples() {
     let folder = Folder::with_map("help");
     folder.run(&["--help"]).ends(0).says(&["Examples:", "Exit codes"]);
-    for command in ["plan", "catalog", "convert", "check", "generate", "bench-scen"] {
+    for command in ["plan", "catalog", "convert", "check", "generate", "bench-scen", "submit", "tracker"] {
         folder.run(&[command, "--help"]).ends(0).says(&["Examples:", &format!("formicarium {command}")]);
     }
     assert!(Path::new(&folder.0).is_dir());

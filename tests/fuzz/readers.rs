@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use formicarium::comparison::{Axis, Question, Samples, Seen, analyse};
 use formicarium::error::{Error, ErrorReport};
+use formicarium::formats::session::Session;
 use formicarium::formats::{self, BinaryExport, Companion, Export, Imported, ReadOptions, TerrainOptions, comparison_json};
 use formicarium::map::{Grid, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
@@ -60,6 +61,8 @@ pub const READERS: &[Reader] = &[
     text("path_kind", |file| done(formats::path_kind(&file.bytes))),
     text("read_scenario", |file| typed(formats::read_scenario(&utf8(file)).map_err(Error::from)).map(drop)),
     text("format_of", |file| done(formats::format_of(&utf8(file)))),
+    text("session", |file| session(formats::session::read_session(&utf8(file)))),
+    text("session link", |file| session(formats::session::read_session_link(&utf8(file)))),
     text("question", question),
     text("comparison", comparison),
 ];
@@ -223,6 +226,16 @@ fn same(map: &Imported, format: &str, back: Result<Imported, Error>) -> Result<I
         return Err(Fault::broken(&format!("{format} keeps the map"), sizes));
     }
     Ok(back)
+}
+
+/// A session that is accepted is the same when its link is read; more heights than a link carries are refused.
+fn session(read: Result<Session, Error>) -> Result<(), Fault> {
+    let Some(session) = typed(read)? else { return Ok(()) };
+    let Some(link) = typed(formats::session::write_session_link(&session).map_err(Error::from))? else { return Ok(()) };
+    let back = formats::session::read_session_link(&link);
+    // Only the page writes changes: what is written here has none.
+    let kept = Session { changes: 0, ..session };
+    if back.as_ref() == Ok(&kept) { Ok(()) } else { Err(Fault::broken("a session's link keeps everything", format!("{back:?}"))) }
 }
 
 fn question(file: &File) -> Result<(), Fault> {

@@ -1,0 +1,85 @@
+//! Container bytes ⇄ the text of a link: base64url of one byte (0 stored, 1 raw deflate) and the bytes, whichever is shorter.
+
+use std::io::{Read as _, Write as _};
+
+use flate2::Compression;
+use flate2::bufread::DeflateDecoder;
+use flate2::write::DeflateEncoder;
+
+use super::container::MAX_CONTAINER;
+use super::damaged;
+use crate::error::FormatError;
+
+const STORED: u8 = 0;
+const DEFLATED: u8 = 1;
+const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+pub(super) fn seal(bytes: &[u8]) -> String {
+    let deflated = deflate(bytes);
+    let (method, payload) = if deflated.len() < bytes.len() { (DEFLATED, &deflated[..]) } else { (STORED, bytes) };
+    to_base64url(&[&[method], payload].concat())
+}
+
+pub(super) fn open(text: &str) -> Result<Vec<u8>, FormatError> {
+    if text.len() > 2 * MAX_CONTAINER {
+        return Err(FormatError::TooLarge { what: "the link".into(), max: format!("{MAX_CONTAINER} bytes") });
+    }
+    let mut sealed = from_base64url(text)?;
+    let payload = sealed.split_off(1);
+    match sealed[0] {
+        STORED => Ok(payload),
+        DEFLATED => inflate(&payload),
+        _ => Err(damaged("its first byte names no way of packing")),
+    }
+}
+
+fn deflate(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes).and_then(|()| encoder.finish()).expect("memory can always be written to")
+}
+
+/// Nothing beyond the largest honest container is unpacked, and nothing may stand behind what was packed.
+fn inflate(packed: &[u8]) -> Result<Vec<u8>, FormatError> {
+    let mut decoder = DeflateDecoder::new(packed);
+    let mut bytes = Vec::new();
+    let read = decoder.by_ref().take(MAX_CONTAINER as u64 + 1).read_to_end(&mut bytes);
+    if bytes.len() > MAX_CONTAINER {
+        return Err(FormatError::TooLarge { what: "what is packed in the link".into(), max: format!("{MAX_CONTAINER} bytes") });
+    }
+    match read {
+        Ok(_) if decoder.total_in() == packed.len() as u64 => Ok(bytes),
+        _ => Err(damaged("it cannot be unpacked")),
+    }
+}
+
+/// Without padding.
+fn to_base64url(bytes: &[u8]) -> String {
+    let letters = |three: &[u8]| {
+        let word = three.iter().fold(0, |word, &byte| (word << 8) | u32::from(byte)) << (8 * (3 - three.len()));
+        let letter = move |k: usize| char::from(LETTERS[(word >> (18 - 6 * k)) as usize & 63]);
+        (0..=three.len()).map(letter).collect::<Vec<_>>()
+    };
+    bytes.chunks(3).flat_map(letters).collect()
+}
+
+fn from_base64url(text: &str) -> Result<Vec<u8>, FormatError> {
+    let value = |letter: u8| match letter {
+        b'A'..=b'Z' => Some(letter - b'A'),
+        b'a'..=b'z' => Some(letter - b'a' + 26),
+        b'0'..=b'9' => Some(letter - b'0' + 52),
+        b'-' => Some(62),
+        b'_' => Some(63),
+        _ => None,
+    };
+    let values = text.bytes().map(value).collect::<Option<Vec<u8>>>().filter(|values| !values.is_empty());
+    let values = values.ok_or_else(|| damaged("it contains characters no link has"))?;
+    if values.len() % 4 == 1 {
+        return Err(damaged("its length is impossible"));
+    }
+    let bytes = |four: &[u8]| {
+        let word = four.iter().fold(0, |word, &six| (word << 6) | u32::from(six)) << (6 * (4 - four.len()));
+        let bytes: [u8; 4] = u32::to_be_bytes(word);
+        bytes[1..four.len()].to_vec()
+    };
+    Ok(values.chunks(4).flat_map(bytes).collect())
+}

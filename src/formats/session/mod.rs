@@ -1,0 +1,114 @@
+//! A session as the page saves it: a file (`formicarium/experiment@1` or `@2`), or the text of a link behind `#x=`. Read is what its runs
+//! depend on; how they were looked at is left to the page. docs/formats.md describes both.
+
+mod bytes;
+mod container;
+mod document;
+mod envelope;
+mod heights;
+mod rows;
+
+use serde::{Deserialize, Serialize};
+
+use crate::comparison::best_known::RecordedRun;
+use crate::error::{Error, FormatError, ScenarioError};
+use crate::map::{Generator, Grid, generate};
+use crate::params::Values;
+use crate::scenario::ScenarioSpec;
+
+/// What stands before the text of a session's link, in an address of the page.
+pub const LINK_PREFIX: &str = "#x=";
+
+/// A session, as far as its runs depend on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Session {
+    /// Version of the engine that wrote it.
+    pub engine: String,
+    /// The map before all changes.
+    pub grid: Grid,
+    /// What is asked on the map.
+    pub spec: ScenarioSpec,
+    /// The call that made the map, before anybody edited it.
+    pub origin: Option<Origin>,
+    /// How often walls changed while the planners ran.
+    pub changes: usize,
+    /// The planners that race.
+    pub panels: Vec<Panel>,
+    /// The seed of every panel.
+    pub seed: u32,
+}
+
+/// The call that makes a map.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Origin {
+    /// Which generator.
+    pub generator: Generator,
+    /// Its seed.
+    pub seed: u32,
+    /// Density of obstacles, or roughness: 0 to [`crate::map::MAX_DENSITY`].
+    pub density: f64,
+}
+
+impl Origin {
+    /// The map that it makes, in the size of a scenario.
+    ///
+    /// # Errors
+    /// [`ScenarioError::Quantity`] for a density that the generator does not take.
+    pub fn make(&self, spec: &ScenarioSpec) -> Result<Grid, ScenarioError> {
+        generate(self.generator, spec.width, spec.height, self.seed, self.density).map(|made| made.grid)
+    }
+}
+
+/// One planner of a session.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Panel {
+    /// Its id in the catalog.
+    pub planner: String,
+    /// The preset that `params` are from: a name alone, for `params` has its values.
+    pub preset: Option<String>,
+    /// All values that differ from the planner's defaults.
+    pub params: Values,
+    /// What its run had come to; none where nothing is recorded.
+    pub result: Option<RecordedRun>,
+}
+
+/// Reads a session's file.
+///
+/// # Errors
+/// [`FormatError`] with the line of broken JSON or the field at fault, [`crate::error::ScenarioError`] for a scenario that cannot be used.
+pub fn read_session(text: &str) -> Result<Session, Error> {
+    rows::read(text)
+}
+
+/// Reads a session's link: an address with [`LINK_PREFIX`] in it, or what stands behind it alone.
+///
+/// # Errors
+/// [`FormatError`] for a damaged link, one of a newer version, or one that holds something else; as [`read_session`] for what is in it.
+pub fn read_session_link(text: &str) -> Result<Session, Error> {
+    let text = text.trim();
+    let sealed = match text.split_once(LINK_PREFIX) {
+        Some((_, sealed)) => sealed,
+        None if text.contains(['#', '/']) => {
+            let expected = format!("an address with `{LINK_PREFIX}`, as the page's share dialog makes it");
+            return Err(FormatError::field("link", "it holds no session", expected).into());
+        }
+        None => text,
+    };
+    container::unpack(&envelope::open(sealed)?)
+}
+
+/// A session as the text of a link, from [`LINK_PREFIX`] on. The map is its generator call where that makes it, else all of its cells.
+///
+/// # Errors
+/// [`FormatError::TooLarge`] for a terrain with more heights than a link carries.
+pub fn write_session_link(session: &Session) -> Result<String, FormatError> {
+    Ok(format!("{LINK_PREFIX}{}", envelope::seal(&container::pack(session)?)))
+}
+
+/// A link that is not what it was when it was made.
+fn damaged(what: &str) -> FormatError {
+    FormatError::field("link", format!("it is damaged: {what}"), "the whole address, as the share dialog copies it")
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,109 @@
+use std::path::Path;
+
+use super::*;
+
+fn sample(path: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/links");
+    std::fs::read_to_string(folder.join(path)).expect("a committed sample")
+}
+
+/// What earlier versions of the page have written, as link and as file.
+const SAMPLES: [&str; 4] = ["b298a60/plane-one-goal", "34386b4/plane-weighted-goals", "ae9355b/terrain-surface", "0.1.0/session"];
+
+#[test]
+fn links_and_files_of_earlier_versions_are_the_same_session() {
+    for stem in SAMPLES {
+        let link = read_session_link(&sample(&format!("{stem}.link"))).expect(stem);
+        let file = read_session(&sample(&format!("{stem}.experiment.json"))).expect(stem);
+        assert!(!link.panels.is_empty() && link.panels.iter().all(|panel| panel.result.is_some()), "{stem}");
+        assert_eq!(link, file, "{stem}");
+    }
+}
+
+#[test]
+fn what_is_written_is_read_as_the_same() {
+    for stem in SAMPLES {
+        let session = read_session_link(&sample(&format!("{stem}.link"))).expect(stem);
+        let address = format!("https://example.org/formicarium/{}", write_session_link(&session).expect(stem));
+        assert_eq!(read_session_link(&address).as_ref(), Ok(&session), "{stem}");
+    }
+}
+
+/// A session on a made map, which travels as its generator call.
+fn made(generator: Generator) -> Session {
+    let (seed, density) = (3, 0.2);
+    let map = crate::map::generate(generator, 30, 20, seed, density).expect("a small map");
+    Session {
+        engine: "0.1.0".into(),
+        spec: map.spec("made"),
+        grid: map.grid,
+        origin: Some(Origin { generator, seed, density }),
+        changes: 0,
+        panels: Vec::new(),
+        seed: 7,
+    }
+}
+
+#[test]
+fn a_made_map_travels_as_its_call() {
+    for generator in [Generator::Random, Generator::Hills] {
+        let session = made(generator);
+        let link = write_session_link(&session).expect("short");
+        assert!(link.len() < 800, "{generator:?}: {}", link.len());
+        assert_eq!(read_session_link(&link), Ok(session));
+    }
+}
+
+#[test]
+fn an_edited_map_travels_with_its_cells() {
+    let mut session = made(Generator::Hills);
+    session.grid.set_blocked(77, true);
+    let link = write_session_link(&session).expect("short");
+    assert_eq!(read_session_link(&link), Ok(session));
+}
+
+#[test]
+fn damaged_links_are_refused_by_name() {
+    let link = sample("0.1.0/session.link");
+    let at = link.len() / 2;
+    let other = if link.as_bytes()[at] == b'A' { "B" } else { "A" };
+    let spoiled = format!("{}{other}{}", &link[..at], &link[at + 1..]);
+    for (text, said) in [
+        (spoiled.as_str(), "damaged"),
+        (&link[..60], "damaged"),
+        ("#x=", "characters no link has"),
+        ("#x=%F0%9F!", "characters no link has"),
+        ("#x=AAAAA", "its length is impossible"),
+        ("#x=AAAAAAAAAAAA", "checksum"),
+        ("https://example.org/#q=AAAA", "holds no session"),
+    ] {
+        let error = read_session_link(text).expect_err(text).report();
+        assert!(error.message.contains(said) && !error.hint.is_empty(), "{text}: {error:?}");
+    }
+}
+
+#[test]
+fn a_container_that_claims_more_than_it_has_is_refused() {
+    let session = made(Generator::Random);
+    let bytes = container::pack(&session).expect("short");
+    for length in 0..bytes.len() {
+        assert!(container::unpack(&bytes[..length]).is_err(), "{length} of {}", bytes.len());
+    }
+}
+
+#[test]
+fn files_are_refused_by_field() {
+    let file = sample("0.1.0/session.experiment.json");
+    for (from, to, said) in [
+        ("experiment@1", "experiment@9", "`format` is `formicarium/experiment@9`"),
+        ("experiment@1", "experiment@2", "scenario.changes"),
+        ("\"seed\": ", "\"seed\": -", "`seed` cannot be used"),
+        ("\"digest\": \"", "\"digest\": \"x", "panels[0].result.digest"),
+        ("\"map\": [", "\"map\": [\"..\", ", "rows"),
+    ] {
+        let spoiled = file.replacen(from, to, 1);
+        assert_ne!(spoiled, file, "{from}");
+        let error = read_session(&spoiled).expect_err(said).report();
+        assert!(error.message.contains(said), "{said}: {error:?}");
+    }
+}
