@@ -80,8 +80,8 @@ pub fn data() -> Option<PathBuf> {
 }
 
 /// Runs what reports on standard error only; that is shown where it fails.
-fn quietly(command: &mut Command) -> Result<()> {
-    let output = command.output().context("cannot start the command line")?;
-    anyhow::ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+pub fn quietly(command: &mut Command) -> Result<()> {
+    let output = command.output().with_context(|| format!("cannot start {command:?}"))?;
+    anyhow::ensure!(output.status.success(), "{command:?} failed: {}", String::from_utf8_lossy(&output.stderr));
     Ok(())
 }
