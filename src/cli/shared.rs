@@ -10,7 +10,9 @@ use super::convert;
 pub use super::error::CliError;
 pub use super::streams::heard;
 use crate::comparison::Comparison;
+use crate::error::ScenarioError;
 use crate::formats::{Imported, ReadOptions, TerrainOptions};
+use crate::map::Generator;
 
 /// Reads a map, or the piece of it that is asked for, as `convert` does; `square`: as its `--square`.
 ///
@@ -27,6 +29,14 @@ pub fn read_map(path: &Path, options: &ReadOptions, piece: TerrainOptions, squar
 pub fn write_map(path: &Path, map: &Imported) -> Result<(), CliError> {
     super::output::check(Some(path))?;
     convert::write(path, convert::told_by_ending(path, map)?, map)
+}
+
+/// Makes a map as `generate` does: `size` in columns and rows; where no density is given, what that takes.
+///
+/// # Errors
+/// [`ScenarioError`] for a size or a density that cannot be.
+pub fn generate(kind: Generator, size: (u32, u32), seed: u32, density: Option<f64>) -> Result<Imported, ScenarioError> {
+    super::generate::make(kind, size, seed, density)
 }
 
 /// The arguments of `compare` alone.

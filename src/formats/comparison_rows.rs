@@ -176,7 +176,7 @@ mod tests {
         let refused = |text: &str| read(text).unwrap_err().to_string();
         assert!(refused(text.trim_end().strip_suffix("]}").unwrap()).contains("ends among"));
         assert!(refused(&text.replace("budget-spent", "spent")).starts_with("line "));
-        let rows = text.find("\"rows\": [\n").unwrap() + 10;
+        let rows = text.rfind("\"rows\": [\n").unwrap() + 10;
         let first = text[rows..].lines().next().unwrap();
         let twice = format!("{}{first}\n{}", &text[..rows], &text[rows..]);
         assert!(refused(&twice).contains("behind the one before"));
