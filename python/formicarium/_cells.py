@@ -5,6 +5,7 @@ A cell is (column, row), counted from 0 at the upper left. Arrays are [row, colu
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 from operator import index
 from typing import Any
@@ -12,7 +13,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from . import _engine
 from ._need import bad
+
+#: Rows and columns that a map has at most.
+MAX_SIDE: int = json.loads(_engine.catalog())["limits"]["max_side"]
 
 #: Largest whole number that the engine counts cells and seeds in.
 MOST = 2**32 - 1
@@ -98,14 +103,3 @@ def shape(array: npt.NDArray[Any]) -> tuple[int, int]:
     """Columns and rows of an array [row, column]."""
     rows, columns = array.shape
     return int(columns), int(rows)
-
-
-def _max_side() -> int:
-    import json
-
-    from . import _engine
-
-    return int(json.loads(_engine.catalog())["limits"]["side"])
-
-
-MAX_SIDE = _max_side()

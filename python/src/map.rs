@@ -164,9 +164,8 @@ pub fn json(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).expect("plain data can always be written as JSON")
 }
 
-/// Reads a map as the command line does. `options` are the engine's `ReadOptions` as JSON.
+/// Reads a map as the command line does. `options` are the engine's `ReadOptions` as JSON; `given`: whether start and goals come from elsewhere.
 #[pyfunction]
-#[pyo3(signature = (path, options, crop, size, square))]
 pub fn read_map(
     py: Python<'_>,
     path: PathBuf,
@@ -174,13 +173,16 @@ pub fn read_map(
     crop: Option<(u32, u32, u32, u32)>,
     size: Option<(u32, u32)>,
     square: bool,
+    given: (bool, bool),
 ) -> PyResult<(Map, Notices)> {
     let options: ReadOptions = serde_json::from_str(options)
         .map_err(|error| Refusal::argument("options", error.to_string(), "as `formicarium convert --help` lists them"))?;
     let crop = crop.map(|(x, y, width, height)| Window { x, y, width, height });
     let read = py.detach(|| {
         let (map, more) = heard(|| shared::read_map(&path, &options, TerrainOptions { crop, size }, square));
-        let (map, mut notices) = Map::of(map.map_err(|error| said(&error))?)?;
+        let mut map = map.map_err(|error| said(&error))?;
+        map.ends_are_given(given.0, given.1);
+        let (map, mut notices) = Map::of(map)?;
         notices.extend(more.into_iter().map(|message| ("note".to_owned(), message)));
         Ok::<_, Refusal>((map, notices))
     });
