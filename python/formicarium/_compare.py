@@ -15,7 +15,6 @@ from ._need import bad, warn_of_lines
 from ._tables import records, table
 
 
-
 class Comparison:
     """The runs of a question, and what they say. Every number is that of ``formicarium compare``, its texts are the same bytes."""
 
@@ -94,8 +93,9 @@ class Comparison:
         return made
 
     def __repr__(self) -> str:
-        counts = self.analysis["counts"]
-        return f"<formicarium.Comparison {self.question['title']!r}: {counts}>"
+        question = self.question
+        asked = f"{len(question['instances'])} maps × {len(question['entries'])} entries × {question['seeds']['count']} seeds"
+        return f"<formicarium.Comparison {question['title']!r}: {asked}>"
 
 
 def compare(
@@ -150,7 +150,7 @@ def _of_dict(question: Mapping[str, Any], seeds: int | None, budget: str | None,
 
 def _path(given: Any, instance: Mapping[str, Any]) -> str:
     try:
-        return os.fspath(given)
+        return str(os.fspath(given))
     except TypeError:
         message = f"the map of instance {instance.get('id')!r} is {type(given).__name__}"
         raise bad("instances", message, "give a formicarium.Map, or the path of a file") from None

@@ -25,18 +25,17 @@ AXES = ("constructed_paths", "ant_moves", "cell_expansions", "iterations")
 NOTHING = float("inf")
 
 
-def to_iohanalyzer(
-    source: str | os.PathLike[str] | Comparison, folder: str | os.PathLike[str], *, axis: str = "constructed_paths"
-) -> list[Path]:
+def to_iohanalyzer(source: str | os.PathLike[str] | Comparison, folder: str | os.PathLike[str], *, axis: str = "constructed_paths") -> list[Path]:
     """Writes the runs as IOHprofiler's files: a folder for each entry, in it a ``.json`` and a ``.dat`` for each map. Gives the ``.json`` files.
 
     An entry is an algorithm, a map a function, a seed a run, in the order of the seeds. ``axis`` counts as evaluations: ``constructed_paths``,
-    ``ant_moves``, ``cell_expansions`` or ``iterations``; of planners that count none of it every improvement comes at evaluation 1. Values are those of
-    the planner's own objective, to be made small; infinite before the first path and where there is none. The dimension says nothing.
+    ``ant_moves``, ``cell_expansions`` or ``iterations``; of planners that count none of it every improvement comes at evaluation 1. Values are
+    those of the planner's own objective, to be made small; infinite before the first path and where there is none. The dimension says nothing.
     """
     if axis not in AXES:
         raise bad("axis", f"`{axis}` is nothing that is counted", f"give one of {', '.join(AXES)}")
-    made, functions = [], {}
+    made: list[Path] = []
+    functions: dict[str, int] = {}
     for (instance, entry), runs in groupby(_runs(source, axis), key=lambda run: run[0]):
         number = functions.setdefault(instance, len(functions) + 1)
         made.append(_write(Path(folder) / entry, number, (instance, entry), [steps for _, steps in runs]))

@@ -95,7 +95,9 @@ class Map:
     @property
     def blocked(self) -> npt.NDArray[np.bool_]:
         """Whether each cell is blocked, [row, column]; a copy."""
-        return np.frombuffer(self._native.cells(), dtype=np.bool_).reshape(self.shape).copy()
+        cells: npt.NDArray[np.bool_] = np.frombuffer(self._native.cells(), dtype=np.bool_)
+        copied: npt.NDArray[np.bool_] = cells.reshape(self.shape).copy()
+        return copied
 
     @property
     def heights(self) -> npt.NDArray[np.float32] | None:
@@ -279,6 +281,7 @@ def read_map(
     crop: tuple[int, int, int, int] | None = None,
     size: tuple[int, int] | None = None,
     square: bool = False,
+    invert: bool = False,
     matrix: int | None = None,
     threshold: int | str | None = None,
     light_is_blocked: bool = False,
@@ -292,7 +295,7 @@ def read_map(
 ) -> Map:
     """Reads a map of any format that the engine knows; the options are those of ``formicarium convert``.
 
-    ``crop``: (column, row, columns, rows); ``size``: (columns, rows); ``threshold``: gray from 0 to 255, or ``"auto"``;
+    ``invert``: swap free and blocked cells. ``crop``: (column, row, columns, rows); ``size``: (columns, rows); ``threshold``: gray from 0 to 255, or ``"auto"``;
     ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
     ``rules`` are the fields of ``Map.replace``. What was assumed is a ``FormicariumWarning``; what cannot be read a ``FormatError``.
     """
@@ -308,7 +311,7 @@ def read_map(
     elif lattice is not None:
         raise bad("lattice", "a lattice is of a figure", "add figure=True")
     given = (start is not None, goals is not None)
-    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), crop, size, square, given)
+    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), crop, size, square, invert, given)
     changes = {key: value for key, value in (("start", start), ("goals", goals)) if value is not None} | rules
     read = Map._of(native)
     if changes:

@@ -16,12 +16,10 @@ from ._need import bad, need
 if TYPE_CHECKING:
     from ._compare import Comparison
 
-#: What stands in columns that are neither text nor a real number, by their names in any of the tables.
-COUNTS = frozenset(
-    "seed turns iteration_of_best paths_to_best ant_moves iterations constructed_paths cell_expansions runs n pairs".split()
-)
-TEXTS = frozenset("instance entry status objective digest test first second label role origin measure better verdict".split())
-FLAGS = frozenset(["proven"])
+#: What stands in columns, by their names in any of the tables; in all others real numbers.
+TEXTS = frozenset({"instance", "entry", "status", "objective", "digest", "test", "first", "second"})
+COUNTS = frozenset({"seed", "turns", "iteration_of_best", "paths_to_best", "ant_moves", "iterations", "constructed_paths", "cell_expansions"})
+FLAGS = frozenset({"proven"})
 
 #: Runs that are held in memory at a time.
 BATCH = 10_000
@@ -39,28 +37,23 @@ def _plain(name: str, value: str) -> Any:
         return None
     if name in FLAGS:
         return value == "true"
-    try:
-        return int(value) if name in COUNTS else float(value)
-    except ValueError:
-        return value
+    return int(value) if name in COUNTS else float(value)
 
 
 def table(text: str) -> Any:
     """A table of the engine as a ``pyarrow.Table``."""
     head, _, _ = text.partition("\n")
-    need("pyarrow", "arrow")
-    arrow = need("pyarrow.csv", "arrow")
+    pa, arrow = need("pyarrow", "arrow"), need("pyarrow.csv", "arrow")
+    if not head:
+        return pa.table({})
     return arrow.read_csv(io.BytesIO(text.encode()), convert_options=_types(head.split(",")))
 
 
 def _types(names: list[str]) -> Any:
     """How the columns are read."""
     pa, arrow = need("pyarrow", "arrow"), need("pyarrow.csv", "arrow")
-    of = {name: pa.string() for name in names if name in TEXTS}
-    of.update({name: pa.int64() for name in names if name in COUNTS})
-    of.update({name: pa.bool_() for name in names if name in FLAGS})
-    known = set(_engine.columns()[0].split(",")) | set(_engine.columns()[1].split(","))
-    of.update({name: pa.float64() for name in names if name in known and name not in of})
+    kinds = ((TEXTS, pa.string()), (COUNTS, pa.int64()), (FLAGS, pa.bool_()))
+    of = {name: next((kind for known, kind in kinds if name in known), pa.float64()) for name in names}
     return arrow.ConvertOptions(column_types=of, strings_can_be_null=False)
 
 

@@ -34,6 +34,9 @@ class FormicariumError(Exception):
     def __str__(self) -> str:
         return f"{self.message} (hint: {self.hint})" if self.hint else self.message
 
+    def __reduce__(self) -> tuple[type[FormicariumError], tuple[str, str, str, str]]:
+        return type(self), (self.kind, self.field, self.message, self.hint)
+
 
 class ArgumentError(FormicariumError, ValueError):
     """An argument of a function: its type, shape or values."""
@@ -56,7 +59,12 @@ class QuestionError(FormicariumError, ValueError):
 
 
 class FileError(FormicariumError, OSError):
-    """A file that cannot be read or written."""
+    """A file that cannot be read or written; ``filename`` is its name."""
+
+    def __init__(self, kind: str, field: str, message: str, hint: str) -> None:
+        super().__init__(kind, field, message, hint)
+        # What OSError makes of its arguments is meant for the system's errors.
+        self.errno, self.strerror, self.filename, self.filename2 = None, message, field, None
 
 
 class MissingExtraError(FormicariumError, ImportError):

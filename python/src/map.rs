@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use formicarium::cli::shared::{self, heard};
-use formicarium::error::Notice;
+use formicarium::error::{Error, Notice};
 use formicarium::formats::{self, Imported, Kind, ReadOptions, TerrainOptions};
 use formicarium::map::{Generator, Grid, Point, SliceRules, Window};
 use formicarium::scenario::Scenario;
@@ -61,7 +61,7 @@ impl Map {
             let outside = [start, goal].into_iter().flatten().any(|end| !grid.contains(end));
             // Ends beside the map are the scenario's to refuse.
             let (start, goal) = if outside { (start.or(goal), goal.or(start)) } else { (start, goal) };
-            let mut map = formats::of_cells(grid, "", start, goal).map_err(formicarium::error::Error::from)?;
+            let mut map = formats::of_cells(grid, "", start, goal).map_err(Error::from)?;
             map.spec.name = name.into();
             Self::of(map)
         });
@@ -173,6 +173,7 @@ pub fn read_map(
     crop: Option<(u32, u32, u32, u32)>,
     size: Option<(u32, u32)>,
     square: bool,
+    invert: bool,
     given: (bool, bool),
 ) -> PyResult<(Map, Notices)> {
     let options: ReadOptions = serde_json::from_str(options)
@@ -181,6 +182,9 @@ pub fn read_map(
     let read = py.detach(|| {
         let (map, more) = heard(|| shared::read_map(&path, &options, TerrainOptions { crop, size }, square));
         let mut map = map.map_err(|error| said(&error))?;
+        if invert {
+            map = map.invert().map_err(Error::from)?;
+        }
         map.ends_are_given(given.0, given.1);
         let (map, mut notices) = Map::of(map)?;
         notices.extend(more.into_iter().map(|message| ("note".to_owned(), message)));
