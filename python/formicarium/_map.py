@@ -295,7 +295,8 @@ def read_map(
 ) -> Map:
     """Reads a map of any format that the engine knows; the options are those of ``formicarium convert``.
 
-    ``invert``: swap free and blocked cells. ``crop``: (column, row, columns, rows); ``size``: (columns, rows); ``threshold``: gray from 0 to 255, or ``"auto"``;
+    ``invert``: swap free and blocked cells. ``crop``: (column, row, columns, rows); ``size``: (columns, rows);
+    ``threshold``: gray from 0 to 255, or ``"auto"``;
     ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
     ``rules`` are the fields of ``Map.replace``. What was assumed is a ``FormicariumWarning``; what cannot be read a ``FormatError``.
     """

@@ -12,7 +12,7 @@ QUESTION = """\
 format = "formicarium/question@1"
 title = "Ants on a small map"
 asks = "Are more ants better?"
-seeds = { from = 1, count = 6 }
+seeds = { from = 1, count = 10 }
 
 [[instances]]
 id = "blocks"
@@ -43,7 +43,7 @@ id = "shorter"
 improved = "many"
 baseline = "few"
 measure = "length"
-direction = "lower"
+direction = "less"
 says = "More ants find shorter paths."
 """
 

@@ -37,7 +37,7 @@ def test_the_console_script_is_the_program() -> None:
 
 def test_ctrl_c_ends_the_program_at_once(tmp_path: Path) -> None:
     assert formicarium.command(["generate", "random", "--size", "400x400", "--out", tmp_path / "large.map"]) == 0
-    program = [sys.executable, "-m", "formicarium", "plan", tmp_path / "large.map", "--planner", "ant-system", "--set", "iterations=100000"]
+    program = [sys.executable, "-m", "formicarium", "plan", str(tmp_path / "large.map"), "--planner", "ant-system", "--set", "iterations=100000"]
     with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         # It says that it chose the ends, and plans.
         assert child.stderr is not None

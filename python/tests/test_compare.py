@@ -43,7 +43,7 @@ def test_question_seeds_budget_and_instances_are_narrowed_alike(question: Path, 
 def test_rows_are_a_table_with_the_columns_of_the_csv(compared: formicarium.Comparison) -> None:
     pytest.importorskip("pyarrow")
     rows = compared.rows
-    assert rows.num_rows == 18
+    assert rows.num_rows == 30
     assert ",".join(rows.column_names) == compared.file("csv").partition("\n")[0]
     assert {str(rows.schema.field(name).type) for name in ("length", "gap", "weight")} == {"double"}
     assert str(rows.schema.field("seed").type) == "int64"
@@ -109,7 +109,7 @@ def test_what_cannot_be_asked_is_refused_by_name(asked: dict[str, Any], question
             formicarium.compare({**asked, **change})
     for options in ({"budget": "time=3"}, {"only": ["none"]}, {"jobs": 0}, {"seeds": 0}):
         with pytest.raises(errors.FormicariumError):
-            formicarium.compare(asked, **options)  # type: ignore[arg-type]
+            formicarium.compare(asked, **options)
     with pytest.raises(errors.FileError, match="No such file"):
         formicarium.compare("none.toml")
     with pytest.raises(errors.ArgumentError, match="invalid value"):
