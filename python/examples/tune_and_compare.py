@@ -20,7 +20,7 @@ def question(maps: list[formicarium.Map], sets: dict[str, dict[str, float]], see
     }
 
 
-candidates = {f"try-{number}": {"beta": round(dice.uniform(1, 10), 2), "rho": round(dice.uniform(0.02, 0.9), 3)} for number in range(20)}
+candidates = {f"try-{number}": {"ants": dice.randint(4, 60), "rho": round(dice.uniform(0.05, 0.9), 2)} for number in range(20)}
 tried = formicarium.compare(question(training, candidates, seeds=10), budget=budget)
 gaps: dict[str, list[float]] = {name: [] for name in candidates}
 for row in tried.records():

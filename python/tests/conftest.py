@@ -12,7 +12,7 @@ QUESTION = """\
 format = "formicarium/question@1"
 title = "Ants on a small map"
 asks = "Are more ants better?"
-seeds = { from = 1, count = 10 }
+seeds = { from = 1, count = 20 }
 
 [[instances]]
 id = "blocks"

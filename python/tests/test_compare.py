@@ -43,7 +43,7 @@ def test_question_seeds_budget_and_instances_are_narrowed_alike(question: Path, 
 def test_rows_are_a_table_with_the_columns_of_the_csv(compared: formicarium.Comparison) -> None:
     pytest.importorskip("pyarrow")
     rows = compared.rows
-    assert rows.num_rows == 30
+    assert rows.num_rows == 60
     assert ",".join(rows.column_names) == compared.file("csv").partition("\n")[0]
     assert {str(rows.schema.field(name).type) for name in ("length", "gap", "weight")} == {"double"}
     assert str(rows.schema.field("seed").type) == "int64"

@@ -73,7 +73,7 @@ def test_many_rows_need_little_memory(stored: Path, tmp_path: Path) -> None:
     row = rows.splitlines()[0].rstrip(",]}") + "}"
     count = 200_000
     with open(tmp_path / "many.json", "w", encoding="utf-8") as file:
-        file.write(head.replace('"count":10', '"count":100000') + '"rows": [\n')
+        file.write(head.replace('"count":20', '"count":100000') + '"rows": [\n')
         for at in range(count):
             entry, seed = divmod(at, 100_000)
             task = f'"task":{{"instance":0,"entry":{entry},"seed":{seed + 1}}}'
