@@ -36,7 +36,7 @@ def command(arguments):
 
 def driven(tmp_path: Path, **more: str) -> subprocess.CompletedProcess[str]:
     (tmp_path / "formicarium.py").write_text(STAND_IN, encoding="ascii")
-    program = [sys.executable, DRIVER, tmp_path / "question.toml", tmp_path / "out", "--shards", "5", "--processes", "2", "--retries", "1"]
+    program = [sys.executable, str(DRIVER), "question.toml", "out", "--shards", "5", "--processes", "2", "--retries", "1"]
     return subprocess.run(program, env={**os.environ, "PYTHONPATH": str(tmp_path), **more}, capture_output=True, text=True, cwd=tmp_path)
 
 
