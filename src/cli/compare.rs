@@ -46,11 +46,6 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     Ok(Outcome { text: said + &aside, fine: !verification.is_some_and(|v| v.refuted) })
 }
 
-/// What the arguments ask, with nothing run.
-pub fn asked(args: &Args) -> Result<Comparison, CliError> {
-    Ok(question::load(args)?.comparison)
-}
-
 /// Writes the files that are asked for, and says what came out in a few lines.
 fn report(args: &Args, comparison: &Comparison, done: &[Row], place: &Place) -> Result<String, CliError> {
     let rows = comparison.all_rows(done);
@@ -81,4 +76,9 @@ fn verified(verification: &Verification) -> String {
         said += "  nothing explains it: engine, question, maps and parameters are those that were recorded\n";
     }
     said
+}
+
+/// What the arguments ask, with nothing run.
+pub fn asked(args: &Args) -> Result<Comparison, CliError> {
+    Ok(question::load(args)?.comparison)
 }
