@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::sync::Arc;
 
 use formicarium::cli::shared::{self, heard};
-use formicarium::comparison::report::{ReportLanguage, Reports, ResultFile, trace_lines, TRACE_HEADER};
+use formicarium::comparison::report::{ReportLanguage, Reports, ResultFile, TRACE_HEADER, trace_lines};
 use formicarium::comparison::{self, Budget, Intervals, Question, Row, Samples, Seen, analysis};
 use formicarium::formats::comparison_json;
 use pyo3::prelude::*;

@@ -70,7 +70,14 @@ impl Map {
 
     /// The same with every field of the scenario, as JSON.
     #[staticmethod]
-    fn of_parts(py: Python<'_>, size: (u32, u32), cells: &[u8], heights: Option<&[u8]>, spec: &str, has_ends: bool) -> PyResult<Self> {
+    fn of_parts(
+        py: Python<'_>,
+        size: (u32, u32),
+        cells: &[u8],
+        heights: Option<&[u8]>,
+        spec: &str,
+        has_ends: bool,
+    ) -> PyResult<Self> {
         let made = py.detach(|| {
             let spec = formats::read_spec(spec)?;
             let scenario = Scenario::new(grid(size, cells, heights)?, spec)?;

@@ -56,6 +56,7 @@ fn value(key: &Bound<'_, PyAny>, value: &Bound<'_, PyAny>) -> PyResult<Value> {
     if let Ok(flag) = value.extract::<bool>() {
         return Ok(Value::from(flag));
     }
-    let wrong = |_| PyTypeError::new_err(format!("params[{key:?}] is neither a number, nor a flag, nor the id of a choice: {value:?}"));
+    let wrong =
+        |_| PyTypeError::new_err(format!("params[{key:?}] is neither a number, nor a flag, nor the id of a choice: {value:?}"));
     value.extract::<f64>().map(Value::from).map_err(wrong)
 }

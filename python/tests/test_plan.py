@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+import os
 import pickle
 import signal
 import subprocess
@@ -179,3 +180,18 @@ def test_metres_come_out_where_the_map_has_a_place() -> None:
     assert (plan.length, plan.length_metres) == (3.0, 1.5)
     assert plan.path_world is not None
     assert plan.path_world[0].tolist() == [10.25, 21.25]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_a_fork_plans_the_same() -> None:
+    code = (
+        "import os, sys, formicarium\n"
+        "field = formicarium.generate('random', 30, 20)\n"
+        "asked = {'seeds': 2, 'instances': [{'id': 'a', 'map': field}], 'entries': [{'id': 'ants', 'planner': 'ant-system'}]}\n"
+        "first = formicarium.compare(asked).document()\n"
+        "child = os.fork()\n"
+        "same = formicarium.compare(asked).document() == first\n"
+        "if child == 0:\n    os._exit(0 if same else 1)\n"
+        "sys.exit(0 if same and os.waitpid(child, 0)[1] == 0 else 1)\n"
+    )
+    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0

@@ -19,14 +19,25 @@ pub fn test() -> Result<()> {
     let package = root().join("python");
     let (tests, examples, campaigns) = (package.join("tests"), package.join("examples"), root().join("campaigns/dask_shards.py"));
     let settings = package.join("pyproject.toml");
-    run(clean.program("ruff").args(["check", "--quiet", "--no-cache", "--config"]).arg(&settings).args([&package, &campaigns]))?;
-    run(clean.program("ruff").args(["format", "--check", "--quiet", "--no-cache", "--config"]).arg(&settings).args([&package, &campaigns]))?;
+    for style in [&["check"][..], &["format", "--check"]] {
+        // What its settings say of folders is meant from there.
+        let mut ruff = clean.program("ruff");
+        ruff.current_dir(&package).args(style).args(["--quiet", "--no-cache", "--config", "pyproject.toml", "."]).arg(&campaigns);
+        run(&mut ruff)?;
+    }
     let cache = folder().join("mypy");
     let mut mypy = clean.program("mypy");
     mypy.arg("--config-file").arg(&settings).arg("--cache-dir").arg(&cache).arg("--no-error-summary");
     run(mypy.args([&package.join("formicarium"), &tests, &examples, &campaigns]))?;
     let cache = format!("cache_dir={}", folder().join("pytest").display());
-    run(clean.program("pytest").arg("--config-file").arg(&settings).arg("--rootdir").arg(&package).args(["-o", &cache]).arg(&tests))
+    run(clean
+        .program("pytest")
+        .arg("--config-file")
+        .arg(&settings)
+        .arg("--rootdir")
+        .arg(&package)
+        .args(["-o", &cache])
+        .arg(&tests))
 }
 
 /// The one wheel of this system, from the library that other stages have compiled.
