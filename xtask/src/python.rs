@@ -9,35 +9,47 @@ use anyhow::{Context, Result, bail};
 use crate::install;
 use crate::tools::{root, run, target_dir};
 
-/// Wheel, types, style, tests, examples.
+/// Wheel, style, types, tests with the examples.
 pub fn test() -> Result<()> {
     let python = install::python()?;
-    let build = Environment::new(&python, "build")?;
-    let wheel = wheel(&build)?;
+    let wheel = wheel(&Environment::new(&python, "build")?)?;
     let clean = Environment::new(&python, "test")?;
     run(clean.pip().args(["--force-reinstall", "--no-deps"]).arg(&wheel))?;
-    let package = root().join("python");
-    let (tests, examples, campaigns) = (package.join("tests"), package.join("examples"), root().join("campaigns/dask_shards.py"));
-    let settings = package.join("pyproject.toml");
-    for style in [&["check"][..], &["format", "--check"]] {
-        // What its settings say of folders is meant from there.
-        let mut ruff = clean.program("ruff");
-        ruff.current_dir(&package).args(style).args(["--quiet", "--no-cache", "--config", "pyproject.toml", "."]).arg(&campaigns);
-        run(&mut ruff)?;
-    }
-    let cache = folder().join("mypy");
-    let mut mypy = clean.program("mypy");
-    mypy.arg("--config-file").arg(&settings).arg("--cache-dir").arg(&cache).arg("--no-error-summary");
-    run(mypy.args([&package.join("formicarium"), &tests, &examples, &campaigns]))?;
+    style(&clean)?;
+    types(&clean)?;
+    let mut pytest = clean.program("pytest");
+    pytest.arg("--config-file").arg(settings()).arg("--rootdir").arg(package());
     let cache = format!("cache_dir={}", folder().join("pytest").display());
-    run(clean
-        .program("pytest")
-        .arg("--config-file")
-        .arg(&settings)
-        .arg("--rootdir")
-        .arg(&package)
-        .args(["-o", &cache])
-        .arg(&tests))
+    run(pytest.args(["-o", &cache]).arg(package().join("tests")))
+}
+
+fn style(clean: &Environment) -> Result<()> {
+    for command in [&["check"][..], &["format", "--check"]] {
+        let mut ruff = clean.program("ruff");
+        // What its settings say of folders is meant from there.
+        ruff.current_dir(package()).args(command).args(["--quiet", "--no-cache", "--config"]).arg(settings());
+        run(ruff.arg(".").arg(campaign()))?;
+    }
+    Ok(())
+}
+
+fn types(clean: &Environment) -> Result<()> {
+    let mut mypy = clean.program("mypy");
+    mypy.arg("--config-file").arg(settings()).arg("--cache-dir").arg(folder().join("mypy")).arg("--no-error-summary");
+    run(mypy.args(["formicarium", "tests", "examples"].map(|part| package().join(part))).arg(campaign()))
+}
+
+fn package() -> PathBuf {
+    root().join("python")
+}
+
+fn settings() -> PathBuf {
+    package().join("pyproject.toml")
+}
+
+/// The driver that deals shards: Python too, and tested with the package.
+fn campaign() -> PathBuf {
+    root().join("campaigns/dask_shards.py")
 }
 
 /// The one wheel of this system, from the library that other stages have compiled.
