@@ -52,14 +52,22 @@ fn campaign() -> PathBuf {
     root().join("campaigns/dask_shards.py")
 }
 
-/// The one wheel of this system, from the library that other stages have compiled.
+/// PyO3's macros ask for more of the crate `syn` than ours, so that nothing above it that other stages have compiled is used again. Compiled
+/// once more, the library is made quickly rather than fast: its results are the same.
+const QUICKLY: [&str; 2] = ["--config", "profile.dev.package.formicarium.opt-level=1"];
+
+/// The one wheel of this system.
 fn wheel(build: &Environment) -> Result<PathBuf> {
     let out = folder().join("wheels");
     if out.is_dir() {
         fs::remove_dir_all(&out).with_context(|| format!("cannot empty {}", out.display()))?;
     }
     let mut maturin = build.program("maturin");
-    maturin.args(["build", "--quiet", "--locked", "--profile", "dev", "--compatibility", "linux", "--out"]).arg(&out);
+    maturin
+        .args(["build", "--quiet", "--locked", "--profile", "dev", "--compatibility", "linux"])
+        .args(QUICKLY)
+        .arg("--out")
+        .arg(&out);
     maturin.arg("--manifest-path").arg(root().join("python/Cargo.toml")).env("CARGO_TARGET_DIR", target_dir());
     run(&mut maturin)?;
     let made = fs::read_dir(&out)?.next().with_context(|| format!("maturin has left no wheel in {}", out.display()))??;
