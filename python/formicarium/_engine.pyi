@@ -16,9 +16,7 @@ def generate(kind: str, size: tuple[int, int], seed: int, density: float | None)
 def read_map(
     path: str,
     options: str,
-    crop: tuple[int, int, int, int] | None,
-    size: tuple[int, int] | None,
-    square: bool,
+    piece: tuple[tuple[int, int, int, int] | None, tuple[int, int] | None, bool],
     invert: bool,
     given: tuple[bool, bool],
 ) -> tuple[Map, _Notices]: ...

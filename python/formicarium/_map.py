@@ -312,7 +312,7 @@ def read_map(
     elif lattice is not None:
         raise bad("lattice", "a lattice is of a figure", "add figure=True")
     given = (start is not None, goals is not None)
-    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), crop, size, square, invert, given)
+    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), (crop, size, square), invert, given)
     changes = {key: value for key, value in (("start", start), ("goals", goals)) if value is not None} | rules
     read = Map._of(native)
     if changes:

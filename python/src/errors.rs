@@ -8,26 +8,26 @@ use pyo3::prelude::*;
 /// What was refused, and the exception that says so.
 pub struct Refusal {
     class: &'static str,
-    report: ErrorReport,
+    report: Box<ErrorReport>,
 }
 
 impl Refusal {
     /// An argument that is none.
     pub fn argument(field: &str, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { class: "ArgumentError", report: ErrorReport::new("bad-argument", field, message, hint) }
+        Self { class: "ArgumentError", report: ErrorReport::new("bad-argument", field, message, hint).into() }
     }
 
     /// A file that cannot be read or written.
     pub fn file(path: &str, message: impl ToString) -> Self {
         let hint = "check the name, and that the file may be read";
-        Self { class: "FileError", report: ErrorReport::new("file", path, message.to_string(), hint) }
+        Self { class: "FileError", report: ErrorReport::new("file", path, message.to_string(), hint).into() }
     }
 }
 
 impl<E: Into<Error>> From<E> for Refusal {
     fn from(error: E) -> Self {
         let error = error.into();
-        Self { class: class(&error), report: error.report() }
+        Self { class: class(&error), report: error.report().into() }
     }
 }
 
@@ -48,7 +48,7 @@ pub fn said(error: &CliError) -> Refusal {
         CliError::File { .. } => "FileError",
         CliError::Usage { .. } => "ArgumentError",
     };
-    Refusal { class, report: error.report() }
+    Refusal { class, report: error.report().into() }
 }
 
 /// What a stored comparison says.
@@ -56,19 +56,20 @@ pub fn stored(path: &str, error: RowsError) -> Refusal {
     match error {
         RowsError::Io(error) => Refusal::file(path, format!("cannot read {path}: {error}")),
         RowsError::Contents(error) => {
-            let refusal = Refusal::from(error);
-            let message = format!("{path}: {}", refusal.report.message);
-            Refusal { report: ErrorReport { message, ..refusal.report }, ..refusal }
+            let mut refusal = Refusal::from(error);
+            refusal.report.message = format!("{path}: {}", refusal.report.message);
+            refusal
         }
     }
 }
 
 impl From<Refusal> for PyErr {
     fn from(Refusal { class, report }: Refusal) -> Self {
+        let ErrorReport { kind, field, message, hint, .. } = *report;
         Python::attach(|py| {
             let made = || {
                 let class = py.import("formicarium.errors")?.getattr(class)?;
-                class.call1((report.kind, report.field, report.message, report.hint))
+                class.call1((kind, field, message, hint))
             };
             made().map_or_else(|error| error, PyErr::from_value)
         })

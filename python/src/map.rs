@@ -13,6 +13,9 @@ use pyo3::types::PyBytes;
 
 use super::errors::{Refusal, said};
 
+/// A cell as column and row.
+type At = (u32, u32);
+
 /// What is worth saying, as kind and sentence.
 type Notices = Vec<(String, String)>;
 
@@ -53,7 +56,7 @@ impl Map {
         cells: &[u8],
         heights: Option<&[u8]>,
         name: &str,
-        ends: (Option<(u32, u32)>, Option<(u32, u32)>),
+        ends: (Option<At>, Option<At>),
     ) -> PyResult<(Self, Notices)> {
         let made = py.detach(|| {
             let [start, goal] = [ends.0, ends.1].map(|end| end.map(|(x, y)| Point::new(x, y)));
@@ -171,15 +174,16 @@ pub fn json(value: &impl serde::Serialize) -> String {
     serde_json::to_string(value).expect("plain data can always be written as JSON")
 }
 
+/// A window as column, row, columns and rows; a size in columns and rows; whether cells longer than wide become square.
+type Piece = (Option<(u32, u32, u32, u32)>, Option<(u32, u32)>, bool);
+
 /// Reads a map as the command line does. `options` are the engine's `ReadOptions` as JSON; `given`: whether start and goals come from elsewhere.
 #[pyfunction]
 pub fn read_map(
     py: Python<'_>,
     path: PathBuf,
     options: &str,
-    crop: Option<(u32, u32, u32, u32)>,
-    size: Option<(u32, u32)>,
-    square: bool,
+    (crop, size, square): Piece,
     invert: bool,
     given: (bool, bool),
 ) -> PyResult<(Map, Notices)> {
