@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -14,11 +14,48 @@ from . import _engine
 from ._cells import blocked_bytes, cell, cells, height_bytes, whole
 from ._need import bad, warn, warn_of_lines
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
 #: Notices about a scenario that are told anew when it is changed.
 ABOUT_THE_WAY = frozenset({"start-is-goal", "unreachable"})
 
 #: A cell as (column, row), counted from 0 at the upper left.
 Cell = tuple[int, int]
+
+
+class Rules(TypedDict, total=False):
+    """How one moves on a map, and where it lies: what ``Map``, ``Map.replace`` and ``read_map`` take by name."""
+
+    #: 4, 8 or 16.
+    moves: int
+    #: ``always``, ``one-free`` or ``both-free``: cells that must be free beside a diagonal step.
+    corner_rule: str
+    #: Metres a cell.
+    resolution: float
+    #: The place of the lower left corner: ``x``, ``y`` in metres, ``yaw`` in radians, ``frame``; None: not known.
+    world: Mapping[str, Any] | None
+    #: Metres per unit of the heights.
+    vertical_unit: float
+    #: Steepest ground in degrees, on the surface of a terrain.
+    max_slope: float
+    #: True: rules by slices that suit the terrain; a dict: these rules; None: on the surface.
+    slices: bool | Mapping[str, Any] | None
+    #: Metres per second, for the travel time.
+    speed: float
+    #: Seconds lost at each turn, for the travel time.
+    seconds_per_turn: float
+
+
+class Changes(Rules, total=False):
+    """The same, and what is asked on the map."""
+
+    #: A cell.
+    start: npt.ArrayLike
+    #: A cell, or several.
+    goals: npt.ArrayLike
+    #: Its name in tables.
+    name: str
 
 
 class Map:
@@ -43,10 +80,10 @@ class Map:
         blocked: npt.ArrayLike | None = None,
         *,
         heights: npt.ArrayLike | None = None,
-        start: Any = None,
-        goals: Any = None,
+        start: npt.ArrayLike | None = None,
+        goals: npt.ArrayLike | None = None,
         name: str = "",
-        **rules: Any,
+        **rules: Unpack[Rules],
     ) -> None:
         if blocked is None and heights is None:
             raise bad("blocked", "a map needs cells or heights", "give an array [row, column]")
@@ -59,7 +96,7 @@ class Map:
         last = None if goals is None else cells(goals, "goals")
         native, notices = _engine.Map.of_cells(of_cells, walls, raised, name, (first, last[0] if last else None))
         self._adopt(native)
-        changes = dict(rules) if last is None else {"goals": last, **rules}
+        changes: dict[str, Any] = dict(rules) if last is None else {"goals": last, **rules}
         if first is not None:
             changes["start"] = first
         if changes:
@@ -81,7 +118,7 @@ class Map:
         spec = _edited(self._native, self._spec, changes)
         return self._native.with_spec(_json(spec, "map"), has_ends)
 
-    def replace(self, **changes: Any) -> Map:
+    def replace(self, **changes: Unpack[Changes]) -> Map:
         """The same cells with other ``start``, ``goals``, ``moves``, ``corner_rule``, ``resolution``, ``world``, ``name``, ``vertical_unit``,
         ``max_slope``, ``slices``, ``speed`` or ``seconds_per_turn``.
 
@@ -276,8 +313,8 @@ def _goals(before: Sequence[Mapping[str, Any]], at: Sequence[Cell]) -> list[dict
 def read_map(
     path: str | os.PathLike[str],
     *,
-    start: Any = None,
-    goals: Any = None,
+    start: npt.ArrayLike | None = None,
+    goals: npt.ArrayLike | None = None,
     crop: tuple[int, int, int, int] | None = None,
     size: tuple[int, int] | None = None,
     square: bool = False,
@@ -291,7 +328,7 @@ def read_map(
     unknown: str | None = None,
     figure: bool = False,
     lattice: Mapping[str, float] | None = None,
-    **rules: Any,
+    **rules: Unpack[Rules],
 ) -> Map:
     """Reads a map of any format that the engine knows; the options are those of ``formicarium convert``.
 
@@ -313,7 +350,8 @@ def read_map(
         raise bad("lattice", "a lattice is of a figure", "add figure=True")
     given = (start is not None, goals is not None)
     native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), (crop, size, square), invert, given)
-    changes = {key: value for key, value in (("start", start), ("goals", goals)) if value is not None} | rules
+    ends: dict[str, Any] = {key: value for key, value in (("start", start), ("goals", goals)) if value is not None}
+    changes = {**ends, **rules}
     read = Map._of(native)
     if changes:
         changed, more = read._changed(changes, native.has_ends)

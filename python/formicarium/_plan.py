@@ -138,7 +138,7 @@ def plan(
     """
     if not isinstance(map, Map):
         raise bad("map", f"{type(map).__name__} is no map", "give a formicarium.Map, e.g. Map(array) or read_map(path)")
-    changes = {key: value for key, value in (("moves", moves), ("corner_rule", corner_rule)) if value is not None}
+    changes: dict[str, Any] = {key: value for key, value in (("moves", moves), ("corner_rule", corner_rule)) if value is not None}
     asked = map.replace(**changes) if changes else map
     threads = whole(threads, "threads", most=1024)
     told = _engine.plan(asked._native, planner, whole(seed, "seed"), preset, dict(params or {}), threads)

@@ -183,10 +183,11 @@ pub fn read_map(
     py: Python<'_>,
     path: PathBuf,
     options: &str,
-    (crop, size, square): Piece,
+    piece: Piece,
     invert: bool,
     given: (bool, bool),
 ) -> PyResult<(Map, Notices)> {
+    let (crop, size, square) = piece;
     let options: ReadOptions = serde_json::from_str(options)
         .map_err(|error| Refusal::argument("options", error.to_string(), "as `formicarium convert --help` lists them"))?;
     let crop = crop.map(|(x, y, width, height)| Window { x, y, width, height });
