@@ -30,7 +30,8 @@ with tempfile.TemporaryDirectory() as folder:
     lab = formicarium.read_map(sys.argv[1] if len(sys.argv) > 1 else made_up(folder), unknown="blocked")
 
 start, goal = lab.to_cell(-2.5, -1.5), lab.to_cell(2.5, 1.5)
-assert start is not None and goal is not None, "beside the map"
+assert start is not None, "beside the map"
+assert goal is not None, "beside the map"
 plan = formicarium.plan(lab.replace(start=start, goals=goal), "any-angle")
 assert plan.path_world is not None, "no path"
 print(f"{plan.length_metres:.2f} m with {plan.turns} turns, {plan.status}")
