@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterable
 
 from . import _engine
+from ._need import bad
 
 
 def command(args: Iterable[str | os.PathLike[str]]) -> int:
@@ -15,6 +16,8 @@ def command(args: Iterable[str | os.PathLike[str]]) -> int:
 
     It prints as the program does, on the process's own streams. Other Python threads go on meanwhile.
     """
+    if isinstance(args, (str, bytes)):
+        raise bad("args", "one text is no list of arguments", 'give a list such as ["plan", "maze.map", "--planner", "astar"]')
     sys.stdout.flush()
     sys.stderr.flush()
     return _engine.command([os.fspath(argument) for argument in args])

@@ -102,7 +102,7 @@ def compare(
     question: str | os.PathLike[str] | Mapping[str, Any],
     *,
     seeds: int | None = None,
-    only: str | Iterable[str] = (),
+    only: str | Iterable[str] | None = None,
     budget: str | tuple[str, int] | None = None,
     jobs: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -118,8 +118,10 @@ def compare(
     """
     count = None if seeds is None else whole(seeds, "seeds", least=1)
     threads = 0 if jobs is None else whole(jobs, "jobs", least=1, most=1024)
-    ids = [only] if isinstance(only, str) else list(only)
-    spend = f"{budget[0]}={budget[1]}" if isinstance(budget, tuple) else budget
+    ids = [only] if isinstance(only, str) else list(only or ())
+    spend = f"{budget[0]}={budget[1]}" if isinstance(budget, tuple) and len(budget) == 2 else budget
+    if spend is not None and not isinstance(spend, str):
+        raise bad("budget", f"budget = {budget!r} cannot be used", 'give "constructed-paths=2000", or the axis and the amount')
     if isinstance(question, Mapping):
         asked = _of_dict(question, count, spend, ids)
     else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
@@ -337,6 +337,7 @@ def read_map(
     ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
     ``rules`` are the fields of ``Map.replace``. What was assumed is a ``FormicariumWarning``; what cannot be read a ``FormatError``.
     """
+    piece = (None if crop is None else _wholes(crop, "crop", 4), None if size is None else _wholes(size, "size", 2), square)
     picture: dict[str, Any] = {"light_is_blocked": light_is_blocked, "cells": cells}
     picture.update(metres_per_pixel=metres_per_pixel, metres_per_cell=metres_per_cell)
     if threshold is not None:
@@ -349,7 +350,7 @@ def read_map(
     elif lattice is not None:
         raise bad("lattice", "a lattice is of a figure", "add figure=True")
     given = (start is not None, goals is not None)
-    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), (crop, size, square), invert, given)
+    native, notices = _engine.read_map(os.fspath(path), _json(options, "options"), piece, invert, given)
     ends: dict[str, Any] = {key: value for key, value in (("start", start), ("goals", goals)) if value is not None}
     changes = {**ends, **rules}
     read = Map._of(native)
@@ -359,6 +360,14 @@ def read_map(
         notices = [notice for notice in notices if notice[0] not in ABOUT_THE_WAY] + more
     warn(notices)
     return read
+
+
+def _wholes(value: Any, field: str, count: int) -> Any:
+    """So many whole numbers."""
+    given = tuple(value) if isinstance(value, (Iterable, np.ndarray)) else ()
+    if len(given) != count:
+        raise bad(field, f"{field} = {value!r} cannot be used", f"give {count} whole numbers")
+    return tuple(whole(one, field) for one in given)
 
 
 def generate(kind: str, width: int, height: int, *, seed: int = 1, density: float | None = None) -> Map:

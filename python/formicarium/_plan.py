@@ -136,8 +136,7 @@ def plan(
     ``params``: values over preset and default. ``threads``: on which the ants of an iteration walk, 0 for all cores; the result is the same.
     Other Python threads go on meanwhile, and Ctrl-C ends it. That there is no path is an answer: ``Plan.found`` is False.
     """
-    if not isinstance(map, Map):
-        raise bad("map", f"{type(map).__name__} is no map", "give a formicarium.Map, e.g. Map(array) or read_map(path)")
+    _check_map(map)
     changes: dict[str, Any] = {key: value for key, value in (("moves", moves), ("corner_rule", corner_rule)) if value is not None}
     asked = map.replace(**changes) if changes else map
     threads = whole(threads, "threads", most=1024)
@@ -160,6 +159,7 @@ def check(map: Map, path: Plan | npt.ArrayLike, *, polyline: bool | None = None)
     ``path``: a Plan, or an array with a row (column, row) for each place, by slices (column, row, level). ``polyline``: its points are joined by
     straight segments, not by steps; of a Plan that is known. The ends count where the map names them (``Map.has_ends``).
     """
+    _check_map(map)
     levels: list[int] | None = None
     if isinstance(path, Plan):
         if polyline is None:
@@ -173,6 +173,11 @@ def check(map: Map, path: Plan | npt.ArrayLike, *, polyline: bool | None = None)
     points = [(int(x), int(y)) for x, y in places[:, :2]]
     findings: dict[str, Any] = json.loads(_engine.check(map._native, points, levels, bool(polyline)))
     return findings
+
+
+def _check_map(map: Any) -> None:
+    if not isinstance(map, Map):
+        raise bad("map", f"{type(map).__name__} is no map", "give a formicarium.Map, e.g. Map(array) or read_map(path)")
 
 
 def _places(path: npt.ArrayLike) -> npt.NDArray[np.int64]:

@@ -7,7 +7,6 @@ use formicarium::catalog;
 use formicarium::formats::run_result::RunResult;
 use formicarium::params::{Value, Values};
 use formicarium::planner::Granularity;
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
@@ -56,7 +55,8 @@ fn value(key: &Bound<'_, PyAny>, value: &Bound<'_, PyAny>) -> PyResult<Value> {
     if let Ok(flag) = value.extract::<bool>() {
         return Ok(Value::from(flag));
     }
-    let wrong =
-        |_| PyTypeError::new_err(format!("params[{key:?}] is neither a number, nor a flag, nor the id of a choice: {value:?}"));
-    value.extract::<f64>().map(Value::from).map_err(wrong)
+    value.extract::<f64>().map(Value::from).map_err(|_| {
+        let message = format!("params[{key:?}] = {value:?} cannot be used");
+        Refusal::argument("params", message, "give a number, a flag, or the id of a choice").into()
+    })
 }

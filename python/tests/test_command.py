@@ -24,6 +24,8 @@ def test_exit_codes_are_the_programs(tmp_path: Path, capfd: pytest.CaptureFixtur
     assert formicarium.command(["check", tmp_path / "path.csv", "--map", tmp_path / "maze.map"]) == 1
     assert formicarium.command(["plan", tmp_path / "none.map", "--planner", "astar"]) == 2
     assert "No such file" in capfd.readouterr().err
+    with pytest.raises(errors.ArgumentError, match="list of arguments"):
+        formicarium.command("catalog")
     assert formicarium.command(["--version"]) == 0
     assert formicarium.__version__ in capfd.readouterr().out
 

@@ -107,7 +107,7 @@ def test_what_cannot_be_asked_is_refused_by_name(asked: dict[str, Any], question
     for change, said in wrong:
         with pytest.raises(errors.FormicariumError, match=said):
             formicarium.compare({**asked, **change})
-    for options in ({"budget": "time=3"}, {"only": ["none"]}, {"jobs": 0}, {"seeds": 0}):
+    for options in ({"budget": "time=3"}, {"budget": 5}, {"budget": ("moves",)}, {"only": ["none"]}, {"jobs": 0}, {"seeds": 0}):
         with pytest.raises(errors.FormicariumError):
             formicarium.compare(asked, **options)
     with pytest.raises(errors.FileError, match="No such file"):

@@ -189,6 +189,10 @@ def test_what_cannot_be_read_is_refused_as_the_command_line_does(tmp_path: Path)
         formicarium.read_map(tmp_path / "broken.map")
     with pytest.raises(errors.ArgumentError, match="invalid type"):
         formicarium.read_map(tmp_path / "broken.map", threshold="dark")
+    pieces: list[dict[str, Any]] = [{"crop": (-1, 0, 1, 1)}, {"crop": "abcd"}, {"size": (3,)}, {"size": 3}]
+    for piece in pieces:
+        with pytest.raises(errors.ArgumentError, match=r"crop|size"):
+            formicarium.read_map(tmp_path / "broken.map", **piece)
     with pytest.raises(errors.ArgumentError, match="lattice"):
         formicarium.read_map(tmp_path / "broken.map", lattice={"x0": 1})
 

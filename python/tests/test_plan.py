@@ -82,7 +82,9 @@ def test_what_cannot_be_planned_is_refused_by_name(blocks: formicarium.Map, plan
 def test_what_is_no_map_or_value_is_a_clear_error(blocks: formicarium.Map) -> None:
     with pytest.raises(errors.ArgumentError, match="ndarray is no map"):
         formicarium.plan(blocks.blocked, "astar")  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="rho"):
+    with pytest.raises(errors.ArgumentError, match="NoneType is no map"):
+        formicarium.check(None, [])  # type: ignore[arg-type]
+    with pytest.raises(errors.ArgumentError, match="rho"):
         formicarium.plan(blocks, "ant-system", params={"rho": [1]})
 
 
