@@ -122,15 +122,21 @@ def compare(
     spend = f"{budget[0]}={budget[1]}" if isinstance(budget, tuple) and len(budget) == 2 else budget
     if spend is not None and not isinstance(spend, str):
         raise bad("budget", f"budget = {budget!r} cannot be used", 'give "constructed-paths=2000", or the axis and the amount')
-    if isinstance(question, Mapping):
-        asked = _of_dict(question, count, spend, ids)
-    else:
-        arguments = [f"--only={one}" for one in ids] + ["--document"]
-        arguments += [] if count is None else [f"--seeds={count}"]
-        arguments += [] if spend is None else [f"--budget={spend}"]
-        asked, lines = _engine.read_question([*arguments, "--", os.fspath(question)])
-        warn_of_lines(lines)
+    asked, lines = read_question(question, count, spend, ids)
+    warn_of_lines(lines)
     return Comparison(asked.run(threads, progress))
+
+
+def read_question(
+    question: str | os.PathLike[str] | Mapping[str, Any], seeds: int | None, budget: str | None, only: list[str]
+) -> tuple[_engine.Comparison, list[str]]:
+    """A question with its maps, nothing run, and what is worth saying about its files."""
+    if isinstance(question, Mapping):
+        return _of_dict(question, seeds, budget, only), []
+    arguments = [f"--only={one}" for one in only] + ["--document"]
+    arguments += [] if seeds is None else [f"--seeds={seeds}"]
+    arguments += [] if budget is None else [f"--budget={budget}"]
+    return _engine.read_question([*arguments, "--", os.fspath(question)])
 
 
 def _of_dict(question: Mapping[str, Any], seeds: int | None, budget: str | None, only: list[str]) -> _engine.Comparison:
