@@ -4,7 +4,7 @@
 //!
 //! A reader's way in: a [`map::Grid`] and a [`scenario::ScenarioSpec`] make a validated [`scenario::Scenario`]; the [`catalog`]
 //! turns a planner's id, its [`params`] and a seed into a [`planner::Planner`], which advances by moves or iterations and tells
-//! its best path, history, effort and layers. [`metrics`] measures a path, [`path::audit`] checks it, [`digest`] sums a run up in
+//! its best path, history, effort and layers. [`metrics`] measures a path, [`path::audit`] checks it, [`findings`] tells all that is wrong with it, [`digest`] sums a run up in
 //! 64 bits. [`aco`] holds the colonies, [`swarm`] fireworks and particles, [`exact`] the searches with a proof, [`formats`] the files.
 //! [`comparison`] runs many seeds and judges what a publication claims.
 //!
@@ -27,7 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`] and [`drawn`]; [`planner`]; [`exact`]
+//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`] and [`drawn`]; [`planner`] and [`findings`]; [`exact`]
 //! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
@@ -48,6 +48,8 @@ pub mod digest;
 pub mod drawn;
 pub mod error;
 pub mod exact;
+#[cfg(feature = "whole")]
+pub mod findings;
 #[cfg(feature = "whole")]
 pub mod formats;
 mod listed;

@@ -12,7 +12,7 @@ const LAYERS: [&[&str]; 13] = [
     &["scenario"],
     &["path"],
     &["metrics", "drawn"],
-    &["planner"],
+    &["planner", "findings"],
     &["exact", "swarm", "sampling"],
     &["aco"],
     &["catalog"],

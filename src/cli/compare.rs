@@ -114,3 +114,8 @@ fn verified(verification: &Verification) -> String {
     }
     said
 }
+
+/// What the arguments ask, with nothing run.
+pub fn asked(args: &Args) -> Result<Comparison, CliError> {
+    Ok(question::load(args)?.comparison)
+}

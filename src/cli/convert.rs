@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::exact;
-use crate::formats::{self, BinaryExport, Export, Imported, Kind, MAX_BYTES, TerrainOptions, ros};
+use crate::formats::picture::PictureOptions;
+use crate::formats::{self, BinaryExport, Export, Imported, Kind, MAX_BYTES, ReadOptions, TerrainOptions, ros};
 use crate::map::{Movement, Window};
 use crate::scenario::{Scenario, ScenarioSpec};
 use clap::ValueEnum;
 
 use super::error::CliError;
 use super::input::RouteArgs;
-use super::reading::ReadingArgs;
+use super::reading::{ReadingArgs, import};
 use super::streams::say;
 use super::{Outcome, input, output, text};
 
@@ -129,15 +130,9 @@ fn listed_optimum(map: &Imported) -> Result<f64, CliError> {
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     output::check(Some(&args.output))?;
-    let mut map = read(args)?;
-    let format = match (args.format, Format::of(&args.output)) {
-        (Some(asked), _) => asked,
-        (None, Some(ending)) => ending.suited(map.spec.terrain.is_some()),
-        (None, None) => {
-            let message = format!("the ending of `{}` tells no format", args.output.display());
-            return Err(CliError::usage(message, "use .map, .scen, .csv, .asc, .tif or .json, or name the format with --as"));
-        }
-    };
+    let piece = TerrainOptions { crop: args.crop, size: args.size };
+    let mut map = read(&args.input, &args.reading.options(None), piece, args.square)?;
+    let format = args.format.map_or_else(|| told_by_ending(&args.output, &map), Ok)?;
     if args.invert {
         map = map.invert()?;
     }
@@ -149,13 +144,26 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         Scenario::new(map.grid.clone(), map.spec.clone())?;
     }
     text::notes(&map.notices);
-    tell_of_losses(format, &map);
-    if format == Format::RosMap && args.output != Path::new("-") {
-        write_ros(&args.output, &map)?;
-    } else {
-        output::write(Some(&args.output), &format.write(&map)?)?;
-    }
+    write(&args.output, format, &map)?;
     Ok(Outcome::fine(String::new()))
+}
+
+/// The format that the ending of a file's name tells.
+pub fn told_by_ending(path: &Path, map: &Imported) -> Result<Format, CliError> {
+    let told = Format::of(path).map(|ending| ending.suited(map.spec.terrain.is_some()));
+    told.ok_or_else(|| {
+        let message = format!("the ending of `{}` tells no format", path.display());
+        CliError::usage(message, "use .map, .scen, .csv, .asc, .tif or .json, or name the format with --as")
+    })
+}
+
+/// Writes a map, and says what the format does not hold of it.
+pub fn write(path: &Path, format: Format, map: &Imported) -> Result<(), CliError> {
+    tell_of_losses(format, map);
+    if format == Format::RosMap && path != Path::new("-") {
+        return write_ros(path, map);
+    }
+    output::write(Some(path), &format.write(map)?)
 }
 
 /// The description, and its picture beside it. The picture first: a description without one is of no use.
@@ -167,27 +175,28 @@ fn write_ros(yaml: &Path, map: &Imported) -> Result<(), CliError> {
     output::write(Some(yaml), files.yaml.as_bytes())
 }
 
-/// The map, or the piece of it that is asked for: of a picture a window of its pixels, of a figure one of its cells.
-fn read(args: &Args) -> Result<Imported, CliError> {
-    let mut options = TerrainOptions { crop: args.crop, size: args.size };
-    if options == TerrainOptions::default() && !args.square {
-        return args.reading.import(&args.input);
+/// The map, or the piece of it that is asked for: of a picture a window of its pixels, of a figure one of its cells. `square`: heights whose
+/// cells are longer than wide are interpolated at square ones.
+pub fn read(path: &Path, options: &ReadOptions, mut piece: TerrainOptions, square: bool) -> Result<Imported, CliError> {
+    if piece == TerrainOptions::default() && !square {
+        return import(path, options);
     }
-    if args.reading.is_figure() {
-        return Ok(args.reading.import(&args.input)?.piece(options)?);
+    if options.figure.is_some() {
+        return Ok(import(path, options)?.piece(piece)?);
     }
-    let kind = input::in_file(&args.input, MAX_BYTES, |bytes, name| Ok(formats::sniff(bytes, name)))?;
-    if kind == Kind::Picture && args.size.is_none() {
-        return args.reading.import_window(&args.input, args.crop);
+    let kind = input::in_file(path, MAX_BYTES, |bytes, name| Ok(formats::sniff(bytes, name)))?;
+    if kind == Kind::Picture && piece.size.is_none() {
+        let picture = PictureOptions { crop: piece.crop, ..options.picture.clone() };
+        return import(path, &ReadOptions { picture, ..options.clone() });
     }
     if kind.is_raster() || kind == Kind::Archive {
-        if args.square {
-            let survey = input::in_file(&args.input, MAX_BYTES, formats::survey)?;
-            options.size = Some(survey.square_size(args.crop));
+        if square {
+            let survey = input::in_file(path, MAX_BYTES, formats::survey)?;
+            piece.size = Some(survey.square_size(piece.crop));
         }
-        return input::in_file(&args.input, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, options));
+        return input::in_file(path, MAX_BYTES, |bytes, name| formats::import_piece(bytes, name, piece));
     }
-    Ok(args.reading.import(&args.input)?.piece(options)?)
+    Ok(import(path, options)?.piece(piece)?)
 }
 
 /// Tells what the format does not hold.

@@ -43,6 +43,7 @@ pub enum CliError {
 }
 
 impl CliError {
+    /// The arguments do not go together.
     pub fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::Usage { message: message.into(), hint: hint.into() }
     }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::error::ScenarioError;
 use crate::formats::{Imported, Kind};
 use crate::map::{Generator, generate};
 use crate::scenario::Scenario;
@@ -64,12 +65,8 @@ fn kinds() -> impl TypedValueParser<Value = Generator> {
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     output::check(args.out.as_deref())?;
-    let (width, height) = args.size;
     let is_terrain = args.kind.is_terrain();
-    let density = args.density.unwrap_or(if is_terrain { 0.5 } else { 0.3 });
-    let made = generate(args.kind, width, height, args.seed, density)?;
-    let spec = made.spec(format!("{}-{width}x{height}-seed{}", args.kind.id(), args.seed));
-    let mut map = Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new() };
+    let mut map = make(args.kind, args.size, args.seed, args.density)?;
     let is_asked = ask(args, &mut map)?;
     let by_ending = args.out.as_deref().and_then(Format::of);
     let usual = if is_terrain || is_asked { Format::Scenario } else { Format::MovingaiMap };
@@ -79,6 +76,14 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     }
     output::write(args.out.as_deref(), &format.write(&map)?)?;
     Ok(Outcome::fine(String::new()))
+}
+
+/// Makes a map, named after what made it; `size` in columns and rows, `density` 0.3 or of terrains 0.5 where none is given.
+pub fn make(kind: Generator, size: (u32, u32), seed: u32, density: Option<f64>) -> Result<Imported, ScenarioError> {
+    let (width, height) = size;
+    let made = generate(kind, width, height, seed, density.unwrap_or(if kind.is_terrain() { 0.5 } else { 0.3 }))?;
+    let spec = made.spec(format!("{}-{width}x{height}-seed{seed}", kind.id()));
+    Ok(Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new() })
 }
 
 /// Puts the ends and the moves that are given in the place of the generator's, and tells whether any are.

@@ -202,18 +202,7 @@ impl ScenarioArgs {
 impl RouteArgs {
     /// The note about ends that a map does not name tells only of those that are not given here either, or all `from_scen`.
     pub fn correct_note(&self, map: &mut Imported, from_scen: bool) {
-        let goal = map.spec.goals.first().map_or(map.spec.start, |g| g.at);
-        let left = match (from_scen, &self.from, self.to.is_empty()) {
-            (false, None, true) => return,
-            (false, None, false) => Some(format!("the map names no start: {} is used", text::cell(map.spec.start))),
-            (false, Some(_), true) => Some(format!("the map names no goal: {} is used", text::cell(goal))),
-            _ => None,
-        };
-        let chosen = |n: &Notice| n.kind == "ends-chosen";
-        if map.notices.iter().any(chosen) {
-            map.notices.retain(|n| !chosen(n));
-            map.notices.extend(left.map(|message| Notice::new("ends-chosen", message)));
-        }
+        map.ends_are_given(from_scen || self.from.is_some(), from_scen || !self.to.is_empty());
     }
 }
 

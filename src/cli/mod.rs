@@ -12,6 +12,7 @@ mod order;
 mod output;
 mod plan;
 mod reading;
+pub mod shared;
 mod streams;
 mod submit;
 mod terrain;

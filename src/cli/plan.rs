@@ -2,20 +2,15 @@
 
 use std::fmt::Write;
 use std::num::NonZero;
-use std::sync::Arc;
 use std::thread;
 
 use crate::catalog;
-use crate::comparison::gap::relative_gap;
 use crate::exact::{self, Reference};
-use crate::map::Point;
-use crate::metrics::Metrics;
+use crate::formats::run_result::{self, RunResult};
 use crate::params::{Value, Values};
-use crate::path::points;
-use crate::planner::{Effort, Objective, Planner, Record, Status, Tour};
+use crate::planner::{Effort, Objective, Planner, Record, Status};
 use crate::scenario::{Goal, Scenario, ScenarioSpec};
 use clap::ValueEnum;
-use serde::Serialize;
 
 use super::error::CliError;
 use super::input::ScenarioArgs;
@@ -90,70 +85,27 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
             entry.id
         ));
     }
-    let status = planner.run();
-    // Results are those of the map as the last change has left it.
-    let changing = planner.changing();
-    let scenario = changing.map_or(scenario, |changing| Arc::clone(changing.scenario()));
-    let best = planner.best();
-    let metrics = best.map(|b| Metrics::of(&scenario, b.result().0));
-    let value = metrics.as_ref().and_then(|m| planner.value(m));
-    let reference = reference(&scenario, planner.as_ref(), status, value);
-    let gap = value.zip(reference.value()).map(|(value, best)| relative_gap(value, best));
-    let report =
-        Report { args, scenario: &scenario, name: entry.name, planner: planner.as_ref(), status, metrics, value, reference, gap };
+    planner.run();
+    let result = RunResult::of(entry.id, args.seed, &scenario, planner.as_ref());
+    let fine = result.metrics.is_some();
+    let report = Report {
+        args,
+        scenario: &run_result::last(&scenario, planner.as_ref()),
+        name: entry.name,
+        planner: planner.as_ref(),
+        result,
+    };
     let text = match args.format {
         Format::Text => report.text(),
-        Format::Json => text::json(&report.result(), 2),
+        Format::Json => text::json(&report.result, 2),
         Format::Csv => csv(planner.history()),
     };
-    Ok(Outcome { text, fine: metrics.is_some() })
+    Ok(Outcome { text, fine })
 }
 
 /// So many, or one for each core.
 fn threads(asked: usize) -> NonZero<usize> {
     NonZero::new(asked).or_else(|| thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN)
-}
-
-/// The yardstick of the planner's objective: what was just proven, or a run of the exact planner.
-fn reference(scenario: &Arc<Scenario>, planner: &dyn Planner, status: Status, value: Option<f64>) -> Reference {
-    match (status, value) {
-        (Status::Optimal, Some(value)) => Reference::Proven { value },
-        (Status::NoPath, _) => Reference::NoPath,
-        _ => exact::reference(scenario, planner.objective()),
-    }
-}
-
-/// What `--format json` prints; docs/schema/result.schema.json describes it.
-#[derive(Serialize)]
-struct PlanResult<'a> {
-    format: &'static str,
-    planner: &'a str,
-    seed: u32,
-    status: Status,
-    length: Option<f64>,
-    turns: Option<u32>,
-    metrics: Option<Metrics>,
-    objective: Objective,
-    value: Option<f64>,
-    unrefined_length: Option<f64>,
-    iteration_of_best: Option<u32>,
-    history: &'a [Record],
-    reference: Reference,
-    optimum: Option<f64>,
-    gap: Option<f64>,
-    tour: Option<&'a Tour>,
-    effort: Effort,
-    /// Where walls changed: how often.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    changes: Option<u32>,
-    digest: String,
-    path: Vec<Point>,
-    /// By slices: the level of each place of the path.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    levels: Option<Vec<u32>>,
-    /// On a terrain: metres of each place of the path.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    altitudes: Option<Vec<f64>>,
 }
 
 /// One finished run.
@@ -162,43 +114,10 @@ struct Report<'a> {
     scenario: &'a Scenario,
     name: &'a str,
     planner: &'a dyn Planner,
-    status: Status,
-    metrics: Option<Metrics>,
-    value: Option<f64>,
-    reference: Reference,
-    gap: Option<f64>,
+    result: RunResult<'a>,
 }
 
 impl Report<'_> {
-    fn result(&self) -> PlanResult<'_> {
-        let best = self.planner.best();
-        let path = best.map_or(&[][..], |b| b.result().0);
-        PlanResult {
-            format: "formicarium/result@1",
-            planner: &self.args.planner,
-            seed: self.args.seed,
-            status: self.status,
-            length: self.metrics.map(|m| m.length),
-            turns: self.metrics.map(|m| m.turns),
-            metrics: self.metrics,
-            objective: self.planner.objective(),
-            value: self.value,
-            unrefined_length: best.filter(|b| b.refined.is_some()).map(|b| b.length),
-            iteration_of_best: best.map(|b| b.iteration),
-            history: self.planner.history(),
-            reference: self.reference,
-            optimum: self.optimum(),
-            gap: self.gap,
-            tour: self.planner.tour(),
-            effort: self.planner.effort(),
-            changes: self.planner.changing().map(|changing| changing.made()),
-            digest: self.planner.digest().hex(),
-            path: points(self.scenario, path),
-            levels: self.scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect()),
-            altitudes: self.scenario.spec.terrain.map(|_| self.scenario.altitudes(path)),
-        }
-    }
-
     fn text(&self) -> String {
         let (grid, spec) = (&self.scenario.grid, &self.scenario.spec);
         let on = if spec.name.is_empty() { String::new() } else { format!(" on {}", spec.name) };
@@ -206,15 +125,15 @@ impl Report<'_> {
         let mut out = format!("{}{on} ({size})\n\n", self.name);
         row(&mut out, "from, to", from_to(spec));
         row(&mut out, "status", self.status_text());
-        match &self.metrics {
+        match &self.result.metrics {
             Some(metrics) => {
                 self.gap_text(&mut out);
                 self.polyline_text(&mut out);
                 text::metrics(&mut out, metrics);
             }
             None => {
-                if let Some(value) = self.reference.value() {
-                    let label = if self.optimum().is_some() { "optimum" } else { "reference" };
+                if let Some(value) = self.result.reference.value() {
+                    let label = if self.result.optimum.is_some() { "optimum" } else { "reference" };
                     row(&mut out, label, format!("{value:.4} {}: a path exists, none was found", self.unit()));
                 }
             }
@@ -229,17 +148,12 @@ impl Report<'_> {
         if self.planner.objective() == Objective::SliceCost { "cells and levels" } else { "cells" }
     }
 
-    /// The proven optimum.
-    fn optimum(&self) -> Option<f64> {
-        if let Reference::Proven { value } = self.reference { Some(value) } else { None }
-    }
-
     fn gap_text(&self, out: &mut String) {
-        if self.planner.tour().is_some() && self.reference == Reference::Unknown {
+        if self.planner.tour().is_some() && self.result.reference == Reference::Unknown {
             row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
         }
-        let (Some(gap), Some(value)) = (self.gap, self.reference.value()) else { return };
-        let of = match self.reference {
+        let (Some(gap), Some(value)) = (self.result.gap, self.result.reference.value()) else { return };
+        let of = match self.result.reference {
             Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
             _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
         };
@@ -280,7 +194,7 @@ impl Report<'_> {
     }
 
     fn status_text(&self) -> String {
-        match self.status {
+        match self.result.status {
             Status::Running => "running".into(),
             Status::Optimal => "optimal (proven)".into(),
             Status::Complete => "complete (not proven)".into(),

@@ -89,13 +89,8 @@ fn lattice(text: &str) -> Result<Lattice, String> {
 }
 
 impl ReadingArgs {
-    /// Whether the cells of a figure are meant.
-    pub fn is_figure(&self) -> bool {
-        self.figure
-    }
-
     /// The same as the engine has it; of a picture only the window.
-    fn options(&self, crop: Option<Window>) -> ReadOptions {
+    pub fn options(&self, crop: Option<Window>) -> ReadOptions {
         let usual = PictureOptions::default();
         let picture = PictureOptions {
             threshold: match self.threshold {
@@ -116,7 +111,7 @@ impl ReadingArgs {
 
     /// Reads a map; the picture of a ROS map is looked for beside its description.
     pub fn import(&self, path: &Path) -> Result<Imported, CliError> {
-        self.import_window(path, None)
+        import(path, &self.options(None))
     }
 
     /// The same, for a command that knows one map alone: walls that change are refused.
@@ -128,16 +123,15 @@ impl ReadingArgs {
         let message = format!("the walls of this map change {} times; this command knows one map alone", map.spec.changes.len());
         Err(CliError::usage(message, "run it with `plan`, or leave `changes` out of the file"))
     }
+}
 
-    /// The same; of a picture only a window of its pixels.
-    pub fn import_window(&self, path: &Path, crop: Option<Window>) -> Result<Imported, CliError> {
-        let options = self.options(crop);
-        let image = image_beside(path)?;
-        let beside = image.as_ref().map(|image| Companion { name: &image.name, bytes: &image.bytes });
-        let mut map = input::in_file(path, MAX_BYTES, |bytes, name| formats::import_with(bytes, name, &options, beside))?;
-        map.notices.extend(image.and_then(|image| image.moved));
-        Ok(map)
-    }
+/// Reads a map; the picture of a ROS map is looked for beside its description.
+pub fn import(path: &Path, options: &ReadOptions) -> Result<Imported, CliError> {
+    let image = image_beside(path)?;
+    let beside = image.as_ref().map(|image| Companion { name: &image.name, bytes: &image.bytes });
+    let mut map = input::in_file(path, MAX_BYTES, |bytes, name| formats::import_with(bytes, name, options, beside))?;
+    map.notices.extend(image.and_then(|image| image.moved));
+    Ok(map)
 }
 
 /// The picture that the description of a ROS map names.

@@ -14,6 +14,7 @@ mod printed;
 mod readings;
 mod table;
 mod tests;
+mod traces;
 mod verdicts;
 mod words;
 
@@ -37,6 +38,7 @@ use crate::scenario::Scenario;
 pub use ablation::components;
 pub use csv::{HEADER, line};
 pub use file::{Reports, ResultFile};
+pub use traces::{TRACE_HEADER, trace_lines};
 pub use verdicts::verdicts;
 pub use words::ReportLanguage;
 

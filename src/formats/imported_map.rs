@@ -24,6 +24,24 @@ impl Imported {
         self.notices.iter().any(|n| n.kind == ends::CHOSEN)
     }
 
+    /// Lets the notice about chosen ends tell only of those that are not given elsewhere either.
+    pub fn ends_are_given(&mut self, start: bool, goal: bool) {
+        let cell = |p: Point| format!("({}, {})", p.x, p.y);
+        let left = match (start, goal) {
+            (false, false) => return,
+            (false, true) => Some(format!("the map names no start: {} is used", cell(self.spec.start))),
+            (true, false) => {
+                let goal = self.spec.goals.first().map_or(self.spec.start, |g| g.at);
+                Some(format!("the map names no goal: {} is used", cell(goal)))
+            }
+            (true, true) => None,
+        };
+        if self.ends_were_chosen() {
+            self.notices.retain(|n| n.kind != ends::CHOSEN);
+            self.notices.extend(left.map(|message| Notice::new(ends::CHOSEN, message)));
+        }
+    }
+
     /// A window of the map, and the same ground in another number of cells.
     ///
     /// # Errors

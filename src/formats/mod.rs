@@ -7,6 +7,7 @@
 
 mod archive;
 pub mod comparison_json;
+pub mod comparison_rows;
 mod drawing;
 mod ends;
 pub mod figure;
@@ -23,6 +24,7 @@ pub mod picture;
 mod recognise;
 mod results;
 pub mod ros;
+pub mod run_result;
 mod scen;
 mod scenario_json;
 pub mod session;
@@ -238,6 +240,22 @@ fn table(text: &str, name: &str, matrix: Option<u32>) -> Result<Imported, Format
 /// [`FormatError`] with the line of broken JSON, or the name of the field at fault.
 pub fn read_scenario(text: &str) -> Result<(Grid, ScenarioSpec), FormatError> {
     scenario_json::read(text)
+}
+
+/// Reads the fields of a scenario without its map from JSON.
+///
+/// # Errors
+/// [`FormatError`] with the name of the field at fault.
+pub fn read_spec(text: &str) -> Result<ScenarioSpec, FormatError> {
+    scenario_json::read_spec_alone(text)
+}
+
+/// A map of cells that come from no file, and ends for it: those that are not given are chosen as [`import`] chooses them.
+///
+/// # Errors
+/// [`FormatError::NoFreeCell`].
+pub fn of_cells(grid: Grid, name: &str, start: Option<Point>, goal: Option<Point>) -> Result<Imported, FormatError> {
+    complete(Kind::Matrix, name, grid, start, goal, Vec::new())
 }
 
 /// What the field `format` of a JSON object says.

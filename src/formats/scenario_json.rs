@@ -33,6 +33,14 @@ pub(super) fn read(text: &str) -> Result<(Grid, ScenarioSpec), FormatError> {
     Ok((scenario.grid, scenario.spec))
 }
 
+/// Reads the fields of a scenario that comes without its map; nothing is validated against one.
+///
+/// # Errors
+/// As [`read`].
+pub(super) fn read_spec_alone(text: &str) -> Result<ScenarioSpec, FormatError> {
+    read_spec(parse(text)?)
+}
+
 /// What `format` says, if the text is a JSON object that has one.
 pub(super) fn format_of(text: &str) -> Option<String> {
     #[derive(serde::Deserialize)]

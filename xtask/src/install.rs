@@ -10,6 +10,7 @@ use crate::tools::{self, find, output, run, www};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const NODE: (u32, u32) = (20, 19);
+const PYTHON: (u32, u32) = (3, 11);
 
 /// The compiler's standard library for WebAssembly.
 pub fn wasm_target() -> Result<()> {
@@ -62,6 +63,23 @@ pub fn node() -> Result<()> {
 fn parse_version(version: &str) -> Option<(u32, u32)> {
     let mut numbers = version.trim_start_matches('v').split('.').map(|part| part.parse().ok());
     Some((numbers.next()??, numbers.next()??))
+}
+
+/// Python with what makes virtual environments.
+pub fn python() -> Result<PathBuf> {
+    let (major, minor) = PYTHON;
+    let wanted = format!("the Python package is tested with Python {major}.{minor} or newer, its venv and its pip");
+    let by_hand = || format!("{wanted}: `sudo apt-get install python3-venv`, or https://www.python.org");
+    if find_python().is_none() {
+        apt_install(&["python3-venv"], by_hand)?;
+    }
+    find_python().with_context(by_hand)
+}
+
+/// The interpreter in PATH that can do all that.
+fn find_python() -> Option<PathBuf> {
+    let check = format!("import ensurepip, venv, sys; assert sys.version_info >= {PYTHON:?}");
+    ["python3", "python"].into_iter().filter_map(find).find(|python| output(python, &["-c", &check]).is_some())
 }
 
 /// The browser of the tests, and what drives it.

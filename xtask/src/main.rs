@@ -11,6 +11,7 @@ mod fuzz;
 mod install;
 mod maps;
 mod page;
+mod python;
 mod record;
 mod serve;
 mod stages;

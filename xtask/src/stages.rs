@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::ValueEnum;
 
 use crate::tools::{self, node_script, root, run, with_data};
-use crate::{bench, deny, fuzz, install, page};
+use crate::{bench, deny, fuzz, install, page, python};
 
 const WASM: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
 
@@ -20,6 +20,8 @@ pub enum Stage {
     Deny,
     /// The Rust tests: engine, command line, build helper
     Engine,
+    /// The Python package: wheel, types, tests, examples
+    Python,
     /// Spoiled inputs for everything that reads, for a minute
     Fuzz,
     /// tests/wasm.rs in Node.js
@@ -37,11 +39,12 @@ pub enum Stage {
 }
 
 impl Stage {
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Fmt,
         Self::Clippy,
         Self::Deny,
         Self::Engine,
+        Self::Python,
         Self::Fuzz,
         Self::WasmNode,
         Self::WasmChromium,
@@ -62,6 +65,7 @@ impl Stage {
             Self::Clippy => "clippy",
             Self::Deny => "deny",
             Self::Engine => "engine",
+            Self::Python => "python",
             Self::Fuzz => "fuzz",
             Self::WasmNode => "wasm-node",
             Self::WasmChromium => "wasm-chromium",
@@ -78,6 +82,7 @@ impl Stage {
             Self::Clippy => clippy(),
             Self::Deny => deny::check(),
             Self::Engine => engine(),
+            Self::Python => python::test(),
             Self::Fuzz => fuzz::stage(),
             Self::WasmNode => wasm_tests(&mut tools::cargo()),
             Self::WasmChromium => {

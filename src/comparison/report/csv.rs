@@ -57,7 +57,7 @@ pub(super) fn of_lines(lines: impl IntoIterator<Item = impl Serialize>) -> Strin
 }
 
 /// Spreadsheets take a text that begins like this for a formula. A quote before it makes it a text; numbers stay numbers.
-fn harmless(cell: &str) -> Cow<'_, str> {
+pub(super) fn harmless(cell: &str) -> Cow<'_, str> {
     let begins = cell.starts_with(['=', '+', '-', '@', '\t', '\r']);
     if begins && cell.parse::<f64>().is_err() { Cow::Owned(format!("'{cell}")) } else { Cow::Borrowed(cell) }
 }
