@@ -82,6 +82,11 @@ fn find_python() -> Option<PathBuf> {
     ["python3", "python"].into_iter().filter_map(find).find(|python| output(python, &["-c", &check]).is_some())
 }
 
+/// Slurm, for a cluster of one node; what tests it does without where it cannot be had.
+pub fn slurm() -> Result<()> {
+    apt_install(&["slurm-wlm"], || "`sudo apt-get install slurm-wlm`".into())
+}
+
 /// The browser of the tests, and what drives it.
 pub fn chromium() -> Result<()> {
     let programs = [chromium_program(), program("CHROMEDRIVER", &["chromedriver"])];

@@ -5,8 +5,10 @@
 //! after what is missing.
 
 mod bench;
+mod campaigns;
 mod cards;
 mod deny;
+mod environment;
 mod fuzz;
 mod install;
 mod maps;

@@ -1,19 +1,17 @@
 //! The Python package: built as a wheel, installed where nothing else is, tested there.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 
-use crate::install;
+use crate::environment::{Environment, folder};
 use crate::tools::{root, run, target_dir};
 
 /// Wheel, style, types, tests with the examples.
 pub fn test() -> Result<()> {
-    let python = install::python()?;
-    let wheel = wheel(&Environment::new(&python, "build")?)?;
-    let clean = Environment::new(&python, "test")?;
+    let wheel = wheel(&Environment::new("build")?)?;
+    let clean = Environment::new("test")?;
     run(clean.pip().args(["--force-reinstall", "--no-deps"]).arg(&wheel))?;
     style(&clean)?;
     types(&clean)?;
@@ -74,57 +72,15 @@ fn wheel(build: &Environment) -> Result<PathBuf> {
     Ok(made.path())
 }
 
-/// A virtual environment with what `python/requirements/NAME.txt` lists.
-struct Environment(PathBuf);
-
-impl Environment {
-    /// Made where it is missing, and anew where its list has changed.
-    fn new(python: &Path, name: &str) -> Result<Self> {
-        let (environment, list) = (Self(folder().join(name)), root().join("python/requirements").join(format!("{name}.txt")));
-        let (wanted, note) = (fs::read_to_string(&list)?, environment.0.join("installed.txt"));
-        if fs::read_to_string(&note).is_ok_and(|installed| installed == wanted) {
-            return Ok(environment);
-        }
-        println!("install: Python packages for {name}…");
-        run(Command::new(python).args(["-m", "venv", "--clear"]).arg(&environment.0))?;
-        if let Err(error) = run(environment.pip().arg("--requirement").arg(&list)) {
-            bail!("{error:#}: the packages of {} could not be installed", list.display());
-        }
-        fs::write(&note, wanted).with_context(|| format!("cannot write {}", note.display()))?;
-        Ok(environment)
-    }
-
-    /// A program of it, at work where no source of the package is in the way of the installed one.
-    fn program(&self, name: &str) -> Command {
-        let programs = self.0.join(if cfg!(windows) { "Scripts" } else { "bin" });
-        let mut program = Command::new(programs.join(name));
-        program.current_dir(folder()).env("VIRTUAL_ENV", &self.0).env_remove("PYTHONPATH");
-        program
-    }
-
-    fn pip(&self) -> Command {
-        let mut pip = self.program("python");
-        pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
-        pip
-    }
-}
-
-/// Everything that is made here.
-fn folder() -> PathBuf {
-    let folder = target_dir().join("python");
-    // Where that fails, whatever is put there says so.
-    let _ = fs::create_dir_all(&folder);
-    folder
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn everything_that_is_installed_has_one_version() {
-        for name in ["build", "test"] {
-            let list = fs::read_to_string(root().join("python/requirements").join(format!("{name}.txt"))).unwrap();
+        let lists = fs::read_dir(root().join("python/requirements")).unwrap().map(|entry| entry.unwrap().path());
+        for file in lists {
+            let (name, list) = (file.display(), fs::read_to_string(&file).unwrap());
             let packages: Vec<&str> = list.lines().filter(|line| !line.starts_with('#')).collect();
             assert!(!packages.is_empty() && packages.iter().all(|package| package.contains("==")), "{name}: {packages:?}");
         }

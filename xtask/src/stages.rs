@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::ValueEnum;
 
 use crate::tools::{self, node_script, root, run, with_data};
-use crate::{bench, deny, fuzz, install, page, python};
+use crate::{bench, campaigns, deny, fuzz, install, page, python};
 
 const WASM: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
 
@@ -22,6 +22,8 @@ pub enum Stage {
     Engine,
     /// The Python package: wheel, types, tests, examples
     Python,
+    /// Comparisons in shards by Snakemake and Slurm
+    Campaigns,
     /// Spoiled inputs for everything that reads, for a minute
     Fuzz,
     /// tests/wasm.rs in Node.js
@@ -39,12 +41,13 @@ pub enum Stage {
 }
 
 impl Stage {
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Fmt,
         Self::Clippy,
         Self::Deny,
         Self::Engine,
         Self::Python,
+        Self::Campaigns,
         Self::Fuzz,
         Self::WasmNode,
         Self::WasmChromium,
@@ -66,6 +69,7 @@ impl Stage {
             Self::Deny => "deny",
             Self::Engine => "engine",
             Self::Python => "python",
+            Self::Campaigns => "campaigns",
             Self::Fuzz => "fuzz",
             Self::WasmNode => "wasm-node",
             Self::WasmChromium => "wasm-chromium",
@@ -83,6 +87,7 @@ impl Stage {
             Self::Deny => deny::check(),
             Self::Engine => engine(),
             Self::Python => python::test(),
+            Self::Campaigns => campaigns::test(),
             Self::Fuzz => fuzz::stage(),
             Self::WasmNode => wasm_tests(&mut tools::cargo()),
             Self::WasmChromium => {

@@ -29,7 +29,11 @@ pub fn run(extent: &Extent) -> Result<Section> {
     let program = PathBuf::from(formicarium().get_program());
     let engines = engines(&program, extent)?;
     let merging = merging(&program, extent)?;
-    Ok(Section { name: "campaigns", text: format!("{NOTE} `cargo xtask bench campaigns`\n\n{engines}\n{MERGE}\n\n{merging}"), readme: None })
+    Ok(Section {
+        name: "campaigns",
+        text: format!("{NOTE} `cargo xtask bench campaigns`\n\n{engines}\n{MERGE}\n\n{merging}"),
+        readme: None,
+    })
 }
 
 /// A way to do the whole question, into an empty folder.
@@ -41,21 +45,24 @@ struct Way<'a> {
 fn engines(program: &Path, extent: &Extent) -> Result<String> {
     let (shards, rounds) = if extent.quick { (4, 1) } else { (50, extent.rounds.min(5)) };
     let options: &[&str] = if extent.quick { &["--seeds", "1", "--only", "ship-20x20-00"] } else { &["--seeds", "60"] };
-    let question = root().join("experiments/ship.toml");
+    let question = &root().join("experiments/ship.toml");
     let compare = || {
         let mut command = Command::new(program);
-        command.arg("compare").arg(&question).args(options);
+        command.arg("compare").arg(question).args(options);
         command
     };
     let mut ways = vec![
         Way { name: "one process".into(), run: Box::new(move |out| quietly(compare().args(["--jobs", "2", "--out"]).arg(out))) },
-        Way { name: format!("{shards} shards, two processes at a time"), run: Box::new(move |out| by_hand(&compare, shards, out)) },
+        Way {
+            name: format!("{shards} shards, two processes at a time"),
+            run: Box::new(move |out| by_hand(&compare, shards, out)),
+        },
     ];
     match campaigns::snakemake() {
         Ok(snakemake) => ways.push(Way {
             name: format!("{shards} shards by Snakemake"),
             run: Box::new(move |out| {
-                let mut command = campaigns::local(&snakemake, program, &question, &options.join(" "), out);
+                let mut command = campaigns::local(&snakemake, program, question, &options.join(" "), out);
                 quietly(command.arg(format!("shards={shards}")))
             }),
         }),

@@ -3,6 +3,7 @@
 //! One file a part; `runner.rs` starts what is timed (benches/runner, benches/peers), `rounds.rs` races it, `interval.rs` sums it up,
 //! `report.rs` writes it down.
 
+mod campaigns;
 mod colonies;
 mod exact;
 mod growth;
@@ -55,6 +56,8 @@ enum Part {
     Growth,
     /// The page in Chromium: from an input to its picture, from the address to the first step
     Page,
+    /// Comparisons in shards beside one process; merging very many runs
+    Campaigns,
     /// Instructions an ant move, beside those that were counted before
     Instructions,
 }
@@ -98,6 +101,7 @@ impl Part {
             Self::Python => python::run(extent),
             Self::Growth => growth::run(extent).map(Some),
             Self::Page => page::run(extent),
+            Self::Campaigns => campaigns::run(extent).map(Some),
             Self::Instructions => instructions::run(extent),
         }
     }
