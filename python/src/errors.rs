@@ -46,7 +46,8 @@ pub fn said(error: &CliError) -> Refusal {
     let class = match error {
         CliError::Engine(error) | CliError::Contents { error, .. } => class(error),
         CliError::File { .. } => "FileError",
-        CliError::Usage { .. } => "ArgumentError",
+        // Arguments that do not go together, and what only single commands say.
+        _ => "ArgumentError",
     };
     Refusal { class, report: error.report().into() }
 }
