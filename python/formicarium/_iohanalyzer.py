@@ -34,6 +34,8 @@ def to_iohanalyzer(source: str | os.PathLike[str] | Comparison, folder: str | os
     """
     if axis not in AXES:
         raise bad("axis", f"`{axis}` is nothing that is counted", f"give one of {', '.join(AXES)}")
+    if isinstance(source, (str, os.PathLike)) and Path(source).is_dir():
+        raise bad("source", f"{os.fspath(source)} is a folder", "merge its journals: `formicarium compare QUESTION --merge FOLDER`")
     made: list[Path] = []
     functions: dict[str, int] = {}
     for (instance, entry), runs in groupby(_runs(source, axis), key=lambda run: run[0]):

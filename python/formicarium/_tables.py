@@ -5,13 +5,16 @@ from __future__ import annotations
 import csv
 import io
 import os
+import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
 from ._cells import whole
-from ._need import bad, need
+from ._need import bad, need, warn_of_lines
+from .errors import FormicariumWarning
 
 if TYPE_CHECKING:
     from ._compare import Comparison
@@ -57,41 +60,60 @@ def _types(names: list[str]) -> Any:
     return arrow.ConvertOptions(column_types=of, strings_can_be_null=False)
 
 
-def texts(source: str | os.PathLike[str] | Comparison, batch: int = BATCH) -> Iterator[tuple[str, str]]:
+def texts(source: str | os.PathLike[str] | Comparison, batch: int = BATCH, question: Any = None) -> Iterator[tuple[str, str]]:
     """The lines of runs and of their improvements, some runs at a time, without heads: what every reader of this module is fed by."""
     from ._compare import Comparison
 
     if isinstance(source, Comparison):
         yield source.file("csv").partition("\n")[2], source._native.traces().partition("\n")[2]
         return
-    stored = _engine.StoredRows(os.fspath(source))
+    path = os.fspath(source)
+    stored = _journals(path, question) if Path(path).is_dir() else _engine.StoredRows(path)
     while True:
         lines, improvements, count = stored.next(batch)
         if count == 0:
-            return
+            break
         yield lines, improvements
+    if stored.dropped > 0:
+        message = f"{path}: lines of its journals that do not hold, or are of another question, and are left out: {stored.dropped}"
+        warnings.warn(FormicariumWarning(message, "journals-damaged"), stacklevel=3)
 
 
-def rows(source: str | os.PathLike[str] | Comparison, *, batch: int = BATCH) -> Iterator[Any]:
+def _journals(folder: str, question: Any) -> _engine.StoredRows:
+    """The journals in a folder, of shards or of a comparison that was broken off; each run once."""
+    from ._compare import read_question
+
+    if question is None:
+        raise bad("question", f"{folder} has journals, which do not tell what was asked", "give the question as well, as `compare` takes it")
+    paths = sorted(str(path) for path in Path(folder).iterdir() if path.suffix in (".journal", ".partial"))
+    if not paths:
+        raise bad("source", f"{folder} has no journal", "give the folder of `compare --shard`, or a comparison's .json")
+    asked, lines = read_question(question, None, None, [])
+    warn_of_lines(lines)
+    return _engine.StoredRows.of_journals(paths, asked)
+
+
+def rows(source: str | os.PathLike[str] | Comparison, *, question: Any = None, batch: int = BATCH) -> Iterator[Any]:
     """The runs of a comparison as ``pyarrow.RecordBatch``, at most ``batch`` at a time, so that a million need little memory. Needs pyarrow.
 
-    ``source``: a Comparison, its document ``NAME.json``, or its table ``NAME.csv``.
+    ``source``: a Comparison, its document ``NAME.json``, its table ``NAME.csv``, or with its ``question`` a folder of journals, whose runs
+    come in the order of the files. Lines that do not hold are left out, with a warning.
     """
     whole(batch, "batch", least=1)
     if _is_csv(source):
         return _csv_batches(os.fspath(source), batch)  # type: ignore[arg-type]
-    return (one for lines, _ in texts(source, batch) for one in _batches(_engine.columns()[0], lines, batch))
+    return (one for lines, _ in texts(source, batch, question) for one in _batches(_engine.columns()[0], lines, batch))
 
 
-def traces(source: str | os.PathLike[str] | Comparison, *, batch: int = BATCH) -> Iterator[Any]:
+def traces(source: str | os.PathLike[str] | Comparison, *, question: Any = None, batch: int = BATCH) -> Iterator[Any]:
     """Every improvement of every run as ``pyarrow.RecordBatch``, of at most ``batch`` runs at a time. Needs pyarrow.
 
-    ``source``: a Comparison, or its document ``NAME.json``.
+    ``source``: a Comparison, its document ``NAME.json``, or with its ``question`` a folder of journals.
     """
     whole(batch, "batch", least=1)
     if _is_csv(source):
         raise bad("source", "a table of runs does not tell how they came to their paths", "give the comparison's .json")
-    return (one for _, lines in texts(source, batch) for one in _batches(_engine.columns()[1], lines, None))
+    return (one for _, lines in texts(source, batch, question) for one in _batches(_engine.columns()[1], lines, None))
 
 
 def _is_csv(source: Any) -> bool:
@@ -123,11 +145,12 @@ def write_parquet(
     *,
     rows: str | os.PathLike[str] | None = None,
     traces: str | os.PathLike[str] | None = None,
+    question: Any = None,
     batch: int = BATCH,
 ) -> None:
     """Writes runs and improvements as Parquet, each into the file that is named; some at a time. A file is there when it is whole. Needs pyarrow.
 
-    ``source``: a Comparison, its document ``NAME.json``, or, for ``rows`` alone, its table ``NAME.csv``.
+    ``source``: a Comparison, its document ``NAME.json``, with its ``question`` a folder of journals, or, for ``rows`` alone, a table ``NAME.csv``.
     """
     whole(batch, "batch", least=1)
     if rows is None and traces is None:
@@ -142,7 +165,7 @@ def write_parquet(
             for one in _csv_batches(os.fspath(source), batch):  # type: ignore[arg-type]
                 to_rows.write_batch(one)
             return
-        for lines, improvements in texts(source, batch):
+        for lines, improvements in texts(source, batch, question):
             for writer, head, text in ((to_rows, heads[0], lines), (to_traces, heads[1], improvements)):
                 if writer is not None and text:
                     writer.write_table(table(f"{head}\n{text}"))

@@ -17,7 +17,7 @@ use super::pool;
 /// A question with its maps, and once it is run its runs.
 #[pyclass(frozen, module = "formicarium._engine")]
 pub struct Comparison {
-    comparison: Arc<comparison::Comparison>,
+    pub comparison: Arc<comparison::Comparison>,
     /// The command that its reports name.
     command: String,
     /// The runs that are done here, in the order of the tasks.

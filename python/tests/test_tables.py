@@ -50,6 +50,29 @@ def test_parquet_holds_the_same(compared: formicarium.Comparison, stored: Path, 
     assert sorted(path.name for path in tmp_path.iterdir()) == ["again.parquet", "rows.parquet", "traces.parquet"]
 
 
+@pytest.mark.filterwarnings("ignore:no start and goal")
+def test_journals_of_shards_give_each_run_once(compared: formicarium.Comparison, question: Path, tmp_path: Path) -> None:
+    for shard in ("1/2", "2/2", "1/3"):
+        assert formicarium.command(["compare", question, "--shard", shard, "--out", tmp_path]) == 0
+    order = [("instance", "ascending"), ("entry", "ascending"), ("seed", "ascending")]
+    read = pa.Table.from_batches(formicarium.rows(tmp_path, question=question, batch=7))
+    assert read.sort_by(order) == compared.rows.sort_by(order)
+    journal = next(tmp_path.glob("*1of2*"))
+    text = journal.read_text().splitlines(keepends=True)
+    journal.write_text("".join(text[:2]) + text[2].replace("status", "statut") + "".join(text[3:]))
+    for path in tmp_path.glob("*1of3*"):
+        path.unlink()
+    with pytest.warns(formicarium.FormicariumWarning, match="left out: 1"):
+        assert sum(batch.num_rows for batch in formicarium.rows(tmp_path, question=question)) == 59
+    with pytest.raises(errors.ArgumentError, match="what was asked"):
+        list(formicarium.rows(tmp_path))
+    with pytest.raises(errors.ArgumentError, match="merge"):
+        formicarium.to_iohanalyzer(tmp_path, tmp_path / "ioh")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(errors.ArgumentError, match="no journal"):
+        list(formicarium.traces(tmp_path / "empty", question=question))
+
+
 def test_what_is_no_comparison_is_refused_by_name(stored: Path, tmp_path: Path) -> None:
     whole = (stored / "small.json").read_text()
     (tmp_path / "cut.json").write_text(whole[: len(whole) // 2], encoding="utf-8")

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 use std::io::{self, BufRead, Read};
 
 use super::comparison_json;
+use super::journal::{JournalFault, JournalLines};
 use super::text::MAX_BYTES;
 use crate::comparison::{Comparison, Row, Task};
 use crate::error::{Error, FormatError};
@@ -116,6 +117,40 @@ impl<R: BufRead> StoredRows<R> {
     }
 }
 
+/// The runs of journals, one by one: each once, however many journals have it, and only those whose line holds.
+pub struct JournalRows {
+    lines: JournalLines,
+    seen: Vec<bool>,
+    /// Lines that did not hold; half a line at the end of a journal is none.
+    pub dropped: usize,
+}
+
+impl JournalRows {
+    /// Of journals of this comparison.
+    pub fn of(comparison: &Comparison) -> Self {
+        let lines = JournalLines::of(comparison, None);
+        Self { seen: vec![false; lines.tasks().len()], lines, dropped: 0 }
+    }
+
+    /// The next run of a journal, in the order in which they were done; none at its end. `source` stands at its beginning, or where the run
+    /// before has left it.
+    ///
+    /// # Errors
+    /// What the source says, and a line without an end in sight.
+    pub fn next_row(&mut self, source: &mut impl BufRead) -> Result<Option<Row>, RowsError> {
+        let mut line = Vec::new();
+        while next_line(source, &mut line)? > 0 {
+            match self.lines.read_line(&line) {
+                Ok((place, row)) if !std::mem::replace(&mut self.seen[place], true) => return Ok(Some(row)),
+                Ok(_) | Err(JournalFault::Cut) => {}
+                Err(_) => self.dropped += usize::from(self.lines.read_head(&line).is_err()),
+            }
+            line.clear();
+        }
+        Ok(None)
+    }
+}
+
 /// Adds the next line with its end, and tells how long it is; 0 at the end. Nothing in memory becomes larger than a file that is read whole.
 fn next_line(source: &mut impl BufRead, to: &mut Vec<u8>) -> Result<usize, RowsError> {
     let left = (MAX_BYTES - to.len()) as u64 + 1;
@@ -180,5 +215,22 @@ mod tests {
         let first = text[rows..].lines().next().unwrap();
         let twice = format!("{}{first}\n{}", &text[..rows], &text[rows..]);
         assert!(refused(&twice).contains("behind the one before"));
+    }
+
+    #[test]
+    fn journals_give_each_run_that_holds_once() {
+        let (comparison, rows, _) = document();
+        let lines = JournalLines::of(&comparison, None);
+        let written: Vec<String> = rows.iter().map(|row| lines.line(row)).collect();
+        let journal = lines.head() + &written[..4].concat() + &written[3].replace("status", "statut") + "{\"experiment\":\"cut";
+        let other = lines.head() + &written[2..].concat();
+        let mut read = JournalRows::of(&comparison);
+        let mut all = Vec::new();
+        for mut source in [journal.as_bytes(), other.as_bytes()] {
+            while let Some(row) = read.next_row(&mut source).unwrap() {
+                all.push(row);
+            }
+        }
+        assert_eq!((all, read.dropped), (rows, 1));
     }
 }
