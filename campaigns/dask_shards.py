@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
 import time
 
@@ -31,7 +32,7 @@ def do_shard(arguments: list[str]) -> float:
 
 def deal(client: Client, options: argparse.Namespace) -> list[int]:
     """Has every shard done, tells of each that ends, and gives those that failed more often than they may."""
-    compare = ["compare", options.question, "--out", options.folder]
+    compare = ["compare", options.question, *options.options, "--out", os.path.join(options.folder, "shards")]
     compare += [] if options.jobs is None else ["--jobs", str(options.jobs)]
     futures = {
         client.submit(do_shard, [*compare, "--shard", f"{number}/{options.shards}"], retries=options.retries, pure=False): number
@@ -53,8 +54,10 @@ def main() -> int:
     """Reads the arguments, has the shards done, and merges them. Exit code 0 when the results are written."""
     parser = argparse.ArgumentParser(description="Deals the shards of a question to Dask workers and merges them.")
     parser.add_argument("question", type=os.path.abspath, help="the question's file, under a name that the workers know too")
-    parser.add_argument("folder", type=os.path.abspath, help="where journals and results go, known to the workers too")
+    parser.add_argument("folder", type=os.path.abspath, help="where shards/ and results/ go, known to the workers too")
     parser.add_argument("--shards", type=int, default=2 * (os.cpu_count() or 1), help="how many [default: two a core]")
+    parser.add_argument("--options", type=shlex.split, default=[], help='more of `compare` on which runs depend: "--seeds 10"')
+    parser.add_argument("--recheck", metavar="P%%", help="repeat this part of the runs in the end, such as 2%%")
     parser.add_argument("--retries", type=int, default=2, help="how often a shard is begun again [default: 2]")
     parser.add_argument("--jobs", type=int, help="threads of a shard [default: with --scheduler a worker's cores, else 1]")
     parser.add_argument("--scheduler", help="address of a Dask scheduler [default: workers on this machine]")
@@ -74,7 +77,9 @@ def main() -> int:
         return 1
     import formicarium
 
-    return formicarium.command(["compare", options.question, "--merge", options.folder])
+    journals, results = (os.path.join(options.folder, name) for name in ("shards", "results"))
+    merge = ["compare", options.question, *options.options, "--merge", journals, "--out", results]
+    return formicarium.command(merge + (["--recheck", options.recheck] if options.recheck else []))
 
 
 if __name__ == "__main__":
