@@ -6,6 +6,7 @@ import { addLabWords } from '../i18n/lab'
 import { addReadingsWords } from '../i18n/readings'
 import { fetchNames } from '../state/lazy_parts'
 import { joinFile, takeResults } from './build/take_results'
+import { takeJournal } from './run/shares'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 
@@ -30,6 +31,13 @@ export async function joinForScript(
   await openAddress()
   const place = instance === undefined ? {} : { instance: { id: instance, name: instance } }
   await joinFile(name, bytes, { leaveOut, ...place })
+}
+
+/** Takes the runs of a journal into the comparison that is open. */
+export async function takeJournalFile(name: string, bytes: Uint8Array): Promise<void> {
+  await fetchLab()
+  await openAddress()
+  await takeJournal(name, bytes)
 }
 
 let ready: Promise<typeof Lab> | null = null

@@ -7,7 +7,8 @@ import { describeError, describeNotice } from '../i18n/errors'
 import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
-import type { NumbersOfLink } from '../share/recorded_numbers'
+import type { ToldByLink } from '../share/comparison_link'
+import { linkIn } from '../share/link_in_text'
 import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
@@ -39,6 +40,9 @@ import { importPart, offerTerrain } from './terrain_files'
 /** All files of a folder together. */
 const MAX_TOTAL = 8 * MAX_BYTES
 
+/** Bytes by which a file is recognised. */
+const ENOUGH_TO_KNOW = 64 * 1024
+
 const sessionFormat = () => import('../share/link')
 
 /** Kinds that leave a choice. */
@@ -52,16 +56,20 @@ export async function openText(text: string, opening: Opening = {}): Promise<boo
   return inTurn([name], (turn) => openTextIn(turn, text, opening))
 }
 
-async function openTextIn(turn: Turn, text: string, opening: Opening): Promise<void> {
-  // A file may contain a link, so only text that is no JSON is searched for one.
-  const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
+async function openTextIn(
+  turn: Turn,
+  text: string,
+  opening: Opening,
+  name = t('maps.pastedName'),
+): Promise<void> {
+  const fragment = linkIn(text)
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    const { document, numbers } = await decodeFragment(fragment)
-    await openComparisonText(turn, document, numbers)
+    const { document, ...told } = await decodeFragment(fragment)
+    await openComparisonText(turn, document, told)
   } else if (fragment)
     replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
-  else await openTogether(turn, [{ name: t('maps.pastedName'), bytes: encoded(text) }], opening)
+  else await openTogether(turn, [{ name, bytes: encoded(text) }], opening)
 }
 
 const encoded = (text: string) => new TextEncoder().encode(text)
@@ -102,8 +110,27 @@ export async function openMapsFor(files: File[], take: Taker): Promise<void> {
 
 async function contentsOf(files: File[]): Promise<NamedBytes[]> {
   const given: NamedBytes[] = []
-  for (const file of files) given.push({ name: file.name, bytes: await bytesOf(file) })
+  for (const file of files) {
+    await refuseTooManyRuns(file)
+    given.push({ name: file.name, bytes: await bytesOf(file) })
+  }
   return given
+}
+
+/** Throws where a comparison or a journal is too large, by its beginning alone; who has so many runs is helped by the command line. */
+async function refuseTooManyRuns(file: File): Promise<void> {
+  if (file.size <= MAX_BYTES) return
+  const begins = new Uint8Array(await file.slice(0, ENOUGH_TO_KNOW).arrayBuffer())
+  const { kind } = await tools.recognise(begins, file.name)
+  if (kind !== 'comparison' && kind !== 'journal') return
+  throw tooManyRuns(file, kind)
+}
+
+function tooManyRuns({ name, size }: File, kind: 'comparison' | 'journal'): EngineError {
+  const inMiB = (bytes: number) => Math.ceil(bytes / 2 ** 20)
+  const message = t('opening.tooManyRuns', { name, size: inMiB(size) })
+  const hint = t(`opening.tooManyRunsHint.${kind}`, { most: inMiB(MAX_BYTES), file: name })
+  return { kind: 'too-many-runs', field: name, message, hint, args: {} }
 }
 
 /** Once no file waits for the reader to say how it is meant. */
@@ -194,11 +221,12 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
   const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
   for (const file of found) {
-    if (file.kind === 'carrier') await openTextIn(turn, file.text, {})
+    if (file.kind === 'carrier') await openTextIn(turn, file.text, {}, file.name)
     else if (file.kind === 'session') await openSessionFile(turn, file.bytes)
     else if (file.kind === 'comparison')
       await openComparisonText(turn, new TextDecoder().decode(file.bytes))
     else if (file.kind === 'results') await importResults(turn, file.bytes, file.name)
+    else if (file.kind === 'journal') await takeInJournal(turn, file)
     // A tour alone: its import says so. As a rule the import says why it is no map.
     else if (!canBeOpened(file) || (file.kind === 'tsplib-tour' && orders.length === 0)) {
       const name = fileName(file.name)
@@ -348,12 +376,12 @@ async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
 async function openComparisonText(
   turn: Turn,
   text: string,
-  numbers: NumbersOfLink | null = null,
+  told?: ToldByLink,
 ): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
   turn.check()
   showView('lab')
-  await openComparisonDocument(text, numbers)
+  await openComparisonDocument(text, told)
 }
 
 /** Imports a file of results into the laboratory. */
@@ -362,6 +390,14 @@ async function importResults(turn: Turn, bytes: Uint8Array, name: string): Promi
   turn.check()
   showView('lab')
   await takeImportedResults(fileName(name), bytes)
+}
+
+/** Takes the runs of a journal into the comparison that is shown. */
+async function takeInJournal(turn: Turn, { name, bytes }: NamedBytes): Promise<void> {
+  const { takeJournalFile } = await lazyParts.lab()
+  turn.check()
+  showView('lab')
+  await takeJournalFile(fileName(name), bytes)
 }
 
 function replay(turn: Turn, session: Session): void {
