@@ -373,11 +373,7 @@ async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
 }
 
 /** Opens a comparison in the laboratory. */
-async function openComparisonText(
-  turn: Turn,
-  text: string,
-  told?: ToldByLink,
-): Promise<void> {
+async function openComparisonText(turn: Turn, text: string, told?: ToldByLink): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
   turn.check()
   showView('lab')

@@ -306,6 +306,7 @@ export const enDialogs = {
     scenario: 'Scenario',
     session: 'Session',
     comparison: 'Comparison',
+    journal: 'Journal of runs',
     results: 'Table of results',
     archive: 'Archive',
     unknown: 'Unknown',

@@ -100,7 +100,8 @@ export const enLabClass = {
     },
     unlike:
       '{{entry}} on {{map}}, seed {{seed}}: it says something else than {{other}}. Repeat a sample to see which is right.',
-    unlikeHere: '{{entry}} on {{map}}, seed {{seed}}: it says something else than the run done here.',
+    unlikeHere:
+      '{{entry}} on {{map}}, seed {{seed}}: it says something else than the run done here.',
     unlikeItself: '{{entry}} on {{map}}, seed {{seed}}: two of its lines do not agree.',
     sample: 'Repeat a sample',
     sampleShare: 'Per cent of the runs',

@@ -294,6 +294,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     scenario: '场景',
     session: '会话',
     comparison: '比较',
+    journal: '运行日志',
     results: '结果表',
     archive: '压缩包',
     unknown: '未知',

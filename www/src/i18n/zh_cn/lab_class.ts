@@ -80,8 +80,7 @@ export const zhCNLabClass: DictionaryShape<typeof enLabClass> = {
       'no-journal': '开头不是本程序的日志',
       'other-version': '是另一版本的日志：{{found}}',
       'other-engine': '这些运行由引擎 {{found}} 完成，而这里是 {{here}}：结果可能不逐位相同',
-      'other-question':
-        '是另一个问题或另一些地图的运行：它需要比较 {{found}}，而这里是 {{here}}',
+      'other-question': '是另一个问题或另一些地图的运行：它需要比较 {{found}}，而这里是 {{here}}',
       cut: '不完整',
       damaged: '已损坏或被改动过：校验和不符',
       changed: '被改动过：校验和相符，但没有引擎会这样写一次运行',

@@ -169,7 +169,9 @@ const nextKey = ({ comparison }: OpenParts): number =>
 
 async function tellWhatItNeeds(name: string, bytes: Uint8Array): Promise<void> {
   const digest = await tools.journalDigest(bytes)
-  const says = digest ? t('lab.class.needs', { name, digest }) : t('lab.class.needsUnknown', { name })
+  const says = digest
+    ? t('lab.class.needs', { name, digest })
+    : t('lab.class.needsUnknown', { name })
   notify('warning', says, { hint: t('lab.class.needsHint') })
 }
 

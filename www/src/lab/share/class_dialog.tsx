@@ -14,8 +14,8 @@ import { copyText } from '../../ui/copy_text'
 import { Dialog } from '../../ui/dialog'
 import { openComparison, phase } from '../run/actions'
 import { chooseShare, dealTo, runsOfQuestion, sizeOfShares } from '../run/shares'
-import { fileStem } from '../store/names'
 import { timeWords } from '../run/time_words'
+import { fileStem } from '../store/names'
 import { linkOfShare, textOfQuestion } from './class_links'
 
 export const LEAST_SHARES = 2
@@ -75,8 +75,7 @@ export function ClassDialog({ onBack, onClose }: { onBack: () => void; onClose: 
 /** How many runs a share has, and about how long it takes. */
 function sizeWords(of: number): string {
   const { runs, seconds } = sizeOfShares(of)
-  const time =
-    seconds === null ? t('lab.class.sizeUnknown') : timeWords(seconds, 'ofShare')
+  const time = seconds === null ? t('lab.class.sizeUnknown') : timeWords(seconds, 'ofShare')
   return `${t('lab.class.size', { count: runs })} ${time}`
 }
 

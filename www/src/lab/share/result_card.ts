@@ -5,12 +5,12 @@ import { shortened, wrapped } from '../../figures/svg'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import { pngWith } from '../../share/png'
 import { engineVersion } from '../../state'
 import { seriesOf } from '../figures/figure_style'
 import { openComparison, progress } from '../run/actions'
 import { shownAnalysis, shownComparison } from '../store/shown_comparison'
 import { amount, labelOf, measureWords, range } from '../words/numbers'
-import { pngWith } from '../../share/png'
 import { embedComparison } from './embed_comparison'
 
 const WIDTH = 1200
@@ -67,14 +67,7 @@ function draw(context: Context, height: number, look: Look, footer: string): voi
   const found = shownAnalysis.peek()
   if (found) table(context, found, y + 52, look)
   rule(context, height - EDGE - 24, look)
-  write(
-    context,
-    `Formicarium · ${footer}`,
-    EDGE,
-    height - EDGE + 8,
-    font(400, 18),
-    look.muted,
-  )
+  write(context, `Formicarium · ${footer}`, EDGE, height - EDGE + 8, font(400, 18), look.muted)
 }
 
 function subtitle(): string {

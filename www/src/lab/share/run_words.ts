@@ -1,8 +1,12 @@
 /** A run in words: where it stands in the question, and what its row says. */
-import type { Row } from '@pkg/formicarium'
 import { t } from '../../i18n/lab'
 import { shownComparison } from '../store/shown_comparison'
 import { precise } from '../words/numbers'
+
+/** What is read of a row, which the engine writes. */
+interface Row {
+  found: { length: number } | null
+}
 
 /** Names of map and entry, and the seed. */
 export function namesOfRun(run: { instance: number; entry: number; seed: number }) {

@@ -33,7 +33,9 @@ export function ShareCard() {
       </p>
       {(stage === 'choosing' || stage === 'ready') && <Choice share={share} />}
       {stage === 'ready' && <Begin share={share} />}
-      {(stage === 'begun' || stage === 'done') && <HandIn share={share} isDone={stage === 'done'} />}
+      {(stage === 'begun' || stage === 'done') && (
+        <HandIn share={share} isDone={stage === 'done'} />
+      )}
     </section>
   )
 }

@@ -178,7 +178,10 @@ async function storeRuns(comparison: string, runs: KeptRun[]): Promise<void> {
 
 async function deleteRuns(comparison: string, indices: number[]): Promise<void> {
   const change = (await openDatabase()).transaction('rows', 'readwrite')
-  await Promise.all([...indices.map((index) => change.store.delete([comparison, index])), change.done])
+  await Promise.all([
+    ...indices.map((index) => change.store.delete([comparison, index])),
+    change.done,
+  ])
 }
 
 /** Stores a comparison as it stands, with some of its runs. */

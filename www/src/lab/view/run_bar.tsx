@@ -21,8 +21,8 @@ import {
   progress,
 } from '../run/actions'
 import { countWords } from '../run/count_words'
-import { ShareComparison } from '../share/share_comparison'
 import { timeWords } from '../run/time_words'
+import { ShareComparison } from '../share/share_comparison'
 
 export function RunBar() {
   const now = openComparison.value
