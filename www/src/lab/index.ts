@@ -4,9 +4,10 @@ import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { addReadingsWords } from '../i18n/readings'
+import type { UnreadFile } from '../state/file_bytes'
 import { fetchNames } from '../state/lazy_parts'
 import { joinFile, takeResults } from './build/take_results'
-import { takeJournal } from './run/shares'
+import { takeJournals } from './run/shares'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 
@@ -33,11 +34,11 @@ export async function joinForScript(
   await joinFile(name, bytes, { leaveOut, ...place })
 }
 
-/** Takes the runs of a journal into the comparison that is open. */
-export async function takeJournalFile(name: string, bytes: Uint8Array): Promise<void> {
+/** Takes the runs of journals into the comparison that is open. */
+export async function takeJournalFiles(files: UnreadFile[]): Promise<void> {
   await fetchLab()
   await openAddress()
-  await takeJournal(name, bytes)
+  await takeJournals(files)
 }
 
 let ready: Promise<typeof Lab> | null = null

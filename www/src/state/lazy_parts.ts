@@ -11,6 +11,7 @@ import type { PanelSetup, Scenario } from '../model/session'
 import type { Press, Stroke } from '../model/stroke'
 import type { ToldByLink } from '../share/comparison_link'
 import type { Arrival } from './address'
+import type { UnreadFile } from './file_bytes'
 import type { Tool } from './store'
 
 /** Comparisons (lab/). */
@@ -19,8 +20,8 @@ export interface LabPart {
   openComparisonDocument(text: string, told?: ToldByLink): Promise<void>
   /** Takes in a file of imported results. */
   takeImportedResults(name: string, bytes: Uint8Array): Promise<void>
-  /** Takes the runs of a journal into the comparison that is open, or says which one it needs. */
-  takeJournalFile(name: string, bytes: Uint8Array): Promise<void>
+  /** Takes the runs of journals into the comparison that is open, or says which one they need. */
+  takeJournalFiles(files: UnreadFile[]): Promise<void>
   /** Shows what the papers ask. */
   showPublished(): Promise<void>
 }

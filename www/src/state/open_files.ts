@@ -43,6 +43,9 @@ const MAX_TOTAL = 8 * MAX_BYTES
 /** Bytes by which a file is recognised. */
 const ENOUGH_TO_KNOW = 64 * 1024
 
+/** How the name of a journal ends. */
+const JOURNAL = '.journal'
+
 const sessionFormat = () => import('../share/link')
 
 /** Kinds that leave a choice. */
@@ -77,6 +80,10 @@ const encoded = (text: string) => new TextEncoder().encode(text)
 /** False if not all of them were opened, and the reader knows. */
 export async function openFiles(files: File[]): Promise<boolean> {
   if (isAsking()) return joinAsked(await contentsOf(files))
+  if (files.length > 0 && files.every(({ name }) => name.endsWith(JOURNAL))) {
+    await takeInJournals(files)
+    return true
+  }
   const names = files.map(({ name }) => name)
   return inTurn(names, async (turn) => openTogether(turn, await contentsOf(files)))
 }
@@ -110,11 +117,13 @@ export async function openMapsFor(files: File[], take: Taker): Promise<void> {
 
 async function contentsOf(files: File[]): Promise<NamedBytes[]> {
   const given: NamedBytes[] = []
-  for (const file of files) {
-    await refuseTooManyRuns(file)
-    given.push({ name: file.name, bytes: await bytesOf(file) })
-  }
+  for (const file of files) given.push({ name: file.name, bytes: await contentOf(file) })
   return given
+}
+
+async function contentOf(file: File): Promise<Uint8Array> {
+  await refuseTooManyRuns(file)
+  return bytesOf(file)
 }
 
 /** Throws where a comparison or a journal is too large, by its beginning alone; who has so many runs is helped by the command line. */
@@ -388,12 +397,19 @@ async function importResults(turn: Turn, bytes: Uint8Array, name: string): Promi
   await takeImportedResults(fileName(name), bytes)
 }
 
-/** Takes the runs of a journal into the comparison that is shown. */
+/** Takes the runs of a journal into the comparison that is open. */
 async function takeInJournal(turn: Turn, { name, bytes }: NamedBytes): Promise<void> {
-  const { takeJournalFile } = await lazyParts.lab()
+  const { takeJournalFiles } = await lazyParts.lab()
   turn.check()
   showView('lab')
-  await takeJournalFile(fileName(name), bytes)
+  await takeJournalFiles([{ name: fileName(name), read: async () => bytes }])
+}
+
+/** The same with files of that name: whoever collects them drops the next while one is read, and none ends the opening of another. */
+async function takeInJournals(files: File[]): Promise<void> {
+  const { takeJournalFiles } = await lazyParts.lab()
+  showView('lab')
+  await takeJournalFiles(files.map((file) => ({ name: file.name, read: () => contentOf(file) })))
 }
 
 function replay(turn: Turn, session: Session): void {

@@ -71,7 +71,7 @@ function PartOfAll() {
   const { all, there } = runsOfQuestion()
   const done = numbers.value.whole.format(there)
   return (
-    <p class="hint" data-testid="part-of-all">
+    <p class="hint results-part" data-testid="part-of-all">
       {t('lab.class.ofAll', { done, count: all })}
     </p>
   )

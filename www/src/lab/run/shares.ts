@@ -3,7 +3,8 @@ import type { JournalFault, TakenJournal } from '@pkg/formicarium'
 import { tools } from '../../engine/tools'
 import { t } from '../../i18n/lab'
 import { type ShareOfClass, shareText } from '../../share/share_of_class'
-import { notify } from '../../state'
+import { notify, notifyError } from '../../state'
+import type { UnreadFile } from '../../state/file_bytes'
 import type { BroughtFile } from '../store/browser_storage'
 import { fileStem } from '../store/names'
 import { noteRefusal, type RefusedJournal } from '../store/refused_journals'
@@ -79,17 +80,54 @@ export function statesOfShares(of: number, numbers: Uint32Array): ShareState[] {
   return states
 }
 
-/** Takes a journal whole, or notes by its name why not. */
-export async function takeJournal(name: string, bytes: Uint8Array): Promise<void> {
+/** Files are taken in one after the other, however many come at once. */
+let turn: Promise<void> = Promise.resolve()
+
+/** Takes journals, each of them whole, or notes by its name why not. */
+export function takeJournals(files: UnreadFile[]): Promise<void> {
+  turn = turn.then(async () => {
+    const taken: BroughtFile[] = []
+    const refused: string[] = []
+    for (const { name, read } of files) {
+      try {
+        const file = await takeJournal(name, await read())
+        if (file === 'refused') refused.push(name)
+        else if (file) taken.push(file)
+      } catch (error) {
+        notifyError(error)
+      }
+    }
+    tellTaken(taken, refused)
+  })
+  return turn
+}
+
+function tellTaken(taken: BroughtFile[], refused: string[]): void {
+  const count = taken.reduce((sum, { runs }) => sum + runs, 0)
+  const [first] = taken
+  if (first && taken.length === 1)
+    notify('success', t('lab.class.taken', { name: first.name, count }))
+  else if (first) notify('success', t('lab.class.takenAll', { files: taken.length, count }))
+  const hint = t('lab.class.refusedHint')
+  if (refused.length === 1)
+    notify('warning', t('lab.class.refused', { name: refused[0] }), { hint })
+  else if (refused.length > 1)
+    notify('warning', t('lab.class.refusedAll', { count: refused.length }), { hint })
+}
+
+/** The file as it is kept; nothing where no comparison is open. */
+async function takeJournal(
+  name: string,
+  bytes: Uint8Array,
+): Promise<BroughtFile | 'refused' | undefined> {
   const mine = openParts()
   if (!mine) return tellWhatItNeeds(name, bytes)
   const key = nextKey(mine)
   const taken = await mine.analyst.takeJournal(new TextDecoder().decode(bytes), key)
-  if (mine !== openParts()) return
+  if (mine !== openParts()) return undefined
   if (taken.fault_count > 0 || taken.unlike_count > 0) {
     noteRefusal(refusalOf(mine, name, taken))
-    notify('warning', t('lab.class.refused', { name }), { hint: t('lab.class.refusedHint') })
-    return
+    return 'refused'
   }
   const file: BroughtFile = {
     key,
@@ -103,7 +141,7 @@ export async function takeJournal(name: string, bytes: Uint8Array): Promise<void
   mine.runner.recount()
   refresh(mine)
   await amend(mine, { brought: [...mine.comparison.brought, file] })
-  notify('success', t('lab.class.taken', { name, count: file.runs }))
+  return file
 }
 
 /** Lets go of a file, and of the runs that it has brought. */
@@ -167,7 +205,7 @@ function keep({ analyst, writer }: OpenParts, index: number): void {
 const nextKey = ({ comparison }: OpenParts): number =>
   Math.max(0, ...comparison.brought.map(({ key }) => key)) + 1
 
-async function tellWhatItNeeds(name: string, bytes: Uint8Array): Promise<void> {
+async function tellWhatItNeeds(name: string, bytes: Uint8Array): Promise<undefined> {
   const digest = await tools.journalDigest(bytes)
   const says = digest
     ? t('lab.class.needs', { name, digest })

@@ -121,25 +121,27 @@ function Links({ link, of }: { link: Link; of: number }) {
         <pre class="class-links" data-testid="class-links">
           {`${linksOf(Math.min(of, SHOWN_LINKS))}${of > SHOWN_LINKS ? '\n…' : ''}`}
         </pre>
-        <Button
-          icon={Copy}
-          label={t('lab.class.copyAll', { count: of })}
-          testId="class-copy-all"
-          onClick={() => {
-            deal()
-            void copyText(linksOf(of))
-          }}
-        />
-        <Button
-          icon={FileDown}
-          label={t('lab.class.saveAll')}
-          testId="class-save-all"
-          onClick={() => {
-            deal()
-            const stem = fileStem(openComparison.peek()?.title ?? '')
-            download(`${stem}.shares.txt`, `${linksOf(of)}\n`)
-          }}
-        />
+        <div class="class-row">
+          <Button
+            icon={Copy}
+            label={t('lab.class.copyAll', { count: of })}
+            testId="class-copy-all"
+            onClick={() => {
+              deal()
+              void copyText(linksOf(of))
+            }}
+          />
+          <Button
+            icon={FileDown}
+            label={t('lab.class.saveAll')}
+            testId="class-save-all"
+            onClick={() => {
+              deal()
+              const stem = fileStem(openComparison.peek()?.title ?? '')
+              download(`${stem}.shares.txt`, `${linksOf(of)}\n`)
+            }}
+          />
+        </div>
       </Given>
     </>
   )
@@ -160,7 +162,6 @@ function Here({ of, onClose }: { of: number; onClose: () => void }) {
     <section class="class-given">
       <Button
         label={t('lab.class.here')}
-        tone="quiet"
         testId="class-here"
         onClick={() => {
           void chooseShare({ index: null, of }).catch(notifyError)

@@ -11,6 +11,7 @@ import { type OpenComparison, openComparison, progress } from '../run/actions'
 import { runsOfQuestion, type ShareState, sharesOfRuns, statesOfShares } from '../run/shares'
 import { forgetRefusals, refusedJournals } from '../store/refused_journals'
 import { linkOfQuestion, linkOfShare } from './class_links'
+import { COLLECTED_TITLE } from './collected_focus'
 import { RefusedList } from './refused_list'
 import { Sample } from './sample'
 import { ShareTable } from './share_table'
@@ -22,12 +23,10 @@ export function CollectedCard() {
   const isClass = now.dealt !== null || now.brought.length > 0
   if (!isClass && refusedJournals.value.length === 0) return null
   return (
-    <section
-      class="lab-card class-card"
-      aria-label={t('lab.class.collected')}
-      data-testid="class-card"
-    >
-      <h3>{t('lab.class.collected')}</h3>
+    <section class="lab-card class-card" aria-labelledby={COLLECTED_TITLE} data-testid="class-card">
+      <h3 id={COLLECTED_TITLE} tabIndex={-1}>
+        {t('lab.class.collected')}
+      </h3>
       <RefusedList />
       {isClass && <Collected now={now} />}
       {now.brought.some(({ runs }) => runs > 0) && <Sample />}

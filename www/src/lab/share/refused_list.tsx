@@ -8,6 +8,7 @@ import {
   refusedJournals,
   type UnlikeRun,
 } from '../store/refused_journals'
+import { focusCollected } from './collected_focus'
 import { namesOfRun } from './run_words'
 
 export function RefusedList() {
@@ -28,7 +29,10 @@ function Refused({ refused: { key, name, faults, unlike, more } }: { refused: Re
         <CloseButton
           label={t('lab.class.dismiss', { name })}
           testId="class-dismiss"
-          onClick={() => dismissRefusal(key)}
+          onClick={() => {
+            dismissRefusal(key)
+            focusCollected()
+          }}
         />
       </p>
       <ul>

@@ -7,6 +7,7 @@ import { Button } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
 import { openComparison, phase } from '../run/actions'
 import { removeBrought } from '../run/shares'
+import { focusCollected } from './collected_focus'
 import { differing, namesOfRun } from './run_words'
 import { type ForgedRun, stopVerifying, type Verifying, verifying, verifySample } from './verifier'
 
@@ -18,13 +19,14 @@ export function Sample() {
   const now = verifying.value?.of === 'class' ? verifying.value : null
   return (
     <div class="class-sample">
-      {now?.isRunning ? <Going now={now} /> : <Begin />}
+      <Begin isRunning={now?.isRunning ?? false} />
+      {now?.isRunning && <Going now={now} />}
       {now && <Outcome now={now} />}
     </div>
   )
 }
 
-function Begin() {
+function Begin({ isRunning }: { isRunning: boolean }) {
   const [perCent, setPerCent] = useState(USUAL_PER_CENT)
   return (
     <div class="class-row">
@@ -32,7 +34,7 @@ function Begin() {
         icon={CheckCheck}
         label={t('lab.class.sample')}
         testId="class-sample"
-        disabled={phase.value === 'running'}
+        disabled={isRunning || phase.value === 'running'}
         onClick={() => verifySample(perCent / 100)}
       />
       <label class="class-number">
@@ -116,7 +118,7 @@ function Forged({ forged, total }: { forged: ForgedRun[]; total: number }) {
           key={key}
           label={t('lab.class.remove', { name })}
           testId="class-remove-forged"
-          onClick={() => void removeBrought(key).catch(notifyError)}
+          onClick={() => void removeBrought(key).then(focusCollected, notifyError)}
         />
       ))}
     </div>

@@ -1,5 +1,6 @@
 /** Somebody's share of a class: which it is, what is to be done, and the file to hand in. */
 import { Dices, FileDown, ImageDown, Play } from 'lucide'
+import { useEffect, useRef } from 'preact/hooks'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { ShareOfClass } from '../../share/share_of_class'
@@ -107,33 +108,42 @@ function Begin({ share }: { share: ShareOfClass }) {
 
 function HandIn({ share, isDone }: { share: ShareOfClass; isDone: boolean }) {
   const { done, total } = progress.value
+  const words = useRef<HTMLParagraphElement>(null)
+  // The button that began it is gone, with the focus.
+  useEffect(() => {
+    if (document.activeElement === document.body) words.current?.focus()
+  }, [])
   return (
     <>
-      <p role="status" data-testid="share-is">
+      <p ref={words} tabIndex={-1} role="status" data-testid="share-is">
         {isDone
           ? t('lab.class.complete', { share: share.index, of: share.of })
           : t('lab.class.doneOf', { done, total })}
       </p>
-      <div class="class-row">
-        <Button
-          icon={FileDown}
-          label={t(isDone ? 'lab.class.save' : 'lab.class.savePart')}
-          tone={isDone ? 'primary' : 'plain'}
-          testId="share-save"
-          disabled={done === 0}
-          onClick={() => void save().catch(notifyError)}
-        />
-        <Button
-          icon={ImageDown}
-          label={t('lab.class.savePicture')}
-          tone="quiet"
-          testId="share-picture"
-          disabled={done === 0}
-          onClick={() => void savePicture().catch(notifyError)}
-        />
-        <p class="hint">{t('lab.class.next')}</p>
-      </div>
+      {phase.value !== 'running' && <Save isDone={isDone} />}
     </>
+  )
+}
+
+function Save({ isDone }: { isDone: boolean }) {
+  return (
+    <div class="class-row">
+      <Button
+        icon={FileDown}
+        label={t(isDone ? 'lab.class.save' : 'lab.class.savePart')}
+        tone={isDone ? 'primary' : 'plain'}
+        testId="share-save"
+        onClick={() => void save().catch(notifyError)}
+      />
+      <Button
+        icon={ImageDown}
+        label={t('lab.class.savePicture')}
+        tone="quiet"
+        testId="share-picture"
+        onClick={() => void savePicture().catch(notifyError)}
+      />
+      <p class="hint">{t('lab.class.next')}</p>
+    </div>
   )
 }
 

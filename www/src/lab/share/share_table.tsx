@@ -8,6 +8,7 @@ import { copyText } from '../../ui/copy_text'
 import { removeBrought, type ShareState } from '../run/shares'
 import type { BroughtFile } from '../store/browser_storage'
 import { linkOfQuestion, linkOfShare } from './class_links'
+import { focusCollected } from './collected_focus'
 
 /** As many rows as one still reads; what is missing beyond can be copied. */
 const MOST_ROWS = 200
@@ -128,5 +129,6 @@ const remarks = ({ same, isCut }: BroughtFile): string[] => [
 
 async function remove({ key, name, runs: count }: BroughtFile): Promise<void> {
   await removeBrought(key)
+  focusCollected()
   notify('info', t('lab.class.removed', { name, count }))
 }
