@@ -293,27 +293,32 @@ test('files with more runs than the page takes are refused unread, with the way 
   }
 })
 
-test('a share and the collection fit on a phone, in Chinese as well @phone', async ({ page }) => {
-  test.slow()
-  const teacher = new ClassPage(page)
-  await teacher.openQuestion(
-    documentText({ entries: [{ id: 'ants', planner: 'ant-system' }], seeds: 4 }),
-  )
-  const link = await teacher.shareOut(2)
-  await page.getByTestId('class-copy').click()
-  const fits = () =>
-    page.evaluate(
-      () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
-    )
-  expect(await fits()).toBe(true)
-  await expectClean(page, 'sharing out on a phone')
-  await teacher.leaveDialog()
-  await expect(page.getByTestId('class-card')).toBeVisible()
-  expect(await fits()).toBe(true)
-  await expectClean(page, 'collecting on a phone')
-  await page.goto('about:blank')
-  await page.goto(link)
-  await teacher.stage('choosing')
-  expect(await fits()).toBe(true)
-  await expectClean(page, 'a share on a phone')
-})
+for (const locale of ['en', 'zh-CN'])
+  test.describe(`on a phone in ${locale}`, () => {
+    test.use({ locale })
+
+    test('a share and the collection fit @phone', async ({ page }) => {
+      test.slow()
+      const teacher = new ClassPage(page)
+      await teacher.openQuestion(
+        documentText({ entries: [{ id: 'ants', planner: 'ant-system' }], seeds: 4 }),
+      )
+      const link = await teacher.shareOut(2)
+      await page.getByTestId('class-copy').click()
+      const fits = () =>
+        page.evaluate(
+          () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
+        )
+      expect(await fits()).toBe(true)
+      await expectClean(page, 'sharing out on a phone')
+      await teacher.leaveDialog()
+      await expect(page.getByTestId('class-card')).toBeVisible()
+      expect(await fits()).toBe(true)
+      await expectClean(page, 'collecting on a phone')
+      await page.goto('about:blank')
+      await page.goto(link)
+      await teacher.stage('choosing')
+      expect(await fits()).toBe(true)
+      await expectClean(page, 'a share on a phone')
+    })
+  })
