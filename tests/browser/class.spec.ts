@@ -7,6 +7,7 @@ import { textOfPng } from '../../www/src/share/png'
 import { expectClean } from './axe'
 import { ClassPage, commandLine, DOCUMENT, forged, longer, type Named, RUNS } from './class_page'
 import { ComparisonPage, documentText, holdRunsAfter, letRuns } from './comparison_page'
+import { zipOf } from './zips'
 
 /** The journals of all shares, each done in a browser of its own. */
 async function journalsOf(browser: Browser, link: string, shares: number): Promise<Named[]> {
@@ -143,7 +144,9 @@ test.describe('three shares', () => {
   test('with a forged run are found by a sample, which names it', async () => {
     const [[name, text] = ['', ''], second = ['', '']] = journals
     const page = teacher.page
-    await teacher.dropFiles([`liar-${name}`, forged(text, 2, longer)], second)
+    // As course pages hand them out: all in one archive.
+    const all: Named[] = [[`liar-${name}`, forged(text, 2, longer)], second]
+    await teacher.dropFiles(['class.zip', zipOf(all)])
     await expect(page.getByTestId('class-file')).toHaveCount(2)
     await page.getByTestId('class-sample-share').fill('100')
     await page.getByTestId('class-sample').click()

@@ -1,4 +1,6 @@
 /** Shares of a comparison: how a link names them, how long they take, which of their runs are repeated. */
+import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
 import { workOf } from '../../../www/src/lab/run/estimate'
 import { drawSample } from '../../../www/src/lab/run/sample'
@@ -7,6 +9,7 @@ import { decodeFragment, encodeDocument, PREFIX } from '../../../www/src/share/c
 import { LinkError } from '../../../www/src/share/link_error'
 import { linkIn } from '../../../www/src/share/link_in_text'
 import { readShare, shareEnding, shareText } from '../../../www/src/share/share_of_class'
+import { documentText } from '../comparison_page'
 
 const DOCUMENT = '{"format": "formicarium/comparison@1"}'
 
@@ -113,4 +116,33 @@ test('the work of all runs follows from those that were timed, entry by entry', 
   expect(workOf(tasks, all, [run(0, 1), run(1, 3), run(3)])).toBeNull()
   expect(workOf(tasks, all, [run(0, 1), run(1, 3), run(3, 10)])).toBe(3 * 2 + 3 * 10)
   expect(workOf(tasks, all, [run(0, 1), run(1, 3), run(2, 2)])).toBe(6 * 2)
+})
+
+test('the engine deals, writes, takes in and lets go of shares', async () => {
+  const pkg = join(__dirname, '../../../pkg')
+  const engine: typeof import('@pkg/formicarium') = await import(
+    `${join(pkg, 'formicarium.js')}?class`
+  )
+  engine.initSync({ module: readFileSync(join(pkg, 'formicarium_bg.wasm')) })
+  const document = documentText({ entries: [{ id: 'exact', planner: 'astar' }], seeds: 5 })
+  const whole = new engine.Comparison(document)
+  const dealt = [1, 2].map((share) => [...whole.dealt(`${share}/2`)])
+  expect(dealt.flat().sort()).toEqual([0, 1, 2, 3, 4])
+  for (const index of dealt[0] ?? []) whole.keep(whole.run(index, () => 1).row, [1])
+  const journal = whole.journal('1/2')
+  expect(engine.journal_digest(new TextEncoder().encode(journal))).toBe(whole.digest())
+  expect(engine.journal_digest(new Uint8Array())).toBeUndefined()
+
+  const other = new engine.Comparison(document)
+  const taken = other.take_journal(journal)
+  expect(taken.shard).toBe('1/2')
+  expect(taken.runs.map(({ index }) => index)).toEqual(dealt[0])
+  expect(taken.runs.map(({ row }) => row)).toEqual(whole.rows())
+  expect(other.take_journal(journal)).toMatchObject({ new: 0, same: dealt[0]?.length, runs: [] })
+  const [gone = 0] = dealt[0] ?? []
+  other.forget(gone)
+  expect([...other.open_tasks()]).toContain(gone)
+  // What was let go of is new again, and nothing is left that says otherwise.
+  expect(other.take_journal(journal).runs.map(({ index }) => index)).toEqual([gone])
+  expect(other.verify()?.deviations).toEqual([])
 })

@@ -7,7 +7,7 @@ import { addReadingsWords } from '../i18n/readings'
 import type { UnreadFile } from '../state/file_bytes'
 import { fetchNames } from '../state/lazy_parts'
 import { joinFile, takeResults } from './build/take_results'
-import { takeJournals } from './run/shares'
+import { takeJournals } from './run/journals'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 

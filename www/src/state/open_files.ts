@@ -16,6 +16,7 @@ import { fileName, stemOf } from './file_paths'
 import type { Opening } from './files'
 import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
+import { areJournals, contentOf, takeInJournals } from './journal_files'
 import { lazyParts } from './lazy_parts'
 import { canBeOpened, type Looked, lookAt } from './looked_files'
 import {
@@ -39,12 +40,6 @@ import { importPart, offerTerrain } from './terrain_files'
 
 /** All files of a folder together. */
 const MAX_TOTAL = 8 * MAX_BYTES
-
-/** Bytes by which a file is recognised. */
-const ENOUGH_TO_KNOW = 64 * 1024
-
-/** How the name of a journal ends. */
-const JOURNAL = '.journal'
 
 const sessionFormat = () => import('../share/link')
 
@@ -80,7 +75,7 @@ const encoded = (text: string) => new TextEncoder().encode(text)
 /** False if not all of them were opened, and the reader knows. */
 export async function openFiles(files: File[]): Promise<boolean> {
   if (isAsking()) return joinAsked(await contentsOf(files))
-  if (files.length > 0 && files.every(({ name }) => name.endsWith(JOURNAL))) {
+  if (areJournals(files)) {
     await takeInJournals(files)
     return true
   }
@@ -119,27 +114,6 @@ async function contentsOf(files: File[]): Promise<NamedBytes[]> {
   const given: NamedBytes[] = []
   for (const file of files) given.push({ name: file.name, bytes: await contentOf(file) })
   return given
-}
-
-async function contentOf(file: File): Promise<Uint8Array> {
-  await refuseTooManyRuns(file)
-  return bytesOf(file)
-}
-
-/** Throws where a comparison or a journal is too large, by its beginning alone; who has so many runs is helped by the command line. */
-async function refuseTooManyRuns(file: File): Promise<void> {
-  if (file.size <= MAX_BYTES) return
-  const begins = new Uint8Array(await file.slice(0, ENOUGH_TO_KNOW).arrayBuffer())
-  const { kind } = await tools.recognise(begins, file.name)
-  if (kind !== 'comparison' && kind !== 'journal') return
-  throw tooManyRuns(file, kind)
-}
-
-function tooManyRuns({ name, size }: File, kind: 'comparison' | 'journal'): EngineError {
-  const inMiB = (bytes: number) => Math.ceil(bytes / 2 ** 20)
-  const message = t('opening.tooManyRuns', { name, size: inMiB(size) })
-  const hint = t(`opening.tooManyRunsHint.${kind}`, { most: inMiB(MAX_BYTES), file: name })
-  return { kind: 'too-many-runs', field: name, message, hint, args: {} }
 }
 
 /** Once no file waits for the reader to say how it is meant. */
@@ -235,7 +209,6 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
     else if (file.kind === 'comparison')
       await openComparisonText(turn, new TextDecoder().decode(file.bytes))
     else if (file.kind === 'results') await importResults(turn, file.bytes, file.name)
-    else if (file.kind === 'journal') await takeInJournal(turn, file)
     // A tour alone: its import says so. As a rule the import says why it is no map.
     else if (!canBeOpened(file) || (file.kind === 'tsplib-tour' && orders.length === 0)) {
       const name = fileName(file.name)
@@ -244,6 +217,7 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
       showMap(imported, { name, take: null })
     }
   }
+  await takeInFound(turn, files)
   const [order, ...moreOrders] = orders
   if (order) await openOrder(turn, order, files)
   tellLeftOut(moreOrders, 'opening.oneOrder')
@@ -397,19 +371,16 @@ async function importResults(turn: Turn, bytes: Uint8Array, name: string): Promi
   await takeImportedResults(fileName(name), bytes)
 }
 
-/** Takes the runs of a journal into the comparison that is open. */
-async function takeInJournal(turn: Turn, { name, bytes }: NamedBytes): Promise<void> {
+/** Takes in the journals among files that came together, such as the archive of a whole class. */
+async function takeInFound(turn: Turn, files: FoundFile[]): Promise<void> {
+  const journals = files.filter(({ kind }) => kind === 'journal')
+  if (journals.length === 0) return
   const { takeJournalFiles } = await lazyParts.lab()
   turn.check()
   showView('lab')
-  await takeJournalFiles([{ name: fileName(name), read: async () => bytes }])
-}
-
-/** The same with files of that name: whoever collects them drops the next while one is read, and none ends the opening of another. */
-async function takeInJournals(files: File[]): Promise<void> {
-  const { takeJournalFiles } = await lazyParts.lab()
-  showView('lab')
-  await takeJournalFiles(files.map((file) => ({ name: file.name, read: () => contentOf(file) })))
+  await takeJournalFiles(
+    journals.map(({ name, bytes }) => ({ name: fileName(name), read: async () => bytes })),
+  )
 }
 
 function replay(turn: Turn, session: Session): void {
