@@ -63,6 +63,11 @@ test.describe('three shares', () => {
     const { files } = await alone.script({ document: DOCUMENT })
     for (const kind of ['csv', 'json'] as const)
       expect(await teacher.resultFile(kind)).toBe(files[kind])
+    // Whose runs were timed is told how long a share takes.
+    await alone.shareOut(3)
+    await expect(alone.page.getByTestId('class-size')).toHaveText(
+      /^A share has up to 4 runs\. About 1 s on a computer like this one\.$/,
+    )
 
     const folder = mkdtempSync(join(tmpdir(), 'formicarium-class-'))
     const run = commandLine(folder)

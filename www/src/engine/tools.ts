@@ -120,7 +120,6 @@ export const tools = {
   importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
   /** Tells what a file is. */
   recognise: (bytes: Uint8Array, name: string) => wholeBox().call('recognise', bytes, name),
-  journalDigest: (bytes: Uint8Array) => wholeBox().call('journalDigest', bytes),
   /** Tells of the matrices that a text holds. */
   listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
   /** The name of the picture that belongs to the description of a ROS map. */

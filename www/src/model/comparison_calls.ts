@@ -49,6 +49,8 @@ export interface AnalystCalls {
   /** The journal of a share's runs, and what its file is called after the comparison's own name. */
   journal(share: string): { name: string; text: string }
   takeJournal(text: string): TakenJournal
+  /** The digest of the comparison whose runs a journal has; null where it does not tell. Needs no document. */
+  digestIn(journal: Uint8Array): string | null
   /** Lets go of runs, by their places. */
   forget(indices: number[]): void
 }

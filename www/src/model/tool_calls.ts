@@ -42,8 +42,6 @@ export interface MapCalls {
   importMap(bytes: Uint8Array, name: string, options?: ReadOptions, image?: Uint8Array): Imported
   importScen(bytes: Uint8Array): ScenFile
   recognise(bytes: Uint8Array, name: string): Recognised
-  /** The digest of the comparison whose runs a journal has; nothing where it does not tell. */
-  journalDigest(bytes: Uint8Array): string | undefined
   listMatrices(bytes: Uint8Array): MatrixInfo[]
   rosImage(yaml: Uint8Array): string
   unpack(bytes: Uint8Array, name: string): Unpacked[]

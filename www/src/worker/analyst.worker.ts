@@ -48,6 +48,7 @@ const calls: AnalystCalls = {
     text: comparison().journal(share),
   }),
   takeJournal: (text) => comparison().take_journal(text),
+  digestIn: (journal) => engine.journal_digest(journal) ?? null,
   forget(indices) {
     for (const index of indices) comparison().forget(index)
   },

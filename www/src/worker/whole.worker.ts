@@ -16,7 +16,6 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   importMap: (bytes, name, options, image) => engine.import_map(bytes, name, options, image),
   importScen: (bytes) => engine.import_scen(bytes),
   recognise: (bytes, name) => engine.recognise(bytes, name),
-  journalDigest: (bytes) => engine.journal_digest(bytes),
   listMatrices: (bytes) => engine.list_matrices(bytes),
   rosImage: (yaml) => engine.ros_image(yaml),
   unpack: (bytes, name) => engine.unpack(bytes, name),

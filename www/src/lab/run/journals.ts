@@ -1,11 +1,11 @@
 /** Journals of others: taken into the open comparison, and out of it again. */
 import type { JournalFault, TakenJournal } from '@pkg/formicarium'
-import { tools } from '../../engine/tools'
 import { t } from '../../i18n/lab'
 import { notify, notifyError } from '../../state'
 import type { UnreadFile } from '../../state/file_bytes'
 import type { BroughtFile } from '../store/browser_storage'
 import { noteRefusal, type RefusedJournal } from '../store/refused_journals'
+import { newAnalyst } from './analyst'
 import { amend, type OpenParts, openParts, refresh } from './open_comparison'
 import { placedRun } from './shares'
 
@@ -94,7 +94,8 @@ const nextKey = ({ comparison }: OpenParts): number =>
   Math.max(0, ...comparison.brought.map(({ key }) => key)) + 1
 
 async function tellWhatItNeeds(name: string, bytes: Uint8Array): Promise<undefined> {
-  const digest = await tools.journalDigest(bytes)
+  const analyst = newAnalyst()
+  const digest = await analyst.call('digestIn', bytes).finally(() => analyst.terminate())
   const says = digest
     ? t('lab.class.needs', { name, digest })
     : t('lab.class.needsUnknown', { name })
