@@ -253,6 +253,35 @@ test.describe('a student’s tab', () => {
     expect(text.trim().split('\n')).toHaveLength(1 + 5)
   })
 
+  test('is there without a link, where that would be too long, and can be left', async ({
+    page,
+  }) => {
+    const student = new ClassPage(page)
+    // Cells that nothing makes shorter.
+    let state = 1
+    const cell = () => {
+      state = (state * 48271) % 2147483647
+      return state % 3 === 0 ? '@' : '.'
+    }
+    const rows = Array.from({ length: 300 }, () => Array.from({ length: 300 }, cell).join(''))
+    rows[0] = '.'.repeat(300)
+    await student.openQuestion(
+      documentText({ entries: [{ id: 'exact', planner: 'astar' }], seeds: 4, rows }).replace(
+        '[299,299]',
+        '[299,0]',
+      ),
+    )
+    await page.getByTestId('lab-share').click()
+    await page.getByTestId('lab-share-class').click()
+    await expect(page.getByTestId('class-too-long')).toContainText('Hand out the result file')
+    await page.getByTestId('class-here').click()
+    await student.stage('choosing')
+    await page.getByTestId('share-leave').click()
+    await expect(page.getByTestId('share-card')).toHaveCount(0)
+    await expect(page.getByTestId('lab-go-on')).toBeVisible()
+    expect(await student.done()).toBe(0)
+  })
+
   test('refuses a share that there is not, by its name', async ({ page }) => {
     const teacher = new ClassPage(page)
     await teacher.openQuestion()
