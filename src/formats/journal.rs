@@ -167,6 +167,13 @@ impl JournalLines {
     }
 }
 
+/// The digest of the comparison whose runs a journal says to have; none where its first line does not tell.
+pub fn digest_in(journal: &[u8]) -> Option<String> {
+    let line = journal.split(|&byte| byte == b'\n').next()?;
+    let head: Head = serde_json::from_slice(line).ok()?;
+    head.format.starts_with("formicarium/journal@").then(|| short(&head.experiment))
+}
+
 /// A line without its end.
 fn whole_line(line: &[u8]) -> Result<&str, JournalFault> {
     let text = line.strip_suffix(b"\n").ok_or(JournalFault::Cut)?;

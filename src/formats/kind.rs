@@ -43,6 +43,8 @@ pub enum Kind {
     Session,
     /// Many runs with their question and maps, as JSON.
     Comparison,
+    /// The runs of a comparison that one process or one browser tab has done.
+    Journal,
     /// Runs from elsewhere, as a table or a data file of IOHanalyzer or COCO.
     Results,
     /// A ZIP or gzip archive.
@@ -94,6 +96,7 @@ impl Kind {
             Self::Scenario => "a scenario",
             Self::Session => "a session",
             Self::Comparison => "a comparison",
+            Self::Journal => "a journal of a comparison's runs",
             Self::Results => "a table of results",
             Self::Archive => "an archive",
             Self::Unknown => "of no known format",

@@ -57,7 +57,7 @@ const PREFIX: usize = 1 << 20;
 /// A reader: its kind, and how it recognises its own.
 struct Reader(Kind, fn(&Sample<'_>) -> Sureness);
 
-const READERS: [Reader; 19] = [
+const READERS: [Reader; 20] = [
     Reader(Kind::Geotiff, |s| certain_if(terrain::geotiff::looks_like(s.head), "its first bytes")),
     Reader(Kind::Picture, |s| certain_if(picture::looks_like(s.head), "its first bytes")),
     Reader(Kind::Archive, |s| certain_if(foreign::is_archive(s.head), "its first bytes")),
@@ -65,6 +65,7 @@ const READERS: [Reader; 19] = [
     Reader(Kind::Scenario, |s| json(s, Kind::Scenario)),
     Reader(Kind::Session, |s| json(s, Kind::Session)),
     Reader(Kind::Comparison, |s| json(s, Kind::Comparison)),
+    Reader(Kind::Journal, |s| json(s, Kind::Journal)),
     Reader(Kind::MovingaiScen, movingai_scen),
     Reader(Kind::MovingaiMap, |s| certain_if(movingai::looks_like(&s.text), "the header of a .map")),
     Reader(Kind::Results, |s| certain_if(results::looks_like(&s.text), "the names of its columns")),
@@ -207,6 +208,7 @@ fn json(sample: &Sample<'_>, kind: Kind) -> Sureness {
         (place("formicarium/comparison@"), Kind::Comparison),
         // Of a single run: the reader of comparisons says so.
         (place("formicarium/result@"), Kind::Comparison),
+        (place("formicarium/journal@"), Kind::Journal),
     ];
     let first = named.into_iter().filter(|(place, _)| *place < usize::MAX).min_by_key(|(place, _)| *place);
     certain_if(first.is_some_and(|(_, named)| named == kind), "its field `format`")

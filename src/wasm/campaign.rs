@@ -4,11 +4,11 @@ use serde::Serialize;
 use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
-use super::arguments::Text;
-use super::comparison::Comparison;
+use super::arguments::{Bytes, Number, Text};
+use super::comparison::{Comparison, DoneRun};
 use super::{Answer, object, throw};
 use crate::comparison::{MAX_SHARDS, Row, Shard, Timed};
-use crate::formats::journal::{JournalFault, JournalLines};
+use crate::formats::journal::{self, JournalFault, JournalLines};
 
 /// Most faults of a journal that are told one by one.
 const MOST_FAULTS: usize = 20;
@@ -42,6 +42,14 @@ pub struct TakenJournal {
     pub fault_count: usize,
     /// Whether it ends in the middle of a line, as a process leaves it that was killed; that run is missing then.
     pub is_cut: bool,
+    /// The new runs, where they were kept.
+    pub runs: Vec<DoneRun>,
+}
+
+/// The digest of the comparison whose runs a journal says to have; null where it is no journal.
+#[wasm_bindgen]
+pub fn journal_digest(journal: &Bytes) -> Answer<Option<String>> {
+    Ok(journal::digest_in(&journal.read("journal")?))
 }
 
 /// Most shards that a comparison is dealt to.
@@ -77,14 +85,25 @@ impl Comparison {
     /// run that is there.
     pub fn take_journal(&mut self, text: &Text) -> Answer<Ts<TakenJournal>> {
         let text = text.read("text")?;
-        let (taken, rows) = self.read_journal(text.as_bytes());
+        let (mut taken, rows) = self.read_journal(text.as_bytes());
         if taken.fault_count == 0 && taken.unlike_count == 0 {
             for (place, row) in rows {
+                let found = row.found.is_some();
+                taken.runs.push(DoneRun { index: place as u32, row: row.to_line(), seconds: Vec::new(), found });
                 self.brought.insert(place, row.clone());
                 self.done.insert(place, Timed { row, seconds: Vec::new() });
             }
         }
         Ok(object(&taken))
+    }
+
+    /// Lets go of a run, as if it had never been done; without effect where it was not.
+    pub fn forget(&mut self, index: &Number) -> Answer<()> {
+        let index = index.whole("index")? as usize;
+        self.brought.remove(&index);
+        self.again.remove(&index);
+        self.done.remove(&index);
+        Ok(())
     }
 }
 
@@ -101,6 +120,7 @@ impl Comparison {
             faults: Vec::new(),
             fault_count: 0,
             is_cut: false,
+            runs: Vec::new(),
         };
         let mut rows = Vec::new();
         let mut pieces = text.split_inclusive(|&byte| byte == b'\n').enumerate();

@@ -90,7 +90,7 @@ pub struct Comparison {
     /// The runs among them that were not done in this browser, or had not been: as they came.
     pub(super) brought: BTreeMap<usize, Row>,
     /// Runs that were done again, to be compared with those.
-    again: BTreeMap<usize, Row>,
+    pub(super) again: BTreeMap<usize, Row>,
     /// Those of the runs as they were when somebody asked last.
     intervals: Intervals,
 }

@@ -45,7 +45,7 @@ use crate::scenario::{Scenario, ScenarioSpec};
 #[cfg(feature = "whole")]
 pub use ahead::LookAhead;
 #[cfg(feature = "whole")]
-pub use campaign::most_shards;
+pub use campaign::{journal_digest, most_shards};
 #[cfg(feature = "whole")]
 pub use colours::map_colors;
 #[cfg(feature = "whole")]

@@ -19,6 +19,10 @@ fn nothing_is_taken_for_something_else() {
             "% function evaluation | noise-free fitness - Fopt (7.9e+01) | best noise-free fitness - Fopt | x1\n1 +2.0e+01 +2.0e+01 +1.0e+00\n",
             Kind::Results,
         ),
+        (
+            "{\"format\":\"formicarium/journal@2\",\"engine\":\"0.1.0\",\"experiment\":\"cc184c02b8922a1a\"}\n{\"experi",
+            Kind::Journal,
+        ),
         ("evaluations raw_y\n1 9.5\n", Kind::Results),
         ("P2\n2 1\n255\n0 255\n", Kind::Picture),
         // Keys and values that describe no map hold none, whatever brackets they have.

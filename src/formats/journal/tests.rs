@@ -96,3 +96,13 @@ fn somebody_elses_file_is_no_journal() {
         assert!(lines.is_journal(text.as_bytes()), "{text}");
     }
 }
+
+#[test]
+fn a_journal_tells_which_comparison_it_needs() {
+    let comparison = comparison(2);
+    let (_, text) = journal(&comparison);
+    assert_eq!(digest_in(text.as_bytes()), Some(comparison.digest().hex()));
+    for other in ["", "{}", r#"{"format":"formicarium/result@1","engine":"0","experiment":"0"}"#] {
+        assert_eq!(digest_in(other.as_bytes()), None, "{other}");
+    }
+}

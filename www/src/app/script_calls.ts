@@ -56,7 +56,7 @@ async function show(content: Content, turn: Turn): Promise<Opened> {
     const { openComparisonDocument } = await lazyParts.lab()
     turn.check()
     showView('lab')
-    await openComparisonDocument(content.text, content.numbers)
+    await openComparisonDocument(content.text, content.told)
   } else if (kind === 'results') await join(content, turn)
   else if (kind === 'order') await offerOrder(content.file, content.tour, () => turn.check())
   else {

@@ -2,6 +2,7 @@
 import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
 import { enLab } from './en/lab'
 import { enLabClaims } from './en/lab_claims'
+import { enLabClass } from './en/lab_class'
 import { enLabMatrix } from './en/lab_matrix'
 import { enLabRecorded } from './en/lab_recorded'
 import { enLabResults } from './en/lab_results'
@@ -11,6 +12,7 @@ const english = {
   lab: {
     ...enLab,
     ...enLabClaims,
+    ...enLabClass,
     ...enLabMatrix,
     ...enLabRecorded,
     ...enLabResults,
@@ -29,6 +31,7 @@ async function fetchChinese(): Promise<object> {
   const [
     { zhCNLab },
     { zhCNLabClaims },
+    { zhCNLabClass },
     { zhCNLabMatrix },
     { zhCNLabRecorded },
     { zhCNLabResults },
@@ -37,6 +40,7 @@ async function fetchChinese(): Promise<object> {
   ] = await Promise.all([
     import('./zh_cn/lab'),
     import('./zh_cn/lab_claims'),
+    import('./zh_cn/lab_class'),
     import('./zh_cn/lab_matrix'),
     import('./zh_cn/lab_recorded'),
     import('./zh_cn/lab_results'),
@@ -47,6 +51,7 @@ async function fetchChinese(): Promise<object> {
     lab: {
       ...zhCNLab,
       ...zhCNLabClaims,
+      ...zhCNLabClass,
       ...zhCNLabMatrix,
       ...zhCNLabRecorded,
       ...zhCNLabResults,

@@ -4,8 +4,10 @@ import '../styles/lab_build.css'
 import '../styles/lab_run.css'
 import { addLabWords } from '../i18n/lab'
 import { addReadingsWords } from '../i18n/readings'
+import type { UnreadFile } from '../state/file_bytes'
 import { fetchNames } from '../state/lazy_parts'
 import { joinFile, takeResults } from './build/take_results'
+import { takeJournals } from './run/journals'
 import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 
@@ -30,6 +32,13 @@ export async function joinForScript(
   await openAddress()
   const place = instance === undefined ? {} : { instance: { id: instance, name: instance } }
   await joinFile(name, bytes, { leaveOut, ...place })
+}
+
+/** Takes the runs of journals into the comparison that is open. */
+export async function takeJournalFiles(files: UnreadFile[]): Promise<void> {
+  await fetchLab()
+  await openAddress()
+  await takeJournals(files)
 }
 
 let ready: Promise<typeof Lab> | null = null

@@ -5,15 +5,23 @@ import type {
   DoneRun,
   ReportLanguage,
   ResultFile,
+  TakenJournal,
   Verification,
 } from '@pkg/formicarium'
 import type { Analysis } from './analysis'
 
 /** A run that is done, as it is kept. */
-export type KeptRun = DoneRun
+export interface KeptRun extends DoneRun {
+  /** The key of the file that has brought it; left out where none has. */
+  from?: number
+}
 
 /** What the engine tells of a document before anything has run. */
 export interface Opened {
+  /** Over question and maps: journals name it. */
+  digest: string
+  /** Most shares that it can be dealt to. */
+  mostShares: number
   outline: ComparisonOutline
   /** Every task in its place, three numbers each: instance and entry as places in the question, and the seed. */
   tasks: Uint32Array
@@ -34,6 +42,17 @@ export interface AnalystCalls {
   /** `language`: of what people read. */
   file(kind: ResultFile, command: string, language: ReportLanguage): string
   verify(): Verification | null
+  /** The places of the tasks of a share, `I/N`. */
+  dealt(share: string): Uint32Array
+  /** Of each task the number of its share, where there are so many of them. */
+  shares(of: number): Uint32Array
+  /** The journal of a share's runs, and what its file is called after the comparison's own name. */
+  journal(share: string): { name: string; text: string }
+  takeJournal(text: string): TakenJournal
+  /** The digest of the comparison whose runs a journal has; null where it does not tell. Needs no document. */
+  digestIn(journal: Uint8Array): string | null
+  /** Lets go of runs, by their places. */
+  forget(indices: number[]): void
 }
 
 export interface PoolCalls {

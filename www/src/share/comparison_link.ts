@@ -6,6 +6,8 @@
  *
  * Whatever stands behind is for later pages: what is not known is not read.
  *
+ * Behind the text may stand whose share of the runs is asked for (share_of_class.ts).
+ *
  * The same checksum and packing as a session's link (share/codec.ts, share/envelope.ts).
  */
 import { Reader, varint } from './byte_stream'
@@ -13,17 +15,24 @@ import { MAX_BYTES, verifiedBytes, withChecksum } from './codec'
 import { open, seal } from './envelope'
 import { damaged, LinkError } from './link_error'
 import { type NumbersOfLink, packedNumbers, readNumbers } from './recorded_numbers'
+import { type ShareOfClass, splitShare } from './share_of_class'
 
 export const PREFIX = '#q='
 
 const VERSION = 1
 
+/** What a link tells beside the document. */
+export interface ToldByLink {
+  /** What came out of its runs; null in links that do not tell. */
+  numbers: NumbersOfLink | null
+  /** Left out where all runs are asked for. */
+  share?: ShareOfClass
+}
+
 /** What a link carries. */
-export interface ComparisonLink {
+export interface ComparisonLink extends ToldByLink {
   /** `formicarium/comparison@1` without its runs. */
   document: string
-  /** What came out of them; null in links that do not tell. */
-  numbers: NumbersOfLink | null
 }
 
 /** The text after `#q=`. */
@@ -46,7 +55,8 @@ export async function encodeDocument(
 export async function decodeFragment(hash: string): Promise<ComparisonLink> {
   const at = hash.indexOf(PREFIX)
   if (at < 0) throw new LinkError('link-foreign', 'This link carries no comparison.')
-  const reader = new Reader(verifiedBytes(await open(hash.slice(at + PREFIX.length))))
+  const { text, share } = splitShare(hash.slice(at + PREFIX.length))
+  const reader = new Reader(verifiedBytes(await open(text)))
   const version = reader.byte()
   if (version > VERSION)
     throw new LinkError(
@@ -56,7 +66,7 @@ export async function decodeFragment(hash: string): Promise<ComparisonLink> {
   if (version < VERSION) throw damaged('its first byte is no container version')
   const document = textOf(reader)
   const numbers = reader.left > 0 ? readNumbers(parsed(textOf(reader))) : null
-  return { document, numbers }
+  return { document, numbers, ...(share && { share }) }
 }
 
 function textOf(reader: Reader): string {

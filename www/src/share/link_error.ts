@@ -7,6 +7,7 @@ export type LinkErrorKind =
   | 'link-newer'
   | 'link-too-large'
   | 'link-invalid'
+  | 'link-share'
   | 'picture-bare'
 
 const HINTS: Record<LinkErrorKind, string> = {
@@ -16,6 +17,8 @@ const HINTS: Record<LinkErrorKind, string> = {
   'link-newer': 'Reload the page to get the newest version, then open it again.',
   'link-too-large': 'Maps of up to 4096 × 4096 cells and six panels can be opened.',
   'link-invalid': 'It was not made by Share, or was changed by hand; correct the named value.',
+  'link-share':
+    'Shares are written I/N, such as 3/30, or ?/30; ask who sent the link for another one.',
   'picture-bare':
     'Pictures saved here hold their session or comparison until a program that leaves such things out saves them again; ask for the original, the link or the file.',
 }

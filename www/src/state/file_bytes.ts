@@ -5,6 +5,12 @@ import { t } from '../i18n'
 /** Larger files and pasted texts are refused. */
 export const MAX_BYTES = 64 * 1024 * 1024
 
+/** A file that is read once it is its turn; what is refused then is thrown. */
+export interface UnreadFile {
+  name: string
+  read(): Promise<Uint8Array>
+}
+
 /** What a file holds; throws, without reading it, where it is too large. */
 export async function bytesOf(file: File): Promise<Uint8Array<ArrayBuffer>> {
   refuseLarge(file.size, file.name)

@@ -9,16 +9,19 @@ import type { ComponentType } from 'preact'
 import type { Cell } from '../model/cell'
 import type { PanelSetup, Scenario } from '../model/session'
 import type { Press, Stroke } from '../model/stroke'
-import type { NumbersOfLink } from '../share/recorded_numbers'
+import type { ToldByLink } from '../share/comparison_link'
 import type { Arrival } from './address'
+import type { UnreadFile } from './file_bytes'
 import type { Tool } from './store'
 
 /** Comparisons (lab/). */
 export interface LabPart {
   /** Opens the text of a comparison file. */
-  openComparisonDocument(text: string, numbers?: NumbersOfLink | null): Promise<void>
+  openComparisonDocument(text: string, told?: ToldByLink): Promise<void>
   /** Takes in a file of imported results. */
   takeImportedResults(name: string, bytes: Uint8Array): Promise<void>
+  /** Takes the runs of journals into the comparison that is open, or says which one they need. */
+  takeJournalFiles(files: UnreadFile[]): Promise<void>
   /** Shows what the papers ask. */
   showPublished(): Promise<void>
 }

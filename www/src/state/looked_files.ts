@@ -71,6 +71,7 @@ const OPENED = new Set([
   'carrier',
   'session',
   'comparison',
+  'journal',
   'results',
   'movingai-scen',
   'tsplib',

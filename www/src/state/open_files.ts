@@ -7,7 +7,8 @@ import { describeError, describeNotice } from '../i18n/errors'
 import { goalAt, type Scenario, type Session } from '../model/session'
 import { liftEnds } from '../model/terrain'
 import type { TerrainPart } from '../model/tool_calls'
-import type { NumbersOfLink } from '../share/recorded_numbers'
+import type { ToldByLink } from '../share/comparison_link'
+import { linkIn } from '../share/link_in_text'
 import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
@@ -15,6 +16,7 @@ import { fileName, stemOf } from './file_paths'
 import type { Opening } from './files'
 import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
+import { areJournals, contentOf, takeInJournals } from './journal_files'
 import { lazyParts } from './lazy_parts'
 import { canBeOpened, type Looked, lookAt } from './looked_files'
 import {
@@ -52,16 +54,20 @@ export async function openText(text: string, opening: Opening = {}): Promise<boo
   return inTurn([name], (turn) => openTextIn(turn, text, opening))
 }
 
-async function openTextIn(turn: Turn, text: string, opening: Opening): Promise<void> {
-  // A file may contain a link, so only text that is no JSON is searched for one.
-  const fragment = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
+async function openTextIn(
+  turn: Turn,
+  text: string,
+  opening: Opening,
+  name = t('maps.pastedName'),
+): Promise<void> {
+  const fragment = linkIn(text)
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
-    const { document, numbers } = await decodeFragment(fragment)
-    await openComparisonText(turn, document, numbers)
+    const { document, ...told } = await decodeFragment(fragment)
+    await openComparisonText(turn, document, told)
   } else if (fragment)
     replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
-  else await openTogether(turn, [{ name: t('maps.pastedName'), bytes: encoded(text) }], opening)
+  else await openTogether(turn, [{ name, bytes: encoded(text) }], opening)
 }
 
 const encoded = (text: string) => new TextEncoder().encode(text)
@@ -69,6 +75,10 @@ const encoded = (text: string) => new TextEncoder().encode(text)
 /** False if not all of them were opened, and the reader knows. */
 export async function openFiles(files: File[]): Promise<boolean> {
   if (isAsking()) return joinAsked(await contentsOf(files))
+  if (areJournals(files)) {
+    await takeInJournals(files)
+    return true
+  }
   const names = files.map(({ name }) => name)
   return inTurn(names, async (turn) => openTogether(turn, await contentsOf(files)))
 }
@@ -102,7 +112,7 @@ export async function openMapsFor(files: File[], take: Taker): Promise<void> {
 
 async function contentsOf(files: File[]): Promise<NamedBytes[]> {
   const given: NamedBytes[] = []
-  for (const file of files) given.push({ name: file.name, bytes: await bytesOf(file) })
+  for (const file of files) given.push({ name: file.name, bytes: await contentOf(file) })
   return given
 }
 
@@ -194,7 +204,7 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
   const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
   for (const file of found) {
-    if (file.kind === 'carrier') await openTextIn(turn, file.text, {})
+    if (file.kind === 'carrier') await openTextIn(turn, file.text, {}, file.name)
     else if (file.kind === 'session') await openSessionFile(turn, file.bytes)
     else if (file.kind === 'comparison')
       await openComparisonText(turn, new TextDecoder().decode(file.bytes))
@@ -207,6 +217,7 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
       showMap(imported, { name, take: null })
     }
   }
+  await takeInFound(turn, files)
   const [order, ...moreOrders] = orders
   if (order) await openOrder(turn, order, files)
   tellLeftOut(moreOrders, 'opening.oneOrder')
@@ -345,15 +356,11 @@ async function openSessionFile(turn: Turn, bytes: Uint8Array): Promise<void> {
 }
 
 /** Opens a comparison in the laboratory. */
-async function openComparisonText(
-  turn: Turn,
-  text: string,
-  numbers: NumbersOfLink | null = null,
-): Promise<void> {
+async function openComparisonText(turn: Turn, text: string, told?: ToldByLink): Promise<void> {
   const { openComparisonDocument } = await lazyParts.lab()
   turn.check()
   showView('lab')
-  await openComparisonDocument(text, numbers)
+  await openComparisonDocument(text, told)
 }
 
 /** Imports a file of results into the laboratory. */
@@ -362,6 +369,18 @@ async function importResults(turn: Turn, bytes: Uint8Array, name: string): Promi
   turn.check()
   showView('lab')
   await takeImportedResults(fileName(name), bytes)
+}
+
+/** Takes in the journals among files that came together, such as the archive of a whole class. */
+async function takeInFound(turn: Turn, files: FoundFile[]): Promise<void> {
+  const journals = files.filter(({ kind }) => kind === 'journal')
+  if (journals.length === 0) return
+  const { takeJournalFiles } = await lazyParts.lab()
+  turn.check()
+  showView('lab')
+  await takeJournalFiles(
+    journals.map(({ name, bytes }) => ({ name: fileName(name), read: async () => bytes })),
+  )
 }
 
 function replay(turn: Turn, session: Session): void {

@@ -4,7 +4,8 @@ import { tools } from '../engine/tools'
 import { badOption, optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import type { Scenario, Session } from '../model/session'
 import type { TerrainPart } from '../model/tool_calls'
-import type { NumbersOfLink } from '../share/recorded_numbers'
+import type { ToldByLink } from '../share/comparison_link'
+import { linkIn } from '../share/link_in_text'
 import type { GivenSession } from '../share/session_object'
 import { bytesOf, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
@@ -38,7 +39,7 @@ const OPTIONS = ['file', 'row', 'read', 'part', 'instance', 'leaveOut', 'usual']
 
 export type Content = { name: string; notices: Notice[] } & (
   | { kind: 'session'; session: Session }
-  | { kind: 'comparison'; text: string; numbers?: NumbersOfLink | null }
+  | { kind: 'comparison'; text: string; told?: ToldByLink }
   | { kind: 'results'; file: NamedBytes; instance: string | undefined; leaveOut: string[] }
   | { kind: 'order'; file: NamedBytes; tour: NamedBytes | null }
   | { kind: 'map'; scenario: Scenario }
@@ -91,8 +92,7 @@ async function read(source: unknown, options: Options): Promise<Content> {
 
 async function readText(text: string, options: Options): Promise<Content> {
   refuseLarge(text.length, 'text')
-  // A file may contain a link, so only text that is no JSON is searched for one.
-  const link = text.trimStart().startsWith('{') ? null : /#[xq]=[\w-]+/.exec(text)?.[0]
+  const link = linkIn(text)
   if (!link) return readTogether([{ name: 'text', bytes: new TextEncoder().encode(text) }], options)
   const none = { name: 'link', notices: [] }
   if (link.startsWith('#x')) {
@@ -100,8 +100,8 @@ async function readText(text: string, options: Options): Promise<Content> {
     return { ...none, kind: 'session', session: await decodeFragment(link) }
   }
   const { decodeFragment } = await import('../share/comparison_link')
-  const { document, numbers } = await decodeFragment(link)
-  return { ...none, kind: 'comparison', text: document, numbers }
+  const { document, ...told } = await decodeFragment(link)
+  return { ...none, kind: 'comparison', text: document, told }
 }
 
 async function readFiles(blobs: unknown[], options: Options): Promise<Content> {

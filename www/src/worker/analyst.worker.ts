@@ -16,6 +16,8 @@ const calls: AnalystCalls = {
     open = null
     open = new engine.Comparison(document)
     return {
+      digest: open.digest(),
+      mostShares: engine.most_shards(),
       outline: open.outline(),
       tasks: open.task_table(),
       order: open.seed_by_seed(),
@@ -34,6 +36,22 @@ const calls: AnalystCalls = {
   },
   file: (kind, command, language) => comparison().file(kind, command, language),
   verify: () => comparison().verify() ?? null,
+  dealt: (share) => comparison().dealt(share),
+  shares(of) {
+    const numbers = new Uint32Array(comparison().tasks())
+    for (let share = 1; share <= of; share++)
+      for (const task of comparison().dealt(`${share}/${of}`)) numbers[task] = share
+    return numbers
+  },
+  journal: (share) => ({
+    name: comparison().journal_name(share),
+    text: comparison().journal(share),
+  }),
+  takeJournal: (text) => comparison().take_journal(text),
+  digestIn: (journal) => engine.journal_digest(journal) ?? null,
+  forget(indices) {
+    for (const index of indices) comparison().forget(index)
+  },
 }
 
 /** The runs that the document has brought along. */

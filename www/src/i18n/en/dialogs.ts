@@ -268,6 +268,13 @@ export const enDialogs = {
     tooManyFilesHint: 'Drop the folder that holds the map, without what lies around it.',
     oneOrder: 'One order problem is opened at a time; not opened: {{names}}',
     leftOut: 'Not opened, as it is no known file: {{names}}',
+    tooManyRuns: '{{name}} has more runs than the page takes: {{size}} MB',
+    tooManyRunsHint: {
+      comparison:
+        'The page opens up to {{most}} MB. The command line takes any size: formicarium compare {{file}}; of journals it makes one result with --merge.',
+      journal:
+        'The page takes journals up to {{most}} MB. The command line takes any size: formicarium compare QUESTION.toml --merge FOLDER.',
+    },
     nothingToOpen: 'Nothing in {{name}} can be opened here.',
     nothingToOpenHint: 'Import… in the map menu lists what can be.',
     reading: 'Reading {{names}}…',
@@ -299,6 +306,7 @@ export const enDialogs = {
     scenario: 'Scenario',
     session: 'Session',
     comparison: 'Comparison',
+    journal: 'Journal of runs',
     results: 'Table of results',
     archive: 'Archive',
     unknown: 'Unknown',

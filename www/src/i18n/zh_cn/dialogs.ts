@@ -257,6 +257,13 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     tooManyFilesHint: '请只拖入含有地图的文件夹。',
     oneOrder: '一次只打开一个次序问题；未打开：{{names}}',
     leftOut: '格式未知，未打开：{{names}}',
+    tooManyRuns: '{{name}} 中的运行超过页面所能读取的：{{size}} MB',
+    tooManyRunsHint: {
+      comparison:
+        '页面可打开不超过 {{most}} MB 的文件。命令行不限大小：formicarium compare {{file}}；用 --merge 可把日志合并成一个结果。',
+      journal:
+        '页面可读取不超过 {{most}} MB 的日志。命令行不限大小：formicarium compare QUESTION.toml --merge FOLDER。',
+    },
     nothingToOpen: '{{name}} 中没有可以打开的内容。',
     nothingToOpenHint: '可打开的格式见地图菜单中的“导入…”。',
     reading: '正在读取 {{names}}…',
@@ -287,6 +294,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     scenario: '场景',
     session: '会话',
     comparison: '比较',
+    journal: '运行日志',
     results: '结果表',
     archive: '压缩包',
     unknown: '未知',

@@ -326,6 +326,10 @@ export const zhCNRemarks = {
       message: '链接内容无效：{{field}}',
       hint: '它不是由“分享”生成，或被手工改动过',
     },
+    'link-share': {
+      message: '没有“{{field}}”这一份',
+      hint: '份写作 I/N（例如 3/30）或 ?/30；请向发送链接的人另要一个',
+    },
     'picture-bare': {
       message: '图片中没有会话，也没有比较',
       hint: '此处保存的图片带有会话或比较，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',

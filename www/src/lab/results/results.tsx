@@ -1,9 +1,11 @@
 /** What the runs of the open comparison say, in tabs. */
 import '../../styles/lab_results.css'
 import { computed } from '@preact/signals'
+import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import { FormError } from '../../ui/form_error'
+import { runsOfQuestion } from '../run/shares'
 import { shownAnalysis } from '../store/shown_comparison'
 import { shownTab } from '../store/shown_tab'
 import { analysisError, openComparison, progress } from '../store/signals'
@@ -45,6 +47,7 @@ export function Results() {
   const Body = BODIES[tab]
   return (
     <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
+      {openComparison.value.share && <PartOfAll />}
       <Tabs
         label={t('lab.results.title')}
         name="results"
@@ -58,6 +61,19 @@ export function Results() {
         {now && (begun.value || hasGiven(now)) ? <Body analysis={now} /> : <Nothing />}
       </TabPanel>
     </section>
+  )
+}
+
+/** A share of a class shows a part of the runs: how large it is. */
+function PartOfAll() {
+  // It grows with every run.
+  progress.value
+  const { all, there } = runsOfQuestion()
+  const done = numbers.value.whole.format(there)
+  return (
+    <p class="hint results-part" data-testid="part-of-all">
+      {t('lab.class.ofAll', { done, count: all })}
+    </p>
   )
 }
 

@@ -6,12 +6,20 @@ import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import type { KeptRun } from '../../model/comparison_calls'
-import type { NumbersOfLink } from '../../share/recorded_numbers'
+import type { ToldByLink } from '../../share/comparison_link'
+import type { ShareOfClass } from '../../share/share_of_class'
 import { notify, notifyError } from '../../state'
 import { deleteComparison, storedComparison } from '../store/browser_storage'
 import { refreshKeptComparisons, removeKeptComparison } from '../store/kept_comparisons'
 import { fileStem } from '../store/names'
-import { failures, finishing, openComparison, phase, verification } from '../store/signals'
+import {
+  failures,
+  finishing,
+  type OpenComparison,
+  openComparison,
+  phase,
+  verification,
+} from '../store/signals'
 import { lockComparison } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, recallInTab } from '../store/tab_memory'
 import { dropUnstored } from '../store/unstored'
@@ -45,27 +53,26 @@ export interface StartOptions {
   firstSeeds?: number | null
   /** As many as the machine has processors, if nothing is said. */
   workers?: number
+  /** The share of a class to be done; all runs, if nothing is said. */
+  share?: ShareOfClass | null
 }
 
 /** Opens a document as a new comparison and runs it. Rejects with the engine's typed error when the engine refuses the document. */
 export async function startComparison(document: string, options: StartOptions = {}): Promise<void> {
-  const { firstSeeds = null, workers } = options
-  await openNew({ document, runs: 'own', firstSeeds, workers })
+  const { firstSeeds = null, workers, share = null } = options
+  await openNew({ document, runs: 'own', firstSeeds, workers, share })
   await goOn()
 }
 
-/** Opens a document: shows the runs in it; those that are missing can be run. `numbers`: what a link tells of them. */
-export async function openDocument(
-  text: string,
-  numbers: NumbersOfLink | null = null,
-): Promise<void> {
-  await openNew({ document: text, runs: 'file', firstSeeds: null, numbers })
+/** Opens a document: shows the runs in it; those that are missing can be run. `told`: what a link tells beside it. */
+export async function openDocument(text: string, told?: ToldByLink): Promise<void> {
+  await openNew({ document: text, runs: 'file', firstSeeds: null, ...told })
 }
 
 /** Runs the open comparison once more, as a new one, to see whether the same comes out. */
 export async function runAgain(options: StartOptions = {}): Promise<void> {
   const now = openComparison.peek()
-  if (now) await startComparison(now.document, options)
+  if (now) await startComparison(now.document, { ...options, share: now.share })
 }
 
 /** Opens the comparison anew, as another one, with imported results beside its runs. Rejects with the engine's typed error. */
@@ -86,8 +93,13 @@ export async function joinResults(
     leaveOut,
   )
   // Imported entries come last, so that every other run keeps its place. What a link told was of the question without them.
-  await openNew({ ...mine.stored, document, done: mine.analyst.all, numbers: null })
+  // A share is one of the question without them.
+  const { share: _, ...stored } = mine.stored
+  await openNew({ ...stored, document, done: mine.analyst.all, numbers: null })
 }
+
+/** Whether it waits for somebody to say whose share is to be done. */
+const isUnchosen = ({ share }: OpenComparison) => share !== null && share.index === null
 
 /** Starts no more runs; those under way are finished and kept. */
 export function pause(): void {
@@ -102,7 +114,7 @@ export function pause(): void {
 /** Does the runs that are missing, unless another tab is doing them. */
 export async function goOn(): Promise<void> {
   const mine = openParts()
-  if (!mine || phase.peek() === 'running') return
+  if (!mine || phase.peek() === 'running' || isUnchosen(mine.comparison)) return
   if (mine.unlock === null) {
     mine.unlock = await lockComparison(mine.comparison.id)
     if (mine !== openParts()) return mine.unlock?.()

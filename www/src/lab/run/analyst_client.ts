@@ -1,5 +1,11 @@
 /** The page's side of the analyst, the worker that analyses runs. Asks often enough to watch, and leaves the worker time for runs. */
-import type { EngineError, ReportLanguage, ResultFile, Verification } from '@pkg/formicarium'
+import type {
+  EngineError,
+  ReportLanguage,
+  ResultFile,
+  TakenJournal,
+  Verification,
+} from '@pkg/formicarium'
 import type { Analysis } from '../../model/analysis'
 import type { KeptRun, Opened } from '../../model/comparison_calls'
 import { toEngineError } from '../../model/errors'
@@ -54,8 +60,17 @@ export class AnalystClient {
     return [...this.runs.values()]
   }
 
+  get(index: number): KeptRun | undefined {
+    return this.runs.get(index)
+  }
+
   has(index: number): boolean {
     return this.runs.has(index)
+  }
+
+  /** How many runs are done. */
+  get count(): number {
+    return this.runs.size
   }
 
   /** Every run that is done. */
@@ -101,6 +116,37 @@ export class AnalystClient {
 
   file(kind: ResultFile, command: string, language: ReportLanguage): Promise<string> {
     return this.call((analyst) => analyst.call('file', kind, command, language))
+  }
+
+  /** The places of a share's tasks. Throws where there is no such share. */
+  dealt(share: string): Promise<Uint32Array> {
+    return this.call((analyst) => analyst.call('dealt', share))
+  }
+
+  /** Of each task the number of its share. */
+  shares(of: number): Promise<Uint32Array> {
+    return this.call((analyst) => analyst.call('shares', of))
+  }
+
+  journal(share: string): Promise<{ name: string; text: string }> {
+    return this.call((analyst) => analyst.call('journal', share))
+  }
+
+  /** Takes in the runs of a file; `from`: its key. A run that was done here meanwhile stays. */
+  async takeJournal(text: string, from: number): Promise<TakenJournal> {
+    const taken = await this.call((analyst) => analyst.call('takeJournal', text))
+    const runs = taken.runs.filter(({ index }) => !this.runs.has(index))
+    for (const run of runs) this.runs.set(run.index, { ...run, from })
+    return { ...taken, runs }
+  }
+
+  /** Lets go of runs, as if they had never been done. */
+  async forget(indices: number[]): Promise<void> {
+    for (const index of indices) {
+      this.runs.delete(index)
+      this.again.delete(index)
+    }
+    await this.call((analyst) => analyst.call('forget', indices))
   }
 
   /** What the runs say now, without intervals. */

@@ -1,4 +1,5 @@
 /** How long the remaining runs will take. Entries differ a thousandfold, so each pair of map and entry is estimated from its own runs. */
+import type { KeptRun } from '../../model/comparison_calls'
 import type { Tasks } from './tasks'
 
 /** No estimate from fewer runs, or after a shorter time. */
@@ -6,6 +7,28 @@ const LEAST_RUNS = 3
 const LEAST_SECONDS = 0.7
 /** Recent runs count most: the machine may have other work by now. */
 const MEMORY_SECONDS = 20
+
+/**
+ * Seconds of work of all tasks together, from the runs that were timed here: of an entry on a map without one the mean of all counts.
+ * Null while there are too few.
+ */
+export function workOf(tasks: Tasks, all: number[], timed: Iterable<KeptRun>): number | null {
+  const byPair = new Map<string, Mean>()
+  const over: Mean = { sum: 0, count: 0 }
+  for (const { index, seconds } of timed) {
+    const took = seconds.at(-1)
+    if (took === undefined) continue
+    const pair = byPair.get(tasks.pairOf(index)) ?? { sum: 0, count: 0 }
+    byPair.set(tasks.pairOf(index), pair)
+    for (const mean of [pair, over]) {
+      mean.sum += took
+      mean.count += 1
+    }
+  }
+  if (over.count < LEAST_RUNS) return null
+  const meanOf = ({ sum, count }: Mean) => sum / count
+  return all.reduce((sum, index) => sum + meanOf(byPair.get(tasks.pairOf(index)) ?? over), 0)
+}
 
 interface Mean {
   sum: number

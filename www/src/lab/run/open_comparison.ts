@@ -4,8 +4,14 @@ import { t } from '../../i18n/lab'
 import { type ComparisonDocument, documentOf, textOf } from '../../model/comparison'
 import type { KeptRun, Opened } from '../../model/comparison_calls'
 import { checkNumbers, type NumbersOfLink } from '../../share/recorded_numbers'
+import { noShare, readShare, type ShareOfClass, shareText } from '../../share/share_of_class'
 import { notify, notifyError } from '../../state'
-import { ComparisonWriter, type StoredComparison, storedComparison } from '../store/browser_storage'
+import {
+  type BroughtFile,
+  ComparisonWriter,
+  type StoredComparison,
+  storedComparison,
+} from '../store/browser_storage'
 import { refreshKeptComparisons } from '../store/kept_comparisons'
 import { newId } from '../store/names'
 import {
@@ -60,6 +66,10 @@ export interface NewComparison {
   done?: KeptRun[] | undefined
   /** What a link tells of its runs. */
   numbers?: NumbersOfLink | null
+  /** The share of a class that is to be done; all runs where there is none. */
+  share?: ShareOfClass | null
+  /** Files that have brought runs among the done ones. */
+  brought?: BroughtFile[] | undefined
 }
 
 /** Opens a document as a new comparison. */
@@ -70,6 +80,8 @@ export async function openNew({
   workers,
   done,
   numbers = null,
+  share = null,
+  brought = [],
 }: NewComparison): Promise<void> {
   // The builder stays on show until its comparison runs or is refused by the engine.
   if (phase.peek() === 'idle' && runs === 'file') phase.value = 'opening'
@@ -79,6 +91,7 @@ export async function openNew({
     const rows = done ?? opened.rows
     const parsed = documentOf(document)
     if (numbers) checkNumbers(numbers, parsed.question)
+    if (share && share.of > opened.mostShares) throw noShare(shareText(share))
     const stored: StoredComparison = {
       id: newId(),
       title: parsed.question.title,
@@ -89,6 +102,8 @@ export async function openNew({
       done: 0,
       total: 0,
       ...(numbers && { numbers }),
+      ...(share && { share: shareText(share) }),
+      brought,
     }
     await begin(stored, { analyst, opened }, rows, { workers, isNew: true })
   } catch (error) {
@@ -144,6 +159,11 @@ async function begin(
     numbers: stored.numbers ?? null,
     runs: stored.runs,
     firstSeeds,
+    digest: opened.digest,
+    mostShares: opened.mostShares,
+    share: stored.share === undefined ? null : readShare(stored.share),
+    dealt: stored.dealt ?? null,
+    brought: stored.brought ?? [],
     elsewhere: false,
   }
   const tasks = new Tasks(opened)
@@ -169,6 +189,8 @@ async function begin(
     unlock: null,
     closed,
   }
+  if (stored.share !== undefined && now.share?.index != null)
+    runner.restrict(await analyst.dealt(stored.share))
   stored.total = runner.progress.total
   if (isNew) for (const run of runs) writer.keep(run)
   current = mine
@@ -194,6 +216,27 @@ function showAtRest(mine: OpenParts): void {
   phase.value = mine.runner.isComplete ? 'done' : 'paused'
   void mine.analyst.look(true)
 }
+
+/** Shows that which runs there are has changed. */
+export function refresh(mine: OpenParts): void {
+  if (mine !== current) return
+  if (phase.peek() === 'running') changed(mine)
+  else batch(() => showAtRest(mine))
+}
+
+/** Changes what is told of the comparison beside its runs, and stores it. */
+export async function amend(mine: OpenParts, change: Amendment): Promise<void> {
+  const { share, ...rest } = change
+  Object.assign(mine.stored, rest)
+  if (share) mine.stored.share = shareText(share)
+  else if (share === null) delete mine.stored.share
+  mine.stored.total = mine.runner.progress.total
+  mine.comparison = { ...mine.comparison, ...change }
+  if (mine === current) openComparison.value = mine.comparison
+  await mine.writer.flush()
+}
+
+type Amendment = Partial<Pick<OpenComparison, 'brought' | 'share'> & { dealt: number }>
 
 /** The last run under way has ended. */
 export function comeToRest(mine: OpenParts): void {

@@ -28,7 +28,7 @@ const now = () => performance.now() / 1000
 export class Runner implements Work {
   readonly failures: Failure[] = []
   private readonly tasks: Tasks
-  private readonly order: number[]
+  private order: number[]
   private readonly estimate: Estimate
   private pool: Pool | null = null
   private at = 0
@@ -42,7 +42,16 @@ export class Runner implements Work {
     this.recount()
   }
 
-  /** After runs of another tab have been taken in. */
+  /** Only these tasks are to be done; null: all. */
+  restrict(to: Iterable<number> | null): void {
+    const wanted = to && new Set(to)
+    const all = this.tasks.inOrder(this.parts.comparison.firstSeeds)
+    this.order = wanted ? all.filter((index) => wanted.has(index)) : all
+    this.at = 0
+    this.recount()
+  }
+
+  /** After runs that were done elsewhere have been taken in, or taken away. */
   recount(): void {
     this.doneSoFar = this.order.filter((index) => this.parts.analyst.has(index)).length
   }

@@ -19,6 +19,11 @@ export class Tasks {
     return [...(end < 0 ? this.order : this.order.subarray(0, end))]
   }
 
+  /** Place of its map in the question. */
+  instanceOf(index: number): number {
+    return this.table[3 * index] ?? 0
+  }
+
   /** Place of its entry in the question. */
   entryOf(index: number): number {
     return this.table[3 * index + 1] ?? 0
@@ -30,6 +35,6 @@ export class Tasks {
 
   /** The same for all runs of one entry on one map. */
   pairOf(index: number): string {
-    return `${this.table[3 * index]} ${this.entryOf(index)}`
+    return `${this.instanceOf(index)} ${this.entryOf(index)}`
   }
 }

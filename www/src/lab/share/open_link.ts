@@ -5,7 +5,7 @@ import { openDocument } from '../run/actions'
 /** False when the address holds no comparison. Throws a LinkError, or the engine's error, when it cannot be opened. */
 export async function openComparisonLink(hash: string): Promise<boolean> {
   if (!hash.startsWith(PREFIX)) return false
-  const { document, numbers } = await decodeFragment(hash)
-  await openDocument(document, numbers)
+  const { document, ...told } = await decodeFragment(hash)
+  await openDocument(document, told)
   return true
 }

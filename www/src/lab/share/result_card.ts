@@ -5,6 +5,7 @@ import { shortened, wrapped } from '../../figures/svg'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import { pngWith } from '../../share/png'
 import { engineVersion } from '../../state'
 import { seriesOf } from '../figures/figure_style'
 import { openComparison, progress } from '../run/actions'
@@ -23,15 +24,25 @@ const NAMES = 380
 
 type Context = CanvasRenderingContext2D
 
-export async function resultCard(): Promise<Blob> {
+/** The results, with the comparison in the picture. */
+export const resultCard = async (): Promise<Blob> =>
+  embedComparison(await drawn(t('lab.share.cardFooter')))
+
+/** The results so far, with the journal of a share in the picture. */
+export async function shareCard(journal: string): Promise<Uint8Array> {
+  const picture = await drawn(t('lab.class.cardFooter'))
+  return pngWith(new Uint8Array(await picture.arrayBuffer()), journal)
+}
+
+async function drawn(footer: string): Promise<Blob> {
   const canvas = document.createElement('canvas')
   canvas.width = WIDTH
   canvas.height = heightOf(shownAnalysis.peek())
   const context = canvas.getContext('2d')
-  if (context) draw(context, canvas.height, LOOKS.light)
+  if (context) draw(context, canvas.height, LOOKS.light, footer)
   const png = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'))
   if (!png) throw new Error('the browser makes no picture')
-  return embedComparison(png)
+  return png
 }
 
 const titleLines = () =>
@@ -44,7 +55,7 @@ function heightOf(found: Analysis | null): number {
   return 2 * EDGE + titleLines().length * 42 + 40 + table + 60
 }
 
-function draw(context: Context, height: number, look: Look): void {
+function draw(context: Context, height: number, look: Look, footer: string): void {
   context.fillStyle = look.background
   context.fillRect(0, 0, WIDTH, height)
   let y = EDGE + 26
@@ -56,14 +67,7 @@ function draw(context: Context, height: number, look: Look): void {
   const found = shownAnalysis.peek()
   if (found) table(context, found, y + 52, look)
   rule(context, height - EDGE - 24, look)
-  write(
-    context,
-    `Formicarium · ${t('lab.share.cardFooter')}`,
-    EDGE,
-    height - EDGE + 8,
-    font(400, 18),
-    look.muted,
-  )
+  write(context, `Formicarium · ${footer}`, EDGE, height - EDGE + 8, font(400, 18), look.muted)
 }
 
 function subtitle(): string {

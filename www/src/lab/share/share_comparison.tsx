@@ -1,4 +1,5 @@
 /** The button that shares the open comparison, and the panel that verifies a shared one. */
+import '../../styles/lab_class.css'
 import '../../styles/lab_share.css'
 import { Share2 } from 'lucide'
 import { useState } from 'preact/hooks'
@@ -8,6 +9,8 @@ import { embedInPictures } from '../figures/download'
 import { embedComparison } from './embed_comparison'
 import { ShareComparisonDialog } from './share_comparison_dialog'
 
+export { CollectedCard } from './collected_card'
+export { ShareCard } from './share_card'
 export { VerificationPanel } from './verification_panel'
 
 embedInPictures(embedComparison)

@@ -1,17 +1,32 @@
 /** Shares the open comparison as a link, a file or a picture. */
-
+import { Users } from 'lucide'
 import { useState } from 'preact/hooks'
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
 import { t } from '../../i18n/lab'
 import { PREFIX } from '../../share/comparison_link'
 import { download } from '../../state/export_files'
+import { Button } from '../../ui/buttons'
 import { openComparison, progress, resultFile } from '../run/actions'
+import { runsOfQuestion } from '../run/shares'
 import { fileStem } from '../store/names'
 import { shownComparison } from '../store/shown_comparison'
+import { ClassDialog, LEAST_SHARES } from './class_dialog'
 import { linkOfNow } from './link_of_now'
 import { resultCard } from './result_card'
 
 export function ShareComparisonDialog({ onClose }: { onClose: () => void }) {
+  const [forClass, setForClass] = useState(false)
+  if (forClass) return <ClassDialog onBack={() => setForClass(false)} onClose={onClose} />
+  return <SendComparison onClass={() => setForClass(true)} onClose={onClose} />
+}
+
+interface SendProps {
+  /** The runs are to be shared out instead. */
+  onClass: () => void
+  onClose: () => void
+}
+
+function SendComparison({ onClass, onClose }: SendProps) {
   const [carriesNumbers, setCarriesNumbers] = useState(false)
   const link = useLink(PREFIX, async () => {
     const made = await linkOfNow()
@@ -31,6 +46,16 @@ export function ShareComparisonDialog({ onClose }: { onClose: () => void }) {
       testId="lab-share"
     >
       <Contents carriesNumbers={carriesNumbers} />
+      <div class="class-offer">
+        <Button
+          icon={Users}
+          label={t('lab.class.open')}
+          testId="lab-share-class"
+          disabled={runsOfQuestion().all < LEAST_SHARES}
+          onClick={onClass}
+        />
+        <p class="hint">{t('lab.class.openHint')}</p>
+      </div>
     </SendDialog>
   )
 }

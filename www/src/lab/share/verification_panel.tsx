@@ -118,7 +118,7 @@ function LinkActions({ told }: { told: Verification }) {
 }
 
 function FileActions({ of }: { of: number }) {
-  const now = verifying.value
+  const now = verifying.value?.of === 'file' ? verifying.value : null
   if (now?.isRunning)
     return (
       <div class="verification-actions">

@@ -1,18 +1,31 @@
 /**
- * Repeats the runs of a file to compare them with the recorded ones, which stay as they are. A link has no runs, so its runs are simply
- * done.
+ * Repeats runs of others to compare them with what was recorded, which stays as it is: those of a file, or a sample of those that a class
+ * has brought. A link has no runs, so its runs are simply done.
  */
 import { signal } from '@preact/signals'
 import type { KeptRun } from '../../model/comparison_calls'
 import { notifyError } from '../../state'
 import { checkRun, compareAgain, openComparison, runsInOrder } from '../run/actions'
 import { Pool, poolSize, type Work } from '../run/pool'
+import { drawSample } from '../run/sample'
+import { broughtRuns, type PlacedRun, placedRun } from '../run/shares'
+
+/** A repeated run that came out otherwise. */
+export interface ForgedRun extends PlacedRun {
+  index: number
+  /** The row that came out here. */
+  came: string
+}
 
 export interface Verifying {
+  /** Of the runs in a file, or a sample of those that files of a class have brought. */
+  of: 'file' | 'class'
   done: number
   total: number
   /** Runs that could not be done. */
   failed: number
+  /** Those that came out otherwise, in the order in which they were repeated. */
+  forged: ForgedRun[]
   isRunning: boolean
 }
 
@@ -28,7 +41,15 @@ export function verifyAgain(seeds: number | null): void {
   const now = openComparison.peek()
   if (!now) return
   stopVerifying()
-  job = new Job(now.id, now.document, runsInOrder(seeds))
+  job = new Job('file', now.id, now.document, runsInOrder(seeds))
+}
+
+/** Repeats a part, from 0 to 1, of the runs that files have brought, drawn by chance, at least one of each file. */
+export function verifySample(part: number): void {
+  const now = openComparison.peek()
+  if (!now) return
+  stopVerifying()
+  job = new Job('class', now.id, now.document, drawSample(broughtRuns(), part))
 }
 
 export function stopVerifying(): void {
@@ -47,10 +68,12 @@ class Job implements Work {
   private at = 0
   private done_ = 0
   private failed_ = 0
+  private readonly forged: ForgedRun[] = []
   private ended = false
   private timer = 0
 
   constructor(
+    private readonly of: Verifying['of'],
     private readonly comparison: string,
     document: string,
     private readonly order: number[],
@@ -79,6 +102,9 @@ class Job implements Work {
     }
     this.done_ += 1
     checkRun(run)
+    const recorded = placedRun(run.index)
+    if (recorded && recorded.row !== run.row)
+      this.forged.push({ ...recorded, index: run.index, came: run.row })
     this.show()
     if (this.timer === 0) this.timer = window.setTimeout(() => void this.compare(), COMPARE_MS)
   }
@@ -105,9 +131,11 @@ class Job implements Work {
   private show(): void {
     if (this.comparison !== openComparison.peek()?.id) return
     verifying.value = {
+      of: this.of,
       done: this.done_,
       total: this.order.length,
       failed: this.failed_,
+      forged: [...this.forged],
       isRunning: !this.ended,
     }
   }

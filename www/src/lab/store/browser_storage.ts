@@ -19,6 +19,26 @@ export interface StoredComparison {
   total: number
   /** What the link that it came in tells of its runs. */
   numbers?: NumbersOfLink
+  /** The share of a class that is done here, as in a link (share/share_of_class.ts). */
+  share?: string
+  /** To how many shares it was dealt here. */
+  dealt?: number
+  /** Files of others that have brought runs. */
+  brought?: BroughtFile[]
+}
+
+/** A journal that was taken in. */
+export interface BroughtFile {
+  /** Its runs carry it. */
+  key: number
+  name: string
+  /** Whose runs it has, as `I/N`; null where it does not say. */
+  share: string | null
+  /** Runs that it has brought, and those that were there already. */
+  runs: number
+  same: number
+  /** It ends in the middle of a line. */
+  isCut: boolean
 }
 
 /** Drafts of closed tabs are deleted after this time. */
@@ -117,6 +137,17 @@ export class ComparisonWriter {
     if (this.waiting.length === 1) this.next((runs) => storeRuns(this.comparison.id, runs))
   }
 
+  /** Lets go of runs that are stored, by their places. */
+  forget(indices: number[]): Promise<void> {
+    this.comparison.done -= indices.length
+    const gone = new Set(indices)
+    this.writing = this.writing.then(async () => {
+      this.waiting = this.waiting.filter(({ index }) => !gone.has(index))
+      await deleteRuns(this.comparison.id, indices).catch((error: unknown) => this.refuse(error))
+    })
+    return this.flush()
+  }
+
   /** Resolves when all runs are stored, and the comparison with their number. */
   flush(): Promise<void> {
     return this.next((runs) => storeComparison({ ...this.comparison }, runs))
@@ -141,6 +172,14 @@ async function storeRuns(comparison: string, runs: KeptRun[]): Promise<void> {
   const change = (await openDatabase()).transaction('rows', 'readwrite')
   await Promise.all([
     ...runs.map((run) => change.store.put(run, [comparison, run.index])),
+    change.done,
+  ])
+}
+
+async function deleteRuns(comparison: string, indices: number[]): Promise<void> {
+  const change = (await openDatabase()).transaction('rows', 'readwrite')
+  await Promise.all([
+    ...indices.map((index) => change.store.delete([comparison, index])),
     change.done,
   ])
 }

@@ -4,7 +4,8 @@ import { computed, signal } from '@preact/signals'
 import type { Analysis } from '../../model/analysis'
 import type { ComparisonDocument, MapOfQuestion } from '../../model/comparison'
 import type { NumbersOfLink } from '../../share/recorded_numbers'
-import type { StoredComparison } from './browser_storage'
+import type { ShareOfClass } from '../../share/share_of_class'
+import type { BroughtFile, StoredComparison } from './browser_storage'
 
 /** idle: nothing is open · opening · running · paused: some runs are to be done · done */
 export type Phase = 'idle' | 'opening' | 'running' | 'paused' | 'done'
@@ -35,6 +36,16 @@ export interface OpenComparison {
   runs: 'own' | 'file'
   /** Only this many seeds of each entry are to be run, the first ones; null: all. */
   firstSeeds: number | null
+  /** Over question and maps: journals name it. */
+  digest: string
+  /** Most shares that it can be dealt to. */
+  mostShares: number
+  /** The share of a class that is done here; null where all runs are. */
+  share: ShareOfClass | null
+  /** To how many shares it was dealt here; null where it was not. */
+  dealt: number | null
+  /** Files of others that have brought runs. */
+  brought: BroughtFile[]
   /** Another tab is running it. */
   elsewhere: boolean
 }

@@ -1,5 +1,5 @@
 /** What the laboratory opens first: the comparison in the address, or what this tab had open before a reload. */
-import type { NumbersOfLink } from '../../share/recorded_numbers'
+import type { ToldByLink } from '../../share/comparison_link'
 import { takeMapsThatCome } from '../build/draft'
 import { storeDraftChanges } from '../build/stored_draft'
 import { openDocument, refreshKeptComparisons } from '../run/actions'
@@ -15,12 +15,9 @@ export function openAddress(): Promise<void> {
 }
 
 /** Opens the text of a result file, or what a link carries. */
-export async function openComparisonDocument(
-  text: string,
-  numbers?: NumbersOfLink | null,
-): Promise<void> {
+export async function openComparisonDocument(text: string, told?: ToldByLink): Promise<void> {
   await openAddress()
-  await openDocument(text, numbers)
+  await openDocument(text, told)
 }
 
 async function openFirst(): Promise<void> {

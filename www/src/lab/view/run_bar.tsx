@@ -21,6 +21,7 @@ import {
   progress,
 } from '../run/actions'
 import { countWords } from '../run/count_words'
+import { timeWords } from '../run/time_words'
 import { ShareComparison } from '../share/share_comparison'
 
 export function RunBar() {
@@ -73,6 +74,8 @@ function Actions() {
         />
       </>
     )
+  // A share is begun from its own card.
+  if (openComparison.value?.share && progress.value.done === 0) return null
   if (phase.value === 'paused')
     return (
       <Button
@@ -107,7 +110,10 @@ function ProgressBar() {
 
 function words(): string[] {
   const { done, total, kept, pathless, failed, secondsLeft } = progress.value
+  const share = openComparison.value?.share ?? null
+  if (share && share.index === null) return [t('lab.class.unchosen')]
   const said = [
+    ...(share ? [t('lab.class.name', { share: share.index, of: share.of })] : []),
     phase.value === 'done'
       ? t('lab.run.complete', { count: total })
       : t('lab.run.progress', { done, total }),
@@ -115,19 +121,12 @@ function words(): string[] {
   if (analysis.value) said.push(...countWords(analysis.value.counts))
   if (finishing.value > 0) said.push(t('lab.run.finishing', { count: finishing.value }))
   else if (phase.value === 'paused') said.push(t('lab.run.paused'))
-  if (phase.value === 'running' && secondsLeft !== null) said.push(timeLeft(secondsLeft))
+  if (phase.value === 'running' && secondsLeft !== null) said.push(timeWords(secondsLeft, 'left'))
   if (kept > 0 && openComparison.value?.runs === 'own' && phase.value !== 'done')
     said.push(t('lab.run.kept', { count: kept }))
   if (pathless > 0) said.push(t('lab.run.pathless', { count: pathless }))
   if (failed > 0) said.push(t('lab.run.failed', { count: failed }))
   return said
-}
-
-/** Rounded: nobody counts the seconds of an hour. */
-function timeLeft(seconds: number): string {
-  if (seconds < 90) return t('lab.run.secondsLeft', { count: Math.max(1, Math.ceil(seconds)) })
-  if (seconds < 5400) return t('lab.run.minutesLeft', { count: Math.ceil(seconds / 60) })
-  return t('lab.run.hoursLeft', { count: Math.ceil(seconds / 3600) })
 }
 
 function Elsewhere() {
