@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use formicarium::formats::{BinaryExport, Export, export, export_binary};
+use formicarium::comparison::{Comparison, Shard};
+use formicarium::formats::journal::JournalLines;
+use formicarium::formats::{BinaryExport, Export, comparison_json, export, export_binary};
 use formicarium::map::{Grid, Measure, Point};
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
 
@@ -65,6 +67,21 @@ const QUESTION: &str = r#""question": {"format": "formicarium/question@1", "titl
 "claims": [{"id": "c", "says": "shorter", "improved": "ants", "baseline": "exact", "measure": "length", "direction": "less", "relevant": 0.02},
 {"id": "d", "says": "sooner", "improved": "ants", "baseline": "mine", "measure": "running-time", "direction": "less", "target": 0.1, "axis": "moves"}],
 "facts": [{"group": "one", "optimum_at_most": 3.5, "optimum_of": "exact", "arrives": ["ants"], "in_at_least": 0.9, "says": "table 1"}]}"#;
+
+/// A comparison of which there is a journal.
+pub fn small() -> Comparison {
+    let document = comparison(QUESTION);
+    comparison_json::open(&String::from_utf8_lossy(&document)).expect("a question that can be asked").comparison
+}
+
+/// Its journal.
+fn journal() -> Vec<u8> {
+    let comparison = small();
+    let lines = JournalLines::of(&comparison, Shard::new(1, 2).ok());
+    let row = |task| comparison.run(task, &mut || 0.0).map(|timed| lines.line(&timed.row)).unwrap_or_default();
+    let tasks = lines.tasks().iter().copied();
+    (lines.head() + &tasks.take(4).map(row).collect::<String>()).into_bytes()
+}
 
 fn comparison(question: &str) -> Vec<u8> {
     let map = r#"{"format": "formicarium/scenario@1", "name": "", "width": 3, "height": 2, "start": [0,0], "goals": [{"at": [2,1]}],
@@ -145,6 +162,7 @@ DISPLAY_DATA_TYPE: TWOD_DISPLAY\nEDGE_WEIGHT_SECTION\n0 1 0 2 3 0 4 5 6 0\nDISPL
     ];
     let mut all: Vec<_> = texts.into_iter().map(|(name, text)| (name, text.as_bytes().to_vec())).collect();
     all.push(("q.json", comparison(QUESTION)));
+    all.push(("q.journal", journal()));
     all
 }
 

@@ -1,16 +1,18 @@
 //! Every public reader. What it accepts must be usable, and come back the same when it is written and read again.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use formicarium::comparison::{Axis, Question, Samples, Seen, analyse};
 use formicarium::error::{Error, ErrorReport};
+use formicarium::formats::journal::JournalLines;
 use formicarium::formats::session::Session;
 use formicarium::formats::{self, BinaryExport, Companion, Export, Imported, ReadOptions, TerrainOptions, comparison_json};
 use formicarium::map::{Grid, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
-use crate::corpus::{FIVE_PLACES, File};
+use crate::corpus::{FIVE_PLACES, File, small};
 use crate::limits::{Limits, MOST_CELLS, MOST_CELLS_PER_BYTE};
 use crate::stated::stated;
 use crate::watch::{Fault, watch};
@@ -65,6 +67,7 @@ pub const READERS: &[Reader] = &[
     text("session link", |file| session(formats::session::read_session_link(&utf8(file)))),
     text("question", question),
     text("comparison", comparison),
+    text("journal", journal),
 ];
 
 impl Reader {
@@ -255,4 +258,17 @@ fn comparison(file: &File) -> Result<(), Fault> {
     let samples = Samples::new(&opened.comparison, rows.iter().map(Seen::from));
     [Axis::Iterations, Axis::Moves].into_iter().for_each(|axis| drop(analyse(&samples, axis, None)));
     Ok(())
+}
+
+/// A line that holds is the one that the run would be written as.
+fn journal(file: &File) -> Result<(), Fault> {
+    static LINES: LazyLock<JournalLines> = LazyLock::new(|| JournalLines::of(&small(), None));
+    done(formats::journal::digest_in(&file.bytes))?;
+    for line in file.bytes.split_inclusive(|&byte| byte == b'\n') {
+        done(LINES.read_head(line).map_err(|fault| fault.to_string()))?;
+        if LINES.read_line(line).is_ok_and(|(_, row)| LINES.line(&row).as_bytes() != line) {
+            return Err(Fault::broken("a journal's line is the one that was written", String::from_utf8_lossy(line)));
+        }
+    }
+    done(LINES.read(&file.bytes))
 }
