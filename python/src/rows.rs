@@ -25,7 +25,7 @@ pub struct StoredRows(Mutex<Source>);
 
 /// Where they come from.
 enum Source {
-    Document { path: String, rows: comparison_rows::StoredRows<BufReader<File>> },
+    Document { path: String, rows: Box<comparison_rows::StoredRows<BufReader<File>>> },
     Journals { comparison: Arc<Comparison>, rows: JournalRows, open: Option<(String, BufReader<File>)>, left: VecDeque<String> },
 }
 
@@ -35,7 +35,7 @@ impl StoredRows {
     #[new]
     fn of_document(py: Python<'_>, path: String) -> PyResult<Self> {
         let rows = py.detach(|| comparison_rows::StoredRows::open(opened(&path)?).map_err(|error| stored(&path, error)))?;
-        Ok(Self(Mutex::new(Source::Document { path, rows })))
+        Ok(Self(Mutex::new(Source::Document { path, rows: Box::new(rows) })))
     }
 
     /// Journals of a comparison.

@@ -1,5 +1,5 @@
 //! `compare --shard` and `--merge`: runs that many processes have done, as if one had.
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ fn journals(folder: &Folder, out: &str) -> Vec<PathBuf> {
     journals
 }
 
-fn name(path: &PathBuf) -> &str {
+fn name(path: &Path) -> &str {
     path.file_name().unwrap().to_str().unwrap()
 }
 
@@ -52,7 +52,7 @@ fn forged(line: &str, change: impl Fn(&str) -> String) -> String {
 }
 
 /// Forges every line behind a journal's head.
-fn forge(path: &PathBuf, change: impl Fn(&str) -> String) {
+fn forge(path: &Path, change: impl Fn(&str) -> String) {
     let text = std::fs::read_to_string(path).unwrap();
     let lines = text.lines().enumerate().map(|(at, line)| if at == 0 { line.into() } else { forged(line, &change) } + "\n");
     let text: String = lines.collect();
@@ -197,7 +197,7 @@ fn runs_that_stand_twice_must_agree() {
     let (code, said) = merge(&folder, "out", &["--out", "results"]);
     assert_eq!(code, 1, "{said}");
     assert!(said.starts_with("40 runs two journals do not agree on:\n") && said.contains("  and 20 more\n"), "{said}");
-    assert!(said.contains(&format!("copy.journal:2 says ")) && said.contains(&format!(", {}:2 says ", name(&first))), "{said}");
+    assert!(said.contains("copy.journal:2 says ") && said.contains(&format!(", {}:2 says ", name(&first))), "{said}");
 }
 
 #[test]
@@ -279,7 +279,7 @@ fn two_processes_of_one_shard_do_it_once() {
 fn the_journals_names_are_known_before_they_are_there() {
     let folder = four_shards("names");
     let listed = folder.run(&["compare", "q.toml", "--list-shards", "4"]).ends(0).out;
-    assert_eq!(listed.lines().collect::<Vec<_>>(), journals(&folder, "out").iter().map(name).collect::<Vec<_>>());
+    assert_eq!(listed.lines().collect::<Vec<_>>(), journals(&folder, "out").iter().map(|path| name(path)).collect::<Vec<_>>());
     assert_eq!(folder.compare(&["q.toml", "--list-shards", "0"]).0, 2);
 }
 

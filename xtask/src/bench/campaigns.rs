@@ -36,10 +36,13 @@ pub fn run(extent: &Extent) -> Result<Section> {
     })
 }
 
-/// A way to do the whole question, into an empty folder.
+/// Does the whole question into an empty folder.
+type Run<'a> = Box<dyn Fn(&Path) -> Result<()> + 'a>;
+
+/// A way to do it.
 struct Way<'a> {
     name: String,
-    run: Box<dyn Fn(&Path) -> Result<()> + 'a>,
+    run: Run<'a>,
 }
 
 fn engines(program: &Path, extent: &Extent) -> Result<String> {
