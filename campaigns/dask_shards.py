@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
+import subprocess
 import sys
 import time
 
@@ -30,9 +31,19 @@ def do_shard(arguments: list[str]) -> float:
     return time.monotonic() - begun
 
 
+def journals_of(options: argparse.Namespace) -> str:
+    """The folder of the journals, which is called by the digest of question and maps: another question begins anew."""
+    command = [sys.executable, "-m", "formicarium", "compare", options.question, *options.options, "--list-shards", "1"]
+    listed = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
+    if listed.returncode != 0:
+        sys.exit(listed.returncode)
+    # NAME.DIGEST.shard-1of1.journal
+    return os.path.join(options.folder, "shards", listed.stdout.strip().split(".")[-3])
+
+
 def deal(client: Client, options: argparse.Namespace) -> list[int]:
     """Has every shard done, tells of each that ends, and gives those that failed more often than they may."""
-    compare = ["compare", options.question, *options.options, "--out", os.path.join(options.folder, "shards")]
+    compare = ["compare", options.question, *options.options, "--out", journals_of(options)]
     compare += [] if options.jobs is None else ["--jobs", str(options.jobs)]
     futures = {
         client.submit(do_shard, [*compare, "--shard", f"{number}/{options.shards}"], retries=options.retries, pure=False): number
@@ -77,8 +88,8 @@ def main() -> int:
         return 1
     import formicarium
 
-    journals, results = (os.path.join(options.folder, name) for name in ("shards", "results"))
-    merge = ["compare", options.question, *options.options, "--merge", journals, "--out", results]
+    results = os.path.join(options.folder, "results")
+    merge = ["compare", options.question, *options.options, "--merge", journals_of(options), "--out", results]
     return formicarium.command(merge + (["--recheck", options.recheck] if options.recheck else []))
 
 

@@ -10,7 +10,7 @@
 /// digest.f64(2.5);
 /// assert_eq!(digest.hex().len(), 16);
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Digest(u64);
 
 impl Default for Digest {

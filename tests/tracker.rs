@@ -210,12 +210,36 @@ fn spoiled_files_are_refused() {
     let spoiled = format!("{}{other}{}", &link[..at], &link[at + 1..]);
     small.check(&honest.replace(&link, &spoiled)).is(1, &["link: it is damaged", "the whole address"]);
     small.check(&honest.replace("best-known@1", "best-known@7")).is(1, &["formicarium/best-known@7"]);
-    small.check(&honest.replace("2026-03-21", "in spring")).is(1, &["`in spring` is no date"]);
+    for day in ["in spring", "2026-02-31", "0001-01-01"] {
+        small.check(&honest.replace("2026-03-21", day)).is(1, &[&format!("`{day}` is no date")]);
+    }
+    small.check(&honest.replace("by = \"", r#"by = "Eve\n## "#)).is(1, &["by: it has more than one line"]);
+    small.check(&honest.replace("value = ", "value = -inf #")).is(1, &["value: -inf is no length"]);
     small.check(&format!("{honest}colour = 3\n")).is(1, &["unknown field `colour`"]);
     small.check(&honest.replace("planner = \"ant-system\"", "planner = \"fire\"")).is(1, &["fire.toml or fire--NAME.toml"]);
     small.check(&honest.replace("session = ", "note = ")).is(1, &["refused"]);
     small.write("entries/nowhere/ant-system.toml", &honest);
     small.run(&["tracker", "check"]).is(1, &["entries/nowhere: the tracker has no scenario of this id"]);
+}
+
+#[test]
+fn a_run_with_parameters_of_ones_own_needs_no_browser() {
+    let small = Small::new("own");
+    let run = |more: &[&str]| {
+        let args =
+            ["tracker", "run", "--planner", "elitist-ant-system", "--seeds", "1-3", "--date", "2026-03-22", "--set", "iterations=3"];
+        small.run(&[&args[..], more].concat())
+    };
+    run(&[]).is(2, &["say who you are: --by NAME"]);
+    run(&["--set", "ants=0", "--by", "Ada"]).is(2, &["ants"]);
+    run(&["--by", "Ada"]).is(0, &["1 entry written"]);
+    assert!(
+        small
+            .read("entries/threshold-1/elitist-ant-system--ada.toml")
+            .contains("note = \"iterations = 3; the best of the seeds 1 to 3\"")
+    );
+    run(&["--by", "Bob"]).is(0, &["no better than what is there", "0 entries written"]);
+    small.run(&["tracker", "check"]).is(0, &["2 entries repeated, 0 refused"]);
 }
 
 /// The shortest path of the small map as lines, by the exact planner.
@@ -235,7 +259,8 @@ fn paths_from_elsewhere_are_walked() {
     };
     small.write("path.json", "[[0, 0]]");
     small.run(&["submit", "path.json"]).is(2, &["a path does not say what it is a claim for", "--scenario ID --planner NAME"]);
-    submit(&path, "astar").is(2, &["cannot name a planner from elsewhere"]);
+    submit(&path, "astar").is(2, &["cannot name a planner from elsewhere", "formicarium tracker run --planner"]);
+    submit(&path, "AStar").is(2, &["cannot name a planner from elsewhere"]);
     // The wall of the first row is at column 4.
     let through: Vec<[u32; 2]> = (0..20).map(|x| [x, 0]).chain((1..20).map(|y| [19, y])).collect();
     submit(&through, "mine").is(1, &["refused", "cell 4 of the path, (4, 0), is blocked"]);
@@ -281,7 +306,7 @@ fn sessions_are_repeated_and_compared() {
     fs::remove_file(small.0.join("entries/threshold-1/ant-system--ada.toml")).expect("a file");
     small
         .run(&["submit", &honest, "--dry-run"])
-        .is(0, &["the first value of this planner here", "would be written for ant-system"]);
+        .is(0, &["the first value of this planner here", "would be written: "]);
     small.run(&["submit", &honest]).is(2, &["the entry's file needs a name", "--by NAME"]);
     small.run(&["submit", &honest, "--by", "Bo"]).is(0, &["written: ./entries/threshold-1/ant-system--bo.toml"]);
     assert!(small.read("entries/threshold-1/ant-system--bo.toml").contains(&honest), "the link is kept as it is");

@@ -18,7 +18,9 @@ compared = formicarium.compare(
         "title": "Colonies in a cave",
         "seeds": 20,
         "instances": [{"id": "cave", "map": formicarium.generate("cave", 40, 30, seed=3)}],
-        "entries": [{"id": planner, "planner": planner, "set": {"iterations": 30}} for planner in planners],
+        "entries": [{"id": planner, "planner": planner, "set": {"iterations": 1000}} for planner in planners],
+        # As many constructed paths for each: an iteration of one has more ants than that of another.
+        "budget": {"axis": "constructed-paths", "amount": 1000},
     }
 )
 rows = compared.rows.to_pandas()

@@ -1,6 +1,6 @@
 """A path for a robot: a map as ROS's map_server saves it, a path in it, poses in metres.
 
-python ros_map_to_path.py [lab.yaml]
+python ros_map_to_path.py [lab.yaml X Y X Y]      # start and goal in metres
 """
 
 import sys
@@ -29,9 +29,10 @@ warnings.simplefilter("ignore", formicarium.FormicariumWarning)
 with tempfile.TemporaryDirectory() as folder:
     lab = formicarium.read_map(sys.argv[1] if len(sys.argv) > 1 else made_up(folder), unknown="blocked")
 
-start, goal = lab.to_cell(-2.5, -1.5), lab.to_cell(2.5, 1.5)
-assert start is not None, "beside the map"
-assert goal is not None, "beside the map"
+metres = [float(text) for text in sys.argv[2:]] or [-2.5, -1.5, 2.5, 1.5]
+start, goal = lab.to_cell(*metres[:2]), lab.to_cell(*metres[2:])
+if start is None or goal is None or lab.blocked[start[1], start[0]] or lab.blocked[goal[1], goal[0]]:
+    sys.exit("start or goal lies beside the map or on a wall: give both in metres")
 plan = formicarium.plan(lab.replace(start=start, goals=goal), "any-angle")
 assert plan.path_world is not None, "no path"
 print(f"{plan.length_metres:.2f} m with {plan.turns} turns, {plan.status}")

@@ -13,6 +13,7 @@ from ._cells import whole
 from ._map import Map, _json, read_map
 from ._need import bad, warn_of_lines
 from ._tables import records, table
+from .errors import FileError
 
 
 class Comparison:
@@ -81,10 +82,15 @@ class Comparison:
         """Question, maps and runs in one text, ``formicarium/comparison@1``: the page and the command line open it and verify it."""
         return self.file("json")
 
-    def write(self, folder: str | os.PathLike[str], name: str, kinds: Iterable[str] = ("csv", "markdown", "json")) -> list[Path]:
-        """Writes result files ``NAME.…`` into a folder, which is made; files of these names are replaced. Gives their paths."""
+    def write(self, folder: str | os.PathLike[str], name: str, kinds: Iterable[str] = ("csv", "markdown", "json"), *, replace: bool = False) -> list[Path]:
+        """Writes result files ``NAME.…`` into a folder, which is made. Gives their paths. Files of these names are replaced only if ``replace``."""
         endings, made = dict(_engine.Comparison.kinds()), []
+        if Path(name).name != name or name in ("", ".", ".."):
+            raise bad("name", f"{name!r} is no name of a file", "give the folder by itself, and a name without separators")
         texts = [(kind, self.file(kind)) for kind in kinds]
+        there = [path for kind, _ in texts if (path := Path(folder) / f"{name}.{endings[kind]}").exists()]
+        if there and not replace:
+            raise FileError("file", "name", f"{there[0]} is there already", "choose another name or folder, or replace=True")
         Path(folder).mkdir(parents=True, exist_ok=True)
         for kind, text in texts:
             path = Path(folder) / f"{name}.{endings[kind]}"

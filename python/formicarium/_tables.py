@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import tempfile
 import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
@@ -69,14 +70,24 @@ def texts(source: str | os.PathLike[str] | Comparison, batch: int = BATCH, quest
         return
     path = os.fspath(source)
     stored = _journals(path, question) if Path(path).is_dir() else _engine.StoredRows(path)
+    read = 0
     while True:
         lines, improvements, count = stored.next(batch)
         if count == 0:
             break
+        read += count
         yield lines, improvements
+    if stored.unlike > 0:
+        said = f"{path}: two journals say different things of {stored.unlike} runs"
+        raise bad("source", said, "`formicarium compare --merge` names them, and their files")
+    if stored.missing > 0 and read == 0:
+        raise bad("source", f"{path} has no run of this question", "give the question with the options that the shards had")
     if stored.dropped > 0:
         message = f"{path}: lines of its journals that do not hold, or are of another question, and are left out: {stored.dropped}"
         warnings.warn(FormicariumWarning(message, "journals-damaged"), stacklevel=3)
+    if stored.missing > 0:
+        message = f"{path}: {stored.missing} of {read + stored.missing} runs are missing: `formicarium compare --merge` lists their shards"
+        warnings.warn(FormicariumWarning(message, "runs-missing"), stacklevel=3)
 
 
 def _journals(folder: str, question: Any) -> _engine.StoredRows:
@@ -85,7 +96,7 @@ def _journals(folder: str, question: Any) -> _engine.StoredRows:
 
     if question is None:
         raise bad("question", f"{folder} has journals, which do not tell what was asked", "give the question as well, as `compare` takes it")
-    paths = sorted(str(path) for path in Path(folder).iterdir() if path.suffix in (".journal", ".partial"))
+    paths = sorted(str(path) for path in Path(folder).iterdir() if path.suffix in (".journal", ".partial") and path.is_file())
     if not paths:
         raise bad("source", f"{folder} has no journal", "give the folder of `compare --shard`, or a comparison's .json")
     asked, lines = read_question(question, None, None, [])
@@ -155,6 +166,9 @@ def write_parquet(
     whole(batch, "batch", least=1)
     if rows is None and traces is None:
         raise bad("rows", "nothing is to be written", "name a file for rows, for traces, or for both")
+    files = [os.path.realpath(os.fspath(path)) for path in (source, rows, traces) if isinstance(path, (str, os.PathLike))]
+    if len(set(files)) < len(files):
+        raise bad("rows", "one file cannot be read from and written to, or hold both", "give rows and traces files of their own")
     heads = _engine.columns()
     with ExitStack() as stack:
         to_rows = None if rows is None else stack.enter_context(_writer(os.fspath(rows), heads[0]))
@@ -175,11 +189,9 @@ def write_parquet(
 def _writer(path: str, head: str) -> Iterator[Any]:
     """A Parquet file that gets its name when it is whole."""
     parquet = need("pyarrow.parquet", "arrow")
-    unfinished = f"{path}.partial"
-    try:
+    folder, name = os.path.split(os.path.abspath(path))
+    with tempfile.TemporaryDirectory(prefix=".formicarium-", dir=folder) as beside:
+        unfinished = os.path.join(beside, name)
         with parquet.ParquetWriter(unfinished, table(f"{head}\n").schema) as writer:
             yield writer
         os.replace(unfinished, path)
-    finally:
-        if os.path.exists(unfinished):
-            os.remove(unfinished)

@@ -55,6 +55,24 @@ impl StoredRows {
         })
     }
 
+    /// Runs of which two journals say different things, so far.
+    #[getter]
+    fn unlike(&self, py: Python<'_>) -> usize {
+        py.detach(|| match &*self.0.lock().unwrap_or_else(PoisonError::into_inner) {
+            Source::Document { .. } => 0,
+            Source::Journals { rows, .. } => rows.unlike,
+        })
+    }
+
+    /// Runs of the comparison that no journal has had so far; 0 of a document.
+    #[getter]
+    fn missing(&self, py: Python<'_>) -> usize {
+        py.detach(|| match &*self.0.lock().unwrap_or_else(PoisonError::into_inner) {
+            Source::Document { .. } => 0,
+            Source::Journals { rows, .. } => rows.missing(),
+        })
+    }
+
     /// The next runs, at most so many: the lines of the table and those of their improvements, without heads, and how many runs they are.
     fn next(&self, py: Python<'_>, most: usize) -> PyResult<(String, String, usize)> {
         let read = py.detach(|| {

@@ -18,10 +18,13 @@ STAND_IN = """\
 import os, pathlib, sys
 
 def command(arguments):
+    if "--list-shards" in arguments:
+        print("question.0123456789abcdef.shard-1of1.journal")
+        return 0
     options = dict(zip(arguments[2::2], arguments[3::2]))
     if "--merge" in options:
         folder = pathlib.Path(options["--merge"])
-        (folder.parent / "merged").write_text(" ".join(sorted(path.name for path in folder.glob("shard-*"))))
+        (folder.parent.parent / "merged").write_text(" ".join(sorted(path.name for path in folder.glob("shard-*"))))
         return 0
     number = options["--shard"].partition("/")[0]
     folder = pathlib.Path(options["--out"])
@@ -33,6 +36,9 @@ def command(arguments):
         return 2
     (folder / f"shard-{number}").touch()
     return 0
+
+if __name__ == "__main__":
+    sys.exit(command(sys.argv[1:]))
 """
 
 
@@ -48,7 +54,7 @@ def test_every_shard_is_done_retried_told_and_merged(tmp_path: Path) -> None:
     told = done.stdout.splitlines()
     assert sorted(line.split()[1] for line in told) == [f"{number}/5" for number in range(1, 6)]
     assert all(" done in " in line for line in told)
-    assert (tmp_path / "out" / "shards" / "attempt").exists()
+    assert (tmp_path / "out" / "shards" / "0123456789abcdef" / "attempt").exists()
     assert (tmp_path / "out" / "merged").read_text() == "shard-1 shard-2 shard-3 shard-4 shard-5"
 
 

@@ -62,8 +62,15 @@ def test_journals_of_shards_give_each_run_once(compared: formicarium.Comparison,
     journal.write_text("".join(text[:2]) + text[2].replace("status", "statut") + "".join(text[3:]))
     for path in tmp_path.glob("*1of3*"):
         path.unlink()
-    with pytest.warns(formicarium.FormicariumWarning, match="left out: 1"):
+    with pytest.warns(formicarium.FormicariumWarning) as told:
         assert sum(batch.num_rows for batch in formicarium.rows(tmp_path, question=question)) == 59
+    said = [str(warning.message) for warning in told]
+    assert any("left out: 1" in text for text in said)
+    assert any("1 of 60 runs are missing" in text for text in said)
+    (tmp_path / "other").mkdir()
+    assert formicarium.command(["compare", question, "--seeds", "2", "--shard", "1/2", "--out", tmp_path / "other"]) == 0
+    with pytest.warns(formicarium.FormicariumWarning), pytest.raises(errors.ArgumentError, match="no run of this question"):
+        list(formicarium.rows(tmp_path / "other", question=question))
     with pytest.raises(errors.ArgumentError, match="what was asked"):
         list(formicarium.rows(tmp_path))
     with pytest.raises(errors.ArgumentError, match="merge"):

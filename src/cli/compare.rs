@@ -70,8 +70,12 @@ fn done(
     check: &impl Fn() -> Result<(), CliError>,
 ) -> Result<Result<Done, String>, CliError> {
     if let Some(folder) = &args.merge {
-        let merged = merge::merged(args, comparison, folder)?;
-        check()?;
+        let was_there = args.folder().exists();
+        let merged = merge::merged(args, comparison, folder, check)?;
+        if merged.is_err() && !was_there {
+            // Nothing was written: not even the folder stays. Where there is something in it, it does.
+            let _ = std::fs::remove_dir(args.folder());
+        }
         return Ok(merged.map(|merged| Done { rows: merged.rows, journal: None, said: merged.said }));
     }
     check()?;

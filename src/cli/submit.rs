@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::catalog;
-use crate::comparison::best_known::{ClaimedPath, Measured, Standing};
+use crate::comparison::best_known::{ClaimedPath, Measured, Standing, check_bound};
 use crate::comparison::gap::relative_gap;
 use crate::error::BestKnownError;
 use crate::exact::Reference;
@@ -63,6 +63,9 @@ pub struct Args {
     #[arg(long)]
     dry_run: bool,
 }
+
+/// Most panels that are repeated: the page has far fewer.
+const MOST_PANELS: usize = 64;
 
 /// What may measure a path.
 #[derive(Clone, Copy, ValueEnum)]
@@ -149,6 +152,10 @@ impl Args {
                 None => silent.push(panel.planner.clone()),
             }
         }
+        if session.panels.len() > MOST_PANELS {
+            let message = format!("the session has {} panels", session.panels.len());
+            return Err(CliError::usage(message, format!("submit one with at most {MOST_PANELS}")));
+        }
         if proofs.is_empty() { Err(BestKnownError::NoRun.into()) } else { Ok(Claims { tracked, proofs, silent }) }
     }
 
@@ -159,11 +166,12 @@ impl Args {
         };
         let is_name =
             !planner.is_empty() && planner.split('-').all(|p| !p.is_empty() && p.bytes().all(|b| b.is_ascii_alphanumeric()));
-        if !is_name || catalog::find(planner).is_ok() {
+        if !is_name || catalog::find(&planner.to_ascii_lowercase()).is_ok() {
             let message = format!("`{planner}` cannot name a planner from elsewhere");
             return Err(CliError::usage(
                 message,
-                "take letters, digits and single hyphens, and no name of `formicarium catalog`",
+                "take letters, digits and single hyphens; a planner of the catalog is proven by its run: the page's link or session, or \
+                 `formicarium tracker run --planner … --set …`",
             ));
         }
         let tracked = tracker.scenario(id)?;
@@ -182,19 +190,26 @@ impl Args {
         report: &mut Report,
     ) -> Result<(), CliError> {
         let entries = tracker.entries(&tracked.id)?;
-        let is_same = |entry: &&Entry| entry.planner == planner && entry.objective == measured.objective;
+        let reference = tracked.reference(measured.objective);
+        let is_same = |entry: &&Entry| {
+            entry.planner == planner && entry.objective == measured.objective && check_bound(entry.value, reference).is_ok()
+        };
         let known = best(entries.iter().filter(is_same));
         let standing = Standing::of(measured.value, known.map(|entry| entry.value));
-        report.tell(&planner, measured, standing, known, tracked.reference(measured.objective));
+        report.tell(&planner, measured, standing, known, reference);
         if !standing.wins() {
             return Ok(());
         }
-        if self.dry_run {
-            report.written.push(PathBuf::from(&planner));
+        let Measured { objective, value } = measured;
+        if self.dry_run && self.by.is_empty() {
+            report.written.push(tracker.place(&tracked.id, &format!("{planner}--NAME")));
             return Ok(());
         }
-        let Measured { objective, value } = measured;
         let place = self.place(tracker, tracked, &planner, objective)?;
+        if self.dry_run {
+            report.written.push(place);
+            return Ok(());
+        }
         let (by, note) = (self.by.clone(), self.note.clone());
         let date = self.date.clone().unwrap_or_else(entry::today);
         let head = Head { scenario: tracked.id.clone(), planner, objective, value, by, date, note };
@@ -208,7 +223,12 @@ impl Args {
         let name = outside_name(planner, &self.by)?;
         let place = tracker.place(&tracked.id, &name);
         let is_free = !place.exists() || Entry::read(&place)?.objective == objective;
-        Ok(if is_free { place } else { tracker.place(&tracked.id, &format!("{name}-{}", objective.id())) })
+        let place = if is_free { place } else { tracker.place(&tracked.id, &format!("{name}-{}", objective.id())) };
+        if place.exists() && Entry::read(&place)?.by != self.by {
+            let message = format!("{} is somebody else's, whose name is written alike", place.display());
+            return Err(CliError::usage(message, "say by another --by who you are"));
+        }
+        Ok(place)
     }
 }
 
@@ -227,7 +247,7 @@ fn is_payload(word: &str) -> bool {
 struct Report {
     text: String,
     fine: bool,
-    /// Files; with --dry-run the planners of those that would be.
+    /// Files; with --dry-run those that would be.
     written: Vec<PathBuf>,
 }
 
@@ -276,7 +296,7 @@ impl Report {
             return;
         }
         for file in &self.written {
-            let verb = if dry_run { "would be written for" } else { "written:" };
+            let verb = if dry_run { "would be written:" } else { "written:" };
             let _ = writeln!(self.text, "{verb} {}", file.display());
         }
         if !dry_run {

@@ -150,6 +150,13 @@ pub fn metrics(out: &mut String, m: &Metrics) {
     row(out, "arrival time", seconds(m.travel_time));
 }
 
+/// Remarks on one of several files.
+pub fn notes_of(file: &str, notices: &[Notice]) {
+    for notice in notices {
+        super::streams::say(format!("note: {file}: {}", notice.message));
+    }
+}
+
 /// Remarks, on the error stream: they are no part of a result.
 pub fn notes(notices: &[Notice]) {
     for notice in notices {

@@ -15,6 +15,9 @@ use crate::path::{Flaw, PathKind, audit, audit_slices};
 use crate::planner::{Granularity, Objective, Planner, Status};
 use crate::scenario::Scenario;
 
+/// Most iterations of a run that is repeated for somebody else.
+pub const MOST_ITERATIONS: u32 = 100_000;
+
 /// What decides a run on a scenario.
 #[derive(Debug, Clone, Copy)]
 pub struct Recipe<'a> {
@@ -139,6 +142,9 @@ fn advanced(
 /// # Errors
 /// [`BestKnownError`] names the first number that is not what came out; the digest is compared first.
 pub fn repeat(scenario: &Arc<Scenario>, recipe: Recipe<'_>, recorded: &RecordedRun) -> Result<Measured, BestKnownError> {
+    if recorded.iterations > MOST_ITERATIONS {
+        return Err(BestKnownError::TooLong { iterations: recorded.iterations, most: MOST_ITERATIONS });
+    }
     let (now, measured) = run(scenario, recipe, Some(recorded.iterations))?;
     if now.digest != recorded.digest {
         return Err(BestKnownError::Digest { recorded: recorded.digest.clone(), now: now.digest });

@@ -51,7 +51,7 @@ pub struct Question {
 
 /// `count` seeds from `from` on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "`from` and `count`, such as { from = 1, count = 30 }")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Seeds {
     /// The first.

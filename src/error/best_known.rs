@@ -53,6 +53,14 @@ pub enum BestKnownError {
         /// What came out.
         now: String,
     },
+    /// Nobody wants to wait for it.
+    #[error("the run has {iterations} iterations: runs of up to {most} are repeated")]
+    TooLong {
+        /// How many the claim says.
+        iterations: u32,
+        /// How many are allowed.
+        most: u32,
+    },
     /// The run has no path.
     #[error("the run has found no path")]
     NoPath,
@@ -103,6 +111,9 @@ impl BestKnownError {
                 report("digest", "digest", &format!("{now} is allowed: share the run as the page or `plan` has made it"))
             }
             Self::Number { field, now, .. } => report("number", field, &format!("{now} is allowed")),
+            Self::TooLong { most, .. } => {
+                report("too-long", "iterations", &format!("up to {most} are allowed: share the run where it has found its path"))
+            }
             Self::NoPath => report("no-path", "value", "a run with a path is allowed"),
             Self::Flaw { .. } => report("flaw", "path", "`formicarium check` shows all that is wrong with a path"),
             Self::Objective { allowed, .. } => report("objective", "objective", &format!("{allowed} is allowed")),

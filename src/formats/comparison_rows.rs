@@ -10,6 +10,7 @@ use super::comparison_json;
 use super::journal::{JournalFault, JournalLines};
 use super::text::MAX_BYTES;
 use crate::comparison::{Comparison, Row, Task};
+use crate::digest::Digest;
 use crate::error::{Error, FormatError};
 
 /// The line behind which the runs stand.
@@ -120,16 +121,24 @@ impl<R: BufRead> StoredRows<R> {
 /// The runs of journals, one by one: each once, however many journals have it, and only those whose line holds.
 pub struct JournalRows {
     lines: JournalLines,
-    seen: Vec<bool>,
-    /// Lines that did not hold; half a line at the end of a journal is none.
+    /// The digest of the line that each run was first read from; none so far.
+    seen: Vec<Option<Digest>>,
+    /// Lines that did not hold; half a line at the end of a journal is one.
     pub dropped: usize,
+    /// Runs of which two journals say different things.
+    pub unlike: usize,
 }
 
 impl JournalRows {
     /// Of journals of this comparison.
     pub fn of(comparison: &Comparison) -> Self {
         let lines = JournalLines::of(comparison, None);
-        Self { seen: vec![false; lines.tasks().len()], lines, dropped: 0 }
+        Self { seen: vec![None; lines.tasks().len()], lines, dropped: 0, unlike: 0 }
+    }
+
+    /// Runs of the comparison that no journal has had so far.
+    pub fn missing(&self) -> usize {
+        self.seen.iter().filter(|seen| seen.is_none()).count()
     }
 
     /// The next run of a journal, in the order in which they were done; none at its end. `source` stands at its beginning, or where the run
@@ -141,8 +150,15 @@ impl JournalRows {
         let mut line = Vec::new();
         while next_line(source, &mut line)? > 0 {
             match self.lines.read_line(&line) {
-                Ok((place, row)) if !std::mem::replace(&mut self.seen[place], true) => return Ok(Some(row)),
-                Ok(_) | Err(JournalFault::Cut) => {}
+                Ok((place, row)) => {
+                    let mut digest = Digest::default();
+                    digest.bytes(row.to_line().as_bytes());
+                    match self.seen[place].replace(digest) {
+                        None => return Ok(Some(row)),
+                        Some(first) => self.unlike += usize::from(first != digest),
+                    }
+                }
+                Err(JournalFault::Cut) => self.dropped += 1,
                 Err(_) => self.dropped += usize::from(self.lines.read_head(&line).is_err()),
             }
             line.clear();
@@ -225,12 +241,17 @@ mod tests {
         let journal = lines.head() + &written[..4].concat() + &written[3].replace("status", "statut") + "{\"experiment\":\"cut";
         let other = lines.head() + &written[2..].concat();
         let mut read = JournalRows::of(&comparison);
+        assert_eq!(read.missing(), rows.len());
         let mut all = Vec::new();
         for mut source in [journal.as_bytes(), other.as_bytes()] {
             while let Some(row) = read.next_row(&mut source).unwrap() {
                 all.push(row);
             }
         }
-        assert_eq!((all, read.dropped), (rows, 1));
+        // A changed line, and half a one.
+        assert_eq!((all, read.dropped, read.missing(), read.unlike), (rows.clone(), 2, 0, 0));
+        let other = Row { digest: "0123456789abcdef".into(), ..rows[0].clone() };
+        let changed = lines.head() + &lines.line(&other);
+        assert_eq!((read.next_row(&mut changed.as_bytes()).unwrap(), read.unlike), (None, 1));
     }
 }

@@ -161,7 +161,8 @@ impl JournalLines {
         }
         let (task, text) = rest.split_once(",\"row\":").ok_or(JournalFault::Damaged)?;
         let row: Row = serde_json::from_str(text).map_err(|_| JournalFault::Changed)?;
-        let place = task.parse().ok().filter(|&place: &usize| self.tasks.get(place) == Some(&row.task));
+        let place = task.parse().ok().filter(|place: &usize| place.to_string() == task);
+        let place = place.filter(|&place| self.tasks.get(place) == Some(&row.task));
         let place = place.ok_or(JournalFault::NoSuchRun)?;
         if row.to_line() == text { Ok((place, row)) } else { Err(JournalFault::Changed) }
     }
@@ -177,6 +178,9 @@ pub fn digest_in(journal: &[u8]) -> Option<String> {
 /// A line without its end.
 fn whole_line(line: &[u8]) -> Result<&str, JournalFault> {
     let text = line.strip_suffix(b"\n").ok_or(JournalFault::Cut)?;
+    if text.ends_with(b"\r") {
+        return Err(JournalFault::LineEnds);
+    }
     std::str::from_utf8(text).map_err(|_| JournalFault::Damaged)
 }
 
@@ -187,7 +191,7 @@ fn parts(line: &str) -> Option<(&str, &str)> {
 
 /// As much of what a file says as a message shows.
 fn short(text: &str) -> String {
-    text.chars().take(60).collect()
+    text.chars().take(60).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
 /// The check sum over a line up to its own place, and the engine's version.

@@ -135,7 +135,7 @@ impl Comparison {
             match lines.read_line(line) {
                 Ok((place, row)) => match self.done.get(&place) {
                     None => rows.push((place, row)),
-                    Some(known) if known.row == row => taken.same += 1,
+                    Some(known) if known.row.to_line() == row.to_line() => taken.same += 1,
                     Some(_) => taken.differs(place),
                 },
                 Err(JournalFault::Cut) => taken.is_cut = true,
@@ -143,8 +143,11 @@ impl Comparison {
             }
         }
         rows.sort_by_key(|(place, _)| *place);
-        let twice: Vec<usize> =
-            rows.windows(2).filter(|two| two[0].0 == two[1].0 && two[0].1 != two[1].1).map(|two| two[0].0).collect();
+        let twice: Vec<usize> = rows
+            .windows(2)
+            .filter(|two| two[0].0 == two[1].0 && two[0].1.to_line() != two[1].1.to_line())
+            .map(|two| two[0].0)
+            .collect();
         twice.into_iter().for_each(|place| taken.differs(place));
         rows.dedup_by_key(|(place, _)| *place);
         taken.new = rows.len();

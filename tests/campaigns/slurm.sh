@@ -94,6 +94,16 @@ until_done 120 is_empty || fail "the array does not end"
 diff -r whole array/results || fail "the array's results are not those of one process"
 echo "slurm: an array of 6 shards gives the bytes of one process"
 
+# A part of an array does not take itself for the whole.
+rm array/shards/*.shard-5of6.journal
+part() {
+  QUESTION="$question" OUT="$folder/array" OPTIONS="$options" FORMICARIUM="$program" SHARDS="$1" \
+    sbatch --wait --array=5 --output="$folder/%A_%a.log" "$here/campaigns/shards.sbatch" >/dev/null
+}
+! part "" || fail "a part of an array takes itself for the whole"
+part 6 || fail "shard 5 of 6 is not done again"
+ls array/shards/*.shard-5of6.journal >/dev/null || fail "shard 5 of 6 is not done again"
+
 if [[ -n "$snakemake" ]]; then
   # Slurm's own plugin reads the states of jobs from its accounting, which one node does not have: from the controller then.
   "$snakemake" --snakefile "$here/campaigns/Snakefile" --profile "$here/campaigns/profiles/slurm" --directory "$folder/work" \

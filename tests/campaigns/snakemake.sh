@@ -36,6 +36,7 @@ before="$(find campaign/shards -name '*.journal' -printf '%f %T@\n' | sort)"
   exit 1
 }
 diff -r whole campaign/results
+grep -q "the same bit for bit" campaign/recheck/*.txt
 # What was whole before was not done again.
 while read -r name time; do
   [[ "$(find campaign/shards -name "$name" -printf '%T@')" == "$time" ]] || {
@@ -44,3 +45,18 @@ while read -r name time; do
   }
 done <<<"$before"
 echo "snakemake: killed after $(wc -l <<<"$before") of 12 shards, it gives the bytes of one process"
+
+# Another question in the same folder begins anew, and what is no setting is refused.
+options="--seeds 1"
+# shellcheck disable=SC2086
+"$program" compare "$question" $options --out fewer >/dev/null 2>&1
+"${campaign[@]/options=*/options=$options}" >fewer.log 2>&1 || {
+  tail -n 40 fewer.log >&2
+  exit 1
+}
+diff -r fewer campaign/results
+if "${campaign[@]}" shard=3 >wrong.log 2>&1 || ! grep -q "knows no shard" wrong.log; then
+  echo "a setting that there is not is taken" >&2
+  exit 1
+fi
+echo "snakemake: another question begins anew"

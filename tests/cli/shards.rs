@@ -151,6 +151,7 @@ fn every_planted_fault_is_found_by_name() {
             "line 2 is of a run that the question does not ask for",
         ),
         ("a run in other letters", text.replacen(second, &spaced, 1), "line 2 was changed"),
+        ("line ends of Windows", text.replace('\n', "\r\n"), "has the line ends of Windows"),
         ("something else", "x,y\n1,2\n".into(), "is no journal"),
         ("nothing", String::new(), "is no journal"),
     ];
@@ -302,4 +303,90 @@ fn what_goes_with_no_shard_is_refused() {
         assert_eq!(code, 2, "{args:?}: {said}");
         assert!(said.contains(tells), "{args:?}: {said}");
     }
+}
+
+#[test]
+fn what_is_to_be_done_is_said_by_fault() {
+    let folder = four_shards("advice");
+    // All shards were made with an option that is forgotten now: nothing is missing.
+    let (code, said) = merge(&folder, "out", &["--seeds", "3"]);
+    assert_eq!((code, said.contains("--seeds, --only, --budget")), (1, true), "{said}");
+    assert!(!said.contains("missing") && !said.contains("do it again"), "{said}");
+    // A damaged one is gone on with where it lies, however it is dealt beside others.
+    let path = journals(&folder, "out").remove(0);
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, text.replacen("\"status\":", "\"statut\":", 1)).unwrap();
+    shard(&folder, "1/7", "out");
+    let (_, said) = merge(&folder, "out", &[]);
+    assert!(said.contains("a shard whose journal is damaged is done again where that lies"), "{said}");
+    // Most journals are of four shards.
+    std::fs::remove_file(&path).unwrap();
+    let (_, said) = merge(&folder, "out", &[]);
+    assert!(said.contains("  shard 1/4: ") && !said.contains("moved out"), "{said}");
+    // Elsewhere than where they are.
+    let (_, said) = merge(&folder, ".", &[]);
+    assert!(said.contains("there are some in ./out"), "{said}");
+    let (_, said) = merge(&folder, "out/q.toml", &[]);
+    assert!(said.contains("cannot read out/q.toml"), "{said}");
+    let (_, said) = merge(&folder, "q.toml", &[]);
+    assert!(said.contains("q.toml is a file"), "{said}");
+}
+
+#[test]
+fn commands_can_be_pasted_into_a_shell() {
+    let folder = four_shards("quoted");
+    std::fs::rename(folder.0.join("q.toml"), folder.0.join("my $(touch pwned) q.toml")).unwrap();
+    let question = "my $(touch pwned) q.toml";
+    assert_eq!(folder.compare(&[question, "--shard", "1/3", "--out", "out 2"]).0, 0);
+    let (_, said) = folder.compare(&[question, "--merge", "out 2"]);
+    assert!(said.contains("formicarium compare 'my $(touch pwned) q.toml' --shard 2/3 --out 'out 2'\n"), "{said}");
+}
+
+#[test]
+fn a_journal_that_is_taken_away_is_missed() {
+    let folder = Folder::with_question("taken");
+    folder.write("longer.toml", LONGER);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_formicarium"));
+    command.args(["compare", "longer.toml", "--shard", "1/2", "--out", "out", "--jobs", "1"]).current_dir(&folder.0);
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let partial = || {
+        let names = std::fs::read_dir(folder.0.join("out")).into_iter().flatten().map(|entry| entry.unwrap().path());
+        names.filter(|path| path.extension().is_some_and(|ending| ending == "partial")).next()
+    };
+    while partial().is_none() && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let Some(path) = partial() else { return };
+    std::fs::remove_file(path).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("was removed or replaced") && journals(&folder, "out").is_empty(), "{said}");
+}
+
+#[test]
+fn runs_of_a_whole_journal_and_of_one_that_was_begun_again_are_joined() {
+    let folder = Folder::with_question("joined");
+    shard(&folder, "1/2", "out");
+    let path = journals(&folder, "out").remove(0);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let head: String = text.lines().take(3).map(|line| format!("{line}\n")).collect();
+    std::fs::write(path.with_extension("partial"), head).unwrap();
+    // One line of the whole one is damaged: all others stay.
+    std::fs::write(&path, text.replacen("\"status\":\"optimal\"", "\"status\":\"optimax\"", 1)).unwrap();
+    let (code, said) = folder.compare(&["q.toml", "--shard", "1/2", "--out", "out"]);
+    assert_eq!((code, said.contains("80 runs, 79 from before")), (0, true), "{said}");
+    assert!(!path.with_extension("partial").exists());
+}
+
+#[test]
+fn equal_numbers_of_other_bytes_are_not_the_same() {
+    let folder = four_shards("bytes");
+    let first = journals(&folder, "out").remove(0);
+    let copy = folder.0.join("out/copy.journal");
+    std::fs::copy(&first, &copy).unwrap();
+    forge(&copy, |body| body.replace("\"weight\":null", "\"weight\":-0.0"));
+    forge(&first, |body| body.replace("\"weight\":null", "\"weight\":0.0"));
+    let (code, said) = merge(&folder, "out", &[]);
+    assert_eq!((code, said.contains("two journals do not agree on")), (1, true), "{said}");
 }

@@ -161,7 +161,8 @@ impl Args {
 
     /// The command that does one shard, for whoever looks for a missing one.
     pub fn command_of(&self, shard: Shard, journals: &Path) -> String {
-        self.said(&self.typed(), &format!("--shard {shard} --out {}", journals.display()), |file| file.display().to_string())
+        let typed = |file: &Path| quoted(&file.display().to_string());
+        self.said(&quoted(&self.typed()), &format!("--shard {shard} --out {}", typed(journals)), typed)
     }
 
     /// The arguments that the results depend on; other maps by their names alone, because their folders are this machine's.
@@ -189,6 +190,16 @@ impl Args {
     /// Names what is asked in an error about it.
     pub fn wrong(&self, error: QuestionError) -> CliError {
         CliError::Contents { path: self.typed(), error: error.into() }
+    }
+}
+
+/// A file's name as a shell takes it: in quotes where it has signs that mean something there.
+fn quoted(name: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "_./=,:@%+-".contains(c);
+    match name {
+        _ if name.starts_with('-') => quoted(&format!("./{name}")),
+        _ if !name.is_empty() && name.chars().all(is_plain) => name.into(),
+        _ => format!("'{}'", name.replace('\'', r"'\''")),
     }
 }
 

@@ -55,11 +55,18 @@ impl Journal {
 
     /// Gives it the name of a whole one, whose bytes have reached the disk.
     pub fn finish(self, name: &Path) -> Result<(), CliError> {
+        if !is_at(&self.file, &self.path) {
+            let message = format!("{} was removed or replaced while runs were added to it", self.path.display());
+            return Err(CliError::usage(message, "start the shard again: what is left of its runs is not done twice"));
+        }
         self.file.sync_all().and_then(|()| fs::rename(&self.path, name)).map_err(|error| failure(name, error))
     }
 
-    /// Removes it, and then lets others have the name: the results stand.
+    /// Removes it, and then lets others have the name: the results stand. What somebody has put in its place is theirs.
     pub fn close(self) -> Result<(), CliError> {
+        if !is_at(&self.file, &self.path) {
+            return Ok(());
+        }
         fs::remove_file(&self.path).map_err(|error| failure(&self.path, error))
     }
 }
@@ -148,7 +155,7 @@ fn tell_of_damage(path: &Path, damaged: usize) {
 }
 
 /// Gives a journal the first name that is free.
-fn set_aside(path: &Path, what: &str) -> Result<(), CliError> {
+pub fn set_aside(path: &Path, what: &str) -> Result<(), CliError> {
     let numbered = |n: u32| {
         let mut name = path.as_os_str().to_owned();
         name.push(format!(".{n}"));

@@ -30,19 +30,24 @@ pub struct Merged {
 }
 
 /// Reads the journals of a folder. Where they do not make a whole comparison, or some do not hold: everything that is wrong, for the reader.
-pub fn merged(args: &Args, comparison: &Comparison, folder: &Path) -> Result<Result<Merged, String>, CliError> {
+/// `check` tells whether results can be written, before anything is done again.
+pub fn merged(
+    args: &Args,
+    comparison: &Comparison,
+    folder: &Path,
+    check: &impl Fn() -> Result<(), CliError>,
+) -> Result<Result<Merged, String>, CliError> {
     let mut gathered = Gathered::new(JournalLines::of(comparison, None));
     for path in journals(folder)? {
         read(&path, &mut gathered)?;
     }
     if gathered.is_empty() {
-        let message = format!("{}: there is no journal", folder.display());
-        let hint = format!("`formicarium compare … --shard 1/N --out {}` writes the first one", folder.display());
-        return Err(CliError::usage(message, hint));
+        return Err(nothing(folder));
     }
     if let Some(findings) = tell::findings(args, comparison, &gathered, folder) {
         return Ok(Err(findings));
     }
+    check()?;
     let mut said = tell::summary(&gathered);
     if let Some(share) = args.recheck {
         match recheck::recheck(args, comparison, share, &gathered)? {
@@ -53,9 +58,24 @@ pub fn merged(args: &Args, comparison: &Comparison, folder: &Path) -> Result<Res
     Ok(Ok(Merged { rows: gathered.into_rows(), said }))
 }
 
+/// That there is no journal, and where there are some.
+fn nothing(folder: &Path) -> CliError {
+    let inside = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let nearby = inside.filter(|path| path.is_dir()).find(|path| journals(path).is_ok_and(|found| !found.is_empty()));
+    let hint = match nearby {
+        Some(nearby) => format!("there are some in {}", nearby.display()),
+        None => format!("`formicarium compare … --shard 1/N --out {}` writes the first one", folder.display()),
+    };
+    CliError::usage(format!("{}: there is no journal", folder.display()), hint)
+}
+
 /// The journals in a folder, by their names.
 fn journals(folder: &Path) -> Result<Vec<PathBuf>, CliError> {
     let unread = |error| CliError::File { action: "read", path: folder.display().to_string(), error };
+    if folder.is_file() {
+        let message = format!("{} is a file", folder.display());
+        return Err(CliError::usage(message, "name the folder that the journals are in"));
+    }
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(unread)? {
         let path = entry.map_err(unread)?.path();

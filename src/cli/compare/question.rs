@@ -184,7 +184,12 @@ fn read(bytes: &[u8]) -> Result<Question, Error> {
 
 /// What the arguments leave of a question.
 fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
-    question.seeds.count = question.seeds.count.min(args.seeds.unwrap_or(u32::MAX));
+    if let Some(seeds) = args.seeds.filter(|_| args.ablate.is_none()) {
+        if seeds > question.seeds.count {
+            return Err(QuestionError::field("--seeds", seeds, format!("at most {}, as the question has", question.seeds.count)));
+        }
+        question.seeds.count = seeds;
+    }
     question.budget = args.budget.or(question.budget);
     for (id, file) in args.map.iter().filter_map(|(id, file)| Some((id.as_ref()?, file))) {
         let (stem, map) = (stem(file), file.display().to_string());
@@ -201,9 +206,10 @@ fn narrow(args: &Args, question: &mut Question) -> Result<(), QuestionError> {
 
 fn scenario(path: &Path) -> Result<Arc<Scenario>, CliError> {
     let map = ReadingArgs::default().import(path)?;
-    text::notes(&map.notices);
+    let name = file_name(path);
+    text::notes_of(&name, &map.notices);
     let scenario = Scenario::new(map.grid, map.spec)
         .map_err(|error| CliError::Contents { path: path.display().to_string(), error: error.into() })?;
-    text::notes(&scenario.notices());
+    text::notes_of(&name, &scenario.notices());
     Ok(Arc::new(scenario))
 }

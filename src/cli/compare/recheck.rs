@@ -53,7 +53,8 @@ pub fn recheck(
     let tasks: Vec<Task> = places.iter().filter_map(|&place| Some(gathered.row(place)?.task)).collect();
     let mut wrong = Vec::new();
     runs::run_all(args, comparison, &tasks, 0, |row| {
-        wrong.extend(gathered.place(&row).filter(|&place| gathered.row(place) != Some(&row)).map(|place| (place, row)));
+        let is_same = |place: usize| gathered.row(place).is_some_and(|then| then.to_line() == row.to_line());
+        wrong.extend(gathered.place(&row).filter(|&place| !is_same(place)).map(|place| (place, row)));
         Ok(())
     })?;
     let repeated = text::count(tasks.len() as u64, "run", "runs");

@@ -91,6 +91,13 @@ impl Entry {
             let expected = format!("a file in the folder {}", self.scenario);
             return Err(FormatError::field("scenario", format!("the file is in the folder {folder}"), expected));
         }
+        for (field, text) in [("planner", &self.planner), ("by", &self.by), ("note", &self.note)] {
+            one_line(text)
+                .map_err(|expected| FormatError::field(field, "it has more than one line, or too many letters", expected))?;
+        }
+        if !self.value.is_finite() {
+            return Err(FormatError::field("value", format!("{} is no length", self.value), "a number of cells"));
+        }
         if !is_date(&self.date) {
             return Err(FormatError::field("date", format!("`{}` is no date", self.date), "year-month-day such as 2026-03-21"));
         }
@@ -134,9 +141,11 @@ pub fn outside_name(planner: &str, by: &str) -> Result<String, CliError> {
         let all: String = text.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
         all.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
     };
+    const LONGEST: usize = 60;
     let name = letters(by);
-    if name.is_empty() {
-        return Err(CliError::usage("the entry's file needs a name", "say who you are: --by NAME, with a letter or digit"));
+    if name.is_empty() || name.len() > LONGEST {
+        let hint = format!("say who you are: --by NAME, with a letter or digit, of at most {LONGEST} bytes");
+        return Err(CliError::usage("the entry's file needs a name", hint));
     }
     Ok(format!("{planner}{BETWEEN}{name}"))
 }
@@ -159,14 +168,13 @@ pub fn date(text: &str) -> Result<String, String> {
     if is_date(text) { Ok(text.into()) } else { Err(format!("`{text}` is no date: write year-month-day such as 2026-03-21")) }
 }
 
+/// The day before which no value was kept.
+const BEGINNING: &str = "2026-01-01";
+
+/// A day of the calendar, as TOML has it.
 fn is_date(text: &str) -> bool {
-    let parts: Vec<&str> = text.split('-').collect();
-    let number = |i: usize, digits: usize, most: u32| {
-        parts[i].len() == digits
-            && parts[i].bytes().all(|b| b.is_ascii_digit())
-            && parts[i].parse().is_ok_and(|n| (1..=most).contains(&n))
-    };
-    parts.len() == 3 && number(0, 4, 9999) && number(1, 2, 12) && number(2, 2, 31)
+    let is_day = |day: toml::value::Datetime| day.date.is_some() && day.time.is_none() && day.offset.is_none();
+    text.parse().is_ok_and(is_day) && text.len() == BEGINNING.len() && text >= BEGINNING
 }
 
 /// Today in Greenwich.
@@ -200,9 +208,23 @@ mod tests {
     fn dates_are_those_of_the_calendar() {
         for (days, date) in [(0, "1970-01-01"), (59, "1970-03-01"), (11_016, "2000-02-29"), (20_786, "2026-11-29")] {
             assert_eq!(civil(days), date);
-            assert!(is_date(date));
         }
-        assert!(["2026-13-01", "2026-1-1", "26-01-01", "2026-01", "yesterday"].iter().all(|text| !is_date(text)));
+        assert!(["2026-11-29", "2028-02-29"].iter().all(|text| is_date(text)));
+        assert!(
+            [
+                "2026-02-29",
+                "2025-12-31",
+                "0001-01-01",
+                "2026-11-29T10:00:00",
+                "2026-13-01",
+                "2026-1-1",
+                "26-01-01",
+                "2026-01",
+                "yesterday"
+            ]
+            .iter()
+            .all(|text| !is_date(text))
+        );
     }
 
     #[test]

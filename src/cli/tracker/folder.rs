@@ -19,6 +19,9 @@ use crate::scenario::Scenario;
 
 use super::entry::Entry;
 
+/// Who runs the project's own entries, which have the default parameters.
+pub const PROJECT: &str = "Formicarium";
+
 /// The ending of scenarios and entries.
 const ENDING: &str = "toml";
 
@@ -77,7 +80,15 @@ pub struct Tracker {
 impl Tracker {
     /// Reads the scenarios.
     pub fn open(folder: &Path) -> Result<Self, CliError> {
-        let files = files_in(&folder.join("scenarios"))?;
+        let scenarios = folder.join("scenarios");
+        if !scenarios.is_dir() {
+            let message = format!("{} is no tracker: it has no folder `scenarios`", folder.display());
+            return Err(CliError::usage(
+                message,
+                "name a tracker's folder by --tracker DIR, such as a clone's experiments/tracker",
+            ));
+        }
+        let files = files_in(&scenarios)?;
         let scenarios = files.iter().map(|file| Tracked::read(file)).collect::<Result<Vec<_>, _>>()?;
         if scenarios.is_empty() {
             let message = format!("{} has no scenarios", folder.display());
@@ -139,11 +150,12 @@ impl Tracker {
     }
 }
 
-/// The best of a planner's entries: the least value, and of equal ones the first by date.
+/// The best of a planner's entries: the least value, and of equal ones the project's own, or else the first by date.
 pub fn best<'a>(entries: impl IntoIterator<Item = &'a Entry>) -> Option<&'a Entry> {
+    let age = |entry: &Entry| (entry.by != PROJECT, entry.date.clone());
     entries.into_iter().reduce(|best, entry| {
         let wins = match Standing::of(entry.value, Some(best.value)) {
-            Standing::Equal => entry.date < best.date,
+            Standing::Equal => age(entry) < age(best),
             standing => standing.wins(),
         };
         if wins { entry } else { best }
@@ -164,7 +176,7 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>, CliError> {
     let failed = |error| CliError::File { action: "read", path: folder.display().to_string(), error };
     let files = fs::read_dir(folder).map_err(failed)?.collect::<Result<Vec<_>, _>>().map_err(failed)?;
     let mut paths: Vec<PathBuf> = files.into_iter().map(|file| file.path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|ending| ending == ENDING));
+    paths.retain(|path| path.is_file() && path.extension().is_some_and(|ending| ending == ENDING));
     paths.sort();
     Ok(paths)
 }

@@ -63,7 +63,7 @@ impl Proof {
     pub fn measure(&self, tracked: &Tracked, planner: &str) -> Result<Measured, BestKnownError> {
         let measured = match self {
             Self::Run(session) => repeated(session, tracked, planner)?,
-            Self::Path(..) if catalog::find(planner).is_ok() => {
+            Self::Path(..) if catalog::find(&planner.to_ascii_lowercase()).is_ok() => {
                 return Err(BestKnownError::NeedsRun { planner: planner.into() });
             }
             Self::Path(path, objective) => path.measure(&tracked.scenario, *objective)?,

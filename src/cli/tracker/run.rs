@@ -1,5 +1,7 @@
 //! `tracker run`: the project's own entries.
 
+use std::path::PathBuf;
+
 use crate::catalog::{self, CATALOG};
 use crate::cli::error::CliError;
 use crate::cli::streams::say;
@@ -8,19 +10,24 @@ use crate::comparison::best_known::{Measured, Recipe, RecordedRun, Standing, che
 use crate::comparison::gap::reaches;
 use crate::error::BestKnownError;
 use crate::formats::session::{Panel, Session};
-use crate::params::Values;
+use crate::params::{Value, Values};
 use crate::planner::PlannerEntry;
 
 use super::Where;
 use super::check::check;
-use super::entry::{self, Entry, Head};
-use super::folder::{Tracked, Tracker};
+use super::entry::{self, Entry, Head, outside_name};
+use super::folder::{PROJECT, Tracked, Tracker, best};
 use super::proof::Proof;
 
-/// Runs planners with their default parameters over seeds and keeps the best run of each
+/// Runs planners over seeds and keeps the best run of each
 #[derive(clap::Args)]
 #[command(after_help = "\
-Seeds are taken in order until a run reaches the proven optimum. An entry is written where it is better than the one of its name, or that one does not hold.")]
+Seeds are taken in order until a run reaches the proven optimum. An entry is written where it is better than the one of its name, or that one
+does not hold; with a --by of yours, as PLANNER--NAME, where it is better than every entry of the planner.
+
+Examples:
+  formicarium tracker run --seeds 1-100
+  formicarium tracker run --only ship-20x20 --planner ant-system --set ants=100 --by 'Ada'")]
 pub struct Args {
     #[command(flatten)]
     tracker: Where,
@@ -30,11 +37,14 @@ pub struct Args {
     /// Only these planners; may be repeated
     #[arg(long, value_name = "ID")]
     planner: Vec<String>,
+    /// A parameter other than its default, of one --planner; may be repeated
+    #[arg(long, value_name = "KEY=VALUE", requires = "planner", value_parser = crate::cli::plan::assignment)]
+    set: Vec<(String, Value)>,
     /// First and last seed
     #[arg(long, value_name = "FROM-TO", value_parser = seeds, default_value = "1-100")]
     seeds: (u32, u32),
     /// Who runs them
-    #[arg(long, value_name = "NAME", value_parser = entry::one_line, default_value = "Formicarium")]
+    #[arg(long, value_name = "NAME", value_parser = entry::one_line, default_value = PROJECT)]
     by: String,
     /// The day [default: today]
     #[arg(long, value_name = "YYYY-MM-DD", value_parser = entry::date)]
@@ -61,6 +71,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let tracker = args.tracker.open()?;
     args.only.iter().try_for_each(|id| tracker.scenario(id).map(drop))?;
     args.planner.iter().try_for_each(|id| catalog::find(id).map(drop))?;
+    if !args.set.is_empty() && (args.planner.len() != 1 || args.by == PROJECT) {
+        let message = "parameters of one's own are one planner's, and somebody's";
+        return Err(CliError::usage(message, "with --set give one --planner, and say who you are: --by NAME"));
+    }
     let mut written = 0;
     for tracked in tracker.scenarios.iter().filter(|tracked| args.only.is_empty() || args.only.contains(&tracked.id)) {
         for planner in CATALOG.iter().filter(|p| args.planner.is_empty() || args.planner.iter().any(|id| id == p.id)) {
@@ -80,12 +94,10 @@ impl Args {
                 return Ok(false);
             }
             // The catalog refuses planners that do not know how one moves here.
-            Err(BestKnownError::Planner(_)) => return Ok(false),
+            Err(BestKnownError::Planner(_)) if self.set.is_empty() => return Ok(false),
             Err(error) => return Err(error.into()),
         };
-        let place = tracker.place(&tracked.id, planner.id);
-        // What does not hold any more stands in nobody's way.
-        let known = if place.exists() { check(&place, tracked).ok().map(|entry| entry.value) } else { None };
+        let (place, known) = self.beside(tracker, tracked, planner, found.measured)?;
         let is_better = Standing::of(found.measured.value, known).wins();
         let how = if is_better { "written" } else { "no better than what is there" };
         say(format!("{} on {}: {} by seed {}, {how}", planner.id, tracked.id, found.measured.value, found.seed));
@@ -95,8 +107,27 @@ impl Args {
         Ok(is_better)
     }
 
+    /// The entry's file, and the value that it must better.
+    fn beside(
+        &self,
+        tracker: &Tracker,
+        tracked: &Tracked,
+        planner: &PlannerEntry,
+        Measured { objective, .. }: Measured,
+    ) -> Result<(PathBuf, Option<f64>), CliError> {
+        if self.by != PROJECT {
+            let entries = tracker.entries(&tracked.id)?;
+            let known = best(entries.iter().filter(|entry| entry.planner == planner.id && entry.objective == objective));
+            return Ok((tracker.place(&tracked.id, &outside_name(planner.id, &self.by)?), known.map(|entry| entry.value)));
+        }
+        let place = tracker.place(&tracked.id, planner.id);
+        // What does not hold any more stands in nobody's way.
+        let known = if place.exists() { check(&place, tracked).ok().map(|entry| entry.value) } else { None };
+        Ok((place, known))
+    }
+
     fn best(&self, tracked: &Tracked, planner: &PlannerEntry) -> Result<Option<Found>, BestKnownError> {
-        let params = Values::new();
+        let params = self.params();
         let (from, to) = if planner.family.needs_no_seed() { (1, 1) } else { self.seeds };
         let mut best: Option<(u32, Measured)> = None;
         for seed in from..=to {
@@ -126,7 +157,7 @@ impl Args {
             date: self.date.clone().unwrap_or_else(entry::today),
             note: self.note(planner, found.optimal),
         });
-        let panel = Panel { planner: planner.id.into(), preset: None, params: Values::new(), result: Some(found.recorded) };
+        let panel = Panel { planner: planner.id.into(), preset: None, params: self.params(), result: Some(found.recorded) };
         let session = Session {
             engine: env!("CARGO_PKG_VERSION").into(),
             grid: tracked.scenario.grid.clone(),
@@ -139,13 +170,19 @@ impl Args {
         Proof::Run(Box::new(session)).into_entry(entry)
     }
 
+    fn params(&self) -> Values {
+        self.set.iter().cloned().collect()
+    }
+
     /// How the entry was found.
     fn note(&self, planner: &PlannerEntry, optimal: bool) -> String {
         let (from, to) = self.seeds;
+        let set: Vec<String> = self.set.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+        let with = if set.is_empty() { "default parameters".into() } else { set.join(", ") };
         match (planner.family.needs_no_seed(), optimal) {
-            (true, _) => "default parameters; every run is the same".into(),
-            (false, true) => format!("default parameters; the first of the seeds {from} to {to} that reaches the optimum"),
-            (false, false) => format!("default parameters; the best of the seeds {from} to {to}"),
+            (true, _) => format!("{with}; every run is the same"),
+            (false, true) => format!("{with}; the first of the seeds {from} to {to} that reaches the optimum"),
+            (false, false) => format!("{with}; the best of the seeds {from} to {to}"),
         }
     }
 }

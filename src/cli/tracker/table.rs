@@ -60,6 +60,12 @@ fn planners(entries: &[Entry]) -> Vec<&str> {
     ours.chain(others).collect()
 }
 
+/// A name as Markdown shows it, whatever signs it has.
+fn plain(text: &str) -> String {
+    let means_something = |c: char| c.is_ascii_punctuation() && !matches!(c, '.' | ',' | '-' | '\'');
+    text.chars().flat_map(|c| means_something(c).then_some('\\').into_iter().chain([c])).collect()
+}
+
 fn row(tracked: &Tracked, entry: &Entry, file: &str) -> Result<String, CliError> {
     let (reference, seed) = (tracked.reference(entry.objective), Proof::of(entry)?.seed());
     let optimum = |value: f64| if reference.is_proven() { format!("{value:.4}") } else { format!("≈ {value:.4}") };
@@ -75,7 +81,7 @@ fn row(tracked: &Tracked, entry: &Entry, file: &str) -> Result<String, CliError>
         reference.value().map_or_else(none, optimum),
         reference.value().map_or_else(none, gap),
         seed.map_or_else(none, |seed| seed.to_string()),
-        entry.by.replace('|', "\\|"),
+        plain(&entry.by),
         entry.date.clone(),
         format!("[{}](entries/{}/{file})", if seed.is_some() { "run" } else { "path" }, tracked.id),
     ];

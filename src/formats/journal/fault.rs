@@ -36,6 +36,9 @@ pub enum JournalFault {
     /// Its end is missing, as a killed process leaves it.
     #[error("is cut off")]
     Cut,
+    /// It ends as lines of Windows do: somebody has copied it as a text.
+    #[error("has the line ends of Windows, CR LF: copy the file as it is, not as a text")]
+    LineEnds,
     /// It does not have the check sum that it carries.
     #[error("is damaged or was changed: its check sum does not hold")]
     Damaged,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use crate::cli::streams::harmless;
 use crate::comparison::{Comparison, Row, Shard};
 use crate::formats::journal::{JournalFault, JournalLines};
 
@@ -28,6 +29,13 @@ pub struct Source {
     pub fault_count: usize,
     /// Whether it ends in the middle of a line, as a process leaves it that was killed or is writing.
     pub is_cut: bool,
+}
+
+impl Source {
+    /// Whether its head says that none of its lines counts.
+    pub fn is_foreign(&self) -> bool {
+        self.faults.first().is_some_and(|(line, fault)| *line <= 1 && *fault != JournalFault::Damaged)
+    }
 }
 
 /// Where a run came from.
@@ -75,7 +83,9 @@ impl Gathered {
     /// Begins with the next journal.
     pub fn begin(&mut self, path: &Path) {
         self.sources.push(Source {
-            name: path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            name: path
+                .file_name()
+                .map_or_else(String::new, |name| harmless(&name.to_string_lossy()).replace(['\n', '\t'], "\u{fffd}")),
             shard: None,
             is_finished: path.extension().is_some_and(|ending| ending == "journal"),
             runs: 0,
@@ -113,10 +123,9 @@ impl Gathered {
         }
     }
 
-    /// Whether the journal's head says that none of its lines counts.
+    /// Whether the journal that is read has nothing that counts.
     pub fn is_foreign(&self) -> bool {
-        let of_head = self.sources.last().and_then(|now| now.faults.first()).filter(|(line, _)| *line == 1);
-        of_head.is_some_and(|(_, fault)| *fault != JournalFault::Damaged)
+        self.sources.last().is_some_and(Source::is_foreign)
     }
 
     fn run(&mut self, number: usize, place: usize, row: Row) {
@@ -127,7 +136,8 @@ impl Gathered {
             self.sources[source].runs += 1;
             return;
         };
-        if *first == row {
+        // As it is written: −0 is equal to 0, and other bytes.
+        if first.to_line() == row.to_line() {
             *self.sources[source].again.entry(self.origins[place].source as usize).or_default() += 1;
             return;
         }

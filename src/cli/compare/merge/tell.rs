@@ -1,6 +1,6 @@
 //! What there is to say about the journals of a comparison.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::gathered::{Gathered, Source};
@@ -8,13 +8,18 @@ use crate::cli::compare::args::Args;
 use crate::cli::compare::recheck::in_short;
 use crate::cli::text;
 use crate::comparison::{Comparison, Shard};
+use crate::formats::journal::JournalFault;
 
 /// As many lines of a kind as are shown.
 const MOST: usize = 20;
 
 /// Everything that keeps the journals from being one whole comparison; none where nothing does.
 pub fn findings(args: &Args, comparison: &Comparison, gathered: &Gathered, folder: &Path) -> Option<String> {
-    let said = faults(gathered) + &disagreements(comparison, gathered) + &missing(args, comparison, gathered, folder);
+    let mut said = faults(gathered) + &disagreements(comparison, gathered);
+    // Of journals that are all of another question nothing is missing: they were asked for otherwise.
+    if gathered.sources().iter().any(|source| !source.is_foreign()) {
+        said += &missing(args, comparison, gathered, folder);
+    }
     (!said.is_empty()).then(|| said + "nothing was written\n")
 }
 
@@ -33,7 +38,7 @@ pub fn summary(gathered: &Gathered) -> String {
     said
 }
 
-/// What does not hold, by journal and line.
+/// What does not hold, by journal and line, and what is to be done.
 fn faults(gathered: &Gathered) -> String {
     let mut said = String::new();
     for Source { name, faults, fault_count, .. } in gathered.sources() {
@@ -45,8 +50,22 @@ fn faults(gathered: &Gathered) -> String {
             said += &format!("{name}: and {} more lines\n", fault_count - faults.len());
         }
     }
-    if !said.is_empty() {
-        said += "move these files away, or remove them; what they had is then missing, and their shards do it again\n";
+    said + &advice(gathered)
+}
+
+/// What to do about journals that do not hold.
+fn advice(gathered: &Gathered) -> String {
+    let spoilt = || gathered.sources().iter().filter(|source| source.fault_count > 0);
+    let mut said = String::new();
+    if spoilt().any(|source| !source.is_foreign()) {
+        said += "a shard whose journal is damaged is done again where that lies: it keeps the lines that hold\n";
+    }
+    let asked_otherwise = |source: &&Source| matches!(source.faults.first(), Some((1, JournalFault::OtherQuestion { .. })));
+    if spoilt().any(|source| asked_otherwise(&source)) {
+        said += "--seeds, --only, --budget, --map and --results are part of the question: give the shards and --merge the same\n";
+    }
+    if spoilt().any(Source::is_foreign) {
+        said += "what is of something else is to be moved out of the folder\n";
     }
     said
 }
@@ -88,10 +107,11 @@ fn missing(args: &Args, comparison: &Comparison, gathered: &Gathered, folder: &P
     said
 }
 
-/// To how many shards the runs were dealt, if all journals agree on that.
+/// To how many shards most of the journals say the runs were dealt; of equally many the smaller number.
 fn dealt_to(gathered: &Gathered) -> Option<u32> {
-    let numbers: BTreeSet<u32> = gathered.sources().iter().filter_map(|source| source.shard).map(Shard::of).collect();
-    if numbers.len() == 1 { numbers.into_iter().next() } else { None }
+    let mut journals: BTreeMap<u32, usize> = BTreeMap::new();
+    gathered.sources().iter().filter_map(|source| source.shard).for_each(|shard| *journals.entry(shard.of()).or_default() += 1);
+    journals.into_iter().rev().max_by_key(|(_, count)| *count).map(|(of, _)| of)
 }
 
 fn by_shard(args: &Args, comparison: &Comparison, missing: &[usize], of: u32, folder: &Path) -> String {

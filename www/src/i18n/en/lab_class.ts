@@ -98,6 +98,8 @@ export const enLabClass = {
       'other-question':
         'its runs are those of another question or of other maps: it needs the comparison {{found}}, and this is {{here}}',
       cut: 'it is cut off',
+      'line-ends':
+        'it has the line ends of Windows: the file was copied as a text, and must be copied as it is',
       damaged: 'it is damaged or was changed: its check sum does not hold',
       changed: 'it was changed: its check sum holds, but no engine writes a run like this',
       'no-such-run': 'it is a run that the question does not ask for',

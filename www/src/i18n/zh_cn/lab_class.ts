@@ -84,6 +84,7 @@ export const zhCNLabClass: DictionaryShape<typeof enLabClass> = {
       'other-engine': '这些运行由引擎 {{found}} 完成，而这里是 {{here}}：结果可能不逐位相同',
       'other-question': '是另一个问题或另一些地图的运行：它需要比较 {{found}}，而这里是 {{here}}',
       cut: '不完整',
+      'line-ends': '行尾是 Windows 的换行符：文件被当作文本复制过，请原样复制',
       damaged: '已损坏或被改动过：校验和不符',
       changed: '被改动过：校验和相符，但没有引擎会这样写一次运行',
       'no-such-run': '问题没有要求这次运行',
