@@ -226,8 +226,18 @@ fn spoiled_files_are_refused() {
 fn a_run_with_parameters_of_ones_own_needs_no_browser() {
     let small = Small::new("own");
     let run = |more: &[&str]| {
-        let args =
-            ["tracker", "run", "--planner", "elitist-ant-system", "--seeds", "1-3", "--date", "2026-03-22", "--set", "iterations=3"];
+        let args = [
+            "tracker",
+            "run",
+            "--planner",
+            "elitist-ant-system",
+            "--seeds",
+            "1-3",
+            "--date",
+            "2026-03-22",
+            "--set",
+            "iterations=3",
+        ];
         small.run(&[&args[..], more].concat())
     };
     run(&[]).is(2, &["say who you are: --by NAME"]);
@@ -304,9 +314,7 @@ fn sessions_are_repeated_and_compared() {
     small.run(&["submit", "race.link", "--scenario", "elsewhere"]).is(2, &["the session is on threshold-1, not on elsewhere"]);
 
     fs::remove_file(small.0.join("entries/threshold-1/ant-system--ada.toml")).expect("a file");
-    small
-        .run(&["submit", &honest, "--dry-run"])
-        .is(0, &["the first value of this planner here", "would be written: "]);
+    small.run(&["submit", &honest, "--dry-run"]).is(0, &["the first value of this planner here", "would be written: "]);
     small.run(&["submit", &honest]).is(2, &["the entry's file needs a name", "--by NAME"]);
     small.run(&["submit", &honest, "--by", "Bo"]).is(0, &["written: ./entries/threshold-1/ant-system--bo.toml"]);
     assert!(small.read("entries/threshold-1/ant-system--bo.toml").contains(&honest), "the link is kept as it is");

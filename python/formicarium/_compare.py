@@ -82,7 +82,9 @@ class Comparison:
         """Question, maps and runs in one text, ``formicarium/comparison@1``: the page and the command line open it and verify it."""
         return self.file("json")
 
-    def write(self, folder: str | os.PathLike[str], name: str, kinds: Iterable[str] = ("csv", "markdown", "json"), *, replace: bool = False) -> list[Path]:
+    def write(
+        self, folder: str | os.PathLike[str], name: str, kinds: Iterable[str] = ("csv", "markdown", "json"), *, replace: bool = False
+    ) -> list[Path]:
         """Writes result files ``NAME.…`` into a folder, which is made. Gives their paths. Files of these names are replaced only if ``replace``."""
         endings, made = dict(_engine.Comparison.kinds()), []
         if Path(name).name != name or name in ("", ".", ".."):

@@ -189,9 +189,11 @@ def write_parquet(
 def _writer(path: str, head: str) -> Iterator[Any]:
     """A Parquet file that gets its name when it is whole."""
     parquet = need("pyarrow.parquet", "arrow")
-    folder, name = os.path.split(os.path.abspath(path))
-    with tempfile.TemporaryDirectory(prefix=".formicarium-", dir=folder) as beside:
-        unfinished = os.path.join(beside, name)
+    whole = Path(path).absolute()
+    if not whole.parent.is_dir():
+        raise bad("rows", f"{whole.parent} is no folder", "make it first")
+    with tempfile.TemporaryDirectory(prefix=".formicarium-", dir=whole.parent) as beside:
+        unfinished = Path(beside) / whole.name
         with parquet.ParquetWriter(unfinished, table(f"{head}\n").schema) as writer:
             yield writer
-        os.replace(unfinished, path)
+        unfinished.replace(whole)

@@ -50,7 +50,7 @@ def test_parquet_holds_the_same(compared: formicarium.Comparison, stored: Path, 
     assert sorted(path.name for path in tmp_path.iterdir()) == ["again.parquet", "rows.parquet", "traces.parquet"]
 
 
-@pytest.mark.filterwarnings("ignore:no start and goal")
+@pytest.mark.filterwarnings("ignore:.*no start and goal")
 def test_journals_of_shards_give_each_run_once(compared: formicarium.Comparison, question: Path, tmp_path: Path) -> None:
     for shard in ("1/2", "2/2", "1/3"):
         assert formicarium.command(["compare", question, "--shard", shard, "--out", tmp_path]) == 0

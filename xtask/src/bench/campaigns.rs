@@ -31,6 +31,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     let merging = merging(&program, extent)?;
     Ok(Section {
         name: "campaigns",
+        page: "docs/campaigns.md",
         text: format!("{NOTE} `cargo xtask bench campaigns`\n\n{engines}\n{MERGE}\n\n{merging}"),
         readme: None,
     })

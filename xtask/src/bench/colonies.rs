@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use super::Extent;
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, nanoseconds_a_move};
 use super::runner::Runner;
 
@@ -39,7 +39,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
         rows.extend(raced(&mut native, &site, &here, iterations, extent.rounds)?);
     }
     let text = format!("{NOTE}\n\n{}", table(&["map", "colony", "ns an ant move", "times as long"], &rows));
-    Ok(Section { name: "colonies", text, readme: None })
+    Ok(Section { name: "colonies", page: PERFORMANCE, text, readme: None })
 }
 
 /// What the catalog says of planners with ants.

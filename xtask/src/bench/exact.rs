@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::Extent;
 use super::interval::{Interval, short};
 use super::maps::{self, Listed};
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, seconds};
 use super::runner::Runner;
 
@@ -66,7 +66,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     }
     let heads = ["map", "what", "ms a question", "times as long"];
     let text = format!("{NOTE} {source} `cargo xtask bench exact`\n\n{}", table(&heads, &rows));
-    Ok(Section { name: "exact", text, readme: Some(sentence(&slower)) })
+    Ok(Section { name: "exact", page: PERFORMANCE, text, readme: Some(sentence(&slower)) })
 }
 
 /// MovingAI's where they are, else made ones; and a sentence that says so.

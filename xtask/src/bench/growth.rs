@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::Extent;
 use super::interval::{Interval, short};
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
 
@@ -47,6 +47,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     let compare = table(&["runs", "ms a run, one core", "cores", "times as fast"], &rows);
     Ok(Section {
         name: "growth",
+        page: PERFORMANCE,
         text: format!("{NOTE} `cargo xtask bench growth`\n\n{walks}\n{threads}\n{compare}"),
         readme: None,
     })

@@ -12,7 +12,7 @@ use anyhow::{Context, Result, bail, ensure};
 use super::Extent;
 use super::interval::short;
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::runner::native_program;
 use crate::tools::{find, root};
 
@@ -55,7 +55,7 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let colonies = table(&["colony", "instructions an ant move", "beside the number held"], &rows);
     let phases = table(&["phase of Ant System", "instructions an ant move", "share"], &phases(&program, &map)?);
     let text = format!("{NOTE}\n\n{colonies}\n{phases}");
-    Ok(Some(Section { name: "instructions", text, readme: None }))
+    Ok(Some(Section { name: "instructions", page: PERFORMANCE, text, readme: None }))
 }
 
 fn a_move(program: &Path, map: &Path, planner: &str) -> Result<f64> {

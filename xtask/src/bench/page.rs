@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::Extent;
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, seconds};
 use super::runner::Runner;
 
@@ -48,7 +48,7 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let playing = race.run(extent.rounds)?;
     let rows: Vec<_> = playing.iter().chain(&visits).map(row).collect();
     let heads = ["what", "ms, last panel", "ms, first panel", "iterations a second"];
-    Ok(Some(Section { name: "page", text: format!("{NOTE}\n\n{}", table(&heads, &rows)), readme: None }))
+    Ok(Some(Section { name: "page", page: PERFORMANCE, text: format!("{NOTE}\n\n{}", table(&heads, &rows)), readme: None }))
 }
 
 fn row(of: &Rounds) -> Vec<String> {

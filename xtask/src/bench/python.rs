@@ -9,7 +9,7 @@ use serde_json::json;
 use super::Extent;
 use super::interval::short;
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
 use crate::tools::{output, root, run as run_command, target_dir};
@@ -46,7 +46,7 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let rows: Vec<_> = rounds.iter().enumerate().map(|(i, of)| row(of, &rounds[0], ITERATIONS[i.min(1)])).collect();
     let text =
         format!("{NOTE}\n\n{}", table(&["what", "thousand moves a second", "ms an iteration", "times as long a move"], &rows));
-    Ok(Some(Section { name: "python", text, readme: None }))
+    Ok(Some(Section { name: "python", page: PERFORMANCE, text, readme: None }))
 }
 
 fn row(of: &Rounds, ours: &Rounds, iterations: u32) -> Vec<String> {

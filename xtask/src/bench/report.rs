@@ -8,9 +8,14 @@ use anyhow::{Context, Result};
 
 use crate::tools::{output, root};
 
+/// Where most tables stand.
+pub const PERFORMANCE: &str = "docs/performance.md";
+
 /// What a part has measured.
 pub struct Section {
     pub name: &'static str,
+    /// Where its table stands.
+    pub page: &'static str,
     /// Its table, and what is to be said about it.
     pub text: String,
     /// What the README says of it.
@@ -20,14 +25,14 @@ pub struct Section {
 impl Section {
     /// Puts it in its places.
     pub fn write(&self) -> Result<()> {
-        splice("docs/performance.md", self.name, &format!("\n\n{}\n", self.text))?;
+        splice(self.page, self.name, &format!("\n\n{}\n", self.text))?;
         self.readme.as_ref().map_or(Ok(()), |readme| splice("README.md", self.name, readme))
     }
 }
 
 /// The machine, in docs/performance.md.
 pub fn write_machine() -> Result<()> {
-    splice("docs/performance.md", "machine", &machine())
+    splice(PERFORMANCE, "machine", &machine())
 }
 
 /// A table of Markdown.

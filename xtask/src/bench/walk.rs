@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::Extent;
 use super::interval::{Interval, short};
 use super::maps;
-use super::report::{Section, table};
+use super::report::{PERFORMANCE, Section, table};
 use super::rounds::{Race, Rounds, nanoseconds_a_move, seconds};
 use super::runner::Runner;
 
@@ -63,7 +63,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     ];
     let left_out = if runners.len() > 2 { "" } else { " Chromium is left out: it is not here." };
     let text = format!("{NOTE}{left_out} `cargo xtask bench walk`\n\n{}", table(&heads, &rows));
-    Ok(Section { name: "walk", text, readme })
+    Ok(Section { name: "walk", page: PERFORMANCE, text, readme })
 }
 
 fn race<'a>(runners: &'a mut [Runner], map: &Path, iterations: u32) -> Result<Race<'a>> {
