@@ -350,8 +350,8 @@ fn a_journal_that_is_taken_away_is_missed() {
     command.args(["compare", "longer.toml", "--shard", "1/2", "--out", "out", "--jobs", "1"]).current_dir(&folder.0);
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
     let partial = || {
-        let names = std::fs::read_dir(folder.0.join("out")).into_iter().flatten().map(|entry| entry.unwrap().path());
-        names.filter(|path| path.extension().is_some_and(|ending| ending == "partial")).next()
+        let mut paths = std::fs::read_dir(folder.0.join("out")).into_iter().flatten().map(|entry| entry.unwrap().path());
+        paths.find(|path| path.extension().is_some_and(|ending| ending == "partial"))
     };
     while partial().is_none() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(1));

@@ -12,7 +12,7 @@ use anyhow::{Context, Result, ensure};
 use super::Extent;
 use super::interval::{Interval, short};
 use super::maps::{self, quietly};
-use super::report::{Section, table};
+use super::report::{Section, machine, table};
 use crate::campaigns;
 use crate::tools::root;
 
@@ -32,7 +32,7 @@ pub fn run(extent: &Extent) -> Result<Section> {
     Ok(Section {
         name: "campaigns",
         page: "docs/campaigns.md",
-        text: format!("{NOTE} `cargo xtask bench campaigns`\n\n{engines}\n{MERGE}\n\n{merging}"),
+        text: format!("{NOTE} `cargo xtask bench campaigns`; {}\n\n{engines}\n{MERGE}\n\n{merging}", machine()),
         readme: None,
     })
 }
@@ -85,7 +85,8 @@ fn engines(program: &Path, extent: &Extent) -> Result<String> {
     let row = |(way, of): (&Way, &Vec<f64>)| {
         let ratio = Interval::of(seconds[0].iter().zip(of).map(|(one, this)| one / this));
         let more = Interval::of(seconds[0].iter().zip(of).map(|(one, this)| 1e3 * (this - one) / f64::from(shards)));
-        vec![way.name.clone(), Interval::of(of.iter().copied()).to_string(), ratio.to_string(), short(more.median)]
+        let more = if way.name == ways[0].name { "–".into() } else { short(more.median) };
+        vec![way.name.clone(), Interval::of(of.iter().copied()).to_string(), ratio.to_string(), more]
     };
     let rows: Vec<_> = ways.iter().zip(&seconds).map(row).collect();
     Ok(table(&["how", "seconds", "throughput", "ms more a shard"], &rows))

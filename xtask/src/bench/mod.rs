@@ -81,14 +81,16 @@ pub fn stage() -> Result<()> {
 }
 
 fn measure(parts: &[Part], extent: &Extent, write: bool) -> Result<()> {
+    let mut is_of_machine = false;
     for part in parts {
         let Some(section) = part.run(extent)? else { continue };
+        is_of_machine |= section.page == report::PERFORMANCE;
         println!("\n{}", section.text);
         if write {
             section.write()?;
         }
     }
-    if write { report::write_machine() } else { Ok(()) }
+    if write && is_of_machine { report::write_machine() } else { Ok(()) }
 }
 
 impl Part {

@@ -59,7 +59,7 @@ fn spliced(old: &str, place: &str, text: &str) -> Option<String> {
 }
 
 /// Where and when was measured.
-fn machine() -> String {
+pub fn machine() -> String {
     let cpu = read("/proc/cpuinfo").and_then(|info| {
         let model = info.lines().find_map(|line| line.strip_prefix("model name"))?;
         Some(model.trim_start_matches([':', ' ', '\t']).to_owned())
