@@ -118,6 +118,8 @@ def test_what_cannot_be_asked_is_refused_by_name(asked: dict[str, Any], question
 
 def test_ctrl_c_ends_a_comparison_between_its_runs() -> None:
     code = (
+        # What starts the tests may have it ignored.
+        "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import formicarium\n"
         "field = formicarium.generate('random', 60, 60)\n"
         "asked = {'seeds': 1000, 'instances': [{'id': 'a', 'map': field}], 'entries': [{'id': 'ants', 'planner': 'ant-system'}]}\n"

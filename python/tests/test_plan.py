@@ -129,6 +129,8 @@ def test_other_threads_go_on_meanwhile(blocks: formicarium.Map) -> None:
 
 def test_ctrl_c_ends_a_long_plan() -> None:
     code = (
+        # What starts the tests may have it ignored.
+        "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "import formicarium\n"
         "field = formicarium.generate('random', 300, 300)\n"
         "print('begun', flush=True)\n"

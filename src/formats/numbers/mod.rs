@@ -78,7 +78,7 @@ pub(super) fn find(text: &str) -> Result<Vec<Found>, FormatError> {
     if found.is_empty() {
         return Err(FormatError::syntax(0, "the file holds no numbers", "rows of 0 and 1"));
     }
-    Ok(distinct(found))
+    distinct(found)
 }
 
 /// The one matrix of a text, or the one that is asked for, from 1.
@@ -131,15 +131,23 @@ fn list(found: &[Found]) -> String {
     parts.join("; ")
 }
 
-/// Equal matrices count once: programs repeat their map.
-fn distinct(found: Vec<Found>) -> Vec<Found> {
-    let mut kept: Vec<Found> = Vec::new();
-    for one in found.into_iter().take(MAX_MATRICES) {
-        if !kept.iter().any(|other| other.table.same_numbers(&one.table)) {
-            kept.push(one);
+/// Equal matrices count once: programs repeat their map. How often each stands there is told.
+///
+/// # Errors
+/// [`FormatError::TooLarge`] for more than [`MAX_MATRICES`].
+fn distinct(found: Vec<Found>) -> Result<Vec<Found>, FormatError> {
+    if found.len() > MAX_MATRICES {
+        let what = format!("a file with {} matrices", found.len());
+        return Err(FormatError::TooLarge { what, max: format!("{MAX_MATRICES} matrices") });
+    }
+    let mut kept: Vec<(Found, usize)> = Vec::new();
+    for one in found {
+        match kept.iter_mut().find(|(other, _)| other.table.same_numbers(&one.table)) {
+            Some((_, times)) => *times += 1,
+            None => kept.push((one, 1)),
         }
     }
-    kept
+    Ok(kept.into_iter().map(|(one, times)| if times > 1 { one.repeated(times) } else { one }).collect())
 }
 
 impl Found {
@@ -164,6 +172,12 @@ impl Found {
     fn with_notice(mut self, notice: Notice) -> Self {
         self.notices.push(notice);
         self
+    }
+
+    /// It stands in the file so many times.
+    fn repeated(self, times: usize) -> Self {
+        let message = format!("the file holds the same numbers {times} times; they were read once");
+        self.with_notice(Notice::new("matrix-repeated", message).with("count", times))
     }
 
     /// Its size, its line and its name.

@@ -123,6 +123,15 @@ fn several_matrices_are_told_apart() {
 }
 
 #[test]
+fn what_stands_there_more_than_once_is_told_and_never_cut_off() {
+    let many = |times: usize| "0 0 1\n0 1 0\n\n".repeat(times);
+    assert_eq!(notice_kinds(&many(1)), [] as [&str; 0]);
+    assert_eq!(notice_kinds(&many(3)), ["matrix-repeated"]);
+    assert_eq!(find(&many(1000)).unwrap().len(), 1);
+    assert!(refusal(&(many(1000) + "1 1 1\n0 0 0\n")).contains("1001 matrices"));
+}
+
+#[test]
 fn sizes_and_ends_above_the_rows() {
     let found = read("3 4\n0 0\n3 2\n0 0 1 0\n0 0 0 0\n1 0 0 0\n", None).unwrap();
     assert_eq!(found.ends, Some(Ends { start: [0, 0], goal: [3, 2] }));

@@ -14,6 +14,7 @@ export const zhCNRemarks = {
     'read-as': '文件没有明说格式，按推断读取。',
     archive: '从压缩包中读取了“{{name}}”。',
     'matrix-chosen': '读取了 {{count}} 个矩阵中的第 {{number}} 个。',
+    'matrix-repeated': '文件中同样的数字出现了 {{count}} 次，只读取一次。',
     'matrix-columns-joined': '分成几块打印的列已并排合并。',
     'matrix-ends': '2 读作起点，3 读作终点。',
     'matrix-labels': '$t(labels.{{which}})读作标签，不是格子。',
