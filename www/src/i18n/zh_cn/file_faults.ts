@@ -19,6 +19,8 @@ export const zhCNFileFaults: Phrases = {
   // What is too large.
   'a file of {} MiB': '{} MiB 的文件',
   'an archive of {} files': '含 {} 个文件的压缩包',
+  'a file with {} matrices': '含 {} 个矩阵的文件',
+  'a document with so much in one line or before its runs': '一行之内或运行之前的内容过多的文档',
   'what the archive holds': '压缩包的内容',
   'the number of lines': '行数',
   'a figure in {} × {} pixels': '{} × {} 像素的网格图',
@@ -26,6 +28,10 @@ export const zhCNFileFaults: Phrases = {
   'a raster of {} × {} cells': '{} × {} 格的栅格',
   'a strip or tile of {} × {} cells': '{} × {} 格的条带或图块',
   'a strip, a tile or a list in the file': '文件中的条带、图块或列表',
+
+  // Sessions and their links.
+  'it holds no session': '其中没有会话',
+  'it is damaged: {}': '已损坏：{}',
 
   // Matrices and drawings.
   '`[` is never closed': '“[”没有闭合',

@@ -216,6 +216,12 @@ export const zhCNFileRules: Phrases = {
   'as many coordinates as distances are of': '坐标数与距离的维数相同',
   'latitude to 90 and longitude to 360, as DDD.MM': '纬度不超过 90，经度不超过 360，写作 DDD.MM',
   'a number from 1 to {} (DIMENSION)': '1 至 {}（DIMENSION）的数',
+  'one run a line, in the order of the tasks': '每行一次运行，按任务的顺序',
+  'a session as the page saves it': '网页保存的会话',
+  'a session as the page saves it; docs/formats.md has its fields':
+    '网页保存的会话；各字段见 docs/formats.md',
+  'the whole address, as the share dialog copies it': '分享对话框复制的完整地址',
+  "an address with `{}`, as the page's share dialog makes it": '分享对话框给出的带“{}”的地址',
   'every place once': '每个地点恰好一次',
   'number, x, y': '编号、x、y',
   'number, x, y, z': '编号、x、y、z',
