@@ -1,9 +1,11 @@
 /** Page object of a class that computes a comparison: who shares it out, who does a share, who collects. */
+
 import { execFileSync } from 'node:child_process'
 import { readFile } from 'node:fs/promises'
 import { type Browser, type Download, expect } from '@playwright/test'
 import { encodeDocument, PREFIX } from '../../www/src/share/comparison_link'
 import { ComparisonPage, documentText } from './comparison_page'
+import { dropFiles } from './dropped_files'
 
 /** One map, two entries, five seeds. */
 export const DOCUMENT = documentText({
@@ -74,16 +76,7 @@ export class ClassPage extends ComparisonPage {
 
   /** Drops files together anywhere on the page. */
   async dropFiles(...files: [name: string, content: string | Buffer][]): Promise<void> {
-    const plain = files.map(([name, content]) => [name, Buffer.from(content).toString('base64')])
-    const transfer = await this.page.evaluateHandle((all) => {
-      const data = new DataTransfer()
-      for (const [name = '', base64 = ''] of all) {
-        const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0))
-        data.items.add(new File([bytes], name))
-      }
-      return data
-    }, plain)
-    await this.page.dispatchEvent('body', 'drop', { dataTransfer: transfer })
+    await dropFiles(this.page, 'body', files)
   }
 
   /** The states of the shares, in their order. */

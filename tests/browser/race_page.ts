@@ -1,6 +1,7 @@
 /** Page object of the race: what specs do there more than once. */
 import { type Browser, type CDPSession, expect, type Locator, type Page } from '@playwright/test'
 import type { Cell } from '../../www/src/model/cell'
+import { dropFiles } from './dropped_files'
 import { type Point, Race, runsAreLoaded } from './race'
 import { drawn } from './workers'
 
@@ -154,16 +155,7 @@ export class RacePage extends Race {
 
   /** Drops several files at once. */
   async dropTogether(files: [name: string, content: string | Buffer][]): Promise<void> {
-    const plain = files.map(([name, content]) => [name, Buffer.from(content).toString('base64')])
-    const transfer = await this.page.evaluateHandle((all) => {
-      const data = new DataTransfer()
-      for (const [name = '', base64 = ''] of all) {
-        const bytes = Uint8Array.from(atob(base64), (char) => char.charCodeAt(0))
-        data.items.add(new File([bytes], name))
-      }
-      return data
-    }, plain)
-    await this.page.dispatchEvent('main', 'drop', { dataTransfer: transfer })
+    await dropFiles(this.page, 'main', files)
   }
 
   async paste(content: string): Promise<void> {
