@@ -2,10 +2,12 @@ import { watchFile } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import preact from '@preact/preset-vite'
 import { defineConfig, type Plugin } from 'vite'
+import { beforeAll } from './before_all.ts'
 import { chartNumbers } from './chart_numbers.ts'
 import { contentSecurity } from './content_security.ts'
 import { paperCards } from './paper_cards.ts'
 import { paperQuestions } from './paper_questions.ts'
+import { partsOfPage } from './parts_of_page.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
@@ -15,7 +17,7 @@ const NEEDED =
   /src.(words.(gap|planner|height|place|objective)_words|ui.lazily|stage.(stage|keyboard|pointer)\.)/
 
 /** What begins before the rest has been read. */
-const EARLY = /src.engine.(early|load|new_worker)\.|src.model.errors\./
+const EARLY = /src.engine.(early|load|files_of_page|fetch_part|new_worker)\.|src.model.errors\./
 
 /** `cargo xtask serve --dev` writes pkg/.stamp last: the engine is new, so is the page. */
 function reloadOnNewEngine(): Plugin {
@@ -41,6 +43,8 @@ export default defineConfig({
     paperCards(),
     paperQuestions(),
     chartNumbers(),
+    partsOfPage(),
+    beforeAll(),
     contentSecurity(),
   ],
   resolve: { alias: { '@pkg': pkg } },

@@ -1,10 +1,20 @@
-import { LoaderCircle, TriangleAlert } from 'lucide'
+import { LoaderCircle, RotateCw, TriangleAlert } from 'lucide'
 import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
 import { NotePlace } from '../panels/note_place'
 import { PanelGrid } from '../panels/panel_grid'
-import { catalog, focused, lesson, showView, startError, startPage, view } from '../state'
+import {
+  catalog,
+  focused,
+  isOutdated,
+  lesson,
+  reloadPage,
+  showView,
+  startError,
+  startPage,
+  view,
+} from '../state'
 import { lazyParts } from '../state/lazy_parts'
 import { PlayBar } from '../toolbar/play_bar'
 import { Toolbar } from '../toolbar/toolbar'
@@ -82,6 +92,7 @@ function Loading() {
 
 function StartFailed() {
   const { message } = describeError(startError.value)
+  if (isOutdated(startError.value)) return <NewerVersion />
   return (
     <main class="empty" data-testid="start-failed">
       <Icon icon={TriangleAlert} size={36} />
@@ -89,6 +100,18 @@ function StartFailed() {
       <p role="alert">{t('app.failedHint')}</p>
       <Button label={t('app.retry')} tone="primary" onClick={() => startPage()} />
       <p class="hint">{message}</p>
+    </main>
+  )
+}
+
+function NewerVersion() {
+  const { message, hint } = describeError(startError.value)
+  return (
+    <main class="empty" data-testid="start-outdated">
+      <Icon icon={RotateCw} size={36} />
+      <p role="alert">{message}</p>
+      <p class="hint">{hint}</p>
+      <Button label={t('app.reload')} tone="primary" onClick={reloadPage} />
     </main>
   )
 }

@@ -132,8 +132,8 @@ function results(): PanelResult[] {
 }
 
 function errorOf({ error, crashed }: PanelLive): PanelResult['error'] {
-  if (crashed !== null) return { kind: 'crashed', message: crashed }
-  return error && { kind: error.kind, message: error.message }
+  const told = crashed ?? error
+  return told && { kind: told.kind, message: told.message }
 }
 
 function rows(panel: Panel): number[][] {

@@ -1,8 +1,8 @@
 /** Fetches and compiles each build of the engine once (see builds.ts); workers receive the compiled module and only instantiate it. */
 import coreUrl from '@pkg/core/formicarium_bg.wasm?url'
 import wholeUrl from '@pkg/formicarium_bg.wasm?url'
-import { unreachable } from '../model/errors'
 import type { Build } from './builds'
+import { fetchOwn, refuse } from './files_of_page'
 
 /** The compiled module of a build. */
 export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {
@@ -23,8 +23,7 @@ function compiledOnce(url: string): () => Promise<WebAssembly.Module> {
 }
 
 async function compile(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(url).catch(refuse)
-  if (!response.ok) throw unreachable(`HTTP ${response.status}`)
+  const response = await fetchOwn(url)
   // Static hosts that do not know application/wasm make the streaming compiler refuse; the bytes are fine all the same.
   const spare = response.clone()
   try {
@@ -32,8 +31,4 @@ async function compile(url: string): Promise<WebAssembly.Module> {
   } catch {
     return WebAssembly.compile(await spare.arrayBuffer().catch(refuse))
   }
-}
-
-function refuse(error: unknown): never {
-  throw unreachable(error instanceof Error ? error.message : String(error))
 }

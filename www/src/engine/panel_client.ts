@@ -3,6 +3,7 @@
  * shows the panel mounts this element, however often the page is rendered anew.
  */
 
+import type { EngineError } from '@pkg/formicarium'
 import { toEngineError } from '../model/errors'
 import type { Stop } from '../model/lesson'
 import type {
@@ -19,7 +20,7 @@ import type {
 } from '../model/messages'
 import { type Build, buildForRun } from './builds'
 import { modules } from './load'
-import { newWorker } from './new_worker'
+import { newWorker, whyFailed } from './new_worker'
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
 
@@ -175,12 +176,15 @@ export class PanelClient {
     const worker = newWorker(this.build)
     this.worker = worker
     worker.onmessage = (event: MessageEvent<PanelReply>) => this.receive(event.data)
-    worker.onerror = (event) => this.crash(event.message || 'the worker could not start')
+    worker.onerror = async (event) => {
+      const error = await whyFailed(worker, event)
+      if (this.worker === worker) this.fail(error)
+    }
     try {
       const module = await modules[this.build]()
       if (this.worker === worker) this.hand(module)
     } catch (error) {
-      if (this.worker === worker) this.crash(toEngineError(error).message)
+      if (this.worker === worker) this.fail(toEngineError(error))
     }
   }
 
@@ -203,7 +207,7 @@ export class PanelClient {
   }
 
   private receive(reply: PanelReply): void {
-    if (reply.kind === 'crashed') this.crash(reply.message)
+    if (reply.kind === 'failed') this.fail(reply.error)
     else if (reply.kind === 'ready') this.onReply(reply)
     else if (reply.kind === 'raster') this.handRaster(reply)
     else if (reply.kind === 'scale') this.tellScale(reply)
@@ -248,7 +252,7 @@ export class PanelClient {
   }
 
   /** The canvas is lost with its worker; a fresh one is ready for the next load. */
-  private crash(message: string): void {
+  private fail(error: EngineError): void {
     this.worker?.terminate()
     this.leaveUnanswered()
     this.worker = null
@@ -257,7 +261,7 @@ export class PanelClient {
     this.loadWaiting = null
     this.state = 'failed'
     this.renewCanvas()
-    this.onReply({ kind: 'crashed', message })
+    this.onReply({ kind: 'failed', error })
   }
 
   private renewCanvas(): void {

@@ -9,13 +9,13 @@ import type {
   Reference,
   RunSummary,
 } from '@pkg/formicarium'
-import { crash, toEngineError } from '../model/errors'
+import { toEngineError } from '../model/errors'
 import type { ParamValues, RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
 import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
 import { type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
-import { newWorker } from './new_worker'
+import { newWorker, whyFailed } from './new_worker'
 
 interface Waiting {
   resolve(value: unknown): void
@@ -38,7 +38,7 @@ export class ToolBox<C extends Calls<C>> {
     private readonly worker = newWorker(build),
   ) {
     this.worker.onmessage = (event: MessageEvent<ToolReply>) => this.settle(event.data)
-    this.worker.onerror = (event) => this.fail(event.message || 'the worker could not start')
+    this.worker.onerror = async (event) => this.fail(await whyFailed(this.worker, event))
     this.ready = modules[build]().then((module) =>
       this.worker.postMessage({ kind: 'init', module } satisfies ToolRequest),
     )
@@ -70,12 +70,11 @@ export class ToolBox<C extends Calls<C>> {
     else {
       waiting?.reject(reply.error)
       // After a trap the instance's memory cannot be trusted: the next call gets a fresh worker.
-      if (reply.error.kind === 'engine-crashed') this.fail(reply.error.message)
+      if (reply.error.kind === 'engine-crashed') this.fail(reply.error)
     }
   }
 
-  private fail(message: string): void {
-    const failure = crash(message)
+  private fail(failure: EngineError): void {
     this.failure = failure
     this.terminate()
     for (const waiting of this.waiting.values()) waiting.reject(failure)

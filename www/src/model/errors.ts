@@ -27,13 +27,25 @@ export function crash(message: string): EngineError {
   }
 }
 
-/** A part of the engine did not arrive. */
+/** A part of the page, or of the engine, did not arrive. */
 export function unreachable(reason: string): EngineError {
   return {
-    kind: 'engine-unreachable',
+    kind: 'part-unreachable',
     field: '',
-    message: `A part of the engine could not be fetched: ${reason}`,
+    message: `This part of the page could not be fetched: ${reason}`,
     hint: 'Check the connection and try again. Nothing on the page is lost.',
     args: { reason },
+  }
+}
+
+/** A file of this page is not there any more: a newer version has taken its place. */
+export function outdated(file: string): EngineError {
+  const name = file.slice(file.lastIndexOf('/') + 1)
+  return {
+    kind: 'page-outdated',
+    field: '',
+    message: `A newer version of this page is there, and a part of this one is gone: ${name}`,
+    hint: 'Reload to get it. The map, the planners and their values are kept; runs begin anew.',
+    args: { name },
   }
 }

@@ -179,5 +179,5 @@ export type PanelReply =
   | ({ kind: 'scale' } & LayerScale)
   /** The request was refused; the panel shows the map alone. */
   | { kind: 'refused'; runId: number; error: EngineError }
-  /** The worker itself failed. */
-  | { kind: 'crashed'; message: string }
+  /** The worker itself has failed, or could not be fetched. */
+  | { kind: 'failed'; error: EngineError }

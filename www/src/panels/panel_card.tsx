@@ -9,10 +9,12 @@ import {
   columnOpen,
   focused,
   focusOn,
+  isOutdated,
   leaveFocus,
   type Panel,
   panelById,
   plannerEntry,
+  reloadPage,
   removePanel,
   reset,
   restart,
@@ -166,15 +168,7 @@ function isShownAtItsField(panel: Panel, { field }: EngineError): boolean {
 function PanelTrouble({ panel }: { panel: Panel }) {
   const { error, crashed } = panel.live.value
   if (!plannerEntry(panel.setup.planner)) return <PlannerOnItsWay />
-  if (crashed !== null) {
-    return (
-      <div class="panel-trouble" role="alert">
-        <p>{t('panels.crashed')}</p>
-        <p class="hint">{crashed}</p>
-        <Button label={t('panels.restart')} onClick={reset} />
-      </div>
-    )
-  }
+  if (crashed !== null) return <WorkerTrouble error={crashed} />
   if (!error || isShownAtItsField(panel, error)) return null
   const { message, hint } = describeError(error)
   return (
@@ -182,6 +176,23 @@ function PanelTrouble({ panel }: { panel: Panel }) {
       <p>{message}</p>
       <p class="hint">{hint}</p>
       {UNSUITED.includes(error.kind) && <UseAnother panel={panel} />}
+    </div>
+  )
+}
+
+/** A planner that has no worker any more, or has none yet. */
+function WorkerTrouble({ error }: { error: EngineError }) {
+  if (error.kind === 'part-unreachable') return <NotFetched />
+  const { message, hint } = describeError(error)
+  return (
+    <div class="panel-trouble" role="alert">
+      <p>{isOutdated(error) ? message : t('panels.crashed')}</p>
+      <p class="hint">{isOutdated(error) ? hint : message}</p>
+      {isOutdated(error) ? (
+        <Button label={t('app.reload')} onClick={reloadPage} />
+      ) : (
+        <Button label={t('panels.restart')} onClick={reset} />
+      )}
     </div>
   )
 }
@@ -215,6 +226,10 @@ function PlannerOnItsWay() {
       </div>
     )
   }
+  return <NotFetched />
+}
+
+function NotFetched() {
   return (
     <div class="panel-trouble" role="alert" data-testid="panel-not-fetched">
       <p>{t('panels.notFetched')}</p>

@@ -15,8 +15,10 @@ export {
   dismiss,
   goOn,
   hold,
+  isOutdated,
   notify,
   notifyError,
+  reloadPage,
   type Toast,
   toasts,
 } from './notices'

@@ -29,7 +29,7 @@ export function latest(panelId: number): PanelLive {
 /** The one way in for everything a panel's worker says. */
 export function onReply(panelId: number, reply: PanelReply): void {
   const panel = panelById(panelId)
-  if (!panel || !('runId' in reply || reply.kind === 'crashed')) return
+  if (!panel || !('runId' in reply || reply.kind === 'failed')) return
   const before = latest(panelId)
   if (reply.kind === 'frame') {
     historyOf(panelId).append(reply.history)
@@ -46,7 +46,7 @@ export function onReply(panelId: number, reply: PanelReply): void {
   } else if (reply.kind === 'refused') {
     pending.set(panelId, { ...before, objective: null, error: reply.error })
   } else {
-    pending.set(panelId, { ...before, crashed: reply.message })
+    pending.set(panelId, { ...before, crashed: reply.error })
   }
   schedule()
 }

@@ -2,7 +2,9 @@
 
 import type { EngineError } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
+import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
+import { isEngineError } from '../model/errors'
 
 export type Tone = 'info' | 'success' | 'warning' | 'error'
 
@@ -75,7 +77,14 @@ export function dismiss(id: number): void {
 
 export function notifyError(error: unknown): void {
   const { message, hint } = describeError(error)
-  notify('error', message, { hint })
+  const action = isOutdated(error) ? { label: t('app.reload'), run: reloadPage } : null
+  notify('error', message, { hint, action, stays: action !== null })
 }
+
+/** Only a newer version of the page can help. */
+export const isOutdated = (error: unknown) => isEngineError(error) && error.kind === 'page-outdated'
+
+/** What is on the page has been stored (state/stored_session.ts). */
+export const reloadPage = () => location.reload()
 
 export type { EngineError }

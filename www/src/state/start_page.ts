@@ -11,7 +11,7 @@ import { watchScenario } from './optimum'
 import { admitWaiting, autoplay, openFirstSession, openFragment, verifyWaiting } from './sessions'
 import { catalog, engineVersion, startError, wholeEngine } from './store'
 import { openStoredSession, storeSessionChanges } from './stored_session'
-import { fetchWholeEngineWhenIdle } from './whole_engine'
+import { fetchWholeEngineOnceOnline, fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
 
@@ -36,6 +36,7 @@ function watch(): void {
   watchScenario()
   storeSessionChanges()
   fetchWholeEngineWhenIdle()
+  fetchWholeEngineOnceOnline()
   effect(() => {
     if (wholeEngine.value !== 'here') return
     untracked(admitWaiting)

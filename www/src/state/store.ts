@@ -38,8 +38,8 @@ export interface PanelLive {
   /** Altitude in metres of each of its places; empty on a plane. */
   bestAltitudes: Float64Array | null
   error: EngineError | null
-  /** What the worker said when it failed. */
-  crashed: string | null
+  /** Why the worker is gone: it has failed, or could not be fetched. */
+  crashed: EngineError | null
   verified: Verification
 }
 

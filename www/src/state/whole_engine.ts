@@ -68,6 +68,13 @@ function untilNobodyTypes(): Promise<void> {
   })
 }
 
+/** A connection that has come back is an occasion to try again. */
+export function fetchWholeEngineOnceOnline(): void {
+  addEventListener('online', () => {
+    if (wholeEngine.peek() === 'failed') void fetchWholeEngine()
+  })
+}
+
 /** Waits until a run moves, or is paused on purpose: nothing may compete with what a visitor waits for. */
 export function fetchWholeEngineWhenIdle(): void {
   let asked = false

@@ -3,7 +3,7 @@
  * (see messages.ts).
  */
 import type * as core from '@pkg/core/formicarium'
-import { isEngineError } from '../model/errors'
+import { crash, isEngineError } from '../model/errors'
 import { KEPT_BYTES } from '../model/kept_bytes'
 import type { Stop } from '../model/lesson'
 import type {
@@ -209,7 +209,10 @@ async function answer(request: PanelRequest): Promise<void> {
       if (request.kind === 'load') refuse(request.setup)
       reply({ kind: 'refused', runId: request.runId, error: thrown })
     } else {
-      reply({ kind: 'crashed', message: thrown instanceof Error ? thrown.message : String(thrown) })
+      reply({
+        kind: 'failed',
+        error: crash(thrown instanceof Error ? thrown.message : String(thrown)),
+      })
     }
   }
 }

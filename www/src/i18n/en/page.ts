@@ -10,6 +10,7 @@ export const en = {
     failed: 'The engine could not start',
     failedHint: 'Check the connection and try again. A current browser with WebAssembly is needed.',
     retry: 'Try again',
+    reload: 'Reload',
   },
   common: {
     close: 'Close',

@@ -335,9 +335,13 @@ export const zhCNRemarks = {
       message: '图片中没有会话，也没有比较',
       hint: '此处保存的图片带有会话或比较，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',
     },
-    'engine-unreachable': {
-      message: '无法获取引擎的这一部分',
+    'part-unreachable': {
+      message: '无法获取页面的这一部分：{{reason}}',
       hint: '请检查网络连接后重试；页面上的内容没有丢失',
+    },
+    'page-outdated': {
+      message: '本页面已有新版本，旧版本的这一部分已不存在：{{name}}',
+      hint: '重新加载即可更新。地图、规划器及其参数都会保留，运行将重新开始',
     },
     'engine-crashed': { message: '引擎已停止', hint: '绘制的内容没有丢失；重置即可重新启动引擎' },
   },

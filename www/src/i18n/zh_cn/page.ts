@@ -10,6 +10,7 @@ export const zhCN: DictionaryShape<typeof en> = {
     failed: '引擎无法启动',
     failedHint: '请检查网络后重试。需要支持 WebAssembly 的新版浏览器。',
     retry: '重试',
+    reload: '重新加载',
   },
   common: {
     close: '关闭',

@@ -1,8 +1,9 @@
 /** The worker that keeps all runs of the open comparison. */
+import { workerAt } from '../../engine/new_worker'
 import { ToolBox } from '../../engine/tools'
 import type { AnalystCalls } from '../../model/comparison_calls'
-import AnalystWorker from '../../worker/analyst.worker?worker'
+import analystUrl from '../../worker/analyst.worker?worker&url'
 
 export type Analyst = ToolBox<AnalystCalls>
 
-export const newAnalyst = (): Analyst => new ToolBox<AnalystCalls>('whole', new AnalystWorker())
+export const newAnalyst = (): Analyst => new ToolBox<AnalystCalls>('whole', workerAt(analystUrl))

@@ -1,9 +1,10 @@
 /** Does runs on as many workers as the machine has processors. Each has its own engine; a run's result does not depend on its worker. */
 import type { DoneRun, EngineError } from '@pkg/formicarium'
+import { workerAt } from '../../engine/new_worker'
 import { ToolBox } from '../../engine/tools'
 import type { PoolCalls } from '../../model/comparison_calls'
 import { toEngineError } from '../../model/errors'
-import PoolThread from '../../worker/pool.worker?worker'
+import poolUrl from '../../worker/pool.worker?worker&url'
 
 /** What a pool is to do, and whom it tells. */
 export interface Work {
@@ -150,7 +151,7 @@ class PoolWorker {
   /** After a trap the instance's memory cannot be trusted: the next run gets a fresh worker. */
   private worker(): ToolBox<PoolCalls> {
     if (this.box === null || this.box.dead) {
-      this.box = new ToolBox<PoolCalls>('whole', new PoolThread())
+      this.box = new ToolBox<PoolCalls>('whole', workerAt(poolUrl))
       // A document that cannot be opened makes its runs fail, one by one.
       this.box.call('open', this.document).catch(() => {})
     }

@@ -1,0 +1,42 @@
+/**
+ * before_all.js stands in the page itself and starts it: a browser that cannot run the page fetches nothing of it and is told why, in any
+ * language that it can read.
+ */
+import { readFileSync } from 'node:fs'
+import type { Plugin } from 'vite'
+
+const PLACE = '<!--before-all-->'
+const MODULE = /\s*<script type="module" crossorigin src="([^"]+)"><\/script>/
+const PRELOADED = /\s*<link rel="modulepreload" crossorigin href="([^"]+)">/g
+
+export function beforeAll(): Plugin {
+  let serves = false
+  return {
+    name: 'formicarium:before-all',
+    configResolved({ command }) {
+      serves = command === 'serve'
+    },
+    transformIndexHtml: {
+      order: 'post',
+      // While one edits, the page's script stands where Vite wants it.
+      handler: (html) => (serves ? filled(html, []) : started(html)),
+    },
+  }
+}
+
+/** With the scripts that the page begins with taken out and named to before_all.js. */
+function started(html: string): string {
+  const [, first] = MODULE.exec(html) ?? []
+  if (!first) throw new Error('the page has no script to begin with')
+  const others = [...html.matchAll(PRELOADED)].map(([, address = '']) => address)
+  return filled(html.replace(MODULE, '').replace(PRELOADED, ''), [first, ...others])
+}
+
+/** Without its remarks and indents. */
+function filled(html: string, scripts: string[]): string {
+  const code = readFileSync(new URL('before_all.js', import.meta.url), 'utf8')
+    .replace(/^\s*\/\/.*\n/gm, '')
+    .replace(/^\s+/gm, '')
+    .replace('SCRIPTS', JSON.stringify(scripts))
+  return html.replace(PLACE, () => `<script>${code}</script>`)
+}
