@@ -1,5 +1,5 @@
 // Before all else, and in words that old browsers know: the theme, whether this browser can run the page, and what begins then.
-// Stands in the page itself (before_all.ts), which puts the addresses of its scripts in the place of SCRIPTS.
+// Stands in the page itself: before_all.ts puts the addresses of its scripts where `scripts` gets its value.
 ;(function () {
   var LEAST = 'Chrome / Edge 110, Firefox 115, Safari 16.4'
   var inChinese = /^zh/i.test(navigator.language)

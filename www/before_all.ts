@@ -3,7 +3,8 @@
  * language that it can read.
  */
 import { readFileSync } from 'node:fs'
-import type { Plugin } from 'vite'
+import { fileURLToPath } from 'node:url'
+import { minifySync, type Plugin } from 'vite'
 
 const PLACE = '<!--before-all-->'
 const MODULE = /\s*<script type="module" crossorigin src="([^"]+)"><\/script>/
@@ -32,11 +33,9 @@ function started(html: string): string {
   return filled(html.replace(MODULE, '').replace(PRELOADED, ''), [first, ...others])
 }
 
-/** Without its remarks and indents. */
 function filled(html: string, scripts: string[]): string {
-  const code = readFileSync(new URL('before_all.js', import.meta.url), 'utf8')
-    .replace(/^\s*\/\/.*\n/gm, '')
-    .replace(/^\s+/gm, '')
-    .replace('SCRIPTS', JSON.stringify(scripts))
-  return html.replace(PLACE, () => `<script>${code}</script>`)
+  const file = fileURLToPath(new URL('before_all.js', import.meta.url))
+  const code = readFileSync(file, 'utf8').replace('SCRIPTS', JSON.stringify(scripts))
+  const { code: small } = minifySync(file, code, { compress: { target: 'es2015' } })
+  return html.replace(PLACE, () => `<script>${small}</script>`)
 }

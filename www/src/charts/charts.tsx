@@ -1,6 +1,7 @@
 /** The card of charts: how runs converge and, on a terrain, how their best paths go up and down. */
 import { signal } from '@preact/signals'
-import { t } from '../i18n'
+import '../styles/relief.css'
+import { t } from '../i18n/column'
 import { onTerrain } from '../state/relief'
 import { lazily } from '../ui/lazily'
 import { Section } from '../ui/section'

@@ -1,6 +1,6 @@
 /** How runs converge. The chart is fetched when there is a first curve to draw: ants should not have to wait for it. */
 import { useComputed } from '@preact/signals'
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 import { lazily } from '../ui/lazily'
 import { PanelKeys } from './panel_keys'
 import { isEmpty, showsCost } from './shown_curves'

@@ -1,6 +1,6 @@
 /** Which curves are drawn beside the best so far. */
 import type { Signal } from '@preact/signals'
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 import { showIterationBest, showMean } from './shown_curves'
 
 export function CurveToggles() {

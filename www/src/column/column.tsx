@@ -2,7 +2,7 @@
 import '../styles/column_part.css'
 import { X } from 'lucide'
 import { Charts } from '../charts/charts'
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 import { Goals } from '../panels/goals'
 import { MetricsTable } from '../panels/metrics_table'
 import { Parameters } from '../panels/parameters'

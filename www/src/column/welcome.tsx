@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals'
 import { BrickWall, Share2, SlidersHorizontal, X } from 'lucide'
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 import { showParameters } from '../panels/places'
 import { recall, remember, selectedPanel, tool } from '../state'
 import { show } from '../state/dialogs'

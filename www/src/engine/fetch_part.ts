@@ -50,9 +50,9 @@ async function style(href: string): Promise<void> {
     link.onerror = () => reject(new Error('a style has not been read'))
   })
   document.head.append(link)
-  await loaded.catch((error: unknown) => {
+  await loaded.catch(() => {
     link.remove()
-    refuse(error)
+    refuse()
   })
 }
 

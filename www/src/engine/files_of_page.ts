@@ -9,13 +9,14 @@ export async function fetchOwn(url: string): Promise<Response> {
   const response = await fetch(url).catch(refuse)
   if (response.ok && !isPage(response)) return response
   // Some hosts answer with the page itself where a file is not there.
-  if (response.ok || response.status === 404 || response.status === 410) throw outdated(url)
+  if (response.ok || response.status === 404 || response.status === 410) throw outdated()
   throw unreachable(`HTTP ${response.status}`)
 }
 
 const isPage = (response: Response) =>
   response.headers.get('content-type')?.startsWith('text/html') ?? false
 
-export function refuse(error: unknown): never {
-  throw unreachable(error instanceof Error ? error.message : String(error))
+/** For what a browser says of a connection that has failed: nothing that would help. */
+export function refuse(): never {
+  throw unreachable()
 }

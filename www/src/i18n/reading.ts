@@ -1,8 +1,9 @@
 /** `t` for legends of maps and cursors of charts, whose words are fetched with them. */
-import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
+import { addWords, type KeyOf } from '.'
+import { type ColumnKey, t as tOfPage } from './column'
 import { enReading } from './en/reading'
 
-export type ReadingKey = TextKey | KeyOf<typeof enReading>
+export type ReadingKey = ColumnKey | KeyOf<typeof enReading>
 
 export const t = tOfPage as (key: ReadingKey, args?: Record<string, unknown>) => string
 

@@ -28,24 +28,24 @@ export function crash(message: string): EngineError {
 }
 
 /** A part of the page, or of the engine, did not arrive. */
-export function unreachable(reason: string): EngineError {
+export function unreachable(why = ''): EngineError {
+  const reason = why && ` (${why})`
   return {
     kind: 'part-unreachable',
     field: '',
-    message: `This part of the page could not be fetched: ${reason}`,
+    message: `This part of the page could not be fetched${reason}`,
     hint: 'Check the connection and try again. Nothing on the page is lost.',
     args: { reason },
   }
 }
 
 /** A file of this page is not there any more: a newer version has taken its place. */
-export function outdated(file: string): EngineError {
-  const name = file.slice(file.lastIndexOf('/') + 1)
+export function outdated(): EngineError {
   return {
     kind: 'page-outdated',
     field: '',
-    message: `A newer version of this page is there, and a part of this one is gone: ${name}`,
+    message:
+      'A newer version of this page has been put in its place, and a part of this one is gone.',
     hint: 'Reload to get it. The map, the planners and their values are kept; runs begin anew.',
-    args: { name },
   }
 }

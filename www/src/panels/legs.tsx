@@ -1,5 +1,6 @@
 /** A tour leg by leg: what was planned, what is walked, and what it weighs. */
-import { numbers, t } from '../i18n'
+import { numbers } from '../i18n'
+import { t } from '../i18n/column'
 import { goalName, goalWeight } from '../model/goals'
 import { type Panel, panelById, scenario, shownOf } from '../state'
 

@@ -1,7 +1,8 @@
 import type { CatalogEntry, EngineError, ParamSpec } from '@pkg/formicarium'
 import { type Signal, useComputed, useSignal, useSignalEffect } from '@preact/signals'
 import { BookOpen, ChevronDown, ChevronRight, RotateCcw } from 'lucide'
-import { t, translated } from '../i18n'
+import { translated } from '../i18n'
+import { t } from '../i18n/column'
 import type { ParamValues } from '../model/messages'
 import {
   baseSet,

@@ -1,6 +1,7 @@
 /** How a terrain is looked at: contour lines, from above or in three dimensions, how much its heights are exaggerated. */
 import { Mountain } from 'lucide'
 import { useId } from 'preact/hooks'
+import '../styles/relief.css'
 import { numbers, t } from '../i18n'
 import { inRelief, showContours, showRelief } from '../state/relief'
 import { IconButton } from '../ui/buttons'

@@ -1,6 +1,7 @@
 /** One panel's terrain in three dimensions, in place of its flat map. */
 import { useComputed, useSignal } from '@preact/signals'
 import { useEffect, useRef } from 'preact/hooks'
+import '../styles/relief.css'
 import { t } from '../i18n'
 import { CellReadout } from '../stage/cell_readout'
 import { watchSize } from '../stage/element_size'

@@ -8,9 +8,10 @@ import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
 import { notifyError } from './notices'
 import { watchScenario } from './optimum'
+import { canUndo } from './scenarios'
 import { admitWaiting, autoplay, openFirstSession, openFragment, verifyWaiting } from './sessions'
 import { catalog, engineVersion, startError, wholeEngine } from './store'
-import { openStoredSession, storeSessionChanges } from './stored_session'
+import { SESSION_KEY } from './stored_key'
 import { fetchWholeEngineOnceOnline, fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
@@ -27,14 +28,34 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
-  if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
+  if (!(await openFragment(location.hash)) && !(await openStored())) openFirstSession()
   autoplay()
+}
+
+/** Opens what the tab has stored, if it has. */
+async function openStored(): Promise<boolean> {
+  try {
+    if (sessionStorage.getItem(SESSION_KEY) === null) return false
+  } catch {
+    return false
+  }
+  return (await import('./stored_session')).openStoredSession()
+}
+
+/** Nothing is there to be stored before: what the whole engine waits for, it waits for too. */
+function storeChangesOnceIdle(): void {
+  let asked = false
+  effect(() => {
+    if (asked || (wholeEngine.value === 'absent' && !canUndo.value)) return
+    asked = true
+    import('./stored_session').then((stored) => stored.storeSessionChanges(), notifyError)
+  })
 }
 
 function watch(): void {
   watching = true
   watchScenario()
-  storeSessionChanges()
+  storeChangesOnceIdle()
   fetchWholeEngineWhenIdle()
   fetchWholeEngineOnceOnline()
   effect(() => {

@@ -11,8 +11,8 @@ import { inspected, lookedAt } from './looking'
 import { canUndo, fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession, readied } from './sessions'
 import { caption, galleryId, layer, panels, scenario, seed, speed, sync } from './store'
+import { SESSION_KEY as KEY } from './stored_key'
 
-const KEY = 'formicarium.session'
 /** Waits until a drag has ended. */
 const SETTLE_MS = 400
 /** Larger maps would take too long to pack while the reader draws, and fill the storage. */

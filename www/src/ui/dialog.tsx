@@ -1,6 +1,7 @@
 import { TriangleAlert, X } from 'lucide'
 import type { ComponentChildren } from 'preact'
 import { useEffect, useId, useLayoutEffect, useRef } from 'preact/hooks'
+import '../styles/dialogs.css'
 import { t } from '../i18n'
 import { dialogNotice, dismissInDialog } from '../state/dialog_notice'
 import { IconButton } from './buttons'

@@ -336,11 +336,11 @@ export const zhCNRemarks = {
       hint: '此处保存的图片带有会话或比较，但有些程序重新保存时会将其去掉；请索取原图、链接或文件',
     },
     'part-unreachable': {
-      message: '无法获取页面的这一部分：{{reason}}',
+      message: '无法获取页面的这一部分{{reason}}',
       hint: '请检查网络连接后重试；页面上的内容没有丢失',
     },
     'page-outdated': {
-      message: '本页面已有新版本，旧版本的这一部分已不存在：{{name}}',
+      message: '页面已更新为新版本，旧版本的这一部分已不存在',
       hint: '重新加载即可更新。地图、规划器及其参数都会保留，运行将重新开始',
     },
     'engine-crashed': { message: '引擎已停止', hint: '绘制的内容没有丢失；重置即可重新启动引擎' },
