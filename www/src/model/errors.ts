@@ -47,5 +47,6 @@ export function outdated(): EngineError {
     message:
       'A newer version of this page has been put in its place, and a part of this one is gone.',
     hint: 'Reload to get it. The map, the planners and their values are kept; runs begin anew.',
+    args: {},
   }
 }
