@@ -8,6 +8,7 @@ import { contentSecurity } from './content_security.ts'
 import { paperCards } from './paper_cards.ts'
 import { paperQuestions } from './paper_questions.ts'
 import { partsOfPage } from './parts_of_page.ts'
+import { versionOfPage } from './version_of_page.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
@@ -44,6 +45,7 @@ export default defineConfig({
     paperQuestions(),
     chartNumbers(),
     partsOfPage(),
+    versionOfPage(pkg),
     beforeAll(),
     contentSecurity(),
   ],

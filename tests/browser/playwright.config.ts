@@ -30,6 +30,8 @@ export default defineConfig({
     browserName: 'chromium',
     launchOptions: { executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium' },
     trace: 'off',
+    // The copy that the page makes of itself is tested by offline.spec.ts alone.
+    serviceWorkers: 'block',
   },
   projects: [
     {

@@ -70,16 +70,13 @@ test.describe('offline', () => {
     })
     const race = new RacePage(page)
     await race.openAtRest()
-    await page
-      .evaluate(
-        (planner) =>
-          window.formicarium.load({
-            ...window.formicarium.session(),
-            panels: [{ planner, preset: null, params: {}, result: null }],
-          }),
-        LATER,
-      )
-      .catch(() => {})
+    await page.evaluate((planner) => {
+      const session = window.formicarium.session()
+      const [panel] = session?.panels ?? []
+      if (!session || !panel) return
+      const panels = [{ ...panel, planner, result: null }]
+      return window.formicarium.load({ ...session, panels }).catch(() => {})
+    }, LATER)
     await expect(page.getByTestId('panel-not-fetched')).toContainText('could not be fetched')
     await expect(page.getByTestId('panel-1')).not.toContainText('unexpectedly')
     await context.unroute(/\.wasm$/)

@@ -6,10 +6,11 @@ import { startLanguage } from '../i18n'
 import { notifyError, startPage } from '../state'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
+import { openLaunched } from './launched_files'
 import { listenForPaste } from './paste'
 import { offerScripting } from './scripting'
 import { listenForKeys } from './shortcuts'
-import { whenAntsWalk } from './when_ants_walk'
+import { whenAntsWalk, whenAtRest } from './when_ants_walk'
 
 /** What comes sooner is not announced. */
 const SOON_MS = 400
@@ -23,12 +24,14 @@ async function main(): Promise<void> {
   whenAntsWalk(() =>
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )
+  whenAtRest(() => import('../offline').then(({ keepPage }) => keepPage()))
   const started = startPage()
   const soon = new Promise((resolve) => setTimeout(resolve, SOON_MS))
   await Promise.race([started.catch(() => {}), soon])
   const root = document.getElementById('app')
   if (root) render(<App />, root)
   await started
+  openLaunched()
 }
 
 void main()

@@ -2,6 +2,9 @@ import { t } from '../i18n/dialogs'
 import { engineVersion } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Dialog } from '../ui/dialog'
+import { lazily } from '../ui/lazily'
+
+const OfflineSection = lazily(async () => (await import('../offline')).fetchSection())
 
 type KeyName =
   | 'play'
@@ -85,6 +88,7 @@ export function HelpDialog() {
         <KeyTable title={t('help.runKeys')} rows={RUN_KEYS} />
         <KeyTable title={t('help.mapKeys')} rows={MAP_KEYS} />
       </div>
+      <OfflineSection />
       <p class="hint">{t('help.scripting', { version: engineVersion.value })}</p>
     </Dialog>
   )
