@@ -24,6 +24,7 @@ export const DIST = join(__dirname, '../../www/dist')
 export class StaticHost {
   /** Paths that were asked for. */
   readonly asked: string[] = []
+  private isBroken = false
 
   private constructor(
     readonly folder: string,
@@ -62,7 +63,16 @@ export class StaticHost {
     writeFileSync(file, how(readFileSync(file, 'utf8')))
   }
 
+  /** Whether every request fails from now on, as on a bad line. */
+  breakConnections(broken: boolean): void {
+    this.isBroken = broken
+  }
+
   private answer(url: string, response: ServerResponse, headers: Record<string, string>): void {
+    if (this.isBroken) {
+      response.destroy()
+      return
+    }
     const path = decodeURIComponent(new URL(url, 'http://host/').pathname)
     this.asked.push(path)
     const name = path.startsWith(this.base) ? path.slice(this.base.length) || 'index.html' : ''

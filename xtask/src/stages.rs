@@ -1,5 +1,6 @@
 //! What each stage of `cargo xtask test` runs.
 
+use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::Result;
@@ -36,12 +37,14 @@ pub enum Stage {
     Bench,
     /// The page in Chromium, by Playwright
     Browser,
-    /// Strokes, runs and links in Firefox and WebKitGTK; runs only when it is named
+    /// The page in Firefox and WebKitGTK
     OtherBrowsers,
+    /// Strokes on many screens in Firefox and WebKitGTK; runs only when it is named
+    EveryScreen,
 }
 
 impl Stage {
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Fmt,
         Self::Clippy,
         Self::Deny,
@@ -55,11 +58,12 @@ impl Stage {
         Self::Bench,
         Self::Browser,
         Self::OtherBrowsers,
+        Self::EveryScreen,
     ];
 
     /// Whether it runs when no stage is named.
     pub fn by_default(self) -> bool {
-        self != Self::OtherBrowsers
+        self != Self::EveryScreen
     }
 
     pub fn name(self) -> &'static str {
@@ -77,6 +81,7 @@ impl Stage {
             Self::Bench => "bench",
             Self::Browser => "browser",
             Self::OtherBrowsers => "other-browsers",
+            Self::EveryScreen => "every-screen",
         }
     }
 
@@ -97,7 +102,8 @@ impl Stage {
             Self::Page => page::check(),
             Self::Bench => bench(),
             Self::Browser => browser(),
-            Self::OtherBrowsers => other_browsers(),
+            Self::OtherBrowsers => other_browsers("--grep-invert"),
+            Self::EveryScreen => other_browsers("--grep"),
         }
     }
 }
@@ -132,20 +138,25 @@ fn bench() -> Result<()> {
 fn browser() -> Result<()> {
     install::chromium()?;
     page::build(None)?;
-    // Results of the page are compared with those of the command line, bit for bit.
-    run(tools::cargo().args(["build", "--package", "formicarium", "--bin", "formicarium"]))?;
     let mut tests = playwright("playwright.config.ts");
-    tests.env("FORMICARIUM_CLI", tools::target_dir().join("debug/formicarium"));
+    tests.env("FORMICARIUM_CLI", command_line()?);
     run(with_data(&mut tests))
 }
 
-/// Chromium runs beside them: what it reaches is what they must reach.
-fn other_browsers() -> Result<()> {
+/// The command line, with whose results those of the page are compared, bit for bit.
+fn command_line() -> Result<PathBuf> {
+    run(tools::cargo().args(["build", "--package", "formicarium", "--bin", "formicarium"]))?;
+    Ok(tools::target_dir().join("debug/formicarium"))
+}
+
+/// Chromium runs beside them: what it reaches is what they must reach. `option` says what is to become of the tests on every screen.
+fn other_browsers(option: &str) -> Result<()> {
     install::chromium()?;
     let browsers = install::other_browsers()?;
     page::build(None)?;
     let mut tests = playwright("other/playwright.config.ts");
-    run(tests.env("FIREFOX_PATH", browsers.firefox).env("WEBKIT_DRIVER", browsers.webkit_driver))
+    tests.args([option, "@every-screen"]).env("FORMICARIUM_CLI", command_line()?);
+    run(with_data(tests.env("FIREFOX_PATH", browsers.firefox).env("WEBKIT_DRIVER", browsers.webkit_driver)))
 }
 
 /// The specs of a configuration below tests/browser/.

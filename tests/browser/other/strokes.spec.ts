@@ -10,11 +10,14 @@ declare global {
   }
 }
 
+/** One screen is drawn on with every change; all of them in a mode of its own. */
+const [USUAL] = SCREENS
+
 for (const [width, height] of SCREENS)
   for (const running of [false, true])
-    test(`a stroke is where it was drawn, ${running ? 'while it runs' : 'at rest'}, on ${width} × ${height}`, async ({
-      other,
-    }) => {
+    test(`a stroke is where it was drawn, ${running ? 'while it runs' : 'at rest'}, on ${width} × ${height}`, {
+      tag: width === USUAL[0] && height === USUAL[1] ? [] : ['@every-screen'],
+    }, async ({ other }) => {
       const { race } = other
       await other.resize(width, height)
       await race.openAtRest()

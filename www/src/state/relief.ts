@@ -18,6 +18,8 @@ export const inRelief = computed(() => wanted.value && onTerrain.value && relief
 export async function showRelief(on: boolean): Promise<void> {
   wanted.value = on
   if (!on || !onTerrain.peek()) return
+  // Whoever asks for it is told once for all that there is none: browsers log each try.
+  if (!canDraw()) return leaveRelief('missing')
   try {
     relief.value ??= await lazyParts.relief()
     announce(t('relief.opened'))
@@ -25,6 +27,13 @@ export async function showRelief(on: boolean): Promise<void> {
     wanted.value = false
     notifyError(error)
   }
+}
+
+/** Whether the browser has WebGL; asked for once. */
+let drawable: boolean | null = null
+function canDraw(): boolean {
+  drawable ??= new OffscreenCanvas(1, 1).getContext('webgl2') !== null
+  return drawable
 }
 
 /** On a plane there is nothing to see in three dimensions. */
