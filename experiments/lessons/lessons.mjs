@@ -34,24 +34,30 @@ export const LESSONS = [
     race: { entries: ['trails', 'blind'], sync: 'iterations', speed: 'move-2' },
     lesson: { stops: [{ when: 'iteration', iterations: 10 }] },
     measured: (all) => ({
-      ...branches(all),
+      short: branches(all).short,
+      long: branches(all).long,
       blind: percent(onShort(all.plans('blind'))),
       ratio: length(LONG / SHORT),
     }),
-    holds: (all) => branches(all).short >= 0.9 * all.seeds && isHalf(onShort(all.plans('blind'))),
+    holds: (all) =>
+      branches(all).mixed === 0 &&
+      branches(all).short >= 0.9 * all.seeds &&
+      isHalf(onShort(all.plans('blind'))),
   },
   {
     id: 'stagnation',
     race: { entries: ['ant-system', 'max-min'], sync: 'iterations', speed: 'iteration' },
     lesson: { stops: [{ when: 'stagnation', iterations: 30 }] },
-    measured: ({ line, rows, wins }) => ({
+    measured: ({ line, rows, wins, plans }) => ({
+      same: plans('ant-system').filter(allOnOne).length,
       median: line('ant-system').median_iteration_of_best,
       latest: latestBest(rows('ant-system')),
       gap: percent(line('ant-system').median_gap),
       limitsGap: percent(line('max-min').median_gap),
       wins: wins('max-min', 'ant-system'),
     }),
-    holds: ({ line, rows, wins, seeds }) =>
+    holds: ({ line, rows, wins, plans, seeds }) =>
+      plans('ant-system').every(allOnOne) &&
       latestBest(rows('ant-system')) <= 150 &&
       line('ant-system').median_gap > 2 * line('max-min').median_gap &&
       wins('max-min', 'ant-system') >= 0.8 * seeds,
@@ -183,6 +189,12 @@ const PUBLISHED = { basic: 30.275, improved: 27.626 }
 /** Iteration after which no run found anything better. */
 function latestBest(rows) {
   return Math.max(...rows.map(({ iteration_of_best }) => Number(iteration_of_best)))
+}
+
+/** Whether all ants of the last iteration walked paths of one length. */
+function allOnOne({ history }) {
+  const { iteration_best, iteration_worst } = history.at(-1)
+  return iteration_best === iteration_worst
 }
 
 /** In how many runs all ants of the last iteration took the short branch, the long one, or not all the same. */

@@ -5,6 +5,7 @@ import {
   Download,
   Eraser,
   Flag,
+  GraduationCap,
   Map as MapIcon,
   PenLine,
   RotateCcw,
@@ -55,6 +56,13 @@ export function MapMenu() {
       <MenuColumn>
         <MenuHeading text={t('maps.gallery')} />
         {galleryItems('ready')}
+        <MenuItem
+          icon={GraduationCap}
+          label={t('maps.lessons')}
+          note={t('maps.lessonsNote')}
+          testId="open-lessons"
+          onClick={() => show('lessons')}
+        />
         <MenuItem
           icon={RotateCcw}
           label={t('maps.startOver')}

@@ -79,6 +79,13 @@ export type Named = Pick<PanelSetup, 'planner' | 'preset' | 'params' | 'label'>
 export interface LeftSessionsPart {
   changeSession(arrival: Arrival): Promise<void>
 }
+
+/** The gallery of lessons (state/gallery_lessons.ts). */
+export interface LessonsPart {
+  /** Puts a lesson on the page, at rest; throws where there is none of this name. */
+  openLesson(id: string): Promise<void>
+}
+
 /** At the transport · on a panel's map · the card of what is being done · the target in one line · its field in the share dialog. */
 export type LessonPiece = 'tools' | 'map' | 'cards' | 'target' | 'field'
 
@@ -87,6 +94,7 @@ export interface LazyParts {
   walls(): Promise<unknown>
   opener(): Promise<OpenerPart>
   leftSessions(): Promise<LeftSessionsPart>
+  lessons(): Promise<LessonsPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   names(): Promise<NamesPart>
@@ -106,6 +114,7 @@ export const lazyParts: LazyParts = {
   walls: missing,
   opener: missing,
   leftSessions: missing,
+  lessons: missing,
   lab: missing,
   relief: missing,
   names: missing,

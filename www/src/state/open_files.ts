@@ -18,6 +18,7 @@ import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
 import { areJournals, contentOf, takeInJournals } from './journal_files'
 import { lazyParts } from './lazy_parts'
+import { LESSON_PREFIX } from './lesson'
 import { canBeOpened, type Looked, lookAt } from './looked_files'
 import {
   type FoundFile,
@@ -65,6 +66,9 @@ async function openTextIn(
     const { decodeFragment } = await import('../share/comparison_link')
     const { document, ...told } = await decodeFragment(fragment)
     await openComparisonText(turn, document, told)
+  } else if (fragment?.startsWith(LESSON_PREFIX)) {
+    const { openLesson } = await lazyParts.lessons()
+    await openLesson(fragment.slice(LESSON_PREFIX.length))
   } else if (fragment)
     replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
   else await openTogether(turn, [{ name, bytes: encoded(text) }], opening)

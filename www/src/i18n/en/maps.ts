@@ -38,6 +38,8 @@ export const enMaps = {
     gallery: 'Ready maps',
     papers: 'From the papers',
     terrains: 'Terrains',
+    lessons: 'Lessons…',
+    lessonsNote: 'Ten races, each with a question and its answer',
     startOver: 'Start over',
     startOverNote: 'First map, first planners, first settings',
     make: 'Make and change',

@@ -39,6 +39,8 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     gallery: '现成地图',
     papers: '来自论文',
     terrains: '地形',
+    lessons: '课例…',
+    lessonsNote: '十场竞赛，各有问题与答案',
     startOver: '从头开始',
     startOverNote: '最初的地图、规划器与设置',
     make: '制作与修改',
