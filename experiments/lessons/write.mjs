@@ -59,9 +59,9 @@ function outcomeOf(id, question) {
   const first = question.instances[0].id
   const rows = (entry, map = first) =>
     table.filter((row) => row.entry === entry && row.instance === map)
-  const seeds = question.seeds.count
+  const plans = new Map()
   return {
-    seeds,
+    seeds: question.seeds.count,
     metres: question.maps[0].resolution,
     rows,
     line: (entry, map = first) =>
@@ -73,7 +73,14 @@ function outcomeOf(id, question) {
       return rows(better, map).filter(shorter).length
     },
     /** Every run in full, with what `compare` does not keep: its history, and its order of goals. */
-    plans: (entry) => rows(entry).map((row) => repeated(question, row)),
+    plans(entry) {
+      if (!plans.has(entry))
+        plans.set(
+          entry,
+          rows(entry).map((row) => repeated(question, row)),
+        )
+      return plans.get(entry)
+    },
   }
 }
 
@@ -126,7 +133,14 @@ function panelOf(question, row) {
   const { planner, preset = null, set = {} } = entryOf(question, row.entry)
   const { effort, status, length, digest } = repeated(question, row)
   const result = { iterations: effort.iterations, status, length, digest }
-  return { planner, preset, params: set, result }
+  return { planner, preset, params: { ...presetValues(planner, preset), ...set }, result }
+}
+
+/** A session has every value that differs from the defaults, whether or not a preset names it. */
+function presetValues(planner, preset) {
+  const { planners } = JSON.parse(cli('catalog', '--json'))
+  const { presets } = planners.find(({ id }) => id === planner)
+  return presets.find(({ name }) => name === preset)?.values ?? {}
 }
 
 /** JSON with a line for each field, each panel, and each row of the map. */

@@ -50,9 +50,11 @@ export function lessonAfter(id: string): string | null {
   return LESSON_IDS[LESSON_IDS.indexOf(id) + 1] ?? null
 }
 
-/** With title, note, question and the names of its panels in the reader's language. */
+/** Throws where there is no such lesson. With title, note, question and the names of its panels in the reader's language. */
 export async function lessonSession(id: string): Promise<Session> {
-  const [text] = await Promise.all([lessonText(id), addLessonsWords()])
+  await addLessonsWords()
+  if (!LESSON_IDS.includes(id)) throw unknown(id)
+  const text = await lessonText(id)
   const { scenario, panels, lesson, ...session } = await sessionFromFile(text)
   const { title, note, question, labels } = lessonWords(id)
   const drawn = lesson?.drawn && { drawn: { ...lesson.drawn, label: t('lessons.cut') } }
@@ -79,8 +81,6 @@ let asked = 0
 /** Puts the lesson on the page, at rest: its question comes before its run. Throws where there is none of this name. */
 export async function openLesson(id: string): Promise<void> {
   const mine = ++asked
-  await addLessonsWords()
-  if (!LESSON_IDS.includes(id)) throw unknown(id)
   const session = await lessonSession(id)
   if (mine !== asked) return
   showView('race')
@@ -97,6 +97,7 @@ const unknown = (id: string) => ({
   field: 'lesson',
   message: t('lessons.unknown', { id: id.slice(0, 40) }),
   hint: t('lessons.unknownHint'),
+  args: {},
 })
 
 let watching = false

@@ -7,7 +7,7 @@ import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import type { IconNode } from 'lucide'
 import type { ComponentType } from 'preact'
 import type { Cell } from '../model/cell'
-import type { PanelSetup, Scenario } from '../model/session'
+import type { PanelSetup, Scenario, Session } from '../model/session'
 import type { Press, Stroke } from '../model/stroke'
 import type { ToldByLink } from '../share/comparison_link'
 import type { Arrival } from './address'
@@ -84,6 +84,8 @@ export interface LeftSessionsPart {
 export interface LessonsPart {
   /** Puts a lesson on the page, at rest; throws where there is none of this name. */
   openLesson(id: string): Promise<void>
+  /** The session of a lesson; throws likewise. */
+  lessonSession(id: string): Promise<Session>
 }
 
 /** At the transport · on a panel's map · the card of what is being done · the target in one line · its field in the share dialog. */
