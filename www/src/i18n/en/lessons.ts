@@ -19,7 +19,7 @@ export const enLessons = {
       title: 'A dead end without a warning',
       line: 'Ants that die tell nobody',
       labels: 'Ants die\nAnts step back\nBy chance',
-      note: 'A blind alley lies between start and goal, open towards the start. In the first panel every ant takes the most probable step, and an ant that is stuck dies. In the second such an ant steps back. In the third ants choose by chance, and die as in the first.',
+      note: 'A blind alley lies between start and goal, open towards the start. In the first panel every ant takes the most probable step, and an ant that is stuck dies. In the second such an ant steps back. In the third ants choose by chance, and die as in the first. You can try to guess their moves: Lesson, Guess its next move.',
       question:
         'Which of the three find a path? Does the first one learn from the ants that it loses?',
       answer:
