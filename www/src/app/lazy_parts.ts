@@ -7,7 +7,6 @@ nameLazyParts({
   walls: async () => (await import('../state/changing_walls')).startChangingWalls(),
   opener: () => import('../state/open_files'),
   leftSessions: () => import('../state/left_sessions'),
-  lessons: () => import('../state/gallery_lessons'),
   lab: () => import('../lab'),
   relief: () => import('../relief/relief_stage'),
   names: async () => (await import('../panels/names')).namesPart(),

@@ -1,11 +1,11 @@
 import { signal } from '@preact/signals'
 import {
+  CircleQuestionMark,
   Contrast,
   Dices,
   Download,
   Eraser,
   Flag,
-  GraduationCap,
   Map as MapIcon,
   PenLine,
   RotateCcw,
@@ -57,9 +57,8 @@ export function MapMenu() {
         <MenuHeading text={t('maps.gallery')} />
         {galleryItems('ready')}
         <MenuItem
-          icon={GraduationCap}
+          icon={CircleQuestionMark}
           label={t('maps.lessons')}
-          note={t('maps.lessonsNote')}
           testId="open-lessons"
           onClick={() => show('lessons')}
         />

@@ -5,6 +5,7 @@ import { addLessonsWords, t } from '../i18n/lessons'
 import type { Session } from '../model/session'
 import { sessionFromFile, sessionToFile } from '../share/link'
 import { goTo, place } from './address'
+import { openText } from './files'
 import { guide, LESSON_PREFIX } from './lesson'
 import { showView } from './page_view'
 import { loadSession } from './sessions'
@@ -75,14 +76,11 @@ export async function lessonFile(id: string): Promise<string> {
 export const lessonAddress = (id: string) =>
   `${location.href.replace(/#.*$/, '')}${LESSON_PREFIX}${id}`
 
-/** When several are asked for while one is being fetched, the last counts. */
-let asked = 0
+/** Opens a lesson as its link does. */
+export const openLesson = (id: string) => openText(LESSON_PREFIX + id)
 
-/** Puts the lesson on the page, at rest: its question comes before its run. Throws where there is none of this name. */
-export async function openLesson(id: string): Promise<void> {
-  const mine = ++asked
-  const session = await lessonSession(id)
-  if (mine !== asked) return
+/** Puts its session on the page, at rest: the question comes before the run. */
+export function showLesson(id: string, session: Session): void {
   showView('race')
   batch(() => {
     loadSession(session)

@@ -7,7 +7,7 @@ import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import type { IconNode } from 'lucide'
 import type { ComponentType } from 'preact'
 import type { Cell } from '../model/cell'
-import type { PanelSetup, Scenario, Session } from '../model/session'
+import type { PanelSetup, Scenario } from '../model/session'
 import type { Press, Stroke } from '../model/stroke'
 import type { ToldByLink } from '../share/comparison_link'
 import type { Arrival } from './address'
@@ -80,14 +80,6 @@ export interface LeftSessionsPart {
   changeSession(arrival: Arrival): Promise<void>
 }
 
-/** The gallery of lessons (state/gallery_lessons.ts). */
-export interface LessonsPart {
-  /** Puts a lesson on the page, at rest; throws where there is none of this name. */
-  openLesson(id: string): Promise<void>
-  /** The session of a lesson; throws likewise. */
-  lessonSession(id: string): Promise<Session>
-}
-
 /** At the transport · on a panel's map · the card of what is being done · the target in one line · its field in the share dialog. */
 export type LessonPiece = 'tools' | 'map' | 'cards' | 'target' | 'field'
 
@@ -96,7 +88,6 @@ export interface LazyParts {
   walls(): Promise<unknown>
   opener(): Promise<OpenerPart>
   leftSessions(): Promise<LeftSessionsPart>
-  lessons(): Promise<LessonsPart>
   lab(): Promise<LabPart>
   relief(): Promise<ReliefPart>
   names(): Promise<NamesPart>
@@ -116,7 +107,6 @@ export const lazyParts: LazyParts = {
   walls: missing,
   opener: missing,
   leftSessions: missing,
-  lessons: missing,
   lab: missing,
   relief: missing,
   names: missing,

@@ -10,7 +10,6 @@ import type { GivenSession } from '../share/session_object'
 import { bytesOf, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
 import { toScenario } from './imported'
-import { lazyParts } from './lazy_parts'
 import { LESSON_PREFIX } from './lesson'
 import { type Carrier, canBeOpened, lookAt } from './looked_files'
 import type { FoundFile, NamedBytes } from './offered_files'
@@ -102,7 +101,7 @@ async function readText(text: string, options: Options): Promise<Content> {
     return { ...none, kind: 'session', session: await decodeFragment(link) }
   }
   if (link.startsWith(LESSON_PREFIX)) {
-    const { lessonSession } = await lazyParts.lessons()
+    const { lessonSession } = await import('./gallery_lessons')
     const session = await lessonSession(link.slice(LESSON_PREFIX.length))
     return { ...none, kind: 'session', session }
   }

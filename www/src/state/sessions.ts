@@ -102,14 +102,10 @@ export function admitWaiting(): void {
 
 /** Opens what the address carries. False when it carries nothing or nothing usable; the page then stays as it is. */
 export async function openFragment(hash: string): Promise<boolean> {
-  const isLesson = hash.startsWith(LESSON_PREFIX)
-  if (!isLesson && !hash.startsWith('#x=')) return false
   try {
-    if (isLesson) {
-      const { openLesson } = await lazyParts.lessons()
-      await openLesson(hash.slice(LESSON_PREFIX.length))
-      return true
-    }
+    if (hash.startsWith(LESSON_PREFIX))
+      return await (await lazyParts.opener()).openText(hash, { unasked: true })
+    if (!hash.startsWith('#x=')) return false
     const { decodeFragment } = await import('../share/link')
     loadSession(await readied(await decodeFragment(hash)))
     return true
