@@ -37,9 +37,7 @@ const answer = (page: Page) => page.getByTestId('guide-answer')
 
 test.describe('lesson', () => {
   for (const id of IDS)
-    test(`${id} opens at rest, is verified, and runs to the digests of the command line`, async ({
-      page,
-    }) => {
+    test(`${id} opens at rest, and runs to the digests of the command line`, async ({ page }) => {
       const race = await openLesson(page, id)
       const { title, question } = enLessons.each[id as keyof typeof enLessons.each]
       await expect(page.getByTestId('guide').getByRole('heading')).toHaveText(title)
@@ -48,12 +46,6 @@ test.describe('lesson', () => {
       await expect(page.getByTestId('play')).toHaveAttribute('data-phase', 'editing')
       expect(await race.antMoves()).toBe(0)
 
-      const all = recorded(id)
-      for (const at of all.keys())
-        await expect(page.getByTestId(`verified-${at + 1}`)).toHaveAttribute(
-          'data-verified',
-          'verified',
-        )
       await page.evaluate(() => window.formicarium.run({ stops: 'ignore' }))
       const reached = (await race.results()).map(({ summary }) => ({
         iterations: summary?.iteration,
@@ -61,7 +53,7 @@ test.describe('lesson', () => {
         length: summary?.metrics?.length ?? null,
         digest: summary?.digest,
       }))
-      expect(reached).toEqual(all)
+      expect(reached).toEqual(recorded(id))
 
       await answer(page).locator('summary').click()
       await expect(answer(page)).toContainText('100')

@@ -79,11 +79,12 @@ export const lessonAddress = (id: string) =>
 /** Opens a lesson as its link does. */
 export const openLesson = (id: string) => openText(LESSON_PREFIX + id)
 
-/** Puts its session on the page, at rest: the question comes before the run. */
+/** Puts its session on the page, at rest and without what was recorded: the question comes before the run. */
 export function showLesson(id: string, session: Session): void {
+  const panels = session.panels.map((panel) => ({ ...panel, result: null }))
   showView('race')
   batch(() => {
-    loadSession(session)
+    loadSession({ ...session, panels })
     guide.value = id
   })
   goTo(LESSON_PREFIX + id, 'replace')
