@@ -8,6 +8,7 @@ import {
   columnWidth,
   compact,
   focused,
+  guide,
   inRelief,
   lessonMode,
   soughtPart,
@@ -31,7 +32,7 @@ effect(() => {
 
 export function ColumnPlace() {
   const open = columnOpen.value
-  const card = lessonMode.value !== null && !inRelief.value
+  const card = guide.value !== null || (lessonMode.value !== null && !inRelief.value)
   if (!open && !card) return null
   const width = columnWidth.value
   return (

@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals'
 import {
+  CircleQuestionMark,
   Contrast,
   Dices,
   Download,
@@ -55,6 +56,12 @@ export function MapMenu() {
       <MenuColumn>
         <MenuHeading text={t('maps.gallery')} />
         {galleryItems('ready')}
+        <MenuItem
+          icon={CircleQuestionMark}
+          label={t('maps.lessons')}
+          testId="open-lessons"
+          onClick={() => show('lessons')}
+        />
         <MenuItem
           icon={RotateCcw}
           label={t('maps.startOver')}

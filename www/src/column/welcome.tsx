@@ -2,16 +2,16 @@ import { signal } from '@preact/signals'
 import { BrickWall, Share2, SlidersHorizontal, X } from 'lucide'
 import { t } from '../i18n/column'
 import { showParameters } from '../panels/places'
-import { recall, remember, selectedPanel, tool } from '../state'
+import { guide, recall, remember, selectedPanel, tool } from '../state'
 import { show } from '../state/dialogs'
 import { Button, IconButton } from '../ui/buttons'
 
 const SEEN_KEY = 'formicarium.welcomed'
 const visible = signal(recall(SEEN_KEY) === null)
 
-/** What this page is and what to do next. Once closed, it does not come back. */
+/** What this page is and what to do next; a lesson says it by itself. Once closed, it does not come back. */
 export function Welcome() {
-  if (!visible.value) return null
+  if (!visible.value || guide.value !== null) return null
   return (
     <aside class="welcome" aria-label={t('welcome.region')} data-testid="welcome">
       <p>

@@ -9,6 +9,7 @@ import { ExportDialog } from './export_dialog'
 import { GenerateDialog } from './generate_dialog'
 import { HelpDialog } from './help_dialog'
 import { ImportDialog } from './import_dialog'
+import { LessonsDialog } from './lessons'
 import { MapChoiceDialog } from './map_choice_dialog'
 import { MapDialog } from './map_dialog'
 import { NamesDialog } from './names_dialog'
@@ -26,6 +27,7 @@ export const DIALOGS: Record<DialogName, ComponentType> = {
   generate: GenerateDialog,
   resize: ResizeDialog,
   help: HelpDialog,
+  lessons: LessonsDialog,
   paper: CardDialog,
   order: OrderDialog,
   names: NamesDialog,

@@ -43,20 +43,43 @@ export function Card({ title, line, panelId, testId, onClose, onKey, children }:
     return () => removeEventListener('keydown', listener, { capture: true })
   }, [panelId])
   useEffect(() => keepInSight(panelId), [panelId])
+  return (
+    <CardFrame
+      colour={panelColour(panelId)}
+      title={title}
+      line={line}
+      testId={testId}
+      closeKeys="Esc"
+      onClose={close}
+    >
+      {children}
+    </CardFrame>
+  )
+}
+
+interface FrameProps extends Pick<CardProps, 'title' | 'line' | 'testId' | 'onClose' | 'children'> {
+  /** Of the panel that it is about, if it is about one. */
+  colour?: string
+  closeKeys?: string
+}
+
+/** The card as it is drawn: its head, by which it is folded and closed, and its body. */
+export function CardFrame(props: FrameProps) {
+  const { colour, title, line, testId } = props
   const isFolded = folded.value
   return (
     <section
       class="lesson-card"
-      style={{ '--panel-colour': panelColour(panelId) }}
-      data-mode={lessonMode.value}
+      style={{ '--panel-colour': colour }}
+      data-mode={lessonMode.value ?? 'guide'}
       data-folded={isFolded}
       aria-label={title}
       data-testid={testId}
     >
       <header>
         <h3>
-          <span class="panel-dot" aria-hidden="true" />
-          {title}
+          {colour && <span class="panel-dot" aria-hidden="true" />}
+          <span>{title}</span>
         </h3>
         <p class="card-line">{isFolded && line}</p>
         <IconButton
@@ -72,12 +95,12 @@ export function Card({ title, line, panelId, testId, onClose, onKey, children }:
         />
         <CloseButton
           label={t('lesson.close')}
-          keys="Esc"
+          keys={props.closeKeys}
           testId={`${testId}-close`}
-          onClick={close}
+          onClick={props.onClose}
         />
       </header>
-      {!isFolded && <div class="card-body">{children}</div>}
+      {!isFolded && <div class="card-body">{props.children}</div>}
     </section>
   )
 }

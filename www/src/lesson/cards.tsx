@@ -1,12 +1,16 @@
 /** The card of what a lesson does now. Where it stands, beside or below the maps, is the column's place to say (app/column_place.tsx). */
 import '../styles/lesson_card.css'
-import { lessonMode } from '../state'
+import { guide, inRelief, lessonMode } from '../state'
+import { lazily } from '../ui/lazily'
 import { AntCard } from './ant_card'
 import { DrawCard } from './draw_card'
 import { GuessCard } from './guess_card'
 
+/** With the words of the gallery. */
+const GuideCard = lazily(async () => (await import('./guide_card')).GuideCard)
+
 export function Cards() {
-  switch (lessonMode.value) {
+  switch (inRelief.value ? null : lessonMode.value) {
     case 'follow':
       return <AntCard />
     case 'guess':
@@ -14,6 +18,6 @@ export function Cards() {
     case 'draw':
       return <DrawCard />
     default:
-      return null
+      return guide.value && <GuideCard id={guide.value} />
   }
 }

@@ -1,5 +1,5 @@
 /** At the transport: stops, and the menu of what a lesson can do. */
-import { CircleHelp, GraduationCap, PencilLine, Pointer, Target } from 'lucide'
+import { CircleHelp, GraduationCap, Library, PencilLine, Pointer, Target } from 'lucide'
 import { t } from '../i18n/lesson'
 import { inRelief, panels, plannerEntry } from '../state'
 import { show } from '../state/dialogs'
@@ -58,6 +58,13 @@ export function LessonTools() {
           note={t('lesson.items.targetNote')}
           testId="lesson-target"
           onClick={() => show('share')}
+        />
+        <MenuItem
+          icon={Library}
+          label={t('lesson.items.gallery')}
+          note={t('lesson.items.galleryNote')}
+          testId="lesson-gallery"
+          onClick={() => show('lessons')}
         />
       </Menu>
     </>

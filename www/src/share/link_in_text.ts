@@ -1,6 +1,6 @@
 /** The fragment of a link that stands in a text. */
 
-const LINK = /#[xq]=[\w-]+(?:&[\w?/%=]+)?/
+const LINK = /#(?:[xq]|lesson)=[\w-]+(?:&[\w?/%=]+)?/
 
 /** Null where there is none. A file may contain a link, so only text that is no JSON is searched for one. */
 export const linkIn = (text: string): string | null =>

@@ -1,6 +1,6 @@
 /**
  * Where on the page the reader is: the only file that writes to the browser's history. Watch has no fragment, or that of the link that
- * was opened (`#x=…`); Compare is `#lab`, a comparison `#lab/<id>/<tab>` and, until it has been opened, `#q=…`.
+ * was opened (`#x=…`, `#lesson=…`); Compare is `#lab`, a comparison `#lab/<id>/<tab>` and, until it has been opened, `#q=…`.
  */
 import { signal } from '@preact/signals'
 
@@ -62,7 +62,7 @@ addEventListener('popstate', ({ state }) => {
 
 addEventListener('hashchange', () => {
   if (history.state) return
-  const isSession = location.hash.startsWith('#x=')
+  const isSession = /^#(x|lesson)=/.test(location.hash)
   arrive({ at: entry.at + 1, session: isSession ? Date.now() : entry.session })
   history.replaceState(entry, '')
 })

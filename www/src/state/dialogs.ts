@@ -8,6 +8,7 @@ export type DialogName =
   | 'generate'
   | 'resize'
   | 'help'
+  | 'lessons'
   | 'paper'
   | 'order'
   | 'names'

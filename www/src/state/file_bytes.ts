@@ -1,6 +1,6 @@
 /** The one way in for bytes of files: a size is refused by what the browser tells of it, before anything is read. */
 import type { EngineError } from '@pkg/formicarium'
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 
 /** Larger files and pasted texts are refused. */
 export const MAX_BYTES = 64 * 1024 * 1024
@@ -23,7 +23,7 @@ export function refuseLarge(size: number, name: string): void {
 }
 
 function tooLarge(name: string): EngineError {
-  const message = t('notices.fileTooLarge', { name })
-  const hint = t('notices.fileTooLargeHint')
+  const message = t('opening.tooLarge', { name })
+  const hint = t('opening.tooLargeHint')
   return { kind: 'file-too-large', field: name, message, hint, args: {} }
 }

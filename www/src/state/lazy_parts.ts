@@ -79,6 +79,7 @@ export type Named = Pick<PanelSetup, 'planner' | 'preset' | 'params' | 'label'>
 export interface LeftSessionsPart {
   changeSession(arrival: Arrival): Promise<void>
 }
+
 /** At the transport · on a panel's map · the card of what is being done · the target in one line · its field in the share dialog. */
 export type LessonPiece = 'tools' | 'map' | 'cards' | 'target' | 'field'
 

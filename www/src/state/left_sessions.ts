@@ -1,7 +1,9 @@
 /** Sessions that the reader left by a link in the address: Back brings them back as they were left. */
+import { batch } from '@preact/signals'
 import type { Session } from '../model/session'
 import { currentSession, loadSession, openFragment } from '.'
 import { type Arrival, staysAt } from './address'
+import { guide, LESSON_PREFIX } from './lesson'
 import { autoplay } from './sessions'
 
 const left = new Map<number, Session>()
@@ -17,9 +19,18 @@ export function changeSession(arrival: Arrival): Promise<void> {
 async function changeNow({ from, to }: Arrival): Promise<void> {
   const before = currentSession()
   const kept = left.get(to)
-  if (kept) loadSession(kept)
+  if (kept) loadAgain(kept)
   // What could not be opened leaves the session that is on show.
   else if (!(await openFragment(location.hash))) return staysAt(from)
   if (before) left.set(from, before)
   autoplay()
+}
+
+/** A lesson of the gallery with its card. */
+function loadAgain(session: Session): void {
+  const { hash } = location
+  batch(() => {
+    loadSession(session)
+    if (hash.startsWith(LESSON_PREFIX)) guide.value = hash.slice(LESSON_PREFIX.length)
+  })
 }

@@ -6,6 +6,12 @@ import type { Panel } from './store'
 /** Null where the session carries nothing. */
 export const lesson = signal<Lesson | null>(null)
 
+/** The lesson of the gallery that is on show, by its name; null for any other session. */
+export const guide = signal<string | null>(null)
+
+/** What stands before its name in an address of the page. */
+export const LESSON_PREFIX = '#lesson='
+
 /** Why the runs stand still; empty while they have another reason. */
 export const stopsMet = signal<MetStop[]>([])
 

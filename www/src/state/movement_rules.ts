@@ -1,6 +1,6 @@
 /** How one moves: the map's size, its moves, and what a terrain asks besides. Fetched with the dialog that asks for them. */
 import type { Movement, SliceRules, TerrainFields } from '@pkg/formicarium'
-import { t } from '../i18n'
+import { t } from '../i18n/dialogs'
 import { resized } from '../model/resize'
 import type { Scenario } from '../model/session'
 import { liftEnds } from '../model/terrain'

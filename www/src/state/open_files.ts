@@ -18,6 +18,7 @@ import { filesWithin } from './folder_files'
 import { toScenario } from './imported'
 import { areJournals, contentOf, takeInJournals } from './journal_files'
 import { lazyParts } from './lazy_parts'
+import { LESSON_PREFIX } from './lesson'
 import { canBeOpened, type Looked, lookAt } from './looked_files'
 import {
   type FoundFile,
@@ -48,7 +49,7 @@ export const ASKED = new Set(['picture', 'ros-map', 'occupancy-grid'])
 
 /** Pasted or typed text: a share link, or the contents of any file we read. False if it was not opened, and the reader knows. */
 export async function openText(text: string, opening: Opening = {}): Promise<boolean> {
-  const name = t('maps.pastedName')
+  const name = t('opening.pastedName')
   refuseLarge(text.length, name)
   if (!opening.unasked && isAsking()) return joinAsked([{ name, bytes: encoded(text) }])
   return inTurn([name], (turn) => openTextIn(turn, text, opening))
@@ -58,13 +59,19 @@ async function openTextIn(
   turn: Turn,
   text: string,
   opening: Opening,
-  name = t('maps.pastedName'),
+  name = t('opening.pastedName'),
 ): Promise<void> {
   const fragment = linkIn(text)
   if (fragment?.startsWith('#q')) {
     const { decodeFragment } = await import('../share/comparison_link')
     const { document, ...told } = await decodeFragment(fragment)
     await openComparisonText(turn, document, told)
+  } else if (fragment?.startsWith(LESSON_PREFIX)) {
+    const { lessonSession, showLesson } = await import('./gallery_lessons')
+    const id = fragment.slice(LESSON_PREFIX.length)
+    const session = await lessonSession(id)
+    turn.check()
+    showLesson(id, session)
   } else if (fragment)
     replay(turn, await readied(await (await sessionFormat()).decodeFragment(fragment)))
   else await openTogether(turn, [{ name, bytes: encoded(text) }], opening)

@@ -11,6 +11,7 @@ import type { Scenario } from '../model/session'
 import { fitView } from '../model/viewpoint'
 import { createHistory, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
+import { guide } from './lesson'
 import { flushLive } from './live_reports'
 import { announce, notify, notifyError } from './notices'
 import { dropResults, presetSetup, replacePanels } from './panels'
@@ -152,6 +153,7 @@ export function setScenario(next: Scenario, options: { undoable: boolean; swap?:
   const wasRunning = phase.peek() === 'running'
   if (before && options.undoable) history.record(before, next, undefined, options.swap)
   else history.clear()
+  guide.value = null
   replace(next)
   fitView()
   if (wasRunning) play()

@@ -10,6 +10,7 @@ import type { GivenSession } from '../share/session_object'
 import { bytesOf, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
 import { toScenario } from './imported'
+import { LESSON_PREFIX } from './lesson'
 import { type Carrier, canBeOpened, lookAt } from './looked_files'
 import type { FoundFile, NamedBytes } from './offered_files'
 import { ASKED, matricesOf, withEnds } from './open_files'
@@ -98,6 +99,11 @@ async function readText(text: string, options: Options): Promise<Content> {
   if (link.startsWith('#x')) {
     const { decodeFragment } = await import('../share/link')
     return { ...none, kind: 'session', session: await decodeFragment(link) }
+  }
+  if (link.startsWith(LESSON_PREFIX)) {
+    const { lessonSession } = await import('./gallery_lessons')
+    const session = await lessonSession(link.slice(LESSON_PREFIX.length))
+    return { ...none, kind: 'session', session }
   }
   const { decodeFragment } = await import('../share/comparison_link')
   const { document, ...told } = await decodeFragment(link)

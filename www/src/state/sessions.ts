@@ -9,7 +9,7 @@ import { goTo } from './address'
 import { reducedMotion } from './appearance'
 import { exchange } from './history'
 import { fetchNames, lazyParts } from './lazy_parts'
-import { lesson } from './lesson'
+import { guide, LESSON_PREFIX, lesson } from './lesson'
 import { latest, setVerified } from './live_reports'
 import { awaited, awaitLook, currentLook } from './looking'
 import { held, holdIfLarge, tellHeld } from './memory'
@@ -102,8 +102,10 @@ export function admitWaiting(): void {
 
 /** Opens what the address carries. False when it carries nothing or nothing usable; the page then stays as it is. */
 export async function openFragment(hash: string): Promise<boolean> {
-  if (!hash.startsWith('#x=')) return false
   try {
+    if (hash.startsWith(LESSON_PREFIX))
+      return await (await lazyParts.opener()).openText(hash, { unasked: true })
+    if (!hash.startsWith('#x=')) return false
     const { decodeFragment } = await import('../share/link')
     loadSession(await readied(await decodeFragment(hash)))
     return true
@@ -142,10 +144,11 @@ export function firstSession(): Session {
 }
 
 /**
- * Plays at once, or, when the reader prefers less motion, after the first key or click. What takes much memory waits until somebody asks
+ * Plays at once but for a lesson, whose question comes first, or, when the reader prefers less motion, after the first key or click. What takes much memory waits until somebody asks
  * for it.
  */
 export function autoplay(): void {
+  if (guide.peek() !== null) return
   if (held.peek()) {
     tellHeld(play)
     return

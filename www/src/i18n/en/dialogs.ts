@@ -22,6 +22,8 @@ export const enDialogs = {
     },
   },
   terrain: {
+    lifted: 'The ground there is higher: start at level {{start}}, goal at level {{goal}}',
+    liftedHint: 'Move them to lower ground first, then set their levels.',
     model: 'How one moves',
     models: {
       surface: 'On the surface',
@@ -261,6 +263,9 @@ export const enDialogs = {
     },
   },
   opening: {
+    pastedName: 'Pasted map',
+    tooLarge: '{{name}} is too large.',
+    tooLargeHint: 'Files up to 64 MB and maps up to 4096 × 4096 cells can be opened.',
     imported: '{{name}} opened: {{width}} × {{height}} cells.',
     scenNeedsMap: '{{name}} belongs to the map {{map}} ({{width}} × {{height}}).',
     scenNeedsMapHint: 'Drop the .map and the .scen file together, or open the map first.',

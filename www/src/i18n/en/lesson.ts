@@ -10,6 +10,8 @@ export const enLesson = {
     drawNote: 'Measured like a planner’s, in the table beside them',
     target: 'Set a target…',
     targetNote: 'In the share dialog: a number to beat, or the optimum',
+    gallery: 'Ready lessons…',
+    galleryNote: 'Ten races, each with a question and its answer',
     needsAnts: 'No planner on this page has ants',
     needsFlat: 'Go back to the view from above first',
     needsPanel: 'Add a planner first',

@@ -18,6 +18,8 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     },
   },
   terrain: {
+    lifted: '该处地面更高：起点改在第 {{start}} 层，终点改在第 {{goal}} 层',
+    liftedHint: '请先把它们移到较低的地面，再设置所在层。',
     model: '移动方式',
     models: {
       surface: '沿地表',
@@ -250,6 +252,9 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     },
   },
   opening: {
+    pastedName: '粘贴的地图',
+    tooLarge: '{{name}} 太大。',
+    tooLargeHint: '可打开不超过 64 MB 的文件和不超过 4096 × 4096 格的地图。',
     imported: '已打开 {{name}}：{{width}} × {{height}} 格。',
     scenNeedsMap: '{{name}} 属于地图 {{map}}（{{width}} × {{height}}）。',
     scenNeedsMapHint: '请把 .map 与 .scen 一起拖入，或先打开地图。',

@@ -12,6 +12,8 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     drawNote: '与规划器用同样的指标度量，并列在表中',
     target: '设定目标值…',
     targetNote: '在分享对话框中：要胜过的数值，或最优值',
+    gallery: '现成课例…',
+    galleryNote: '十场竞赛，各有问题与答案',
     needsAnts: '本页没有带蚂蚁的规划器',
     needsFlat: '请先回到俯视图',
     needsPanel: '请先添加规划器',
