@@ -1,5 +1,5 @@
 // A runner of `cargo xtask bench` (benches/runner has the protocol): the built page in Chromium, by Playwright. Jobs: an input to a race
-// that plays, with the name of the input; the opening, with the throttling of the processor. Its argument: the folder of the built page,
+// that plays, with the name of the input; the opening, with the throttling of the processor and a network. Its argument: the folder of the built page,
 // if it is not `www/dist/`.
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -29,7 +29,7 @@ function raceOf({ map, planners }) {
 }
 
 async function contestant(job) {
-  if (job.work === 'opening') return () => opening(browser, server.address, job.throttling)
+  if (job.work === 'opening') return () => opening(browser, server.address, job)
   const race = await raceOf(job)
   return (seed) => race.input(job.input, seed)
 }
