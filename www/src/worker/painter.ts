@@ -136,6 +136,16 @@ export class Painter {
     }
   }
 
+  /**
+   * What a view shows, with ants so far through their last move: for a panel that nobody sees, which is so again afterwards.
+   */
+  shot(view: PanelView, glide: number): ImageBitmap {
+    this.view = view
+    this.draw(glide)
+    this.view = { ...view, hidden: true }
+    return this.canvas.transferToImageBitmap()
+  }
+
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
   flatBitmap(): ImageBitmap | null {
     if (this.spec === null) return null
@@ -166,7 +176,7 @@ export class Painter {
     this.scale = key
   }
 
-  private draw(): void {
+  private draw(glide?: number): void {
     const { context, view, spec, raster } = this
     fit(this.canvas, view)
     if (view.hidden || view.width === 0 || view.height === 0) return
@@ -179,7 +189,7 @@ export class Painter {
     context.globalCompositeOperation = 'copy'
     context.drawImage(this.ground.canvas, 0, 0)
     context.globalCompositeOperation = 'source-over'
-    if (view.showAnts) this.drawAnts(spec)
+    if (view.showAnts) this.drawAnts(spec, glide ?? this.progress())
     drawMarks(context, view, spec, this.places)
     drawCursor(context, view)
   }
@@ -204,8 +214,12 @@ export class Painter {
     this.draw()
   }
 
-  private drawAnts({ goals }: ScenarioSpec): void {
-    const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
+  /** How far the ants are through their last move. */
+  private progress(): number {
+    return this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
+  }
+
+  private drawAnts({ goals }: ScenarioSpec, progress: number): void {
     drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
     cancelAnimationFrame(this.requested)
     if (progress < 1 && this.crowd.size > 0)

@@ -1,7 +1,7 @@
 /** What a panel's worker answers about its run besides frames: looking back, the moves of a cell, a layer's values. */
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
-import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import type { PanelAnswers, PanelQuestion, PanelView } from '../model/messages'
 import { paintLayer } from './shown_layer'
 
 /** Fetched together: neither is needed before somebody asks or stops. */
@@ -14,6 +14,7 @@ interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
   repaint(look: PanelAnswers['look']): void
+  shot(view: PanelView, glide: number): ImageBitmap | null
 }
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
@@ -39,6 +40,8 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return keptOf(run)
     case 'picture':
       return pictureOf(question, run)
+    case 'shot':
+      return asked.shot(question.view, question.glide)
     case 'walls': {
       const at = run.change_walls?.(question.walls) ?? null
       return { at, adapts: run.adapts?.() ?? null, ...shown(run, asked) }

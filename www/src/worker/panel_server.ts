@@ -144,7 +144,8 @@ async function ask({ runId, id, question }: Extract<PanelRequest, { kind: 'ask' 
   const running = current?.id === runId ? current : null
   if (running && question.about === 'look') running.looks++
   const answer = running && (await answerTo(question, running).catch(() => null))
-  const transfer = answer instanceof Float32Array ? [answer.buffer] : []
+  const transfer =
+    answer instanceof Float32Array ? [answer.buffer] : answer instanceof ImageBitmap ? [answer] : []
   self.postMessage({ kind: 'answer', id, answer } satisfies PanelReply, { transfer })
 }
 
@@ -155,6 +156,7 @@ async function answerTo(question: PanelQuestion, running: Running) {
   return answer(question, running.run, {
     isCurrent: () => current === running && (question.about !== 'look' || running.looks === looks),
     repaint: showPast,
+    shot: (view, glide) => painter?.shot(view, glide) ?? null,
   })
 }
 
