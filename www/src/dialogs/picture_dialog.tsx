@@ -1,8 +1,9 @@
 /** Takes the map, the convergence or the profile away as a picture: what is chosen is seen before it is saved. */
 import '../styles/picture.css'
-import { FileCode2, Image } from 'lucide'
+import { Clapperboard, FileCode2, Image } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import {
+  type Corner,
   pictureKinds,
   pictureOf,
   picturesReady,
@@ -10,9 +11,12 @@ import {
   saveSvg,
   type Wanted,
 } from '../figures/pictures'
+import { codeWords } from '../film/captions'
+import { linkOfRace } from '../film/link_of_race'
+import { addFilmWords, t as filmWords } from '../i18n/film'
 import { t } from '../i18n/pictures'
 import { notifyError, panels, selectedPanel } from '../state'
-import { closeDialog } from '../state/dialogs'
+import { closeDialog, show } from '../state/dialogs'
 import { type PictureKind, wantedPicture } from '../state/pictures'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
@@ -22,7 +26,7 @@ import { panelTitle } from '../words/planner_words'
 
 /** Once its words are here. */
 export const PictureDialog = lazily(async () => {
-  await picturesReady()
+  await Promise.all([picturesReady(), addFilmWords()])
   return Shown
 })
 
@@ -35,7 +39,8 @@ function Shown() {
     whose: selectedPanel.value ?? panels.value[0]?.id ?? 'all',
     ground: 'page',
   })
-  const svg = usePicture(wanted)
+  const [corner, setCorner] = useState<Corner | null>(null)
+  const svg = usePicture(wanted, corner)
   const change = (part: Partial<Wanted>) => setWanted({ ...wanted, ...part })
   return (
     <Dialog
@@ -67,6 +72,7 @@ function Shown() {
           }))}
           onChange={(ground) => change({ ground })}
         />
+        <CornerChoice corner={corner} onChange={setCorner} />
       </div>
       <Preview svg={svg} />
     </Dialog>
@@ -94,15 +100,43 @@ function WhoseField({ whose, onChange }: WhoseFieldProps) {
   )
 }
 
+interface CornerChoiceProps {
+  corner: Corner | null
+  onChange: (corner: Corner | null) => void
+}
+
+/** Whether the code of the link stands in the corner; made when it is first wanted. */
+function CornerChoice({ corner, onChange }: CornerChoiceProps) {
+  const [without, setWithout] = useState(false)
+  const change = async (wanted: boolean) => {
+    if (!wanted) return onChange(null)
+    const found = await linkOfRace()
+    setWithout(found.code === null)
+    onChange(found.code && { code: found.code, words: codeWords(found) })
+  }
+  return (
+    <label class="picture-code" title={without ? filmWords('qr.none') : undefined}>
+      <input
+        type="checkbox"
+        data-testid="picture-code"
+        checked={corner !== null}
+        disabled={without}
+        onChange={(event) => change(event.currentTarget.checked).catch(notifyError)}
+      />
+      {filmWords(without ? 'qr.none' : 'qr.add')}
+    </label>
+  )
+}
+
 /** Undefined while it is being drawn; null where there is nothing to draw. */
 type Made = SVGSVGElement | null | undefined
 
-function usePicture({ kind, whose, ground }: Wanted): Made {
+function usePicture({ kind, whose, ground }: Wanted, corner: Corner | null): Made {
   const [made, setMade] = useState<{ key: string; svg: SVGSVGElement | null } | null>(null)
-  const key = `${kind} ${whose} ${ground}`
+  const key = `${kind} ${whose} ${ground} ${corner?.code.text}`
   useEffect(() => {
     let current = true
-    pictureOf({ kind, whose, ground }).then(
+    pictureOf({ kind, whose, ground }, corner).then(
       (svg) => current && setMade({ key, svg }),
       (error) => {
         if (!current) return
@@ -146,6 +180,13 @@ function Preview({ svg }: { svg: Made }) {
 function Actions({ svg, kind }: { svg: Made; kind: PictureKind }) {
   return (
     <>
+      <Button
+        icon={Clapperboard}
+        label={filmWords('film.open')}
+        tone="quiet"
+        testId="picture-film"
+        onClick={() => show('film')}
+      />
       {SCALES.map((scale) => (
         <Button
           key={scale}

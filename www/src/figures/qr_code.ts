@@ -8,22 +8,22 @@ export const MOST_QR_BYTES = 2953
 const QUIET = 4
 
 export interface QrCode {
-  /** Modules a side, with the quiet zone. */
+  /** Modules a side, without the quiet zone and with it. */
+  modules: number
   size: number
   /** The dark modules, for a field of `size` × `size`. */
   d: string
   text: string
 }
 
-export const fitsQrCode = (text: string) =>
-  new TextEncoder().encode(text).length <= MOST_QR_BYTES
+export const fitsQrCode = (text: string) => new TextEncoder().encode(text).length <= MOST_QR_BYTES
 
 /** Null where the text is longer than a code holds. The library is fetched with the first one. */
 export async function qrCode(text: string): Promise<QrCode | null> {
   if (!fitsQrCode(text)) return null
   const { encode } = await import('uqr')
   const { data, size } = encode(text, { ecc: 'L', border: QUIET, boostEcc: true })
-  return { size, d: data.map(runsOf).join(''), text }
+  return { modules: size - 2 * QUIET, size, d: data.map(runsOf).join(''), text }
 }
 
 /** Dark modules that lie side by side are one rectangle: fewer shapes, no seams. */
@@ -95,4 +95,27 @@ export function drawQrCode(
   context.fill(new Path2D(d))
   context.restore()
   return true
+}
+
+/** Pixels about a code in the corner of a picture, and the least side of such a code. */
+const CORNER = { edge: 16, least: 160 }
+/** Pixels a module at least: in a PNG of twice the size it is four. */
+const LEAST_MODULE = 2
+
+/** A picture with a code in its lower right corner, below all else, and words beside it. */
+export function withCode(svg: SVGSVGElement, code: QrCode, words: string[]): SVGSVGElement {
+  const [width, height] = [svg.width.baseVal.value, svg.height.baseVal.value]
+  const side = code.size * Math.max(LEAST_MODULE, Math.round(CORNER.least / code.size))
+  const tall = height + side + CORNER.edge
+  const x = width - side - CORNER.edge
+  svg.setAttribute('height', String(tall))
+  svg.setAttribute('viewBox', `0 0 ${width} ${tall}`)
+  svg.querySelector(':scope > rect')?.setAttribute('height', String(tall))
+  const link = element('a', { href: code.text }, qrElement(code, side, x, height))
+  words.forEach((line, i) => {
+    const at = { x: x - CORNER.edge, y: height + side - 6 - 18 * (words.length - 1 - i) }
+    link.append(element('text', { ...at, 'text-anchor': 'end', 'font-size': 12 }, line))
+  })
+  svg.append(link)
+  return svg
 }

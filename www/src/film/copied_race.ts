@@ -85,8 +85,7 @@ export class CopiedRace {
 
   /** One by one: that is how ants are told apart from move to move. */
   private async moveTo(at: number): Promise<void> {
-    for (; this.moved < at; this.moved++)
-      await Promise.all(this.lanes.map((lane) => lane.move()))
+    for (; this.moved < at; this.moved++) await Promise.all(this.lanes.map((lane) => lane.move()))
   }
 }
 

@@ -1,11 +1,12 @@
 /** One frame of a film on a canvas: captions and code here, the maps as the runs' workers draw them. */
+
+import { FONT, LOOKS } from '../figures/look'
+import { drawQrCode, type QrCode } from '../figures/qr_code'
+import { shortened } from '../figures/svg'
 import { goalName } from '../model/goals'
 import type { PanelView } from '../model/messages'
 import type { Scenario } from '../model/session'
 import { placement } from '../model/viewpoint'
-import { LOOKS, FONT } from '../figures/look'
-import { drawQrCode, type QrCode } from '../figures/qr_code'
-import { shortened } from '../figures/svg'
 import { layerEnds } from '../state'
 import { showContours } from '../state/relief'
 import type { CopiedRun } from './copied_race'

@@ -1,7 +1,7 @@
 /** Frames to a video file, by what the browser can encode. The library for it is fetched with the first film. */
 import type { VideoCodec } from 'mediabunny'
-import type { FilmSize } from './settings'
 import { GrowingFile } from './growing_file'
+import type { FilmSize } from './settings'
 
 export interface Encoding {
   codec: VideoCodec
@@ -30,9 +30,10 @@ export const bitrateOf = ({ width, height }: FilmSize, rate: number) =>
 /** The first of the encodings that the browser has for frames of this size; null where it has none. */
 export async function encodingFor(size: FilmSize, rate: number): Promise<Encoding | null> {
   if (typeof VideoEncoder === 'undefined') return null
-  const { canEncodeVideo } = await import('mediabunny')
+  const { canEncodeVideo, Quality } = await import('mediabunny')
+  const quality = new Quality({ bitrate: bitrateOf(size, rate) })
   for (const offer of OFFERS)
-    if (await canEncodeVideo(offer.codec, { ...size, bitrate: bitrateOf(size, rate) })) return offer
+    if (await canEncodeVideo(offer.codec, { ...size, quality })) return offer
   return null
 }
 
@@ -57,11 +58,13 @@ export async function newFilm(
   rate: number,
   tags: Tags,
 ): Promise<FilmFile> {
-  const { CanvasSource, Mp4OutputFormat, Output, StreamTarget, WebMOutputFormat } = await import(
-    'mediabunny'
-  )
+  const { CanvasSource, Mp4OutputFormat, Output, Quality, StreamTarget, WebMOutputFormat } =
+    await import('mediabunny')
   const file = new GrowingFile()
-  const source = new CanvasSource(canvas, { codec, bitrate: bitrateOf(canvas, rate) })
+  const source = new CanvasSource(canvas, {
+    codec,
+    quality: new Quality({ bitrate: bitrateOf(canvas, rate) }),
+  })
   const output = new Output({
     format: ending === 'mp4' ? new Mp4OutputFormat({ fastStart: false }) : new WebMOutputFormat(),
     target: new StreamTarget(file.writable, { chunked: true, chunkSize: CHUNK_BYTES }),

@@ -21,24 +21,26 @@ export interface FrameLayout {
 }
 
 const CAPTION_LETTERS = 2.9
-const CODE_SHARE = 0.5
 
 interface Asked {
   count: number
   map: { width: number; height: number }
   /** Lines at the top. */
   titleLines: number
-  code: boolean
+  /** The share of the longer side that the code takes; 0 for none. */
+  code: number
 }
 
 export function layOut({ width, height }: FilmSize, asked: Asked): FrameLayout {
   const letter = Math.max(9, Math.round(Math.min(width, height) / 34))
   const edge = letter
   const whole = { x: edge, y: edge, width: width - 2 * edge, height: height - 2 * edge }
-  const titleHeight = asked.titleLines === 0 ? 0 : Math.round((1.5 * asked.titleLines + 0.6) * letter)
+  const titleHeight =
+    asked.titleLines === 0 ? 0 : Math.round((1.5 * asked.titleLines + 0.6) * letter)
   const title = { ...whole, height: titleHeight }
   const below = without(whole, titleHeight)
-  const { field, code } = asked.code ? withCode(below, letter) : { field: below, code: null }
+  const { field, code } =
+    asked.code > 0 ? withCode(below, letter, asked.code) : { field: below, code: null }
   return { letter, edge, title, panels: grid(field, letter, asked), code }
 }
 
@@ -48,22 +50,37 @@ const without = (rect: Rect, taken: number): Rect => ({
   height: rect.height - taken,
 })
 
-/** The code takes the right half of a wide field, the lower half of a tall one. */
-function withCode(field: Rect, letter: number): { field: Rect; code: FrameLayout['code'] } {
+/** The code takes the right part of a wide field, the lower part of a tall one. */
+function withCode(
+  field: Rect,
+  letter: number,
+  share: number,
+): { field: Rect; code: FrameLayout['code'] } {
   const words = 4 * letter
   if (field.width >= field.height) {
-    const side = Math.floor(Math.min(field.height - words, CODE_SHARE * field.width))
+    const side = Math.floor(Math.min(field.height - words, share * field.width))
     const left = field.x + field.width - side
     const y = field.y + Math.floor((field.height - side - words) / 2)
     const square = { x: left, y, width: side, height: side }
     const text = { x: left, y: y + side, width: side, height: words }
-    return { field: { ...field, width: field.width - side - 2 * letter }, code: { square, words: text } }
+    return {
+      field: { ...field, width: field.width - side - 2 * letter },
+      code: { square, words: text },
+    }
   }
-  const side = Math.floor(Math.min(field.width, CODE_SHARE * field.height - words))
+  const side = Math.floor(Math.min(field.width, share * field.height - words))
   const top = field.y + field.height - side - words
-  const square = { x: field.x + Math.floor((field.width - side) / 2), y: top, width: side, height: side }
+  const square = {
+    x: field.x + Math.floor((field.width - side) / 2),
+    y: top,
+    width: side,
+    height: side,
+  }
   const text = { ...square, x: field.x, width: field.width, y: top + side, height: words }
-  return { field: { ...field, height: field.height - side - words - letter }, code: { square, words: text } }
+  return {
+    field: { ...field, height: field.height - side - words - letter },
+    code: { square, words: text },
+  }
 }
 
 function grid(field: Rect, letter: number, { count, map }: Asked): FrameLayout['panels'] {

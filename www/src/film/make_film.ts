@@ -15,8 +15,8 @@ export interface Made {
 /** What is told while something is being made, and how it is given up. */
 export interface Making {
   signal: AbortSignal
-  /** With the canvas as it is. */
-  onFrame?: (done: number, of: number, canvas: OffscreenCanvas) => void
+  /** With the canvas as it is, where there is one. */
+  onFrame?: (done: number, of: number, canvas?: OffscreenCanvas) => void
 }
 
 /** Null where it was given up; nothing is left of it then. */

@@ -76,7 +76,6 @@ export function momentOf(frame: number, settings: Pace & Pick<FilmSettings, 'uni
 
 /** The nearest size that encoders take. */
 export function evenSize({ width, height }: FilmSize): FilmSize {
-  const even = (side: number) =>
-    2 * Math.round(Math.min(SIDE.most, Math.max(SIDE.least, side)) / 2)
+  const even = (side: number) => 2 * Math.round(Math.min(SIDE.most, Math.max(SIDE.least, side)) / 2)
   return { width: even(width), height: even(height) }
 }

@@ -1,12 +1,14 @@
 /** Draws the frames of a film, each for its moment of a copied race, in order. */
 import { FONT } from '../figures/look'
-import { t } from '../i18n/film'
-import { reachedWords, titleLines } from './captions'
+import { codeWords, reachedWords, titleLines } from './captions'
 import type { CopiedRace } from './copied_race'
 import { type Canvas, drawFrame, type FrameWords, viewOf } from './draw_frame'
 import { type FrameLayout, layOut } from './frame_layout'
 import type { RaceLink } from './link_of_race'
 import { type FilmSettings, type Moment, momentOf } from './settings'
+
+/** At the end of a film a code takes half of the frame. */
+const END_SHARE = 0.5
 
 export class Studio {
   readonly canvas: OffscreenCanvas
@@ -31,8 +33,8 @@ export class Studio {
       map: { width, height },
       titleLines: this.title.length,
     }
-    this.plain = layOut(settings, { ...asked, code: false })
-    this.withCode = layOut(settings, { ...asked, code: true })
+    this.plain = layOut(settings, { ...asked, code: 0 })
+    this.withCode = layOut(settings, { ...asked, code: END_SHARE })
   }
 
   static async of(race: CopiedRace, settings: FilmSettings, link: RaceLink): Promise<Studio> {
@@ -73,10 +75,4 @@ export class Studio {
       .map((run) => ({ name: run.name, colour: run.colour, reached: reachedWords(run, moves) }))
     return { title: this.title, panels, code: codeWords(this.link) }
   }
-}
-
-/** What stands beside a code or, where there is none, why. */
-export function codeWords({ link, code }: RaceLink): string[] {
-  if (code) return [t('film.scan'), `${location.host}${location.pathname}`]
-  return [t(link === null ? 'film.noLink' : 'film.comment')]
 }

@@ -33,12 +33,13 @@ export const enFilm = {
     final: 'Last frame',
     preview: 'Preview of a frame',
     makePreview: 'The last frame needs the whole run; it is being repeated…',
-    estimate: '{{frames}} frames, {{seconds}} s, as {{format}}; at most about {{size}}.',
-    estimateSteps: '{{steps}} steps, about {{size}}.',
+    estimate: '{{frames}} frames, {{seconds}} s, as {{format}}; about {{size}} or less.',
     asking: 'Asking the browser what it can encode…',
     noEncoder:
       'This browser has no encoder for films of this size. Make a moving picture or slides instead: they need none.',
     noRun: 'There is nothing to film: no planner can run on this map.',
+    tooLarge:
+      'A copy of these runs would take too much memory beside the runs themselves. Film a smaller map, or fewer panels.',
     make: 'Make the film',
     makeSteps: 'Make the picture',
     makeSlides: 'Make the slides',
@@ -71,9 +72,10 @@ export const enFilm = {
     large: 'Show the code on the whole screen',
     close: 'Close the code',
     save: 'Save as SVG',
+    add: 'QR code of the link',
+    none: 'The link of this race is longer than a QR code holds.',
     size: '{{modules}} × {{modules}} modules. Codes of more than about 100 a side want a good camera and a large screen.',
     tooLong:
       'The link has {{bytes}} bytes; the largest QR code holds {{most}}. Share the file instead, or a smaller map.',
-    add: 'QR code of the link in the corner',
   },
 }
