@@ -62,8 +62,9 @@ export function FilmForm() {
         canvas={preview.canvas}
         isReady={preview.isReady}
         onFirst={setFirst}
-      />
-      <FilmStatus work={work.value} draft={draft} encoding={encoding} tooLarge={tooLarge} />
+      >
+        <FilmStatus work={work.value} draft={draft} encoding={encoding} tooLarge={tooLarge} />
+      </FilmPreview>
       {work.value.phase === 'choosing' && work.value.error !== undefined && (
         <FormError error={work.value.error} />
       )}

@@ -1,5 +1,5 @@
 /** The first or the last frame before anything is made, each frame as it is made, and what has come of it. */
-import type { RefObject } from 'preact'
+import type { ComponentChildren, RefObject } from 'preact'
 import { useEffect, useState } from 'preact/hooks'
 import type { FilmSize } from '../film/settings'
 import { t } from '../i18n/film'
@@ -13,9 +13,12 @@ interface FilmPreviewProps {
   canvas: RefObject<HTMLCanvasElement | null>
   isReady: boolean
   onFirst: (first: boolean) => void
+  /** Beside the choice of the frame. */
+  children: ComponentChildren
 }
 
-export function FilmPreview({ work, size, first, canvas, isReady, onFirst }: FilmPreviewProps) {
+export function FilmPreview(props: FilmPreviewProps) {
+  const { work, size, first, canvas, isReady, onFirst } = props
   const choosing = work.phase === 'choosing'
   const picture = usePicture(work)
   return (
@@ -37,18 +40,21 @@ export function FilmPreview({ work, size, first, canvas, isReady, onFirst }: Fil
           </p>
         )}
       </div>
-      <fieldset disabled={!choosing}>
-        <Segmented
-          label={t('film.preview')}
-          value={first ? 'first' : 'final'}
-          options={(['first', 'final'] as const).map((value) => ({
-            value,
-            label: t(`film.${value}`),
-            testId: `film-${value}`,
-          }))}
-          onChange={(which) => onFirst(which === 'first')}
-        />
-      </fieldset>
+      <div class="film-below">
+        <fieldset disabled={!choosing}>
+          <Segmented
+            label={t('film.preview')}
+            value={first ? 'first' : 'final'}
+            options={(['first', 'final'] as const).map((value) => ({
+              value,
+              label: t(`film.${value}`),
+              testId: `film-${value}`,
+            }))}
+            onChange={(which) => onFirst(which === 'first')}
+          />
+        </fieldset>
+        {props.children}
+      </div>
     </div>
   )
 }

@@ -26,13 +26,15 @@ export function LinkCode({ link }: { link: string | null }) {
 }
 
 export const FilmButton = () => (
-  <Button
-    icon={Clapperboard}
-    label={t('film.open')}
-    tone="quiet"
-    testId="share-film"
-    onClick={() => show('film')}
-  />
+  <div class="share-film">
+    <Button
+      icon={Clapperboard}
+      label={t('film.open')}
+      tone="quiet"
+      testId="share-film"
+      onClick={() => show('film')}
+    />
+  </div>
 )
 
 function Body({ link }: { link: string | null }) {

@@ -24,7 +24,7 @@ const CAPTION_LETTERS = 2.9
 
 interface Asked {
   count: number
-  map: { width: number; height: number }
+  map: FilmSize
   /** Lines at the top. */
   titleLines: number
   /** The share of the longer side that the code takes; 0 for none. */
@@ -32,7 +32,7 @@ interface Asked {
 }
 
 export function layOut({ width, height }: FilmSize, asked: Asked): FrameLayout {
-  const letter = Math.max(9, Math.round(Math.min(width, height) / 34))
+  const letter = Math.max(9, Math.round(Math.min(width, height) / 28))
   const edge = letter
   const whole = { x: edge, y: edge, width: width - 2 * edge, height: height - 2 * edge }
   const titleHeight =
@@ -87,13 +87,25 @@ function grid(field: Rect, letter: number, { count, map }: Asked): FrameLayout['
   const caption = Math.round(CAPTION_LETTERS * letter)
   const { columns } = panelLayout(count, field, map, { head: caption, border: 0, gap: letter })
   const cell = cellOf(field, letter, columns, Math.ceil(count / columns))
+  const room = { width: cell.width, height: cell.height - caption }
+  const size = fitted(room, map)
   return Array.from({ length: count }, (_, i) => {
-    const x = Math.round(field.x + (i % columns) * (cell.width + letter))
-    const y = Math.round(field.y + Math.floor(i / columns) * (cell.height + letter))
-    const width = Math.max(1, Math.floor(cell.width))
-    const height = Math.max(1, Math.floor(cell.height - caption))
-    return { caption: { x, y, width, height: caption }, map: { x, y: y + caption, width, height } }
+    const left = field.x + (i % columns) * (cell.width + letter)
+    const top = field.y + Math.floor(i / columns) * (cell.height + letter)
+    const x = Math.round(left + (room.width - size.width) / 2)
+    const y = Math.round(top + (room.height - size.height) / 2)
+    const width = Math.floor(left + cell.width - x)
+    return { caption: { x, y, width, height: caption }, map: { x, y: y + caption, ...size } }
   })
+}
+
+/** As large as a map can be in a room, so that its caption stands close above it. */
+function fitted(room: FilmSize, map: FilmSize): FilmSize {
+  const scale = Math.min(room.width / map.width, room.height / map.height)
+  return {
+    width: Math.max(1, Math.floor(map.width * scale)),
+    height: Math.max(1, Math.floor(map.height * scale)),
+  }
 }
 
 const cellOf = (field: Rect, gap: number, columns: number, rows: number) => ({
