@@ -2,6 +2,7 @@
 import { STEPS, type StepSettings } from '../film/make_steps'
 import {
   evenSize,
+  type Filmed,
   type FilmSettings,
   type FilmSize,
   framesOf,
@@ -18,6 +19,8 @@ export interface Draft extends Omit<FilmSettings, 'panels'> {
   what: What
   /** One of the sizes offered, or −1 for an own one. */
   offer: number
+  /** As the runs stood when the dialog was opened: they may go on behind it. */
+  filmed: Filmed[]
   whose: number | 'all'
   steps: number
   spread: StepSettings['spread']
@@ -34,7 +37,13 @@ const STEPS_AT_FIRST = 8
 export function firstDraft(): Draft {
   const [size = { width: 1280, height: 720 }] = SIZES
   const look = { layer: layer.peek(), theme: theme.peek() }
-  const others = { steps: STEPS_AT_FIRST, spread: 'even' as const, whose: 'all' as const }
+  const filmed = panels.peek().map(({ id }): Filmed => {
+    const { summary } = latest(id)
+    if (!summary || summary.iteration === 0) return { id, reached: null }
+    const { iteration, digest } = summary
+    return { id, reached: { iteration, digest } }
+  })
+  const others = { filmed, steps: STEPS_AT_FIRST, spread: 'even' as const, whose: 'all' as const }
   return withUnit({ what: 'film', offer: 0, ...size, rate: 30, ...look, ...others }, 'iteration')
 }
 
@@ -72,7 +81,8 @@ export const withSide = (draft: Draft, side: Partial<FilmSize>): Draft => ({
   ...evenSize({ ...draft, ...side }),
 })
 
-const shown = ({ whose }: Draft) => (whose === 'all' ? panels.peek().map(({ id }) => id) : [whose])
+const shown = ({ whose, filmed }: Draft) =>
+  filmed.filter(({ id }) => whose === 'all' || id === whose)
 
 export function filmOf(draft: Draft): FilmSettings {
   const { width, height, rate, unit, last, perSecond, layer: seen, theme: colours } = draft

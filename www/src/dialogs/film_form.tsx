@@ -3,6 +3,7 @@ import '../styles/film.css'
 import { useSignal } from '@preact/signals'
 import { Clapperboard, Download, Square } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
+import { linkOfRace } from '../film/link_of_race'
 import { t } from '../i18n/film'
 import { MOST_BYTES } from '../model/memory'
 import { panels } from '../state'
@@ -23,16 +24,18 @@ const WHATS: What[] = ['film', 'steps', 'slides']
 
 export function FilmForm() {
   const [draft, setDraft] = useState(firstDraft)
+  // Runs may go on behind the dialog: the link is of the moment it was opened.
+  const [link] = useState(linkOfRace)
   const [first, setFirst] = useState(true)
   const work = useSignal<Work>({ phase: 'choosing' })
   const { phase } = work.value
   const tooLarge = 2 * memoryNeeded.value > MOST_BYTES
   const encoding = useEncoding(draft)
-  const preview = usePreview(draft, first, phase === 'choosing' && !tooLarge)
+  const preview = usePreview(draft, link, first, phase === 'choosing' && !tooLarge)
   const { start, stop } = useMaking(work)
   const lacks = panels.value.length === 0 || tooLarge || (draft.what === 'film' && !encoding)
   const begin = () =>
-    start((signal) => make(draft, encoding ?? null, work, preview.canvas.current, signal))
+    start((signal) => make(draft, link, encoding ?? null, work, preview.canvas.current, signal))
   return (
     <Dialog
       title={t('film.title')}

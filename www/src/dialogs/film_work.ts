@@ -3,7 +3,7 @@ import type { Signal } from '@preact/signals'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import { CopiedRace } from '../film/copied_race'
 import { type Encoding, encodingFor } from '../film/encode'
-import { linkOfRace } from '../film/link_of_race'
+import type { RaceLink } from '../film/link_of_race'
 import { type Made, makeFilm } from '../film/make_film'
 import { makeSteps } from '../film/make_steps'
 import { Studio } from '../film/studio'
@@ -36,7 +36,7 @@ export function useEncoding({ width, height, rate }: Draft): Encoding | null | u
 const RESTED_MS = 200
 
 /** Draws the first or last frame onto a canvas; tells whether it is there. */
-export function usePreview(draft: Draft, first: boolean, active: boolean) {
+export function usePreview(draft: Draft, link: Promise<RaceLink>, first: boolean, active: boolean) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const { settings, frame } = previewOf(draft, first)
   const key = active ? JSON.stringify([settings, first]) : ''
@@ -48,7 +48,7 @@ export function usePreview(draft: Draft, first: boolean, active: boolean) {
     const draw = async () => {
       race = await CopiedRace.of(settings.panels)
       if (!race || !wanted) return race?.end()
-      const studio = await Studio.of(race, settings, await linkOfRace())
+      const studio = await Studio.of(race, settings, await link)
       await studio.draw(frame)
       race.end()
       if (!wanted) return
@@ -91,6 +91,7 @@ const TOLD_MS = 120
 /** Makes what the draft says; resolves when it is there or has been given up. */
 export async function make(
   draft: Draft,
+  linkMade: Promise<RaceLink>,
   encoding: Encoding | null,
   work: Signal<Work>,
   canvas: HTMLCanvasElement | null,
@@ -105,7 +106,7 @@ export async function make(
   }
   work.value = { phase: 'making', done: 0, frames: 0 }
   try {
-    const link = await linkOfRace()
+    const link = await linkMade
     const stem = `${fileStem()}-${draft.what}`
     const made =
       draft.what !== 'film'

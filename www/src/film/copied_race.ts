@@ -2,13 +2,13 @@
 import type { RunSummary } from '@pkg/formicarium'
 import type { PanelView } from '../model/messages'
 import type { Scenario } from '../model/session'
-import { latest, type Panel, panelById, referenceOf, scenario, slotColour } from '../state'
+import { type Panel, panelById, referenceOf, scenario, slotColour } from '../state'
 import { BEST_SO_FAR, ROW } from '../state/history_rows'
 import { runSetup } from '../state/runs'
 import { gapOf } from '../words/gap_words'
 import { isSearch, panelTitle } from '../words/planner_words'
 import { RunCopy } from './run_copy'
-import type { Moment, Unit } from './settings'
+import type { Filmed, Moment, Unit } from './settings'
 
 /** One run of the race, as it stands in the copy. */
 export interface CopiedRun {
@@ -34,17 +34,19 @@ export class CopiedRace {
 
   private constructor(
     readonly map: Scenario,
-    panels: Panel[],
+    filmed: Filmed[],
   ) {
-    this.lanes = panels.map((panel) => new Lane(panel, this.improved))
+    this.lanes = filmed.flatMap(({ id, reached }) => {
+      const panel = panelById(id)
+      return panel ? [new Lane(panel, reached, this.improved)] : []
+    })
   }
 
-  /** Loads the runs of these panels. */
-  static async of(panelIds: number[]): Promise<CopiedRace | null> {
+  /** Loads the runs of these panels; null where there are none. */
+  static async of(filmed: Filmed[]): Promise<CopiedRace | null> {
     const map = scenario.peek()
-    const panels = panelIds.flatMap((id) => panelById(id) ?? [])
-    if (!map || panels.length === 0) return null
-    const race = new CopiedRace(map, panels)
+    const race = map && new CopiedRace(map, filmed)
+    if (!race || race.lanes.length === 0) return null
     try {
       await Promise.all(race.lanes.map((lane) => lane.load(map)))
     } catch (error) {
@@ -60,8 +62,9 @@ export class CopiedRace {
   }
 
   /** Goes on to a moment, which must not lie before the present one. */
-  async goTo({ at }: Pick<Moment, 'at'>, unit: Unit): Promise<void> {
-    if (unit === 'iteration') await Promise.all(this.lanes.map((lane) => lane.toIteration(at)))
+  async goTo({ at, last }: Pick<Moment, 'at' | 'last'>, unit: Unit): Promise<void> {
+    if (unit === 'iteration')
+      await Promise.all(this.lanes.map((lane) => lane.toIteration(lane.due(at, last))))
     else await this.moveTo(at)
     const compared = this.lanes.map(({ agrees }) => agrees)
     if (compared.includes(false)) this.agreement = 'differs'
@@ -96,22 +99,26 @@ const ITERATION = 0
 class Lane {
   readonly copy: RunCopy
   agrees: boolean | null = null
-  private readonly reached: { iteration: number; digest: string } | null
   private readonly reference
   private best = Number.POSITIVE_INFINITY
 
   constructor(
     private readonly panel: Panel,
+    private readonly reached: Filmed['reached'],
     private readonly improved: Set<number>,
   ) {
-    const { summary } = latest(panel.id)
-    this.reached = summary && summary.iteration > 0 ? summary : null
     this.reference = referenceOf(panel)
     this.copy = new RunCopy((rows) => this.note(rows))
   }
 
   load(map: Scenario) {
     return this.copy.load(runSetup(this.panel, map))
+  }
+
+  /** Searches count contours, of which they may have many more than a colony has iterations: they end as they stand on the page. */
+  due(iteration: number, last: boolean): number {
+    const wanted = last && isSearch(this.panel.setup.planner) ? this.reached?.iteration : 0
+    return Math.max(iteration, wanted ?? 0)
   }
 
   async toIteration(iteration: number): Promise<void> {

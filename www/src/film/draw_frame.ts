@@ -122,7 +122,9 @@ function drawCode(
   for (const [i, line] of lines.entries()) {
     canvas.fillStyle = i === 0 ? LOOKS[theme].text : LOOKS[theme].muted
     const font = `${i === 0 ? 600 : 400} ${0.86 * letter}px ${FONT}`
-    write(canvas, line, font, words.x, top + (1.3 + 1.3 * i) * letter, words.width)
+    canvas.textAlign = 'center'
+    const middle = words.x + words.width / 2
+    write(canvas, line, font, middle, top + (1.3 + 1.3 * i) * letter, words.width)
   }
 }
 

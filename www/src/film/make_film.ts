@@ -31,7 +31,7 @@ export async function makeFilm(
   signal.addEventListener('abort', () => race.end())
   try {
     const studio = await Studio.of(race, settings, link)
-    const tags = { title: titleOfRace(), comment: link.link ?? '' }
+    const tags = { title: titleOfRace(), comment: commentOf(link) }
     const film = await newFilm(studio.canvas, encoding, settings.rate, tags)
     const frames = framesOf(settings)
     try {
@@ -59,3 +59,7 @@ export async function makeFilm(
 
 export const titleOfRace = () =>
   caption.peek().title.trim() || scenario.peek()?.spec.name || 'Formicarium'
+
+/** For people, and for the page: it opens the race of a film by the link in it (share/film_text.ts). */
+const commentOf = ({ link }: RaceLink) =>
+  link === null ? '' : `Open in Formicarium to run this race again, bit for bit:\n${link}\n`

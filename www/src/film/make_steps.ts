@@ -4,6 +4,7 @@ import { CopiedRace } from './copied_race'
 import type { RaceLink } from './link_of_race'
 import { type Made, type Making, titleOfRace } from './make_film'
 import type { FilmLook } from './settings'
+import { evenly, thinned } from './step_moments'
 import { Sheet, stepName } from './steps_svg'
 
 export const STEPS = { least: 4, most: 24 }
@@ -32,7 +33,7 @@ export async function makeSteps(
     const sheet = await Sheet.of(race.map, settings, link)
     const steps: SVGElement[] = []
     for (const at of moments) {
-      await race.goTo({ at }, 'iteration')
+      await race.goTo({ at, last: at === settings.last }, 'iteration')
       const look = { layer: settings.layer, ends: layerEnds.peek(), theme: settings.theme }
       steps.push(await sheet.step(race.runs(), await race.pictures(look)))
       onFrame?.(steps.length, moments.length)
@@ -56,7 +57,7 @@ async function momentsOf(settings: StepSettings, signal: AbortSignal): Promise<n
   const scout = await CopiedRace.of(settings.panels)
   signal.addEventListener('abort', () => scout?.end())
   try {
-    await scout?.goTo({ at: last }, 'iteration')
+    await scout?.goTo({ at: last, last: true }, 'iteration')
     return thinned(
       [...(scout?.improved ?? [])].filter((at) => at < last),
       last,
@@ -68,19 +69,6 @@ async function momentsOf(settings: StepSettings, signal: AbortSignal): Promise<n
   } finally {
     scout?.end()
   }
-}
-
-/** From the beginning to the last iteration, at most so many. */
-export function evenly(last: number, steps: number): number[] {
-  const all = Array.from({ length: steps }, (_, i) => Math.round((i * last) / (steps - 1)))
-  return [...new Set(all)]
-}
-
-/** The beginning, the last iteration, and as many of the others as there is room for. */
-export function thinned(improved: number[], last: number, steps: number): number[] {
-  const all = [...new Set([0, ...improved, last])].sort((a, b) => a - b)
-  if (all.length <= steps) return all
-  return evenly(all.length - 1, steps).map((index) => all[index] ?? last)
 }
 
 const moving = (sheet: Sheet, steps: SVGElement[]) =>

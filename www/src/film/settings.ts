@@ -21,11 +21,17 @@ export const SIZES: readonly FilmSize[] = [
 export const SIDE = { least: 160, most: 3840 }
 export const MOST_SECONDS = 600
 
+/** A panel, and what its run had reached when the film was asked for: with that its copy is compared. */
+export interface Filmed {
+  id: number
+  reached: { iteration: number; digest: string } | null
+}
+
 export interface FilmLook extends FilmSize {
   layer: PanelView['layer']
   theme: PanelView['theme']
-  /** Panels by id, side by side in this order. */
-  panels: number[]
+  /** Side by side in this order. */
+  panels: Filmed[]
 }
 
 export interface FilmSettings extends FilmLook {
@@ -45,6 +51,8 @@ export const CODE_SECONDS = 4
 export interface Moment {
   at: number
   glide: number
+  /** Nothing comes after it. */
+  last: boolean
   /** With the code of the link beside the result. */
   code: boolean
 }
@@ -69,9 +77,9 @@ export function momentOf(frame: number, settings: Pace & Pick<FilmSettings, 'uni
   const { rate, last, perSecond, unit } = settings
   const passed = Math.min(last, (frame * perSecond) / rate)
   const code = frame >= runFrames(settings) + RESULT_SECONDS * rate - 1
-  if (unit === 'iteration') return { at: Math.floor(passed + 1e-9), glide: 1, code }
-  const at = Math.ceil(passed - 1e-9)
-  return { at, glide: at > 0 ? Math.min(1, passed - at + 1) : 1, code }
+  const at = unit === 'iteration' ? Math.floor(passed + 1e-9) : Math.ceil(passed - 1e-9)
+  const glide = unit === 'move' && at > 0 ? Math.min(1, passed - at + 1) : 1
+  return { at, glide, last: passed >= last, code }
 }
 
 /** The nearest size that encoders take. */

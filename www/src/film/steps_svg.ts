@@ -159,7 +159,8 @@ export class Sheet {
     const { square, words } = place
     const lines = codeWords(this.link).map((line, i) =>
       this.text(line, {
-        x: words.x,
+        x: words.x + words.width / 2,
+        anchor: 'middle',
         y: words.y + (1.3 + 1.2 * i) * letter,
         size: 0.72 * letter,
         weight: i === 0 ? 600 : 400,
@@ -173,10 +174,11 @@ export class Sheet {
   }
 
   private text(words: string, at: TextPlace): SVGElement {
-    const { x, y, size, weight, most, muted } = at
+    const { x, y, size, weight, most, muted, anchor } = at
     const fill = muted ? { fill: LOOKS[this.asked.theme].muted } : {}
     const shown = shortened(words, most, `${weight} ${size}px ${FONT}`)
-    return element('text', { x, y, 'font-size': size, 'font-weight': weight, ...fill }, shown)
+    const font = { 'font-size': size, 'font-weight': weight, 'text-anchor': anchor }
+    return element('text', { x, y, ...font, ...fill }, shown)
   }
 }
 
@@ -188,6 +190,7 @@ interface TextPlace {
   /** Pixels to which the words are cut. */
   most: number
   muted: boolean
+  anchor?: 'middle'
 }
 
 /**
