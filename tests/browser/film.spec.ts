@@ -1,4 +1,5 @@
 /** Films of a race: drawn frame by frame from copies of its runs, the same whenever they are made. */
+import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { expectClean } from './axe'
 import { FilmPage, type Saved, seek, shownAlone } from './film_page'
@@ -8,9 +9,13 @@ const SMALL = { width: 320, height: 240 }
 /** Of a race of twelve iterations at six a second: its run, two seconds of result, four of the code. */
 const FRAMES = 2 * 24 + 1 + 6 * 24 - 1
 
+/** By its path: Playwright loads packages that it finds by name as CommonJS. */
+const reader = (): Promise<typeof import('mediabunny')> =>
+  import(join(__dirname, '../../www/node_modules/mediabunny/dist/bundles/mediabunny.mjs'))
+
 /** What a reader of video files finds in it. */
 async function read({ bytes }: Saved) {
-  const { ALL_FORMATS, BlobSource, EncodedPacketSink, Input } = await import('mediabunny')
+  const { ALL_FORMATS, BlobSource, EncodedPacketSink, Input } = await reader()
   const input = new Input({
     formats: ALL_FORMATS,
     source: new BlobSource(new Blob([new Uint8Array(bytes)])),
