@@ -111,11 +111,10 @@ export function withCode(svg: SVGSVGElement, code: QrCode, words: string[]): SVG
   svg.setAttribute('height', String(tall))
   svg.setAttribute('viewBox', `0 0 ${width} ${tall}`)
   svg.querySelector(':scope > rect')?.setAttribute('height', String(tall))
-  const link = element('a', { href: code.text }, qrElement(code, side, x, height))
+  svg.append(element('metadata', {}, code.text), qrElement(code, side, x, height))
   words.forEach((line, i) => {
     const at = { x: x - CORNER.edge, y: height + side - 6 - 18 * (words.length - 1 - i) }
-    link.append(element('text', { ...at, 'text-anchor': 'end', 'font-size': 12 }, line))
+    svg.append(element('text', { ...at, 'text-anchor': 'end', 'font-size': 12 }, line))
   })
-  svg.append(link)
   return svg
 }

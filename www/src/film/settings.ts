@@ -77,7 +77,8 @@ export function momentOf(frame: number, settings: Pace & Pick<FilmSettings, 'uni
   const { rate, last, perSecond, unit } = settings
   const passed = Math.min(last, (frame * perSecond) / rate)
   const code = frame >= runFrames(settings) + RESULT_SECONDS * rate - 1
-  const at = unit === 'iteration' ? Math.floor(passed + 1e-9) : Math.ceil(passed - 1e-9)
+  const at =
+    unit === 'iteration' ? Math.floor(passed + 1e-9) : Math.max(0, Math.ceil(passed - 1e-9))
   const glide = unit === 'move' && at > 0 ? Math.min(1, passed - at + 1) : 1
   return { at, glide, last: passed >= last, code }
 }
