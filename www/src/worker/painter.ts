@@ -41,14 +41,16 @@ export class Painter {
   private lastStep = 0
   private glideFrom = 0
   private glideMs = 0
+  /** How far ants are through their last move, where no clock is to tell. */
+  glide: number | undefined
   private requested = 0
   /** What is to be done once the view that was given last has been drawn; null when it has. */
   private waiting: (() => void)[] | null = null
   private scale = ''
 
   constructor(
-    private readonly canvas: OffscreenCanvas,
-    private view: PanelView,
+    readonly canvas: OffscreenCanvas,
+    public view: PanelView,
     /** Told what the colours mean when it has changed. */
     private readonly onScale: (scale: LayerScale) => void,
   ) {
@@ -136,16 +138,6 @@ export class Painter {
     }
   }
 
-  /**
-   * What a view shows, with ants so far through their last move: for a panel that nobody sees, which is so again afterwards.
-   */
-  shot(view: PanelView, glide: number): ImageBitmap {
-    this.view = view
-    this.draw(glide)
-    this.view = { ...view, hidden: true }
-    return this.canvas.transferToImageBitmap()
-  }
-
   /** The map and its layer as they stand, one pixel a cell, without light and shade; null before the first map. */
   flatBitmap(): ImageBitmap | null {
     if (this.spec === null) return null
@@ -176,7 +168,7 @@ export class Painter {
     this.scale = key
   }
 
-  private draw(glide?: number): void {
+  draw(): void {
     const { context, view, spec, raster } = this
     fit(this.canvas, view)
     if (view.hidden || view.width === 0 || view.height === 0) return
@@ -189,7 +181,7 @@ export class Painter {
     context.globalCompositeOperation = 'copy'
     context.drawImage(this.ground.canvas, 0, 0)
     context.globalCompositeOperation = 'source-over'
-    if (view.showAnts) this.drawAnts(spec, glide ?? this.progress())
+    if (view.showAnts) this.drawAnts(spec)
     drawMarks(context, view, spec, this.places)
     drawCursor(context, view)
   }
@@ -214,12 +206,9 @@ export class Painter {
     this.draw()
   }
 
-  /** How far the ants are through their last move. */
-  private progress(): number {
-    return this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
-  }
-
-  private drawAnts({ goals }: ScenarioSpec, progress: number): void {
+  private drawAnts({ goals }: ScenarioSpec): void {
+    const since = performance.now() - this.glideFrom
+    const progress = this.glide ?? (this.glideMs > 0 ? since / this.glideMs : 1)
     drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
     cancelAnimationFrame(this.requested)
     if (progress < 1 && this.crowd.size > 0)

@@ -1,7 +1,8 @@
 /** What a panel's worker answers about its run besides frames: looking back, the moves of a cell, a layer's values. */
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
-import type { PanelAnswers, PanelQuestion, PanelView } from '../model/messages'
+import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import type { Painter } from './painter'
 import { paintLayer } from './shown_layer'
 
 /** Fetched together: neither is needed before somebody asks or stops. */
@@ -14,7 +15,7 @@ interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
   repaint(look: PanelAnswers['look']): void
-  shot(view: PanelView, glide: number): ImageBitmap | null
+  painter: Painter | null
 }
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
@@ -41,7 +42,7 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
     case 'picture':
       return pictureOf(question, run)
     case 'shot':
-      return asked.shot(question.view, question.glide)
+      return asked.painter && shot(question, asked.painter)
     case 'walls': {
       const at = run.change_walls?.(question.walls) ?? null
       return { at, adapts: run.adapts?.() ?? null, ...shown(run, asked) }
@@ -59,6 +60,18 @@ function pictureOf(look: Extract<PanelQuestion, { about: 'picture' }>, run: Run)
   if (context === null) return null
   const scale = paintLayer(run, context, look, true)
   return { pixels: context.getImageData(0, 0, width, height).data, scale }
+}
+
+/** Of a panel that nobody sees, and that stays so. */
+function shot(
+  { view, glide }: Extract<PanelQuestion, { about: 'shot' }>,
+  painter: Painter,
+): ImageBitmap {
+  painter.view = view
+  painter.glide = glide
+  painter.draw()
+  painter.view = { ...view, hidden: true }
+  return painter.canvas.transferToImageBitmap()
 }
 
 function keptOf(run: Run): PanelAnswers['kept'] {

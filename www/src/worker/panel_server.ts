@@ -156,7 +156,7 @@ async function answerTo(question: PanelQuestion, running: Running) {
   return answer(question, running.run, {
     isCurrent: () => current === running && (question.about !== 'look' || running.looks === looks),
     repaint: showPast,
-    shot: (view, glide) => painter?.shot(view, glide) ?? null,
+    painter,
   })
 }
 
