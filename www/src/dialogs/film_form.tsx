@@ -1,7 +1,7 @@
 /** Chooses what is made of the race, shows how it begins and ends, makes it, and hands it over. */
 import '../styles/film.css'
 import { useSignal } from '@preact/signals'
-import { Clapperboard, Download, Square } from 'lucide'
+import { Clapperboard, Download, X } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import { linkOfRace } from '../film/link_of_race'
 import { t } from '../i18n/film'
@@ -105,7 +105,7 @@ interface ActionsProps {
 
 function Actions({ work, what, lacks, begin, stop }: ActionsProps) {
   if (work.phase === 'making')
-    return <Button icon={Square} label={t('film.cancel')} testId="film-stop" onClick={stop} />
+    return <Button icon={X} label={t('film.cancel')} testId="film-stop" onClick={stop} />
   if (work.phase === 'choosing')
     return (
       <Button

@@ -3,7 +3,6 @@ import '../styles/picture.css'
 import { Clapperboard, FileCode2, Image } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import {
-  type Corner,
   pictureKinds,
   pictureOf,
   picturesReady,
@@ -11,8 +10,6 @@ import {
   saveSvg,
   type Wanted,
 } from '../figures/pictures'
-import { codeWords } from '../film/captions'
-import { linkOfRace } from '../film/link_of_race'
 import { addFilmWords, t as filmWords } from '../i18n/film'
 import { t } from '../i18n/pictures'
 import { notifyError, panels, selectedPanel } from '../state'
@@ -23,12 +20,15 @@ import { Dialog } from '../ui/dialog'
 import { Segmented, Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
 import { panelTitle } from '../words/planner_words'
+import type { Corner } from './picture_corner'
 
 /** Once its words are here. */
 export const PictureDialog = lazily(async () => {
   await Promise.all([picturesReady(), addFilmWords()])
   return Shown
 })
+
+const CornerChoice = lazily(async () => (await import('./picture_corner')).CornerChoice)
 
 const SCALES = [2, 3] as const
 const GROUNDS = ['page', 'print'] as const
@@ -100,44 +100,16 @@ function WhoseField({ whose, onChange }: WhoseFieldProps) {
   )
 }
 
-interface CornerChoiceProps {
-  corner: Corner | null
-  onChange: (corner: Corner | null) => void
-}
-
-/** Whether the code of the link stands in the corner; made when it is first wanted. */
-function CornerChoice({ corner, onChange }: CornerChoiceProps) {
-  const [without, setWithout] = useState(false)
-  const change = async (wanted: boolean) => {
-    if (!wanted) return onChange(null)
-    const found = await linkOfRace()
-    setWithout(found.code === null)
-    onChange(found.code && { code: found.code, words: codeWords(found) })
-  }
-  return (
-    <label class="picture-code" title={without ? filmWords('qr.none') : undefined}>
-      <input
-        type="checkbox"
-        data-testid="picture-code"
-        checked={corner !== null}
-        disabled={without}
-        onChange={(event) => change(event.currentTarget.checked).catch(notifyError)}
-      />
-      {filmWords(without ? 'qr.none' : 'qr.add')}
-    </label>
-  )
-}
-
 /** Undefined while it is being drawn; null where there is nothing to draw. */
 type Made = SVGSVGElement | null | undefined
 
 function usePicture({ kind, whose, ground }: Wanted, corner: Corner | null): Made {
   const [made, setMade] = useState<{ key: string; svg: SVGSVGElement | null } | null>(null)
-  const key = `${kind} ${whose} ${ground} ${corner?.code.text}`
+  const key = `${kind} ${whose} ${ground} ${corner?.text}`
   useEffect(() => {
     let current = true
-    pictureOf({ kind, whose, ground }, corner).then(
-      (svg) => current && setMade({ key, svg }),
+    pictureOf({ kind, whose, ground }).then(
+      (svg) => current && setMade({ key, svg: svg && corner ? corner.add(svg) : svg }),
       (error) => {
         if (!current) return
         setMade({ key, svg: null })

@@ -9,7 +9,6 @@ import { framed } from './frame'
 import { mapPicture, type Whose } from './map_picture'
 import { downloadSvg, figurePng, savePng } from './picture_files'
 import { profilePicture } from './profile_picture'
-import { type QrCode, withCode } from './qr_code'
 import { type Ground, type Picture, WIDTH } from './race_parts'
 
 export const picturesReady = () => Promise.all([addPictureWords(), addReadingWords()])
@@ -24,21 +23,10 @@ export interface Wanted {
   ground: Ground
 }
 
-/** A code in the corner of a picture, with words beside it. */
-export interface Corner {
-  code: QrCode
-  words: string[]
-}
-
 /** Null where there is nothing to draw yet. */
-export async function pictureOf(
-  { kind, whose, ground }: Wanted,
-  corner: Corner | null = null,
-): Promise<SVGSVGElement | null> {
+export async function pictureOf({ kind, whose, ground }: Wanted): Promise<SVGSVGElement | null> {
   const picture = await drawn(kind, whose, ground)
-  if (!picture) return null
-  const svg = framed(picture.drawing, WIDTH, picture.look, picture.words, picture.heading)
-  return corner ? withCode(svg, corner.code, corner.words) : svg
+  return picture && framed(picture.drawing, WIDTH, picture.look, picture.words, picture.heading)
 }
 
 async function drawn(kind: PictureKind, whose: Whose, ground: Ground): Promise<Picture | null> {

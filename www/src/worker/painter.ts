@@ -42,7 +42,7 @@ export class Painter {
   private glideFrom = 0
   private glideMs = 0
   /** How far ants are through their last move, where no clock is to tell. */
-  glide: number | undefined
+  declare glide: number | undefined
   private requested = 0
   /** What is to be done once the view that was given last has been drawn; null when it has. */
   private waiting: (() => void)[] | null = null

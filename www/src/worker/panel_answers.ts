@@ -14,7 +14,6 @@ type Run = CoreRun & Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
-  repaint(look: PanelAnswers['look']): void
   painter: Painter | null
 }
 
@@ -84,13 +83,15 @@ async function look(iteration: number | null, run: Run, asked: Asked): Promise<A
 }
 
 /** What the run answers now, drawn as well. */
-function shown(run: Run, asked: Asked): PanelAnswers['look'] {
+function shown(run: Run, { painter }: Asked): PanelAnswers['look'] {
   const look = {
     summary: run.summary(),
     bestPath: run.best_path(),
     bestAltitudes: run.best_altitudes(),
   }
-  asked.repaint(look)
+  painter?.setPath(look.bestPath)
+  painter?.setOrder(look.summary.tour?.order ?? [])
+  painter?.refresh(false)
   return look
 }
 
