@@ -157,6 +157,16 @@ test('the race on the page is left alone, and goes on meanwhile', async ({ page 
   expect(await film.race.antMoves()).toBeGreaterThan(moves)
 })
 
+test('a film goes on where nothing is painted, as in a hidden tab', async ({ page }) => {
+  const film = await smallFilm(page)
+  await film.fill({ seconds: 7 })
+  await film.drawn()
+  await page.evaluate(() => {
+    window.requestAnimationFrame = () => 0
+  })
+  await expect(await film.make()).toHaveAttribute('data-agreement', 'same')
+})
+
 test('a film that is given up leaves nothing', async ({ page }) => {
   const film = await smallFilm(page)
   await film.drawn()

@@ -2,7 +2,7 @@
 
 import { FONT, LOOKS } from '../figures/look'
 import { drawQrCode, type QrCode } from '../figures/qr_code'
-import { shortened } from '../figures/svg'
+import { fitting } from '../figures/svg'
 import { goalName } from '../model/goals'
 import type { PanelView } from '../model/messages'
 import type { Scenario } from '../model/session'
@@ -83,7 +83,7 @@ function drawTitle(
   theme: FilmLook['theme'],
 ): void {
   for (const [i, line] of lines.entries()) {
-    const font = i === 0 ? `650 ${1.25 * letter}px ${FONT}` : `${letter}px ${FONT}`
+    const font = i === 0 ? { size: 1.25 * letter, weight: 650 } : { size: letter, weight: 400 }
     canvas.fillStyle = i === 0 ? LOOKS[theme].text : LOOKS[theme].muted
     write(canvas, line, font, title.x, title.y + (1.5 * i + 1.1) * letter, title.width)
   }
@@ -103,9 +103,11 @@ function drawCaption(
   canvas.fill()
   const left = x + 1.1 * letter
   canvas.fillStyle = LOOKS[theme].text
-  write(canvas, said.name, `600 ${letter}px ${FONT}`, left, y + 1.06 * letter, x + width - left)
+  const name = { size: letter, weight: 600 }
+  write(canvas, said.name, name, left, y + 1.06 * letter, x + width - left)
   canvas.fillStyle = LOOKS[theme].muted
-  write(canvas, said.reached, `${0.86 * letter}px ${FONT}`, x, y + 2.3 * letter, width)
+  const reached = { size: 0.86 * letter, weight: 400 }
+  write(canvas, said.reached, reached, x, y + 2.3 * letter, width)
 }
 
 function drawCode(
@@ -121,7 +123,7 @@ function drawCode(
   const top = code ? words.y : square.y + square.height / 2
   for (const [i, line] of lines.entries()) {
     canvas.fillStyle = i === 0 ? LOOKS[theme].text : LOOKS[theme].muted
-    const font = `${i === 0 ? 600 : 400} ${0.86 * letter}px ${FONT}`
+    const font = { size: 0.86 * letter, weight: i === 0 ? 600 : 400 }
     canvas.textAlign = 'center'
     const middle = words.x + words.width / 2
     write(canvas, line, font, middle, top + (1.3 + 1.3 * i) * letter, words.width)
@@ -131,11 +133,13 @@ function drawCode(
 function write(
   canvas: Canvas,
   text: string,
-  font: string,
+  { size, weight }: { size: number; weight: number },
   x: number,
   y: number,
   most: number,
 ): void {
-  canvas.font = font
-  canvas.fillText(shortened(text, most, font), x, y)
+  const font = (letters: number) => `${weight} ${letters}px ${FONT}`
+  const shown = fitting(text, most, size, font)
+  canvas.font = font(shown.size)
+  canvas.fillText(shown.text, x, y)
 }

@@ -94,7 +94,7 @@ function grid(field: Rect, letter: number, { count, map }: Asked): FrameLayout['
     const top = field.y + Math.floor(i / columns) * (cell.height + letter)
     const x = Math.round(left + (room.width - size.width) / 2)
     const y = Math.round(top + (room.height - size.height) / 2)
-    const width = Math.floor(left + cell.width - x)
+    const width = Math.floor(left + cell.width - x - letter / 2)
     return { caption: { x, y, width, height: caption }, map: { x, y: y + caption, ...size } }
   })
 }

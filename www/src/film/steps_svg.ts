@@ -3,7 +3,7 @@ import { FONT, LOOKS } from '../figures/look'
 import { endsOf, pathOf } from '../figures/map_marks'
 import { imageOf } from '../figures/map_picture'
 import { qrElement } from '../figures/qr_code'
-import { element, shortened, svgText } from '../figures/svg'
+import { element, fitting, svgText } from '../figures/svg'
 import { contourLines, hatching } from '../figures/terrain_lines'
 import { t } from '../i18n/film'
 import type { MapPicture } from '../model/messages'
@@ -15,6 +15,8 @@ import type { RaceLink } from './link_of_race'
 import { titleOfRace } from './make_film'
 import type { FilmLook, FilmSize } from './settings'
 
+/** The page's own typeface is not where the file goes: so nothing is measured by it either. */
+const PLAIN_FONT = FONT.replace(/^"[^"]*", /, '')
 /** Everything is laid out on a sheet whose shorter side has so many units, however large the picture is. */
 const SHORTER_SIDE = 720
 const CODE_SHARE = 0.3
@@ -82,7 +84,7 @@ export class Sheet {
       width,
       height,
       viewBox: `0 0 ${this.size.width} ${this.size.height}`,
-      'font-family': FONT,
+      'font-family': PLAIN_FONT,
       fill: LOOKS[this.asked.theme].text,
     })
     svg.append(element('title', {}, name))
@@ -176,9 +178,9 @@ export class Sheet {
   private text(words: string, at: TextPlace): SVGElement {
     const { x, y, size, weight, most, muted, anchor } = at
     const fill = muted ? { fill: LOOKS[this.asked.theme].muted } : {}
-    const shown = shortened(words, most, `${weight} ${size}px ${FONT}`)
-    const font = { 'font-size': size, 'font-weight': weight, 'text-anchor': anchor }
-    return element('text', { x, y, ...font, ...fill }, shown)
+    const shown = fitting(words, most, size, (letters) => `${weight} ${letters}px ${PLAIN_FONT}`)
+    const font = { 'font-size': shown.size, 'font-weight': weight, 'text-anchor': anchor }
+    return element('text', { x, y, ...font, ...fill }, shown.text)
   }
 }
 
