@@ -269,6 +269,24 @@ test.describe('nothing breaks it', () => {
     guard.expectPeace()
   })
 
+  test('in a film, a moving picture, slides, and codes of the link', async ({ page }) => {
+    const guard = await opened(page)
+    await atRest(page)
+    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    await menu(page, 'share', 'link-code', 'link-code-large')
+    await page.keyboard.press('Escape')
+    await saved(page, 'link-code-save')
+    await menu(page, 'share-film')
+    await page.getByTestId('film-seconds').fill('7')
+    await page.getByTestId('film-seconds').press('Tab')
+    for (const what of ['film', 'steps', 'slides']) {
+      await menu(page, `film-${what}`, 'film-make')
+      await saved(page, 'film-save')
+      await menu(page, 'film-again')
+    }
+    guard.expectPeace()
+  })
+
   test('when shared, read about, in Chinese and in the dark', async ({ page }) => {
     const guard = await opened(page)
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))

@@ -6,6 +6,7 @@ import '../styles/names.css'
 import type { DialogName } from '../state/dialogs'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'
+import { FilmDialog } from './film_dialog'
 import { GenerateDialog } from './generate_dialog'
 import { HelpDialog } from './help_dialog'
 import { ImportDialog } from './import_dialog'
@@ -32,6 +33,7 @@ export const DIALOGS: Record<DialogName, ComponentType> = {
   order: OrderDialog,
   names: NamesDialog,
   picture: PictureDialog,
+  film: FilmDialog,
 }
 
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

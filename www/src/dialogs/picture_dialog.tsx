@@ -1,6 +1,6 @@
 /** Takes the map, the convergence or the profile away as a picture: what is chosen is seen before it is saved. */
 import '../styles/picture.css'
-import { FileCode2, Image } from 'lucide'
+import { Clapperboard, FileCode2, Image } from 'lucide'
 import { useEffect, useRef, useState } from 'preact/hooks'
 import {
   pictureKinds,
@@ -10,21 +10,25 @@ import {
   saveSvg,
   type Wanted,
 } from '../figures/pictures'
+import { addFilmWords, t as filmWords } from '../i18n/film'
 import { t } from '../i18n/pictures'
 import { notifyError, panels, selectedPanel } from '../state'
-import { closeDialog } from '../state/dialogs'
+import { closeDialog, show } from '../state/dialogs'
 import { type PictureKind, wantedPicture } from '../state/pictures'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { Segmented, Select } from '../ui/fields'
 import { lazily } from '../ui/lazily'
 import { panelTitle } from '../words/planner_words'
+import type { Corner } from './picture_corner'
 
 /** Once its words are here. */
 export const PictureDialog = lazily(async () => {
-  await picturesReady()
+  await Promise.all([picturesReady(), addFilmWords()])
   return Shown
 })
+
+const CornerChoice = lazily(async () => (await import('./picture_corner')).CornerChoice)
 
 const SCALES = [2, 3] as const
 const GROUNDS = ['page', 'print'] as const
@@ -35,7 +39,8 @@ function Shown() {
     whose: selectedPanel.value ?? panels.value[0]?.id ?? 'all',
     ground: 'page',
   })
-  const svg = usePicture(wanted)
+  const [corner, setCorner] = useState<Corner | null>(null)
+  const svg = usePicture(wanted, corner)
   const change = (part: Partial<Wanted>) => setWanted({ ...wanted, ...part })
   return (
     <Dialog
@@ -67,6 +72,7 @@ function Shown() {
           }))}
           onChange={(ground) => change({ ground })}
         />
+        <CornerChoice corner={corner} onChange={setCorner} />
       </div>
       <Preview svg={svg} />
     </Dialog>
@@ -97,13 +103,13 @@ function WhoseField({ whose, onChange }: WhoseFieldProps) {
 /** Undefined while it is being drawn; null where there is nothing to draw. */
 type Made = SVGSVGElement | null | undefined
 
-function usePicture({ kind, whose, ground }: Wanted): Made {
+function usePicture({ kind, whose, ground }: Wanted, corner: Corner | null): Made {
   const [made, setMade] = useState<{ key: string; svg: SVGSVGElement | null } | null>(null)
-  const key = `${kind} ${whose} ${ground}`
+  const key = `${kind} ${whose} ${ground} ${corner?.text}`
   useEffect(() => {
     let current = true
     pictureOf({ kind, whose, ground }).then(
-      (svg) => current && setMade({ key, svg }),
+      (svg) => current && setMade({ key, svg: svg && corner ? corner.add(svg) : svg }),
       (error) => {
         if (!current) return
         setMade({ key, svg: null })
@@ -146,6 +152,13 @@ function Preview({ svg }: { svg: Made }) {
 function Actions({ svg, kind }: { svg: Made; kind: PictureKind }) {
   return (
     <>
+      <Button
+        icon={Clapperboard}
+        label={filmWords('film.open')}
+        tone="quiet"
+        testId="picture-film"
+        onClick={() => show('film')}
+      />
       {SCALES.map((scale) => (
         <Button
           key={scale}

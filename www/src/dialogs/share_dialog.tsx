@@ -2,6 +2,7 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
+import { addFilmWords } from '../i18n/film'
 import type { Lesson } from '../model/lesson'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
@@ -16,6 +17,9 @@ import { useNamesWords } from './names_dialog'
 import { NamesFields } from './names_fields'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
+const linkCode = async () => (await Promise.all([import('./link_code'), addFilmWords()]))[0]
+const LinkCode = lazily(async () => (await linkCode()).LinkCode)
+const FilmButton = lazily(async () => (await linkCode()).FilmButton)
 const TargetField = lazily(() => lazyParts.lesson('field'))
 
 export function ShareDialog() {
@@ -42,6 +46,8 @@ export function ShareDialog() {
       {session && <Contents session={session} expanded={expanded} />}
       <TargetField />
       {ready && <Names />}
+      {!isTooLong(link) && <LinkCode link={link} />}
+      <FilmButton />
     </SendDialog>
   )
 }

@@ -16,7 +16,11 @@ const HALO = 6
 const MARK = 7
 
 /** In cells, from the middle of each cell to that of the next; `scale` is pixels a cell. */
-export function pathOf({ path, colour, name }: Runner, scale: number, theme: Theme): SVGElement[] {
+export function pathOf(
+  { path, colour, name }: Pick<Runner, 'path' | 'colour' | 'name'>,
+  scale: number,
+  theme: Theme,
+): SVGElement[] {
   if (!path) return []
   const points: string[] = []
   for (let i = 0; i + 1 < path.length; i += 2)

@@ -108,7 +108,8 @@ function drawCells(onto: SVGElement, { base, paths }: CellPaths, width: number, 
   for (const { colour, d } of paths) onto.append(element('path', { d, fill: colour }))
 }
 
-async function imageOf(
+/** Cells as one picture, a pixel each. */
+export async function imageOf(
   pixels: MapPicture['pixels'],
   width: number,
   height: number,

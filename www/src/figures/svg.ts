@@ -38,6 +38,20 @@ export function shortened(text: string, most: number, font: string): string {
   return `${text.slice(0, kept).trimEnd()}…`
 }
 
+/** The size of letters at which a text fits, and what is left of it where that would be less than `least` of the size. */
+export function fitting(
+  text: string,
+  most: number,
+  size: number,
+  font: (size: number) => string,
+  least = 0.7,
+): { text: string; size: number } {
+  const wide = widthOf(text, font(size))
+  if (wide <= most) return { text, size }
+  const smaller = Math.max(least * size, (size * most) / wide)
+  return { text: shortened(text, most, font(smaller)), size: smaller }
+}
+
 /** Words in lines of at most this many pixels. Chinese may break anywhere. */
 export function wrapped(text: string, most: number, font: string): string[] {
   const words =

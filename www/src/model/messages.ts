@@ -97,6 +97,8 @@ export type PanelQuestion =
       PanelView,
       'layer' | 'ends' | 'theme'
     >)
+  /** The panel as it would be drawn in this view, with ants so far through their last move, from 0 to 1. */
+  | { about: 'shot'; view: PanelView; glide: number }
   /** Change walls at the end of the iteration at work. */
   | { about: 'walls'; walls: Walls }
   /** Paint the map as it would be with these walls. */
@@ -119,6 +121,7 @@ export interface PanelAnswers {
     mostRepeated: number
   }
   picture: MapPicture
+  shot: ImageBitmap
   walls: {
     /** The iteration at whose end they change; null where this build of the engine cannot change walls. */
     at: number | null

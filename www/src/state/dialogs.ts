@@ -13,6 +13,7 @@ export type DialogName =
   | 'order'
   | 'names'
   | 'picture'
+  | 'film'
 
 export const openDialog = signal<DialogName | null>(null)
 

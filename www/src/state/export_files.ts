@@ -30,7 +30,11 @@ export async function exportSession(): Promise<string> {
   return session ? sessionToFile(session, engineVersion.peek()) : ''
 }
 
-export function download(name: string, content: string | Uint8Array, type = 'text/plain'): void {
+export function download(
+  name: string,
+  content: string | Uint8Array | Blob,
+  type = 'text/plain',
+): void {
   const url = URL.createObjectURL(new Blob([content as BlobPart], { type }))
   const anchor = document.createElement('a')
   anchor.href = url

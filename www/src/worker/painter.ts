@@ -41,14 +41,16 @@ export class Painter {
   private lastStep = 0
   private glideFrom = 0
   private glideMs = 0
+  /** How far ants are through their last move, where no clock is to tell. */
+  declare glide: number | undefined
   private requested = 0
   /** What is to be done once the view that was given last has been drawn; null when it has. */
   private waiting: (() => void)[] | null = null
   private scale = ''
 
   constructor(
-    private readonly canvas: OffscreenCanvas,
-    private view: PanelView,
+    readonly canvas: OffscreenCanvas,
+    public view: PanelView,
     /** Told what the colours mean when it has changed. */
     private readonly onScale: (scale: LayerScale) => void,
   ) {
@@ -166,7 +168,7 @@ export class Painter {
     this.scale = key
   }
 
-  private draw(): void {
+  draw(): void {
     const { context, view, spec, raster } = this
     fit(this.canvas, view)
     if (view.hidden || view.width === 0 || view.height === 0) return
@@ -205,7 +207,8 @@ export class Painter {
   }
 
   private drawAnts({ goals }: ScenarioSpec): void {
-    const progress = this.glideMs > 0 ? (performance.now() - this.glideFrom) / this.glideMs : 1
+    const since = performance.now() - this.glideFrom
+    const progress = this.glide ?? (this.glideMs > 0 ? since / this.glideMs : 1)
     drawCrowd(this.context, this.view, this.crowd.underWay(goals), Math.min(1, progress))
     cancelAnimationFrame(this.requested)
     if (progress < 1 && this.crowd.size > 0)

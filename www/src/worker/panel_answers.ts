@@ -2,6 +2,7 @@
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import type { Painter } from './painter'
 import { paintLayer } from './shown_layer'
 
 /** Fetched together: neither is needed before somebody asks or stops. */
@@ -13,7 +14,7 @@ type Run = CoreRun & Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
   isCurrent(): boolean
-  repaint(look: PanelAnswers['look']): void
+  painter: Painter | null
 }
 
 type Answer = PanelAnswers[keyof PanelAnswers] | null
@@ -39,6 +40,8 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return keptOf(run)
     case 'picture':
       return pictureOf(question, run)
+    case 'shot':
+      return asked.painter && shot(question, asked.painter)
     case 'walls': {
       const at = run.change_walls?.(question.walls) ?? null
       return { at, adapts: run.adapts?.() ?? null, ...shown(run, asked) }
@@ -58,6 +61,18 @@ function pictureOf(look: Extract<PanelQuestion, { about: 'picture' }>, run: Run)
   return { pixels: context.getImageData(0, 0, width, height).data, scale }
 }
 
+/** Of a panel that nobody sees, and that stays so. */
+function shot(
+  { view, glide }: Extract<PanelQuestion, { about: 'shot' }>,
+  painter: Painter,
+): ImageBitmap {
+  painter.view = view
+  painter.glide = glide
+  painter.draw()
+  painter.view = { ...view, hidden: true }
+  return painter.canvas.transferToImageBitmap()
+}
+
 function keptOf(run: Run): PanelAnswers['kept'] {
   const [snapshots = 0, bytes = 0, , , mostRepeated = 0] = run.snapshots()
   return { snapshots, bytes, mostRepeated }
@@ -68,13 +83,15 @@ async function look(iteration: number | null, run: Run, asked: Asked): Promise<A
 }
 
 /** What the run answers now, drawn as well. */
-function shown(run: Run, asked: Asked): PanelAnswers['look'] {
+function shown(run: Run, { painter }: Asked): PanelAnswers['look'] {
   const look = {
     summary: run.summary(),
     bestPath: run.best_path(),
     bestAltitudes: run.best_altitudes(),
   }
-  asked.repaint(look)
+  painter?.setPath(look.bestPath)
+  painter?.setOrder(look.summary.tour?.order ?? [])
+  painter?.refresh(false)
   return look
 }
 

@@ -8,7 +8,6 @@ import { KEPT_BYTES } from '../model/kept_bytes'
 import type { Stop } from '../model/lesson'
 import type {
   Frame,
-  PanelAnswers,
   PanelQuestion,
   PanelReply,
   PanelRequest,
@@ -144,7 +143,8 @@ async function ask({ runId, id, question }: Extract<PanelRequest, { kind: 'ask' 
   const running = current?.id === runId ? current : null
   if (running && question.about === 'look') running.looks++
   const answer = running && (await answerTo(question, running).catch(() => null))
-  const transfer = answer instanceof Float32Array ? [answer.buffer] : []
+  const transfer =
+    answer instanceof Float32Array ? [answer.buffer] : answer instanceof ImageBitmap ? [answer] : []
   self.postMessage({ kind: 'answer', id, answer } satisfies PanelReply, { transfer })
 }
 
@@ -154,15 +154,8 @@ async function answerTo(question: PanelQuestion, running: Running) {
   const { answer } = await import('./panel_answers')
   return answer(question, running.run, {
     isCurrent: () => current === running && (question.about !== 'look' || running.looks === looks),
-    repaint: showPast,
+    painter,
   })
-}
-
-/** Draws what the run answers now, be it of the past. */
-function showPast({ bestPath, summary }: PanelAnswers['look']): void {
-  painter?.setPath(bestPath)
-  painter?.setOrder(summary.tour?.order ?? [])
-  painter?.refresh(false)
 }
 
 function raster(): void {
