@@ -32,18 +32,19 @@ function reloadOnNewEngine(): Plugin {
   }
 }
 
-export default defineConfig({
+/** What every build of the page has; one_file.config.ts is the other. */
+export const shared = () => ({
   // Relative addresses: the built folder works on any host and any sub-path.
   base: './',
-  plugins: [
-    preact(),
-    reloadOnNewEngine(),
-    paperCards(),
-    paperQuestions(),
-    chartNumbers(),
-    contentSecurity(),
-  ],
+  plugins: [preact(), paperCards(), paperQuestions(), chartNumbers()],
   resolve: { alias: { '@pkg': pkg } },
+})
+
+const { plugins, ...page } = shared()
+
+export default defineConfig({
+  ...page,
+  plugins: [...plugins, reloadOnNewEngine(), contentSecurity()],
   server: { fs: { allow: [path('..')] } },
   build: {
     target: 'es2022',

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use crate::tools::{node_script, root, run, vite, www};
-use crate::wasm;
+use crate::{one_file, wasm};
 
 /// Every TypeScript project: the page, its workers, the build, the browser tests.
 const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
@@ -17,6 +17,7 @@ pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     let folder = out.map_or_else(|| Ok(www().join("dist")), std::path::absolute)?;
     let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;
+    one_file::build(&folder)?;
     Ok(folder)
 }
 
