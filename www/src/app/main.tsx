@@ -3,7 +3,7 @@ import '../styles/index.css'
 import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
-import { notifyError, startPage } from '../state'
+import { notifyError, rememberedLanguage, startPage } from '../state'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
 import { listenForPaste } from './paste'
@@ -15,7 +15,7 @@ import { whenAntsWalk } from './when_ants_walk'
 const SOON_MS = 400
 
 async function main(): Promise<void> {
-  await startLanguage()
+  await startLanguage(rememberedLanguage())
   listenForKeys()
   listenForPaste()
   listenForDrops()

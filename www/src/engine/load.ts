@@ -5,9 +5,12 @@ import { unreachable } from '../model/errors'
 import type { Build } from './builds'
 
 /** The compiled module of a build. */
-export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {
-  core: compiledOnce(coreUrl),
-  whole: compiledOnce(wholeUrl),
+export const modules: Record<Build, () => Promise<WebAssembly.Module>> = compiledModules()
+
+/** The page as one file has the whole engine in the place of the core. */
+function compiledModules() {
+  const whole = compiledOnce(wholeUrl)
+  return { core: coreUrl === wholeUrl ? whole : compiledOnce(coreUrl), whole }
 }
 
 /** A failed load is forgotten, so that the next call tries again. */

@@ -4,8 +4,11 @@
 export interface OneFile {
   /** The whole file's text, as it was opened. */
   html: string
-  /** The text of its element `carried`. */
+  title: string
+  /** What it carries: the text of a session or comparison, or a link; empty in a page that carries nothing. */
   carried: string
+  /** The address of the hosted page that it was saved from; empty where there is none. */
+  from: string
   /** Workers and the engine, by name. */
   parts: Map<string, Uint8Array<ArrayBuffer>>
 }

@@ -30,17 +30,22 @@ addEventListener('DOMContentLoaded', () => {
 async function start(html: string): Promise<void> {
   if (typeof WebAssembly === 'undefined') throw new Refusal(words.noWebAssembly)
   const packed = packedText()
-  const carried = document.getElementById('carried')?.textContent ?? ''
+  const { textContent: carried = '', dataset } = element('carried')
   const parts = partsIn(await unpacked(packed))
-  globalThis.formicariumFile = { html, carried, parts }
+  const { title } = document
+  const from = dataset.from ?? ''
+  globalThis.formicariumFile = { html, title, carried: carried ?? '', from, parts }
   addEventListener('error', tellWhileEmpty)
   addElement('style', textOf(parts, 'page.css'))
   addElement('script', textOf(parts, 'page.js'))
 }
 
+/** An empty one where the file ends before it. */
+const element = (id: string) => document.getElementById(id) ?? document.createElement('script')
+
 /** Throws where the file ends too early. */
 function packedText(): string {
-  const text = document.getElementById('packed')?.textContent ?? ''
+  const text = element('packed').textContent ?? ''
   const whole = Number(self?.dataset.characters)
   if (text.length === whole) return text
   throw new Refusal(

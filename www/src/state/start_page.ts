@@ -3,6 +3,7 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
+import { oneFile } from '../model/one_file'
 import { arrival } from './address'
 import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
@@ -27,6 +28,7 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
+  if (oneFile() && (await (await import('./carried')).openCarried())) return
   if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
   autoplay()
 }

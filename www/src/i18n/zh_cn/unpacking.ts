@@ -4,6 +4,7 @@ export const unpackingZhCN: typeof unpackingEn = {
   unpacking: 'Formicarium · 正在解压…',
   cut: '此文件不完整：程序部分共 {{whole}} 个字符，此处只有 {{there}} 个。请重新下载或复制。',
   damaged: '此文件已损坏（{{why}}）。请重新下载或复制。',
-  noWebAssembly: '此页面需要 WebAssembly，而此浏览器不支持或已将其关闭。请用较新的 Chromium、Firefox 或 Safari 打开。',
+  noWebAssembly:
+    '此页面需要 WebAssembly，而此浏览器不支持或已将其关闭。请用较新的 Chromium、Firefox 或 Safari 打开。',
   failed: '此页面无法启动。换用较新的浏览器也许可行。',
 }
