@@ -4,7 +4,7 @@ import { useState } from 'preact/hooks'
 import { language } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { oneFile } from '../model/one_file'
-import { pageAddress, pageTemplate, pageWith } from '../share/page_file'
+import { ABOUT_MB, pageAddress, pageTemplate, pageWith } from '../share/page_file'
 import { notifyError } from '../state'
 import { download } from '../state/export_files'
 import { Button } from '../ui/buttons'
@@ -19,9 +19,6 @@ export interface PageContents {
   /** Called once it is saved. */
   saved(): void
 }
-
-/** Megabytes of a page that carries little; `one_file.spec.ts` holds it. */
-export const ABOUT_MB = 2.3
 
 interface SavedPage {
   isFetching: boolean

@@ -18,10 +18,13 @@ function tell(text: string): void {
 /** Why the page cannot begin, in words for who has opened the file. */
 class Refusal extends Error {}
 
+const written = place?.textContent ?? ''
 tell(words.unpacking)
 addEventListener('DOMContentLoaded', () => {
-  // As it was opened: from now on the document is the page's.
+  // The file as it was opened: from now on the document is the page's.
+  tell(written)
   const html = `<!DOCTYPE html>\n${document.documentElement.outerHTML}`
+  tell(words.unpacking)
   start(html).catch((error: unknown) =>
     tell(error instanceof Refusal ? error.message : `${words.failed} ${error}`),
   )
