@@ -120,7 +120,8 @@ fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
         }
         other => {
             let found = format!("this is {}", other.name());
-            Err(FormatError::syntax(0, found, "a session or comparison as the page saves it, or a text with a session's link").into())
+            Err(FormatError::syntax(0, found, "a session or comparison as the page saves it, or a text with a session's link")
+                .into())
         }
     }
 }
@@ -147,7 +148,10 @@ impl Carried {
             say(format!("note: the page runs engine {page}, this command line is {VERSION}"));
         }
         if !self.engine.is_empty() && self.engine != page {
-            say(format!("note: the page runs engine {page}, the results were recorded by {}: they may come out otherwise", self.engine));
+            say(format!(
+                "note: the page runs engine {page}, the results were recorded by {}: they may come out otherwise",
+                self.engine
+            ));
         }
     }
 

@@ -1,4 +1,5 @@
 /** The page as one file (docs/one_file.md): saved, opened from a folder without a network, verified, edited and saved again. */
+import { execFileSync } from 'node:child_process'
 import { createReadStream, readFileSync, statSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import type { AddressInfo } from 'node:net'
@@ -8,6 +9,7 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, type FrameLocator, type Page, test } from '@playwright/test'
 import { ABOUT_MB } from '../../www/src/share/page_file'
 import { ComparisonPage, documentText } from './comparison_page'
+import { dropFiles } from './dropped_files'
 import { RacePage } from './race_page'
 import { offline, savedPage } from './saved_pages'
 
@@ -127,6 +129,15 @@ test('a comparison opens without a network with its tables, and is verified', as
   await expect(other.getByTestId('lab')).toHaveAttribute('data-phase', 'done')
   await expect(other.getByTestId('toast-warning')).toHaveCount(0)
   expect(complaints).toEqual([])
+})
+
+test('dropped on a hosted page, it gives what it carries', async ({ page }) => {
+  const address = await racePage(page)
+  await page.getByTestId('seed').fill('77')
+  await page.getByTestId('seed').press('Enter')
+  await dropFiles(page, 'body', [['race.html', ofFile(address)]])
+  await expect(page.getByTestId('seed')).toHaveValue('1')
+  await verified(page, 1, 2)
 })
 
 test('a link in its address goes before what it carries', async ({ page, browser }) => {
@@ -249,6 +260,29 @@ test('what is wrong with a file is said in words', async ({ browser }) => {
   const changed = `${whole.slice(0, middle)}AAAAAAAA${whole.slice(middle + 8)}`
   await page.goto(spoilt('changed.html', changed))
   await expect(line).toContainText('damaged')
+})
+
+test('the command line makes the same page', async ({ page, browser }) => {
+  const cli = process.env.FORMICARIUM_CLI
+  test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
+  const address = await racePage(page)
+  const session = test.info().outputPath('race.experiment.json')
+  await page.getByTestId('share').click()
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByTestId('share-file').click(),
+  ])
+  await download.saveAs(session)
+  const made = (template: string) =>
+    execFileSync(cli ?? '', ['page', session, '--page', template], { maxBuffer: 1 << 24 })
+  // Of a page that was saved it keeps the address that it came from: then not a byte differs.
+  expect(made(fileURLToPath(address)).equals(readFileSync(fileURLToPath(address)))).toBe(true)
+  const file = test.info().outputPath('made.html')
+  writeFileSync(file, made(TEMPLATE))
+  const { page: other, complaints } = await offline(browser)
+  await other.goto(pathToFileURL(file).href)
+  await verified(other, 1, 2)
+  expect(complaints).toEqual([])
 })
 
 test('where the page cannot be fetched, the dialog says what to do', async ({ page }) => {

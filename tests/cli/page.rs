@@ -93,7 +93,11 @@ fn what_cannot_be_carried_is_refused_by_name() {
 #[test]
 fn without_a_template_it_says_how_to_get_one() {
     let folder = folder("page-template");
-    folder.run(&["page", "race.experiment.json"]).ends(2).says(&["there is no one-file.html", "Save as a page", "FORMICARIUM_PAGE"]);
+    folder.run(&["page", "race.experiment.json"]).ends(2).says(&[
+        "there is no one-file.html",
+        "Save as a page",
+        "FORMICARIUM_PAGE",
+    ]);
     folder.run(&["page", "race.experiment.json", "--page", "mail.txt"]).ends(2).says(&["mail.txt is no page of one file"]);
     std::fs::create_dir_all(folder.0.join("www/dist")).unwrap();
     folder.write("www/dist/one-file.html", &template(VERSION, "", ""));

@@ -20,14 +20,14 @@ export interface PageContents {
   saved(): void
 }
 
-interface SavedPage {
-  isFetching: boolean
-  /** Why the page could not be fetched. */
-  refusal: string | null
-  save(): Promise<void>
+interface PageOfferProps {
+  contents: () => Promise<PageContents>
+  /** Prefix of all test ids. */
+  testId: string
 }
 
-export function useSavedPage(contents: () => Promise<PageContents>): SavedPage {
+/** The button, what a page is, and why there is none. */
+export function PageOffer({ contents, testId }: PageOfferProps) {
   const [isFetching, setFetching] = useState(false)
   const [refusal, setRefusal] = useState<string | null>(null)
   const save = async () => {
@@ -38,42 +38,41 @@ export function useSavedPage(contents: () => Promise<PageContents>): SavedPage {
       return null
     })
     setFetching(false)
-    if (template === null) return
-    const { text, title, stem, saved } = await contents()
-    download(`${stem}.html`, pageWith(template, title, text), 'text/html')
-    saved()
+    if (template !== null) saveIn(template, await contents())
   }
-  return { isFetching, refusal, save }
-}
-
-export function SavePage({ page, testId }: { page: SavedPage; testId: string }) {
   return (
-    <Button
-      icon={AppWindow}
-      label={t(page.isFetching ? 'onePage.saving' : 'onePage.save')}
-      testId={testId}
-      busy={page.isFetching}
-      onClick={() => void page.save().catch(notifyError)}
-    />
-  )
-}
-
-/** What a page is, and why there is none. */
-export function PageHints({ page, testId }: { page: SavedPage; testId: string }) {
-  const size = new Intl.NumberFormat(language.value).format(ABOUT_MB)
-  return (
-    <>
-      {oneFile() && pageAddress() === '' && <p class="hint">{t('onePage.bare')}</p>}
-      <p class="hint" data-testid={`${testId}-page-hint`}>
-        {oneFile()
-          ? t('onePage.keepsNothing')
-          : `${t('onePage.hint', { size })} ${t('onePage.from')}`}
-      </p>
-      {page.refusal !== null && (
-        <p class="banner" role="alert" data-testid={`${testId}-page-refused`}>
-          {t('onePage.unreachable', { why: page.refusal })} {t('onePage.unreachableHint')}
+    <div class="page-offer">
+      <Button
+        icon={AppWindow}
+        label={t(isFetching ? 'onePage.saving' : 'onePage.save')}
+        testId={`${testId}-page`}
+        busy={isFetching}
+        onClick={() => void save().catch(notifyError)}
+      />
+      {refusal === null ? (
+        <p class="hint" data-testid={`${testId}-page-hint`}>
+          {hint()}
+        </p>
+      ) : (
+        <p class="field-error" role="alert" data-testid={`${testId}-page-refused`}>
+          {t('onePage.unreachable', { why: refusal })}
         </p>
       )}
-    </>
+    </div>
   )
 }
+
+function saveIn(template: string, { text, title, stem, saved }: PageContents): void {
+  download(`${stem}.html`, pageWith(template, title, text), 'text/html')
+  saved()
+}
+
+function hint(): string {
+  if (oneFile()) return t('onePage.keepsNothing')
+  const size = new Intl.NumberFormat(language.value).format(ABOUT_MB)
+  return t('onePage.hint', { size })
+}
+
+/** Of a page that came from no host: that its links have no address. */
+export const BareLinkHint = () =>
+  pageAddress() === '' ? <p class="hint">{t('onePage.bare')}</p> : null

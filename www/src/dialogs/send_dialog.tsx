@@ -11,7 +11,7 @@ import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
-import { type PageContents, PageHints, SavePage, useSavedPage } from './save_page'
+import { BareLinkHint, type PageContents, PageOffer } from './save_page'
 
 /** Stands for a link that cannot be made. */
 const TOO_LARGE = 'too large'
@@ -75,7 +75,6 @@ interface SendDialogProps {
 export function SendDialog(props: SendDialogProps) {
   const { link, testId } = props
   const tooLong = isTooLong(link)
-  const page = useSavedPage(props.pageOf)
   return (
     <Dialog
       title={props.title}
@@ -97,7 +96,6 @@ export function SendDialog(props: SendDialogProps) {
             testId={`${testId}-file`}
             onClick={() => void props.saveFile().catch(notifyError)}
           />
-          <SavePage page={page} testId={`${testId}-page`} />
           {!tooLong && (
             <Button
               icon={Copy}
@@ -128,9 +126,10 @@ export function SendDialog(props: SendDialogProps) {
             onFocus={(event) => event.currentTarget.select()}
           />
           <p class="hint">{t('share.private', { length: lengths(link).length })}</p>
+          <BareLinkHint />
         </>
       )}
-      <PageHints page={page} testId={testId} />
+      <PageOffer contents={props.pageOf} testId={testId} />
     </Dialog>
   )
 }

@@ -27,6 +27,18 @@ export async function pageTemplate(): Promise<string> {
   return text
 }
 
+/** What a page of one file carries, as a text that can be opened; null where a text is no such page, or carries nothing. */
+export function carriedIn(page: string): string | null {
+  const at = page.indexOf(CARRIED[0])
+  if (at < 0) return null
+  const text = page.slice(page.indexOf('>', at) + 1, page.indexOf(CARRIED[1], at))
+  return text === '' ? null : textOf(text)
+}
+
+/** A link is written as a text of JSON. */
+export const textOf = (carried: string): string =>
+  carried.startsWith('"') ? JSON.parse(carried) : carried
+
 /** A page with its title and the text that it carries: a session's or comparison's file. */
 export function pageWith(template: string, title: string, carried: string): string {
   const from = /^https?:/.test(pageAddress()) ? pageAddress() : ''

@@ -2,6 +2,7 @@
 import { effect } from '@preact/signals'
 import { language } from '../i18n'
 import { oneFile } from '../model/one_file'
+import { textOf } from '../share/page_file'
 import { importText } from './files'
 import { view } from './page_view'
 import { autoplay, openFirstSession } from './sessions'
@@ -11,7 +12,7 @@ export async function openCarried(): Promise<boolean> {
   const carried = oneFile()?.carried ?? ''
   if (carried === '' || /^#[xq]=/.test(location.hash)) return false
   keepTitle()
-  const text = textIn(carried)
+  const text = textOf(carried)
   if (!isComparison(text)) return importText(text)
   // Behind it there is a race too.
   openFirstSession()
@@ -19,10 +20,6 @@ export async function openCarried(): Promise<boolean> {
   autoplay()
   return true
 }
-
-/** A link is written as a text of JSON. */
-const textIn = (carried: string): string =>
-  carried.startsWith('"') ? JSON.parse(carried) : carried
 
 function isComparison(text: string): boolean {
   if (text.startsWith('#')) return text.startsWith('#q')
