@@ -22,7 +22,7 @@ export default defineConfig({
     modulePreload: false,
     chunkSizeWarningLimit: Number.MAX_SAFE_INTEGER,
     rolldownOptions: {
-      input: fileURLToPath(new URL('src/app/main.tsx', import.meta.url)),
+      input: fileURLToPath(new URL('src/app/one_file.ts', import.meta.url)),
       output: { format: 'es', codeSplitting: false },
     },
   },

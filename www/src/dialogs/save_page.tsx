@@ -1,4 +1,5 @@
 /** "Save as a page" in the share dialogs: one file with the whole program and what is shared inside. */
+import '../styles/save_page.css'
 import { AppWindow } from 'lucide'
 import { useState } from 'preact/hooks'
 import { language } from '../i18n'

@@ -4,13 +4,12 @@ import wholeUrl from '@pkg/formicarium_bg.wasm?url'
 import { unreachable } from '../model/errors'
 import type { Build } from './builds'
 
-/** The compiled module of a build. */
-export const modules: Record<Build, () => Promise<WebAssembly.Module>> = compiledModules()
+const core = compiledOnce(coreUrl)
 
-/** The page as one file has the whole engine in the place of the core. */
-function compiledModules() {
-  const whole = compiledOnce(wholeUrl)
-  return { core: coreUrl === wholeUrl ? whole : compiledOnce(coreUrl), whole }
+/** The compiled module of a build. The page as one file has the whole engine in the place of the core. */
+export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {
+  core,
+  whole: wholeUrl === coreUrl ? core : compiledOnce(wholeUrl),
 }
 
 /** A failed load is forgotten, so that the next call tries again. */

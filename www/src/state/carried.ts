@@ -1,4 +1,4 @@
-/** Opens what a page of one file carries (docs/formats.md). */
+/** Opens what a page of one file carries (docs/formats.md). Imported by that page alone. */
 import { effect } from '@preact/signals'
 import { language } from '../i18n'
 import { oneFile } from '../model/one_file'
@@ -6,9 +6,12 @@ import { textOf } from '../share/page_file'
 import { importText } from './files'
 import { view } from './page_view'
 import { autoplay, openFirstSession } from './sessions'
+import { openBefore } from './start_page'
+
+openBefore(openCarried)
 
 /** A link in the address goes before it. False where there is nothing that could be opened, and the reader knows. */
-export async function openCarried(): Promise<boolean> {
+async function openCarried(): Promise<boolean> {
   const carried = oneFile()?.carried ?? ''
   if (carried === '' || /^#[xq]=/.test(location.hash)) return false
   keepTitle()

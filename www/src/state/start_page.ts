@@ -3,7 +3,6 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
-import { oneFile } from '../model/one_file'
 import { arrival } from './address'
 import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
@@ -15,6 +14,12 @@ import { openStoredSession, storeSessionChanges } from './stored_session'
 import { fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
+let openedBefore = async () => false
+
+/** Has something open before all else: what a page of one file carries. False where it does not. */
+export function openBefore(open: () => Promise<boolean>): void {
+  openedBefore = open
+}
 
 /** May be called again after it failed. */
 export async function startPage(): Promise<void> {
@@ -28,7 +33,7 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
-  if (oneFile() && (await (await import('./carried')).openCarried())) return
+  if (await openedBefore()) return
   if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
   autoplay()
 }

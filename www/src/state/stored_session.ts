@@ -96,7 +96,6 @@ function isFirst(session: Session): boolean {
 
 /** Private windows may refuse storage, and it may be full: then nothing is stored. */
 function write(text: string | null): void {
-  if (!canKeep()) return
   try {
     sessionStorage.removeItem(KEY)
     if (text !== null) sessionStorage.setItem(KEY, text)
