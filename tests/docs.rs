@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-const DOCUMENTS: [&str; 12] = [
+const DOCUMENTS: [&str; 13] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/architecture.md",
@@ -13,6 +13,7 @@ const DOCUMENTS: [&str; 12] = [
     "docs/hosting.md",
     "docs/lessons.md",
     "docs/methodology.md",
+    "docs/one_file.md",
     "docs/performance.md",
     "docs/tracker.md",
     "tests/fixtures/links/README.md",

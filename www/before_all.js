@@ -1,5 +1,6 @@
 // Before all else, and in words that old browsers know: the theme, whether this browser can run the page, and what begins then.
-// Stands in the page itself: before_all.ts puts the addresses of its scripts where `scripts` gets its value.
+// Stands in the page itself: before_all.ts puts the addresses of its scripts where `scripts` gets its value. The page in one file has none
+// (null): its loader goes on where nothing is missing, and it reads nothing that a browser keeps.
 ;(function () {
   var LEAST = 'Chrome / Edge 110, Firefox 115, Safari 16.4'
   var inChinese = /^zh/i.test(navigator.language)
@@ -101,10 +102,13 @@
     }
   }
 
-  setTheme()
   var names = missing()
   var scripts = SCRIPTS
-  if (names.length > 0) sayMissing(names)
+  if (scripts) setTheme()
+  if (names.length > 0) {
+    document.documentElement.setAttribute('data-lacks', names.join(', '))
+    sayMissing(names)
+  } else if (!scripts) return
   else if (scripts.length > 0 && (location.protocol === 'file:' || self.origin === 'null')) {
     // Browsers give such a page none of its scripts: the one-file page brings its own.
     var address = './one-file.html' + location.search + location.hash

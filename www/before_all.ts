@@ -33,9 +33,12 @@ function started(html: string): string {
   return filled(html.replace(MODULE, '').replace(PRELOADED, ''), [first, ...others])
 }
 
-function filled(html: string, scripts: string[]): string {
+const filled = (html: string, scripts: string[]) =>
+  html.replace(PLACE, () => `<script>${beforeAllScript(scripts)}</script>`)
+
+/** `scripts`: null for the page in one file, none while one edits. */
+export function beforeAllScript(scripts: string[] | null): string {
   const file = fileURLToPath(new URL('before_all.js', import.meta.url))
   const code = readFileSync(file, 'utf8').replace('SCRIPTS', JSON.stringify(scripts))
-  const { code: small } = minifySync(file, code, { compress: { target: 'es2015' } })
-  return html.replace(PLACE, () => `<script>${small}</script>`)
+  return minifySync(file, code, { compress: { target: 'es2015' } }).code
 }

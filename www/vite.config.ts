@@ -35,21 +35,26 @@ function reloadOnNewEngine(): Plugin {
   }
 }
 
-export default defineConfig({
+/** What every build of the page has; one_file.config.ts is the other. */
+export const shared = () => ({
   // Relative addresses: the built folder works on any host and any sub-path.
   base: './',
+  plugins: [preact(), paperCards(), paperQuestions(), chartNumbers()],
+  resolve: { alias: { '@pkg': pkg } },
+})
+
+const { plugins, ...page } = shared()
+
+export default defineConfig({
+  ...page,
   plugins: [
-    preact(),
+    ...plugins,
     reloadOnNewEngine(),
-    paperCards(),
-    paperQuestions(),
-    chartNumbers(),
     partsOfPage(),
     versionOfPage(pkg),
     beforeAll(),
     contentSecurity(),
   ],
-  resolve: { alias: { '@pkg': pkg } },
   server: { fs: { allow: [path('..')] } },
   build: {
     target: 'es2022',

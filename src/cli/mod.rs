@@ -10,6 +10,7 @@ mod generate;
 mod input;
 mod order;
 mod output;
+mod page;
 mod plan;
 mod reading;
 pub mod shared;
@@ -46,6 +47,7 @@ Examples:
   formicarium check path.csv --map arena2.map
   formicarium bench-scen arena2.map.scen
   formicarium order berlin52.tsp --runs 10
+  formicarium page race.experiment.json > lesson.html
   formicarium submit race.experiment.json --by Ada
 
 Exit codes: 0 fine, 1 no path or a failed check, 2 unusable input.
@@ -61,6 +63,7 @@ enum Command {
     Generate(generate::Args),
     BenchScen(bench_scen::Args),
     Order(order::Args),
+    Page(page::Args),
     Submit(submit::Args),
     Tracker(tracker::Args),
 }
@@ -95,6 +98,7 @@ impl Command {
             Self::Generate(args) => generate::run(args),
             Self::BenchScen(args) => bench_scen::run(args),
             Self::Order(args) => order::run(args),
+            Self::Page(args) => page::run(args),
             Self::Submit(args) => submit::run(args),
             Self::Tracker(args) => tracker::run(args),
         }
@@ -108,7 +112,7 @@ impl Command {
             Self::Check(args) => args.wants_json(),
             Self::BenchScen(args) => args.wants_json(),
             Self::Order(args) => args.wants_json(),
-            Self::Compare(_) | Self::Convert(_) | Self::Generate(_) | Self::Submit(_) | Self::Tracker(_) => false,
+            Self::Compare(_) | Self::Convert(_) | Self::Generate(_) | Self::Page(_) | Self::Submit(_) | Self::Tracker(_) => false,
         }
     }
 }

@@ -19,6 +19,7 @@ mod interrupted;
 mod journal;
 mod kept_files;
 mod order;
+mod page;
 mod plan;
 mod quantities;
 mod results;

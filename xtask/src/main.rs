@@ -1,4 +1,4 @@
-//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `wasm`, `bench`, `record`, `cards`, `maps`.
+//! The build helper: `cargo xtask serve`, `test`, `fuzz`, `build`, `one-file`, `wasm`, `bench`, `record`, `cards`, `maps`.
 //!
 //! Everything a fresh machine needs beside Rust and Node.js is either installed by these commands
 //! or named in their message. One file per command; `tools.rs` starts programs, `install.rs` looks
@@ -12,6 +12,7 @@ mod environment;
 mod fuzz;
 mod install;
 mod maps;
+mod one_file;
 mod page;
 mod python;
 mod record;
@@ -49,6 +50,12 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         out: Option<PathBuf>,
     },
+    /// Make one-file.html anew beside a page that is built: the whole page as one file
+    OneFile {
+        /// Where the page is [default: www/dist]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+    },
     /// Run every check, or the named stages only
     Test(test::Options),
     /// Give spoiled inputs to everything that reads, for as long as you like
@@ -80,6 +87,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Build { out } => page::build(out.as_deref()).map(|folder| {
             println!("page: {}", folder.display());
         }),
+        Command::OneFile { out } => one_file::build(&out.unwrap_or_else(|| tools::www().join("dist"))),
         Command::Test(options) => test::test(&options),
         Command::Fuzz(options) => fuzz::fuzz(&options),
         Command::Bench(options) => bench::bench(&options),

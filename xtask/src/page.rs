@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use crate::tools::{node_script, root, run, vite, www};
-use crate::wasm;
+use crate::{one_file, wasm};
 
 /// Every TypeScript project: the page, its workers, the build, the browser tests.
 const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
@@ -16,6 +16,10 @@ pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     println!("page: building…");
     let folder = out.map_or_else(|| Ok(www().join("dist")), std::path::absolute)?;
     let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
+    run(vite().args(args).arg(&folder))?;
+    one_file::build(&folder)?;
+    // Last of all: it lists what is there.
+    let args = ["build", "--config", "service_worker.config.ts", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;
     Ok(folder)
 }

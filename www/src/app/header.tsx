@@ -1,9 +1,10 @@
 import { ChartColumn, CircleQuestionMark, Eye, Languages, Monitor, Moon, Share2, Sun } from 'lucide'
-import { LANGUAGES, type Language, language, setLanguage, t } from '../i18n'
+import { LANGUAGES, type Language, language, t } from '../i18n'
 import { RaceStrip } from '../panels/race_strip'
 import {
   notifyError,
   scenario,
+  setLanguage,
   setTheme,
   showView,
   type ThemeChoice,

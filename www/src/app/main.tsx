@@ -3,7 +3,7 @@ import '../styles/index.css'
 import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
-import { notifyError, startPage } from '../state'
+import { notifyError, rememberedLanguage, startPage } from '../state'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
 import { openLaunched } from './launched_files'
@@ -16,7 +16,7 @@ import { whenAntsWalk, whenAtRest } from './when_ants_walk'
 const SOON_MS = 400
 
 async function main(): Promise<void> {
-  await startLanguage()
+  await startLanguage(rememberedLanguage())
   listenForKeys()
   listenForPaste()
   listenForDrops()

@@ -6,10 +6,12 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { LINK_LIMIT } from '../share/envelope'
 import { LinkError } from '../share/link_error'
+import { pageAddress } from '../share/page_file'
 import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
+import { BareLinkHint, type PageContents, PageOffer } from './save_page'
 
 /** Stands for a link that cannot be made. */
 const TOO_LARGE = 'too large'
@@ -28,7 +30,7 @@ export function useLink(
 ): Link {
   const [made, setMade] = useState<{ link: Link; of: unknown } | null>(null)
   useEffect(() => {
-    const page = location.href.replace(/#.*$/, '')
+    const page = pageAddress()
     let wanted = true
     const take = (link: Link) => {
       if (wanted) setMade({ link, of: about })
@@ -61,6 +63,8 @@ interface SendDialogProps {
   tooLarge: string
   savePicture: () => Promise<void>
   saveFile: () => Promise<void>
+  /** What a page of its own carries, as text, and what the page is called. */
+  pageOf: () => Promise<PageContents>
   onClose: () => void
   /** Prefix of all test ids. */
   testId: string
@@ -122,8 +126,10 @@ export function SendDialog(props: SendDialogProps) {
             onFocus={(event) => event.currentTarget.select()}
           />
           <p class="hint">{t('share.private', { length: lengths(link).length })}</p>
+          <BareLinkHint />
         </>
       )}
+      <PageOffer contents={props.pageOf} testId={testId} />
     </Dialog>
   )
 }

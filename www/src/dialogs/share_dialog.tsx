@@ -10,11 +10,13 @@ import { caption, currentSession, latest, lesson, panels, scenario } from '../st
 import { closeDialog } from '../state/dialogs'
 import { download, exportSession, fileStem } from '../state/export_files'
 import { lazyParts } from '../state/lazy_parts'
+import { askBeforeLeaving } from '../state/leaving'
 import { lazily } from '../ui/lazily'
 import { mapName } from '../words/map_names'
 import { isSearch, labelsOf } from '../words/planner_words'
 import { useNamesWords } from './names_dialog'
 import { NamesFields } from './names_fields'
+import type { PageContents } from './save_page'
 import { isTooLong, SendDialog, useLink } from './send_dialog'
 
 const linkCode = async () => (await Promise.all([import('./link_code'), addFilmWords()]))[0]
@@ -40,6 +42,7 @@ export function ShareDialog() {
       tooLarge={t('share.tooLarge')}
       savePicture={() => savePicture(isTooLong(link) ? null : link)}
       saveFile={saveFile}
+      pageOf={pageOf}
       onClose={closeDialog}
       testId="share"
     >
@@ -134,6 +137,12 @@ async function savePicture(link: string | null): Promise<void> {
   const { racePicture } = await import('./race_picture')
   const png = await racePicture(link ?? (await exportSession()))
   download(`${fileStem()}.png`, png, 'image/png')
+}
+
+async function pageOf(): Promise<PageContents> {
+  const title = caption.peek().title || mapName()
+  const saved = () => askBeforeLeaving('map', false)
+  return { text: await exportSession(), title, stem: fileStem(), saved }
 }
 
 async function saveFile(): Promise<void> {

@@ -4,10 +4,12 @@ import wholeUrl from '@pkg/formicarium_bg.wasm?url'
 import type { Build } from './builds'
 import { fetchOwn, refuse } from './files_of_page'
 
-/** The compiled module of a build. */
+const core = compiledOnce(coreUrl)
+
+/** The compiled module of a build. The page as one file has the whole engine in the place of the core. */
 export const modules: Record<Build, () => Promise<WebAssembly.Module>> = {
-  core: compiledOnce(coreUrl),
-  whole: compiledOnce(wholeUrl),
+  core,
+  whole: wholeUrl === coreUrl ? core : compiledOnce(wholeUrl),
 }
 
 /** A failed load is forgotten, so that the next call tries again. */

@@ -61,6 +61,6 @@ export class RunCopy {
       this.onHistory(reply.history)
       this.waiting?.resolve(reply)
     } else if (reply.kind === 'refused') this.waiting?.reject(reply.error)
-    else if (reply.kind === 'failed') this.waiting?.reject(crash(reply.error.message))
+    else if (reply.kind === 'failed') this.waiting?.reject(reply.error)
   }
 }

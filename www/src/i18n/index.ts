@@ -18,8 +18,6 @@ export type KeyOf<Dictionary> = WithoutPlural<Leaves<Dictionary>>
 /** The keys that are there from the beginning. */
 export type TextKey = KeyOf<typeof en>
 
-const LANGUAGE_KEY = 'formicarium.language'
-
 i18next.init({
   lng: 'en',
   fallbackLng: 'en',
@@ -55,7 +53,7 @@ async function addChinese(): Promise<void> {
 let inChinese = (english: string) => english
 
 /** Only English comes with the page; other dictionaries are fetched when they are first wanted. */
-async function useLanguage(choice: Language): Promise<void> {
+export async function useLanguage(choice: Language): Promise<void> {
   if (choice === 'zh-CN' && !i18next.hasResourceBundle(choice, 'translation')) {
     const [{ zhCN }, { zhCNDialogs }, { zhCNEngine }, { zhCNSources }, phrases] = await Promise.all(
       [
@@ -76,16 +74,12 @@ async function useLanguage(choice: Language): Promise<void> {
   language.value = choice
 }
 
-/** The reader's language, before anything is shown. Without its dictionary the page speaks English. */
-export async function startLanguage(): Promise<void> {
-  await useLanguage(preferred()).catch(() => {})
-}
-
-export async function setLanguage(choice: Language): Promise<void> {
-  await useLanguage(choice)
-  try {
-    localStorage.setItem(LANGUAGE_KEY, choice)
-  } catch {}
+/**
+ * The reader's language, before anything is shown: the one chosen on an earlier visit, else the browser's. Without its dictionary the
+ * page speaks English.
+ */
+export async function startLanguage(chosen: string | null): Promise<void> {
+  await useLanguage(preferred(chosen)).catch(() => {})
 }
 
 export function t(key: TextKey, args?: Record<string, unknown>): string {
@@ -135,11 +129,7 @@ export const numbers = computed(() => ({
   }),
 }))
 
-function preferred(): Language {
-  let chosen: string | null = null
-  try {
-    chosen = localStorage.getItem(LANGUAGE_KEY)
-  } catch {}
+function preferred(chosen: string | null): Language {
   if (chosen === 'en' || chosen === 'zh-CN') return chosen
   return /^zh([-_]|$)/i.test(navigator.language) ? 'zh-CN' : 'en'
 }

@@ -3,6 +3,7 @@ import { signal } from '@preact/signals'
 import { numbers } from '../i18n'
 import { addOfflineWords, t } from '../i18n/offline'
 import type { KeepRequest, KeptPage } from '../model/kept_page'
+import { canKeep } from '../model/storage'
 import { notify, notifyError, reloadPage } from '../state'
 import { changesOf } from './changes'
 
@@ -53,7 +54,8 @@ export async function useNewer(): Promise<void> {
 }
 
 /** Frames of other pages keep nothing: who embeds the page decides what stands there. */
-const isPossible = () => 'serviceWorker' in navigator && isSecureContext && window.top === window
+const isPossible = () =>
+  canKeep() && 'serviceWorker' in navigator && isSecureContext && window.top === window
 
 async function register(): Promise<void> {
   const isFirst = navigator.serviceWorker.controller === null

@@ -35,7 +35,7 @@ export function goTo(fragment: string, how: 'push' | 'replace' = 'push'): void {
   history[pushes ? 'pushState' : 'replaceState'](
     entry,
     '',
-    fragment || location.pathname + location.search,
+    fragment || location.href.replace(/#.*$/, ''),
   )
   place.value = fragment
 }

@@ -4,14 +4,18 @@ import { tools } from '../engine/tools'
 import { unpack } from '../engine/unpack'
 import { t } from '../i18n/dialogs'
 import { isFilm, linkOfFilm } from '../share/film_text'
+import { carriedIn } from '../share/page_file'
 import { fileName } from './file_paths'
 import type { FoundFile, NamedBytes } from './offered_files'
 
-/** A picture or film of ours, by the session or comparison in it. */
+/** A picture, a film or a page of ours, by the session or comparison in it. */
 export interface Carrier extends NamedBytes {
   kind: 'carrier'
   text: string
 }
+
+/** `<`, with which a page begins. */
+const OPENS_TAG = 60
 
 export interface Looked {
   found: (FoundFile | Carrier)[]
@@ -58,9 +62,10 @@ function archiveWithin(inner: string, archive: string): EngineError {
   return { kind: 'archive-within', field: inner, message, hint, args: {} }
 }
 
-/** The session or comparison in a PNG or a film of ours; null for any other file. */
+/** The session or comparison in a PNG, a film or a page of ours; null for any other file. */
 async function carriedBy(bytes: Uint8Array): Promise<string | null> {
   if (isFilm(bytes)) return linkOfFilm(bytes)
+  if (bytes[0] === OPENS_TAG) return carriedIn(new TextDecoder().decode(bytes))
   if (bytes[0] !== 137 || bytes[1] !== 80) return null
   const { textOfPng } = await import('../share/png')
   return textOfPng(bytes).catch((error: { kind?: string }) => {

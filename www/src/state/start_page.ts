@@ -3,6 +3,7 @@
 import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
+import { canKeep } from '../model/storage'
 import { arrival } from './address'
 import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
@@ -15,6 +16,12 @@ import { SESSION_KEY } from './stored_key'
 import { fetchWholeEngineOnceOnline, fetchWholeEngineWhenIdle } from './whole_engine'
 
 let watching = false
+let openedBefore = async () => false
+
+/** Has something open before all else: what a page of one file carries. False where it does not. */
+export function openBefore(open: () => Promise<boolean>): void {
+  openedBefore = open
+}
 
 /** May be called again after it failed. */
 export async function startPage(): Promise<void> {
@@ -28,12 +35,14 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
+  if (await openedBefore()) return
   if (!(await openFragment(location.hash)) && !(await openStored())) openFirstSession()
   autoplay()
 }
 
 /** Opens what the tab has stored, if it has. */
 async function openStored(): Promise<boolean> {
+  if (!canKeep()) return false
   try {
     if (sessionStorage.getItem(SESSION_KEY) === null) return false
   } catch {

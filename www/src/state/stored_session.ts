@@ -5,6 +5,7 @@
 import { effect } from '@preact/signals'
 import { gallery } from '../gallery/gallery'
 import type { Session } from '../model/session'
+import { canKeep } from '../model/storage'
 import { askBeforeLeaving } from './leaving'
 import { lesson } from './lesson'
 import { inspected, lookedAt } from './looking'
@@ -56,6 +57,7 @@ export async function openStoredSession(): Promise<boolean> {
 let latest = 0
 
 async function storeSession(): Promise<void> {
+  if (!canKeep()) return askBeforeLeaving('map', canUndo.peek())
   const turn = ++latest
   const session = unrun(currentSession())
   if (!session) return
@@ -101,6 +103,7 @@ function write(text: string | null): void {
 }
 
 function read(): string | null {
+  if (!canKeep()) return null
   try {
     return sessionStorage.getItem(KEY)
   } catch {

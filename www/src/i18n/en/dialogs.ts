@@ -1,9 +1,11 @@
 /** The text of dialogs: fetched with them (dialogs.ts). */
 import type { Kind } from '@pkg/formicarium'
 
+import { enOneFile } from './one_file'
 import { enOrder } from './order'
 
 export const enDialogs = {
+  onePage: enOneFile,
   order: enOrder,
   movement: {
     label: 'Allowed moves',

@@ -146,6 +146,8 @@ export const enLab = {
     title: 'Earlier comparisons',
     none: 'Comparisons that you run are kept in this browser and listed here.',
     unavailable: 'This browser keeps nothing here: results last as long as the tab.',
+    inFile:
+      'This page is one file and keeps nothing by itself: save a comparison as a page or a file.',
     open: 'Open',
     goOn: 'Go on',
     remove: 'Remove {{title}}',

@@ -1,9 +1,11 @@
 import type { DictionaryShape } from '../dictionary_shape'
 import type { enDialogs } from '../en/dialogs'
+import { zhCNOneFile } from './one_file'
 import { zhCNOrder } from './order'
 
 /** Chinese of en/dialogs.ts. */
 export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
+  onePage: zhCNOneFile,
   order: zhCNOrder,
   movement: {
     label: '允许的移动',

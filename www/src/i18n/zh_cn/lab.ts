@@ -130,6 +130,7 @@ export const zhCNLab: DictionaryShape<typeof enLab> = {
     title: '先前的比较',
     none: '你运行的比较会保存在这个浏览器里，并列在这里。',
     unavailable: '这个浏览器在此不保存任何内容：结果只在标签页打开期间存在。',
+    inFile: '此页面是单个文件，本身不保存任何内容：请将比较保存为页面或文件。',
     open: '打开',
     goOn: '继续',
     remove: '移除“{{title}}”',

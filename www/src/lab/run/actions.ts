@@ -6,6 +6,7 @@ import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis } from '../../model/analysis'
 import type { KeptRun } from '../../model/comparison_calls'
+import { canKeep } from '../../model/storage'
 import type { ToldByLink } from '../../share/comparison_link'
 import type { ShareOfClass } from '../../share/share_of_class'
 import { notify, notifyError } from '../../state'
@@ -22,7 +23,7 @@ import {
 } from '../store/signals'
 import { lockComparison } from '../store/tab_lock'
 import { COMPARISON_IN_TAB, recallInTab } from '../store/tab_memory'
-import { dropUnstored } from '../store/unstored'
+import { dropUnstored, noteUnstored } from '../store/unstored'
 import {
   changed,
   closeComparison,
@@ -122,6 +123,7 @@ export async function goOn(): Promise<void> {
     await takeInFromOthers(mine)
     if (mine !== openParts()) return
   }
+  if (!canKeep()) noteUnstored(mine.comparison.id)
   batch(() => {
     phase.value = 'running'
     finishing.value = 0

@@ -3,6 +3,7 @@ import { batch, effect } from '@preact/signals'
 import { t } from '../../i18n/lab'
 import { type ComparisonDocument, documentOf, textOf } from '../../model/comparison'
 import type { KeptRun, Opened } from '../../model/comparison_calls'
+import { canKeep } from '../../model/storage'
 import { checkNumbers, type NumbersOfLink } from '../../share/recorded_numbers'
 import { noShare, readShare, type ShareOfClass, shareText } from '../../share/share_of_class'
 import { notify, notifyError } from '../../state'
@@ -116,7 +117,7 @@ export async function openNew({
 export async function openKeptComparison(id: string): Promise<void> {
   const found = unstored(id) ?? (await storedComparison(id))
   if (!found) {
-    notify('warning', t('lab.kept.gone'))
+    if (canKeep()) notify('warning', t('lab.kept.gone'))
     await refreshKeptComparisons()
     return
   }
@@ -322,6 +323,8 @@ function trouble(error: NonNullable<typeof analysisError.value>): void {
 
 /** Said once: the runs go on without being stored. */
 function refused(id: string, error: unknown): void {
+  // Of the page that keeps nothing nobody expects it.
+  if (!canKeep()) return
   noteUnstored(id)
   const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
   notify('warning', t(isFull ? 'lab.kept.full' : 'lab.kept.refused'), {

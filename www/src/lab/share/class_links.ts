@@ -1,6 +1,7 @@
 /** The open comparison as links for the shares of a class. */
 import { documentOf, textOf } from '../../model/comparison'
 import { encodeDocument, PREFIX } from '../../share/comparison_link'
+import { pageAddress } from '../../share/page_file'
 import { shareEnding } from '../../share/share_of_class'
 import { openComparison } from '../run/actions'
 
@@ -15,5 +16,4 @@ export const linkOfShare = (link: string, index: number | null, of: number) =>
   link + shareEnding({ index, of })
 
 /** The address of the open comparison, to which the share is added. */
-export const linkOfQuestion = async () =>
-  `${location.href.replace(/#.*$/, '')}${PREFIX}${await textOfQuestion()}`
+export const linkOfQuestion = async () => `${pageAddress()}${PREFIX}${await textOfQuestion()}`

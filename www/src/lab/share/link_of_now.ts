@@ -2,13 +2,14 @@
 import type { Analysis, EntryAnalysis } from '../../model/analysis'
 import { encodeDocument, PREFIX } from '../../share/comparison_link'
 import { LINK_LIMIT } from '../../share/envelope'
+import { pageAddress } from '../../share/page_file'
 import type { NumbersOfLink, RecordedNumbers } from '../../share/recorded_numbers'
 import { analysisNow, openComparison, progress, resultFile } from '../run/actions'
 
 /** The text after `#q=`. */
 export async function linkOfNow(): Promise<{ text: string; carriesNumbers: boolean }> {
   const [document, numbers] = await Promise.all([resultFile('link'), numbersNow()])
-  const room = LINK_LIMIT - location.href.replace(/#.*$/, '').length - PREFIX.length
+  const room = LINK_LIMIT - pageAddress().length - PREFIX.length
   const whole = numbers && (await encodeDocument(document, numbers))
   if (whole !== null && whole.length <= room) return { text: whole, carriesNumbers: true }
   return { text: await encodeDocument(document), carriesNumbers: false }

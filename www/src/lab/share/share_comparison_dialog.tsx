@@ -1,6 +1,7 @@
 /** Shares the open comparison as a link, a file or a picture. */
 import { Users } from 'lucide'
 import { useState } from 'preact/hooks'
+import type { PageContents } from '../../dialogs/save_page'
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
 import { t } from '../../i18n/lab'
 import { PREFIX } from '../../share/comparison_link'
@@ -10,6 +11,7 @@ import { openComparison, progress, resultFile } from '../run/actions'
 import { runsOfQuestion } from '../run/shares'
 import { fileStem } from '../store/names'
 import { shownComparison } from '../store/shown_comparison'
+import { noteSaved } from '../store/unstored'
 import { ClassDialog, LEAST_SHARES } from './class_dialog'
 import { linkOfNow } from './link_of_now'
 import { resultCard } from './result_card'
@@ -42,6 +44,7 @@ function SendComparison({ onClass, onClose }: SendProps) {
       tooLarge={t('lab.share.tooLarge')}
       savePicture={saveCard}
       saveFile={saveFile}
+      pageOf={pageOf}
       onClose={onClose}
       testId="lab-share"
     >
@@ -85,6 +88,16 @@ function Contents({ carriesNumbers }: { carriesNumbers: boolean }) {
 }
 
 const stem = () => fileStem(openComparison.peek()?.title ?? '')
+
+async function pageOf(): Promise<PageContents> {
+  const now = openComparison.peek()
+  return {
+    text: await resultFile('json'),
+    title: shownComparison.peek()?.title ?? '',
+    stem: stem(),
+    saved: () => now && noteSaved(now.id),
+  }
+}
 
 async function saveFile(): Promise<void> {
   download(`${stem()}.result.json`, await resultFile('json'), 'application/json')

@@ -2,6 +2,7 @@
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb'
 import type { KeptRun } from '../../model/comparison_calls'
 import type { StoredDraft } from '../../model/draft'
+import { canKeep } from '../../model/storage'
 import type { NumbersOfLink } from '../../share/recorded_numbers'
 
 /** A comparison as it is stored, without its runs. */
@@ -54,6 +55,7 @@ const NAME = 'formicarium.lab'
 let opening: Promise<IDBPDatabase<LabDatabase>> | null = null
 
 function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
+  if (!canKeep()) return Promise.reject(new Error('this page keeps nothing'))
   opening ??= openDB<LabDatabase>(NAME, 2, {
     upgrade(database, from) {
       if (from < 1) {

@@ -10,6 +10,11 @@ export function noteUnstored(id: string): void {
   askBeforeLeaving(`comparison ${id}`, true)
 }
 
+/** They have been saved elsewhere. */
+export function noteSaved(id: string): void {
+  askBeforeLeaving(`comparison ${id}`, false)
+}
+
 export function keepUnstored(comparison: StoredComparison, runs: KeptRun[]): void {
   kept.set(comparison.id, { comparison, runs })
 }
@@ -18,5 +23,5 @@ export const unstored = (id: string) => kept.get(id) ?? null
 
 export function dropUnstored(id: string): void {
   kept.delete(id)
-  askBeforeLeaving(`comparison ${id}`, false)
+  noteSaved(id)
 }

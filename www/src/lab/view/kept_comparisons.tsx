@@ -3,6 +3,7 @@ import { FolderOpen, Play, Trash2 } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { language, translated } from '../../i18n'
 import { t } from '../../i18n/lab'
+import { canKeep } from '../../model/storage'
 import { notifyError } from '../../state'
 import { Button, IconButton } from '../../ui/buttons'
 import {
@@ -25,7 +26,9 @@ export function KeptComparisons() {
   return (
     <section class="lab-card kept" aria-label={t('lab.kept.title')} data-testid="kept">
       <h3>{t('lab.kept.title')}</h3>
-      {kept === null && <p class="hint">{t('lab.kept.unavailable')}</p>}
+      {kept === null && (
+        <p class="hint">{t(canKeep() ? 'lab.kept.unavailable' : 'lab.kept.inFile')}</p>
+      )}
       {kept?.length === 0 && <p class="hint">{t('lab.kept.none')}</p>}
       {kept && kept.length > 0 && (
         <ul class="kept-list">

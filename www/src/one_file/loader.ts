@@ -1,0 +1,102 @@
+/**
+ * Begins the page that is one file: unpacks its parts and starts it. It stands before them, so that it is there to tell when a file
+ * ends too early. `one_file_shell.ts` writes it into the page.
+ */
+import { XzReadableStream } from 'xz-decompress'
+import { unpackingEn } from '../i18n/en/unpacking'
+import { unpackingZhCN } from '../i18n/zh_cn/unpacking'
+
+const words = /^zh([-_]|$)/i.test(navigator.language) ? unpackingZhCN : unpackingEn
+
+const place = document.getElementById('unpacking')
+const self = document.currentScript
+
+function tell(text: string): void {
+  if (place) place.textContent = text
+}
+
+/** Why the page cannot begin, in words for who has opened the file. */
+class Refusal extends Error {}
+
+const written = place?.textContent ?? ''
+tell(words.unpacking)
+addEventListener('DOMContentLoaded', () => {
+  // Said already (before_all.js).
+  if (document.documentElement.dataset.lacks) return place?.remove()
+  // The file as it was opened: from now on the document is the page's.
+  tell(written)
+  const html = `<!DOCTYPE html>\n${document.documentElement.outerHTML}`
+  tell(words.unpacking)
+  start(html).catch((error: unknown) =>
+    tell(error instanceof Refusal ? error.message : `${words.failed} ${error}`),
+  )
+})
+
+async function start(html: string): Promise<void> {
+  const packed = packedText()
+  const { textContent: carried = '', dataset } = element('carried')
+  const parts = partsIn(await unpacked(packed))
+  const { title } = document
+  const from = dataset.from ?? ''
+  globalThis.formicariumFile = { html, title, carried: carried ?? '', from, parts }
+  addEventListener('error', tellWhileEmpty)
+  addElement('style', textOf(parts, 'page.css'))
+  addElement('script', textOf(parts, 'page.js'))
+}
+
+/** An empty one where the file ends before it. */
+const element = (id: string) => document.getElementById(id) ?? document.createElement('script')
+
+/** Throws where the file ends too early. */
+function packedText(): string {
+  const text = element('packed').textContent ?? ''
+  const whole = Number(self?.dataset.characters)
+  if (text.length === whole) return text
+  throw new Refusal(
+    words.cut.replace('{{there}}', String(text.length)).replace('{{whole}}', String(whole)),
+  )
+}
+
+async function unpacked(text: string): Promise<Uint8Array<ArrayBuffer>> {
+  try {
+    const bytes = Uint8Array.from(atob(text), (char) => char.charCodeAt(0))
+    const stream = new XzReadableStream(new Blob([bytes]).stream())
+    return new Uint8Array(await new Response(stream).arrayBuffer())
+  } catch (error) {
+    throw new Refusal(words.damaged.replace('{{why}}', String(error)))
+  }
+}
+
+/** See `one_file_shell.ts`: the length of a list, the list of names and lengths, the parts. */
+function partsIn(bytes: Uint8Array<ArrayBuffer>): Map<string, Uint8Array<ArrayBuffer>> {
+  const length = new DataView(bytes.buffer).getUint32(0, true)
+  const list: [string, number][] = JSON.parse(decoded(bytes.subarray(4, 4 + length)))
+  const parts = new Map<string, Uint8Array<ArrayBuffer>>()
+  let at = 4 + length
+  for (const [name, size] of list) {
+    parts.set(name, bytes.subarray(at, at + size))
+    at += size
+  }
+  return parts
+}
+
+const decoded = (bytes: Uint8Array) => new TextDecoder().decode(bytes)
+
+/** The text of a part that is needed once. */
+function textOf(parts: Map<string, Uint8Array>, name: string): string {
+  const part = parts.get(name)
+  parts.delete(name)
+  return part ? decoded(part) : ''
+}
+
+function addElement(kind: 'style' | 'script', text: string): void {
+  const element = document.createElement(kind)
+  if (kind === 'script') element.setAttribute('type', 'module')
+  element.textContent = text
+  document.head.append(element)
+}
+
+/** The line is hidden as soon as the page has drawn itself: until then it says what goes wrong. */
+function tellWhileEmpty({ message }: ErrorEvent): void {
+  tell(`${words.failed} ${message}`)
+}
