@@ -5,8 +5,6 @@ use std::io::Write as _;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{CheckType, LzmaOptions, XzOptions, XzWriter};
 
 use crate::tools::{run, target_dir, vite};
@@ -23,11 +21,24 @@ pub fn build(folder: &Path) -> Result<()> {
     let halves = target_dir().join("one-file");
     let args = ["build", "--config", "one_file.config.ts", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&halves))?;
-    let packed = STANDARD.encode(packed(&fs::read(halves.join("parts.bin"))?)?);
+    let packed = written(&packed(&fs::read(halves.join("parts.bin"))?)?);
     let shell = fs::read_to_string(halves.join("shell.html"))?;
     let page = shell.replace("%characters%", &packed.len().to_string()).replace("%packed%", &packed);
     ensure!(page.len() <= MOST_BYTES, "{NAME} has {} bytes: no more than {MOST_BYTES} can be sent everywhere", page.len());
     fs::write(folder.join(NAME), page).with_context(|| format!("cannot write {NAME} into {}", folder.display()))
+}
+
+/// Five characters for four bytes, where base64 needs more than five for four: the digits of a number to the base 85, highest first. A stream
+/// of xz is a multiple of four bytes long.
+fn written(bytes: &[u8]) -> String {
+    let alphabet: Vec<char> = ('#'..='z').filter(|sign| !"&<\\".contains(*sign)).collect();
+    let signs = |four: &[u8; 4]| {
+        let number = u32::from_be_bytes(*four);
+        (0..5).rev().map(|place| alphabet[(number / 85_u32.pow(place) % 85) as usize]).collect::<String>()
+    };
+    let (fours, rest) = bytes.as_chunks();
+    assert!(rest.is_empty(), "a stream of xz is a multiple of four bytes long");
+    fours.iter().map(signs).collect()
 }
 
 /// As small as it gets: the file is packed once, and sent many times.

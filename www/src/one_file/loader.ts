@@ -59,12 +59,29 @@ function packedText(): string {
 
 async function unpacked(text: string): Promise<Uint8Array<ArrayBuffer>> {
   try {
-    const bytes = Uint8Array.from(atob(text), (char) => char.charCodeAt(0))
-    const stream = new XzReadableStream(new Blob([bytes]).stream())
+    const stream = new XzReadableStream(new Blob([bytesOf(text)]).stream())
     return new Uint8Array(await new Response(stream).arrayBuffer())
   } catch (error) {
     throw new Refusal(words.damaged.replace('{{why}}', String(error)))
   }
+}
+
+/** What does not stand among the characters from # to z: it means something in a page, or in a program. */
+const LEFT_OUT = '&<\\'
+
+/** Five characters are four bytes: the digits of a number to the base 85, highest first (xtask/src/one_file.rs writes them). */
+function bytesOf(text: string): Uint8Array<ArrayBuffer> {
+  const digits = new Uint8Array(128)
+  let digit = 0
+  for (let code = '#'.charCodeAt(0); digit < 85; code++)
+    if (!LEFT_OUT.includes(String.fromCharCode(code))) digits[code] = digit++
+  const bytes = new DataView(new ArrayBuffer((text.length / 5) * 4))
+  for (let at = 0; at < text.length; at += 5) {
+    let number = 0
+    for (let i = at; i < at + 5; i++) number = number * 85 + (digits[text.charCodeAt(i)] ?? 0)
+    bytes.setUint32((at / 5) * 4, number)
+  }
+  return new Uint8Array(bytes.buffer)
 }
 
 /** See `one_file_shell.ts`: the length of a list, the list of names and lengths, the parts. */
