@@ -4,6 +4,7 @@ import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
 import { notifyError, startPage } from '../state'
+import { embedding } from '../state/embedding'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
 import { listenForPaste } from './paste'
@@ -15,11 +16,12 @@ import { whenAntsWalk } from './when_ants_walk'
 const SOON_MS = 400
 
 async function main(): Promise<void> {
-  await startLanguage()
+  await startLanguage(embedding && (embedding.get('lang') ?? ''))
+  offerScripting()
+  if (embedding) return (await import('./embed')).startEmbedded(embedding)
   listenForKeys()
   listenForPaste()
   listenForDrops()
-  offerScripting()
   whenAntsWalk(() =>
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )

@@ -76,9 +76,12 @@ async function useLanguage(choice: Language): Promise<void> {
   language.value = choice
 }
 
-/** The reader's language, before anything is shown. Without its dictionary the page speaks English. */
-export async function startLanguage(): Promise<void> {
-  await useLanguage(preferred()).catch(() => {})
+/**
+ * The reader's language, before anything is shown. Without its dictionary the page speaks English. `asked` by another page: then
+ * nothing is read that the browser keeps; empty for the browser's own.
+ */
+export async function startLanguage(asked: string | null): Promise<void> {
+  await useLanguage(preferred(asked ?? kept())).catch(() => {})
 }
 
 export async function setLanguage(choice: Language): Promise<void> {
@@ -135,11 +138,15 @@ export const numbers = computed(() => ({
   }),
 }))
 
-function preferred(): Language {
-  let chosen: string | null = null
+function kept(): string | null {
   try {
-    chosen = localStorage.getItem(LANGUAGE_KEY)
-  } catch {}
+    return localStorage.getItem(LANGUAGE_KEY)
+  } catch {
+    return null
+  }
+}
+
+function preferred(chosen: string | null): Language {
   if (chosen === 'en' || chosen === 'zh-CN') return chosen
   return /^zh([-_]|$)/i.test(navigator.language) ? 'zh-CN' : 'en'
 }

@@ -1,5 +1,6 @@
 /** Theme and motion: what the reader chose, or what the system prefers. */
 import { computed, effect, signal } from '@preact/signals'
+import { embedding } from './embedding'
 
 export type ThemeChoice = 'system' | 'light' | 'dark'
 
@@ -26,12 +27,14 @@ export const reducedMotion = (): boolean => matchMedia('(prefers-reduced-motion:
 
 /** Private windows may refuse storage; the choice then lasts as long as the page. */
 export function remember(key: string, value: string): void {
+  if (embedding) return
   try {
     localStorage.setItem(key, value)
   } catch {}
 }
 
 export function recall(key: string): string | null {
+  if (embedding) return null
   try {
     return localStorage.getItem(key)
   } catch {
@@ -40,7 +43,7 @@ export function recall(key: string): string | null {
 }
 
 function remembered(): ThemeChoice {
-  const value = recall(THEME_KEY)
+  const value = embedding ? embedding.get('theme') : recall(THEME_KEY)
   return value === 'light' || value === 'dark' ? value : 'system'
 }
 

@@ -4,6 +4,7 @@ import { effect, untracked } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { arrival } from './address'
+import { embedding } from './embedding'
 import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
 import { notifyError } from './notices'
@@ -27,14 +28,26 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
+  if (embedding) {
+    await openEmbedded()
+    return
+  }
   if (!(await openFragment(location.hash)) && !(await openStoredSession())) openFirstSession()
   autoplay()
+}
+
+/** Nothing that this browser keeps is opened, and no other race in the place of one that cannot be read. */
+async function openEmbedded(): Promise<void> {
+  const opened = await openFragment(location.hash)
+  if (!opened && location.hash.startsWith('#x=')) return
+  if (!opened) openFirstSession()
+  if (embedding?.has('autoplay')) autoplay()
 }
 
 function watch(): void {
   watching = true
   watchScenario()
-  storeSessionChanges()
+  if (!embedding) storeSessionChanges()
   fetchWholeEngineWhenIdle()
   effect(() => {
     if (wholeEngine.value !== 'here') return

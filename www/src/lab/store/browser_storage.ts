@@ -3,6 +3,7 @@ import { type DBSchema, type IDBPDatabase, openDB } from 'idb'
 import type { KeptRun } from '../../model/comparison_calls'
 import type { StoredDraft } from '../../model/draft'
 import type { NumbersOfLink } from '../../share/recorded_numbers'
+import { embedding } from '../../state/embedding'
 
 /** A comparison as it is stored, without its runs. */
 export interface StoredComparison {
@@ -53,7 +54,8 @@ interface LabDatabase extends DBSchema {
 const NAME = 'formicarium.lab'
 let opening: Promise<IDBPDatabase<LabDatabase>> | null = null
 
-function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
+async function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
+  if (embedding) throw new DOMException('a page within another one keeps nothing', 'SecurityError')
   opening ??= openDB<LabDatabase>(NAME, 2, {
     upgrade(database, from) {
       if (from < 1) {
@@ -73,7 +75,7 @@ function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
 }
 
 function closeDatabase(): void {
-  void opening?.then((database) => database.close())
+  void opening?.then((database) => database.close()).catch(() => {})
   opening = null
 }
 
