@@ -10,13 +10,14 @@ use crate::wasm;
 /// Every TypeScript project: the page, its workers, the build, the browser tests.
 const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
 
-/// Engine and page; the answer is the static folder.
+/// Engine, page, and the custom element in `pkg/`; the answer is the static folder.
 pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     wasm::build(wasm::Mode::Release)?;
     println!("page: building…");
     let folder = out.map_or_else(|| Ok(www().join("dist")), std::path::absolute)?;
     let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;
+    run(vite().args(["build", "--config", "element.config.ts", "--logLevel", "warn"]))?;
     Ok(folder)
 }
 

@@ -1,7 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { LoaderCircle, Unlink } from 'lucide'
 import { useEffect } from 'preact/hooks'
-import { Charts } from '../../charts/charts'
 import { Dialogs } from '../../dialogs/dialog_switch'
 import { t } from '../../i18n/embed'
 import type { Control } from '../../model/embedding'
@@ -15,6 +14,8 @@ import { Toasts } from '../../ui/toasts'
 import { DropVeil } from '../drop_files'
 import { Bar } from './bar'
 import { panelCardWith } from './embedded_panel'
+
+const ChartsPlace = lazily(async () => (await import('./charts_place')).ChartsPlace)
 
 const Lab = lazily(() => import('../../lab').then((lab) => lab.fetchLab()), Loading)
 
@@ -70,11 +71,7 @@ function Race({ controls }: Pick<EmbeddedProps, 'controls'>) {
       )}
       <div class="workbench">
         <PanelGrid Card={controls.has('numbers') ? WithNumbers : WithoutNumbers} />
-        {controls.has('charts') && (
-          <div class="embedded-charts">
-            <Charts />
-          </div>
-        )}
+        {controls.has('charts') && <ChartsPlace />}
       </div>
       <p id="stage-help" class="visually-hidden">
         {t('stage.help')}

@@ -9,6 +9,9 @@ export const enEmbed = {
   noComparison: 'No comparison is open here',
   noComparisonHint:
     'A frame shows the comparison in its address, or one that the page around it asks for.',
+  notKept: 'The browser keeps nothing of this page here',
+  notKeptHint:
+    'Maps, races and comparisons last as long as it is open. Share or save what should stay.',
   download: 'The page around this one may not allow downloads',
   downloadHint: 'If no file arrives, open this in a full page and save it there.',
   downloadText: 'If no file arrives, copy its text, or open this in a full page.',

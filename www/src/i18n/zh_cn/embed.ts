@@ -10,6 +10,8 @@ export const zhCNEmbed: DictionaryShape<typeof enEmbed> = {
   unreadHint: '它可能在传递时被截断了。请询问外层页面的作者。',
   noComparison: '这里没有打开的比较',
   noComparisonHint: '框架只显示其地址中的比较，或外层页面要求的比较。',
+  notKept: '浏览器在这里不保存此页面的任何内容',
+  notKeptHint: '地图、比赛和比较只在页面打开期间存在。要保留的内容请分享或另存。',
   download: '外层页面可能不允许下载',
   downloadHint: '如果没有收到文件，请在整页中打开并在那里保存。',
   downloadText: '如果没有收到文件，请复制其文本，或在整页中打开。',
