@@ -89,6 +89,7 @@ test('nothing is opened that the browser keeps, and the history stays as it was'
   test.slow()
   const race = new RacePage(page)
   await race.openAtRest()
+  const before = await race.isWall([20, 12])
   await race.drag([[20, 12]])
   await expect
     .poll(() => page.evaluate(() => sessionStorage.getItem('formicarium.session')))
@@ -100,7 +101,7 @@ test('nothing is opened that the browser keeps, and the history stays as it was'
   const drawn = await page.evaluate(() => sessionStorage.getItem('formicarium.session'))
 
   const embedded = await openEmbedded(page)
-  expect(await embedded.isWall([20, 12])).toBe(false)
+  expect(await embedded.isWall([20, 12])).toBe(before)
   await expect(page.locator('html')).toHaveAttribute('data-theme', 'light')
   const entries = await page.evaluate(() => history.length)
   await page.evaluate(() => window.formicarium.compare({ planners: ['astar'], seeds: 1 }))
@@ -139,7 +140,7 @@ test('the mark opens the race of now in a page of its own', async ({ page, conte
   const race = await openEmbedded(page)
   await page.evaluate(() => window.formicarium.load('S....\n.###.\n....G\n'))
   await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
-  const before = await race.results()
+  const before = await race.session()
   const mark = page.getByTestId('full-page')
   await expect(mark).toHaveAttribute('rel', 'noopener')
   await mark.hover()
@@ -150,7 +151,7 @@ test('the mark opens the race of now in a page of its own', async ({ page, conte
   expect(new URL(opened.url()).search).toBe('')
   await expect(opened.getByTestId('share')).toBeVisible()
   await expect(opened.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
-  expect((await other.session()).panels[0]?.result?.digest).toBe(before[0]?.summary?.digest)
+  expect((await other.session()).scenario).toEqual(before.scenario)
 })
 
 test('ants walk at once where the address says so', async ({ page }) => {
@@ -170,7 +171,7 @@ test('a comparison has its results without the builder, and runs', async ({ page
   await expect(field).toHaveValue(/#q=/)
   await page.getByTestId('embed-open').click()
   await expect(page.getByTestId('embed-html')).toHaveValue(/\?embed#q=/)
-  await expect(page.getByTestId('embed-play')).toHaveCount(0)
+  await expect(page.getByTestId('embed-control-play')).toHaveCount(0)
   const fragment = new URL(await field.inputValue()).hash
   await page.goto('about:blank')
   await page.goto(`./?embed${fragment}`)
@@ -198,8 +199,8 @@ test('the share dialog has the line to paste, with the controls that are chosen'
   await page.getByTestId('embed-open').click()
   const html = page.getByTestId('embed-html')
   await expect(html).toHaveValue(/^<iframe src="http[^"]*\/\?embed#x=[^"]+" title="[^"]+"/)
-  await page.getByTestId('embed-step').uncheck()
-  await page.getByTestId('embed-charts').check()
+  await page.getByTestId('embed-control-step').uncheck()
+  await page.getByTestId('embed-control-charts').check()
   await page.getByTestId('embed-height').fill('600')
   await page.getByTestId('embed-height').blur()
   await expect(html).toHaveValue(/\?embed=play,numbers,charts#x=[^>]* height="600"/)

@@ -85,7 +85,7 @@ function Controls() {
           <input
             type="checkbox"
             checked={chosen.value.includes(control)}
-            data-testid={`embed-${control}`}
+            data-testid={`embed-control-${control}`}
             onChange={(event) => choose(control, event.currentTarget.checked)}
           />{' '}
           {t(`embed.controls.${control}`)}

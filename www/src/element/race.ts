@@ -86,7 +86,7 @@ export class FormicariumRace extends Base {
   }
 
   attributeChangedCallback(_: string, before: string | null, now: string | null): void {
-    if (before === now || !this.#frame || this.#isDue) return
+    if (before === now || !this.shadowRoot || this.#isDue) return
     this.#isDue = true
     // Several attributes are often set one after the other.
     queueMicrotask(() => {
@@ -143,6 +143,8 @@ export class FormicariumRace extends Base {
   }
 
   async #now(): Promise<Frame> {
+    // An attribute that was set before has its effect first.
+    await null
     if (this.#frame) return this.#frame
     const hint = 'Put it into the document first, with a page.'
     throw new ScriptError('no-frame', '', 'the element has no frame', hint)
