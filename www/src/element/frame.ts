@@ -30,21 +30,27 @@ export class Frame {
   private readonly origin: string
   private asked = 0
   private isReady: () => void = () => {}
+  private isGone: (why: ScriptError) => void = () => {}
+  private gone: ScriptError | null = null
 
   constructor(private readonly given: Given) {
     this.origin = new URL(given.address).origin
     this.element.src = given.address
     this.element.title = given.title
     this.element.allow = 'clipboard-write'
-    const ready = new Promise<void>((resolve) => {
+    const ready = new Promise<void>((resolve, reject) => {
       this.isReady = resolve
+      this.isGone = reject
     })
     this.opened = ready.then(() => given.open(this) ?? undefined)
+    // Who waits for it hears of it.
+    this.opened.catch(() => {})
     addEventListener('message', this.hear)
   }
 
   ask<K extends RequestKind>(kind: K, fields: Requests[K]): Promise<Answer<K>> {
     return new Promise((resolve, reject) => {
+      if (this.gone) return reject(this.gone)
       const id = ++this.asked
       this.waiting.set(id, { resolve, reject })
       // A page without an origin cannot be addressed by it.
@@ -60,6 +66,8 @@ export class Frame {
     this.element.remove()
     const hint = 'Ask the new frame.'
     const gone = new ScriptError('frame-left', '', 'the frame was closed or built anew', hint)
+    this.gone = gone
+    this.isGone(gone)
     for (const { reject } of this.waiting.values()) reject(gone)
     this.waiting.clear()
   }
