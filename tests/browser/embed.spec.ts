@@ -176,7 +176,7 @@ test('a comparison has its results without the builder, and runs', async ({ page
   await page.goto('about:blank')
   await page.goto(`./?embed${fragment}`)
   await expect(page.getByTestId('run-bar')).toBeVisible()
-  for (const absent of ['lab-back', 'lab-share', 'builder', 'view-race'])
+  for (const absent of ['lab-back', 'lab-share', 'lab-change', 'builder', 'view-race'])
     await expect(page.getByTestId(absent)).toHaveCount(0)
   await expectClean(page, 'a comparison in a frame')
   await page.getByTestId('lab-go-on').click()

@@ -46,7 +46,7 @@ export function Embedded({ controls, started }: EmbeddedProps) {
         )}
       </main>
       <Bar controls={inLab || !scenario.value ? NONE : controls} />
-      {controls.has('open') && <Dialogs />}
+      {(controls.has('open') || controls.has('charts')) && <Dialogs />}
       <Toasts />
       <DropVeil />
     </div>
