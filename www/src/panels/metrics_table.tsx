@@ -5,7 +5,7 @@
 import { signal } from '@preact/signals'
 import { ChevronDown, ChevronRight } from 'lucide'
 import type { ComponentChildren } from 'preact'
-import { t } from '../i18n'
+import { t } from '../i18n/metric_hints'
 import { byHand, type Panel, panels, slotColour } from '../state'
 import { Icon } from '../ui/icon'
 import { panelTitle } from '../words/planner_words'

@@ -1,9 +1,10 @@
 import type { DictionaryShape } from '../dictionary_shape'
+import type { enMetricHints } from '../en/metric_hints'
 import type { en } from '../en/page'
 import { zhCNMaps } from './maps'
 import { zhCNRelief } from './relief'
 
-export const zhCN: DictionaryShape<typeof en> = {
+export const zhCN: DictionaryShape<typeof en & typeof enMetricHints> = {
   app: {
     title: 'Formicarium 蚁巢 – 蚁群与精确规划器在你的地图上竞速',
     loading: '正在启动引擎…',
