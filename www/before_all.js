@@ -11,9 +11,10 @@
 
   // The theme must stand before the first paint, or dark pages flash white; state/appearance.ts takes over.
   function setTheme() {
+    var query = new URLSearchParams(location.search)
     var chosen = null
     try {
-      chosen = localStorage.getItem('formicarium.theme')
+      chosen = query.has('embed') ? query.get('theme') : localStorage.getItem('formicarium.theme')
     } catch (error) {}
     var dark = window.matchMedia && matchMedia('(prefers-color-scheme: dark)').matches
     document.documentElement.setAttribute('data-theme', chosen || (dark ? 'dark' : 'light'))

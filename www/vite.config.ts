@@ -20,6 +20,13 @@ const NEEDED =
 /** What begins before the rest has been read. */
 const EARLY = /src.engine.(early|load|files_of_page|fetch_part|new_worker)\.|src.model.errors\./
 
+/** Small, and wanted by several late parts: one file, so that the page has fewer names of files to know. */
+const LATE =
+  /src.share.(deflate|envelope|link_error|byte_stream)\.|src.i18n.(lists|embed)\.|src.i18n.en.embed\.|src.model.(script_error|embedding)\.|src.state.clipboard\.|lucide.*icons.(copy|image|chevron-right|scissors)\./
+
+/** Files that every visit has by the time it asks for others. */
+const OPENED = /(page|early|rolldown-runtime)-[^/]*\.js$/
+
 /** `cargo xtask serve --dev` writes pkg/.stamp last: the engine is new, so is the page. */
 function reloadOnNewEngine(): Plugin {
   return {
@@ -59,8 +66,12 @@ export default defineConfig({
   build: {
     target: 'es2022',
     sourcemap: false,
-    // Browsers without it only begin a little later.
-    modulePreload: { polyfill: false },
+    modulePreload: {
+      // Browsers without it only begin a little later.
+      polyfill: false,
+      resolveDependencies: (_, files, { hostType }) =>
+        hostType === 'html' ? files : files.filter((file) => !OPENED.test(file)),
+    },
     // What every visit needs is one file: cut up by which late part needs what, it would be larger by kilobytes.
     rolldownOptions: {
       output: {
@@ -68,6 +79,7 @@ export default defineConfig({
           groups: [
             { name: 'early', test: EARLY, priority: 1 },
             { name: 'page', test: NEEDED },
+            { name: 'late', test: LATE },
           ],
         },
       },

@@ -1,6 +1,6 @@
 /** Page object of the laboratory, where comparisons are made. */
 import { expect, type Locator, type Page } from '@playwright/test'
-import type { CompareOptions, ComparisonResult } from '../../www/src/lab/scripting'
+import type { CompareOptions, ComparisonResult } from '../../www/src/model/scripting'
 import { RacePage } from './race_page'
 
 export class ComparisonPage {

@@ -1,7 +1,7 @@
 /** The race as specs see it, whatever drives the browser: what is pressed on the page, and what it answers. */
 import { expect } from '@playwright/test'
-import type { PanelResult, Scripting } from '../../www/src/app/scripting'
 import type { Cell } from '../../www/src/model/cell'
+import type { PanelResult, Scripting } from '../../www/src/model/scripting'
 import type { Session } from '../../www/src/model/session'
 import { placement } from '../../www/src/model/viewpoint'
 

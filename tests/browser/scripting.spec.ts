@@ -2,28 +2,12 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
+import { asScript, blocksOf, docText } from './doc_blocks'
 import { RacePage } from './race_page'
 import { zipOf } from './zips'
 
-const TEXT = readFileSync(join(__dirname, '../../docs/scripting.md'), 'utf8')
-const BLOCKS = [...TEXT.matchAll(/^```js\n([\s\S]*?)^```$/gm)].map(([, code = '']) => code)
-const VALUE = /^(?<code>\S.*\S)\s+\/\/ → (?<value>.+)$/
-
-/** Lines that end in a value are compared with it; names live on from block to block. */
-function asScript(blocks: string[]): { code: string; values: number } {
-  let values = 0
-  const lines = blocks
-    .join('\n')
-    .split('\n')
-    .map((line) => {
-      const { code, value } = VALUE.exec(line)?.groups ?? {}
-      if (code === undefined) return line
-      values++
-      return `told.push([${JSON.stringify(code)}, ${code}, ${value}]);`
-    })
-  const code = `(async () => { const told = []\n${lines.join('\n')}\nreturn told })()`
-  return { code, values }
-}
+const TEXT = docText('scripting.md')
+const BLOCKS = blocksOf(TEXT, 'js')
 
 test('every block of the page about scripting gives what it says', async ({ page }) => {
   test.slow()

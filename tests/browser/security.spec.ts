@@ -287,6 +287,18 @@ test.describe('nothing breaks it', () => {
     guard.expectPeace()
   })
 
+  test('within another page', async ({ page }) => {
+    const guard = await Guard.on(page)
+    await page.goto('./?embed=play,step,numbers,layers,edit,charts,open')
+    await ready(page)
+    await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+    await expect(page.locator('.embedded-charts canvas').first()).toBeVisible()
+    await page.getByTestId('full-page').hover()
+    await expect(page.getByTestId('full-page')).toHaveAttribute('href', /#x=/)
+    await page.evaluate(() => window.formicarium.compare({ planners: ['astar'], seeds: 2 }))
+    guard.expectPeace()
+  })
+
   test('when shared, read about, in Chinese and in the dark', async ({ page }) => {
     const guard = await opened(page)
     await page.evaluate(() => window.formicarium.run({ iterations: 3 }))

@@ -10,7 +10,7 @@ use crate::{one_file, wasm};
 /// Every TypeScript project: the page, its workers, the build, the browser tests.
 const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
 
-/// Engine and page; the answer is the static folder.
+/// Engine, page, and the custom element in `pkg/`; the answer is the static folder.
 pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     wasm::build(wasm::Mode::Release)?;
     println!("page: building…");
@@ -18,6 +18,7 @@ pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;
     one_file::build(&folder)?;
+    run(vite().args(["build", "--config", "element.config.ts", "--logLevel", "warn"]))?;
     // Last of all: it lists what is there.
     let args = ["build", "--config", "service_worker.config.ts", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;

@@ -4,6 +4,7 @@ import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
 import { notifyError, rememberedLanguage, startPage } from '../state'
+import { embedding } from '../state/embedding'
 import { App } from './app'
 import { listenForDrops } from './drop_files'
 import { openLaunched } from './launched_files'
@@ -16,11 +17,12 @@ import { whenAntsWalk, whenAtRest } from './when_ants_walk'
 const SOON_MS = 400
 
 async function main(): Promise<void> {
-  await startLanguage(rememberedLanguage())
+  await startLanguage(embedding ? embedding.get('lang') : rememberedLanguage())
+  offerScripting()
+  if (embedding) return (await import('./embed')).startEmbedded(embedding)
   listenForKeys()
   listenForPaste()
   listenForDrops()
-  offerScripting()
   whenAntsWalk(() =>
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )

@@ -1,7 +1,13 @@
 /** What scripts ask of the page, fetched with the first call that takes time. */
 import type { Notice, ReportLanguage, ResultFile } from '@pkg/formicarium'
-import type { CompareOptions, ComparisonResult } from '../lab/scripting'
 import { badOption, optionsOf, ScriptError, typed, wholeNumber } from '../model/script_error'
+import type {
+  CompareOptions,
+  ComparisonResult,
+  LoadOptions,
+  Opened,
+  RunOptions,
+} from '../model/scripting'
 import {
   isIdle,
   latest,
@@ -23,9 +29,8 @@ import { awaited } from '../state/looking'
 import { allowed } from '../state/memory'
 import { inTurn, type Turn } from '../state/openings'
 import { offerOrder } from '../state/order_play'
-import { type Content, contentOf, type LoadOptions } from '../state/script_files'
+import { type Content, contentOf } from '../state/script_files'
 import { suitSpeed } from '../state/speed'
-import type { Opened, RunOptions } from './scripting'
 
 const POLL_MS = 30
 const MOST_ITERATIONS = 1_000_000

@@ -7,10 +7,7 @@
  *     await formicarium.look(12)               // all panels as they stood after iteration 12; null for now
  *     await formicarium.compare({ seeds: 30 }) // map and planners over many seeds; the result files as text
  */
-import type { ReportLanguage, ResultFile, RunSummary } from '@pkg/formicarium'
-import type { CompareOptions, ComparisonResult } from '../lab/scripting'
-import type { Stop } from '../model/lesson'
-import type { Session } from '../model/session'
+import type { PanelResult, Scripting } from '../model/scripting'
 import { placeOf } from '../model/world'
 import {
   currentSession,
@@ -24,60 +21,6 @@ import {
   stopsMet,
 } from '../state'
 import { latest } from '../state/live_reports'
-import type { LoadOptions, Source } from '../state/script_files'
-
-export interface PanelResult {
-  planner: string
-  params: Session['panels'][number]['params']
-  summary: RunSummary | null
-  /** Best path as [x, y] cells; null when none was found. */
-  path: [number, number][] | null
-  /** On a terrain the altitude of each of its cells in metres; null elsewhere. */
-  altitudes: number[] | null
-  /** On a map whose place in the world is known, the middle of each of its cells as [x, y] in metres; null elsewhere. */
-  world: [number, number][] | null
-  /** One row an iteration: iteration, best so far, iteration best, mean, worst, arrived. */
-  history: number[][]
-  verified: PanelLive['verified']
-  /** Why there is no run, or no more of it: the engine refused it, or it has failed; null as a rule. */
-  error: { kind: string; message: string } | null
-  /** The stops that it has met where the runs stand now, e.g. `[{ when: 'first-path' }]`; empty while they stand for another reason. */
-  stops: Stop[]
-}
-
-export interface RunOptions {
-  /** So many of each panel; to its end, if nothing is said. */
-  iterations?: number
-  /** `hold`, if nothing is said: the runs go no further than to the first stop of the session. `ignore`: as if there were none. */
-  stops?: 'hold' | 'ignore'
-}
-
-/** What `load` has opened. */
-export interface Opened {
-  /** `ends`: start and goal for the map on show. */
-  kind: 'session' | 'map' | 'ends' | 'comparison' | 'results' | 'order'
-  name: string
-  /** What was assumed or left out on reading, in English. */
-  notices: { kind: string; message: string }[]
-}
-
-/** Described in docs/scripting.md. What a promise is rejected with is an Error with `kind`, `field`, `message` and `hint`. */
-export interface Scripting {
-  readonly version: string
-  /** Opens a link, the text of any file that can be read, a session, a file, or files that belong together. */
-  load(source: Source, options?: LoadOptions): Promise<Opened>
-  /** Runs every panel to its end, for a number of iterations, or to a stop, and gives the results. */
-  run(options?: RunOptions): Promise<PanelResult[]>
-  pause(): void
-  /** Looks back at an iteration in every panel; null returns to the present. Meanwhile `results` tells of that iteration. */
-  look(iteration: number | null): Promise<PanelResult[]>
-  results(): PanelResult[]
-  session(): Session | null
-  /** Runs planners on maps with many seeds, or any comparison that a document holds. */
-  compare(options?: CompareOptions): Promise<ComparisonResult>
-  /** A result file of the comparison that is open, as text; what people read is in English, or in this language. */
-  resultFile(kind: ResultFile, language?: ReportLanguage): Promise<string>
-}
 
 declare global {
   interface Window {

@@ -59,14 +59,16 @@ const KEYS: Record<string, () => void> = {
 
 for (const key of 'lbndmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
 
-export function listenForKeys(): void {
+/** `may` says which of them count. */
+export function listenForKeys(may: (name: string) => boolean = () => true): void {
   noteHowFocusMoves()
   let swallowed: string | null = null
   addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey || openDialog.value !== null) return
     if (keptByControl(event)) return
     const name = nameOf(event)
-    const action = view.value === 'race' || name === '?' ? KEYS[name] : undefined
+    const counts = (view.value === 'race' || name === '?') && may(name)
+    const action = counts ? KEYS[name] : undefined
     if (!action) return
     event.preventDefault()
     action()

@@ -11,7 +11,17 @@ import { notifyError } from '../state'
 import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
+import { lazily } from '../ui/lazily'
 import { BareLinkHint, type PageContents, PageOffer } from './save_page'
+
+const EmbedSnippet = lazily(async () => {
+  const [{ EmbedSnippet }, { addEmbedWords }] = await Promise.all([
+    import('./embed_snippet'),
+    import('../i18n/embed'),
+  ])
+  await addEmbedWords()
+  return EmbedSnippet
+})
 
 /** Stands for a link that cannot be made. */
 const TOO_LARGE = 'too large'
@@ -55,6 +65,8 @@ export const isTooLong = (link: Link) =>
 
 interface SendDialogProps {
   title: string
+  /** What it is called that is shared. */
+  name: string
   /** What its receiver gets. */
   what: string
   link: Link
@@ -130,6 +142,9 @@ export function SendDialog(props: SendDialogProps) {
         </>
       )}
       <PageOffer contents={props.pageOf} testId={testId} />
+      {link !== null && link !== TOO_LARGE && (
+        <EmbedSnippet link={link} name={props.name} isRace={testId === 'share'} />
+      )}
     </Dialog>
   )
 }

@@ -36,6 +36,7 @@ export function ShareDialog() {
   return (
     <SendDialog
       title={t('share.title')}
+      name={caption.value.title || mapName()}
       what={t('share.what')}
       link={link}
       tooLong={(lengths) => t('share.tooLong', lengths)}

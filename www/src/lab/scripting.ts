@@ -2,34 +2,13 @@
 import type { ReportLanguage, ResultFile } from '@pkg/formicarium'
 import { effect } from '@preact/signals'
 import { optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
+import type { Asked, CompareOptions, ComparisonResult } from '../model/scripting'
 import { showView } from '../state'
 import { compose } from './build/compose_document'
-import { ASKED, type Asked, draftFromScript } from './build/script_draft'
+import { ASKED, draftFromScript } from './build/script_draft'
 import * as run from './run/actions'
 import { MOST_WORKERS } from './run/pool'
 import { openAddress } from './view/open_address'
-
-export interface CompareOptions extends Asked {
-  /** A `formicarium/comparison@1` document, as text, which says everything; instead of all options above. */
-  document?: string
-  /** As many as the machine has processors, if nothing is said. */
-  workers?: number
-  /** How the Markdown file says that it was made; how the same comes from the command line, if nothing is said. */
-  command?: string
-}
-
-export interface ComparisonResult {
-  /** Runs that are done, those of them without a path, and runs that could not be done. */
-  runs: number
-  pathless: number
-  failed: number
-  /** Runs to be done altogether. More than `runs` and `failed` where the reader paused it. */
-  total: number
-  /** From the first run's beginning to the last one's end. */
-  seconds: number
-  /** The result files, as the command line writes them; `resultFile` gives all others. */
-  files: Record<(typeof FILES)[number], string>
-}
 
 const FILES = ['csv', 'markdown', 'tests', 'json'] as const
 /** Every kind, by the type check. */

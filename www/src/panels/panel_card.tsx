@@ -33,7 +33,7 @@ import { cardId, showParameters } from './places'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
 
-interface PanelCardProps {
+export interface PanelCardProps {
   panel: Panel
   /** 1 for the first on the page. */
   place: number
@@ -145,7 +145,7 @@ function plannerOptions(own: string) {
   return plannerEntry(own) ? options : [{ value: own, label: own }, ...options]
 }
 
-function PanelStage({ panel }: { panel: Panel }) {
+export function PanelStage({ panel }: { panel: Panel }) {
   const { id } = panel
   // The numbers of the run change many times a second; the stage only cares for a refusal.
   const refused = useComputed(() => (panelById(id)?.live.value.error ?? null) !== null)

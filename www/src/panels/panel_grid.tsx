@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { Bug } from 'lucide'
-import type { RefObject } from 'preact'
+import type { ComponentType, RefObject } from 'preact'
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n'
 import { type PanelLayout, panelLayout } from '../model/panel_layout'
@@ -9,11 +9,12 @@ import { comparing, focused, lessonMode, panels, scenario } from '../state'
 import { Icon } from '../ui/icon'
 import { lazily } from '../ui/lazily'
 import { AddPlannerButtons } from './add_planner'
-import { PanelCard } from './panel_card'
+import { PanelCard, type PanelCardProps } from './panel_card'
 
 const Difference = lazily(async () => (await import('../playback')).fetchDifference())
 
-export function PanelGrid() {
+/** `Card` frames each panel: the page's own, or that of a page within another one. */
+export function PanelGrid({ Card = PanelCard }: { Card?: ComponentType<PanelCardProps> }) {
   const place = useRef<HTMLElement>(null)
   const room = useRoom(place)
   const all = panels.value
@@ -30,7 +31,7 @@ export function PanelGrid() {
       aria-label={t('panels.region')}
     >
       {all.map((panel, index) => (
-        <PanelCard key={panel.id} panel={panel} place={index + 1} />
+        <Card key={panel.id} panel={panel} place={index + 1} />
       ))}
       {comparing.value && alone === null && <Difference />}
     </section>

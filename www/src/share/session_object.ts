@@ -1,22 +1,9 @@
 /** A session that a script passes as an object: read as a session file is, so that every way in has the same checks. */
 import type { ScenarioSpec } from '@pkg/formicarium'
-import {
-  type Caption,
-  type Look,
-  MAX_PANELS,
-  type PanelSetup,
-  type Session,
-  SPEEDS,
-} from '../model/session'
+import { MAX_PANELS, type Session, SPEEDS } from '../model/session'
 import { type Fields, fieldsOf, integer, invalid, list } from './field_checks'
 import { sessionFromFile, sessionToFile } from './link'
 import { readChanges } from './session_changes'
-
-/** A session without what older scripts do not know of: title, note, labels, what was looked at. */
-export type GivenSession = Omit<Session, 'panels' | keyof (Caption & Look)> &
-  Partial<Caption & Look> & {
-    panels: (Omit<PanelSetup, 'label'> & Partial<Pick<PanelSetup, 'label'>>)[]
-  }
 
 /** Throws a LinkError that names the field. */
 export async function sessionFromObject(value: unknown): Promise<Session> {

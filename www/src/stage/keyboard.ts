@@ -19,6 +19,7 @@ import {
   scenario,
   tool,
 } from '../state'
+import { mapIsFixed } from '../state/embedding'
 import { heightWords } from '../words/height_words'
 import { placeWords } from '../words/place_words'
 import { brushFor, newGesture, stroke } from './brush'
@@ -104,6 +105,7 @@ export function handleAtCursor(
   now: Scenario,
   cursor: Signal<Cursor | null>,
 ): boolean {
+  if (mapIsFixed.peek()) return false
   const cell = cursor.peek()?.cell ?? null
   switch (key) {
     case 'Enter':

@@ -11,6 +11,7 @@ import type { Scenario } from '../model/session'
 import type { HeldKeys, Stroke } from '../model/stroke'
 import { fitView, type Placement, type Point, toMap, viewpoint, zoomAt } from '../model/viewpoint'
 import { activeGoal, beginPress, editor, endPress, refuseMoreGoals, scenario, tool } from '../state'
+import { mapIsFixed } from '../state/embedding'
 import { type Brush, brushFor } from './brush'
 import { brushStroke } from './brush_stroke'
 import { listenToPointers, type PointerHandlers, wheelZooms } from './listen'
@@ -231,7 +232,7 @@ export class PointerInput {
 
   private endAt(event: PointerEvent, at: Point): MarkerUnder | null {
     const now = scenario.peek()
-    if (now === null) return null
+    if (now === null || mapIsFixed.peek()) return null
     const { placement, dpr } = this.frame()
     return markerUnder(now, at, placement, dpr, event.pointerType === 'touch')
   }

@@ -1,8 +1,10 @@
 /**
  * Where on the page the reader is: the only file that writes to the browser's history. Watch has no fragment, or that of the link that
- * was opened (`#x=…`, `#lesson=…`); Compare is `#lab`, a comparison `#lab/<id>/<tab>` and, until it has been opened, `#q=…`.
+ * was opened (`#x=…`, `#lesson=…`); Compare is `#lab`, a comparison `#lab/<id>/<tab>` and, until it has been opened, `#q=…`. In another
+ * page it writes nothing: Back would go through the frame first.
  */
 import { signal } from '@preact/signals'
+import { embedding } from './embedding'
 
 /** What an entry of the browser's history remembers. */
 interface Entry {
@@ -12,7 +14,7 @@ interface Entry {
   session: number
 }
 
-const known = history.state as Entry | null
+const known = embedding ? null : (history.state as Entry | null)
 /** The fragment with which the page was loaded, if the reader had been at that entry before: a reload, or Back from another site. */
 export const returnedTo = known && location.hash
 let entry: Entry = known ?? { at: 0, session: 0 }
@@ -32,18 +34,19 @@ export const arrival = signal<Arrival | null>(null)
 export function goTo(fragment: string, how: 'push' | 'replace' = 'push'): void {
   const pushes = how === 'push' && fragment !== location.hash
   if (pushes) entry = { ...entry, at: entry.at + 1 }
-  history[pushes ? 'pushState' : 'replaceState'](
-    entry,
-    '',
-    fragment || location.href.replace(/#.*$/, ''),
-  )
+  if (!embedding)
+    history[pushes ? 'pushState' : 'replaceState'](
+      entry,
+      '',
+      fragment || location.href.replace(/#.*$/, ''),
+    )
   place.value = fragment
 }
 
 /** The entry belongs to this session after all. */
 export function staysAt(session: number): void {
   entry = { ...entry, session }
-  history.replaceState(entry, '')
+  remember()
 }
 
 staysAt(entry.session)
@@ -64,8 +67,12 @@ addEventListener('hashchange', () => {
   if (history.state) return
   const isSession = /^#(x|lesson)=/.test(location.hash)
   arrive({ at: entry.at + 1, session: isSession ? Date.now() : entry.session })
-  history.replaceState(entry, '')
+  remember()
 })
+
+function remember(): void {
+  if (!embedding) history.replaceState(entry, '')
+}
 
 function arrive(next: Entry): void {
   const from = entry.session

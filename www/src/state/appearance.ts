@@ -2,6 +2,7 @@
 import { computed, effect, signal } from '@preact/signals'
 import { type Language, useLanguage } from '../i18n'
 import { canKeep } from '../model/storage'
+import { embedding } from './embedding'
 
 export type ThemeChoice = 'system' | 'light' | 'dark'
 
@@ -53,7 +54,7 @@ export function recall(key: string): string | null {
 }
 
 function remembered(): ThemeChoice {
-  const value = recall(THEME_KEY)
+  const value = embedding ? embedding.get('theme') : recall(THEME_KEY)
   return value === 'light' || value === 'dark' ? value : 'system'
 }
 

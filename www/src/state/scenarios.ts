@@ -9,6 +9,7 @@ import { limits } from '../model/facts'
 import { askSame, takenCells } from '../model/goals'
 import type { Scenario } from '../model/session'
 import { fitView } from '../model/viewpoint'
+import { mapIsFixed } from './embedding'
 import { createHistory, type Swap } from './history'
 import { lazyParts } from './lazy_parts'
 import { guide } from './lesson'
@@ -48,6 +49,7 @@ let toldOf: number | undefined
 
 /** One edit of the map; edits of the same gesture (a drag) are undone together. */
 export function applyEdit(edit: Edit, gesture?: number): void {
+  if (mapIsFixed.peek()) return
   const before = drawn?.map ?? scenario.peek()
   if (!before) return
   const base = beforeDrag(before, edit, gesture)

@@ -1,12 +1,12 @@
 /** What a script gives, read to the end before anything on the page changes. What a reader would be asked about is an option by name. */
-import type { Notice, ReadOptions, ScenLine } from '@pkg/formicarium'
+import type { Notice, ScenLine } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { badOption, optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
+import type { LoadOptions } from '../model/scripting'
 import type { Scenario, Session } from '../model/session'
 import type { TerrainPart } from '../model/tool_calls'
 import type { ToldByLink } from '../share/comparison_link'
 import { linkIn } from '../share/link_in_text'
-import type { GivenSession } from '../share/session_object'
 import { bytesOf, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
 import { toScenario } from './imported'
@@ -16,25 +16,6 @@ import type { FoundFile, NamedBytes } from './offered_files'
 import { ASKED, matricesOf, withEnds } from './open_files'
 import { nameOfPicture, pictureOf, picturesNamed } from './ros_pictures'
 import { scenario } from './store'
-
-/** A link or the text of a file, a session, a file, or files that came together. */
-export type Source = string | GivenSession | Blob | readonly Blob[] | FileList
-
-export interface LoadOptions {
-  /** Of several that could be opened, the one of this name. */
-  file?: string
-  /** Of a `.scen`, the line that says start and goal, counted from 1 as in the file. */
-  row?: number
-  /** How a picture, a robot's map or a text with several matrices is read; see the engine's `ReadOptions`. */
-  read?: ReadOptions
-  /** Of a raster of heights: a part, or fewer cells; `{}` is all of it. */
-  part?: TerrainPart
-  /** Of results: the map on which the runs are, and maps of the file that are left out. */
-  instance?: string
-  leaveOut?: string[]
-  /** Whether everything that is left open is read as the page proposes it. */
-  usual?: boolean
-}
 
 const OPTIONS = ['file', 'row', 'read', 'part', 'instance', 'leaveOut', 'usual'] as const
 

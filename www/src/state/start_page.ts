@@ -5,6 +5,7 @@ import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { canKeep } from '../model/storage'
 import { arrival } from './address'
+import { embedding } from './embedding'
 import { fetchNames, lazyParts } from './lazy_parts'
 import { held } from './memory'
 import { notifyError } from './notices'
@@ -35,9 +36,21 @@ export async function startPage(): Promise<void> {
     return
   }
   if (!watching) watch()
+  if (embedding) {
+    await openEmbedded()
+    return
+  }
   if (await openedBefore()) return
   if (!(await openFragment(location.hash)) && !(await openStored())) openFirstSession()
   autoplay()
+}
+
+/** Nothing that this browser keeps is opened, and no other race in the place of one that cannot be read. */
+async function openEmbedded(): Promise<void> {
+  const opened = (await openedBefore()) || (await openFragment(location.hash))
+  if (!opened && location.hash.startsWith('#x=')) return
+  if (!opened) openFirstSession()
+  if (embedding?.has('autoplay')) autoplay()
 }
 
 /** Opens what the tab has stored, if it has. */
@@ -64,7 +77,7 @@ function storeChangesOnceIdle(): void {
 function watch(): void {
   watching = true
   watchScenario()
-  storeChangesOnceIdle()
+  if (!embedding) storeChangesOnceIdle()
   fetchWholeEngineWhenIdle()
   fetchWholeEngineOnceOnline()
   effect(() => {

@@ -14,6 +14,7 @@ import type {
   RunSummary,
 } from '@pkg/formicarium'
 import { computed, type Signal, signal } from '@preact/signals'
+import type { Verification } from '../model/scripting'
 import {
   type Caption,
   DEFAULT_SPEED,
@@ -25,8 +26,6 @@ import { slotColour } from './slot_colours'
 
 /** editing: nothing has run since the last change · running · paused · finished: every panel has ended */
 export type Phase = 'editing' | 'running' | 'paused' | 'finished'
-
-export type Verification = 'none' | 'pending' | 'verified' | 'differs'
 
 /** What a panel's run has reached. It changes many times a second, so it is a signal of its own. */
 export interface PanelLive {

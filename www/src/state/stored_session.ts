@@ -9,6 +9,7 @@ import { canKeep } from '../model/storage'
 import { askBeforeLeaving } from './leaving'
 import { lesson } from './lesson'
 import { inspected, lookedAt } from './looking'
+import { notify } from './notices'
 import { canUndo, fromGallery } from './scenarios'
 import { currentSession, firstSession, loadSession, readied } from './sessions'
 import { caption, galleryId, layer, panels, scenario, seed, speed, sync } from './store'
@@ -94,12 +95,24 @@ function isFirst(session: Session): boolean {
   )
 }
 
-/** Private windows may refuse storage, and it may be full: then nothing is stored. */
+/** Private windows and frames in a sandbox may refuse storage, and it may be full: then nothing is stored. */
 function write(text: string | null): void {
   try {
     sessionStorage.removeItem(KEY)
     if (text !== null) sessionStorage.setItem(KEY, text)
-  } catch {}
+  } catch (error) {
+    const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
+    if (!isFull && !toldOfRefusal) void tellRefusal().catch(() => {})
+  }
+}
+
+let toldOfRefusal = false
+
+async function tellRefusal(): Promise<void> {
+  toldOfRefusal = true
+  const { addEmbedWords, t } = await import('../i18n/embed')
+  await addEmbedWords()
+  notify('info', t('embed.notKept'), { hint: t('embed.notKeptHint') })
 }
 
 function read(): string | null {

@@ -19,7 +19,7 @@ export function PlayBar() {
 }
 
 /** Keeps the slider's place free, so that nothing moves when it comes: with the whole engine, or with the first pause. */
-function ScrubberPlace() {
+export function ScrubberPlace() {
   const wanted =
     wholeEngine.value === 'here' || phase.value === 'paused' || phase.value === 'finished'
   return <div class="scrubber-place">{wanted && <Scrubber />}</div>

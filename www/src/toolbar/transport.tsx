@@ -1,11 +1,19 @@
 import { Footprints, Pause, Play, RotateCcw, SkipForward, StepForward } from 'lucide'
 import { t } from '../i18n'
-import { panels, phase, reset, runToEnd, stepIteration, stepMove, toggle } from '../state'
+import { panels, phase, reset, runOn, runToEnd, stepIteration, stepMove, toggle } from '../state'
 import { IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 import { Stops } from './stops'
 
-export function Transport() {
+interface TransportProps {
+  plays?: boolean
+  /** Beside playing: single moves, iterations, the end. */
+  steps?: boolean
+  /** The menu of stops; without it the way to the end is to the first of them. */
+  stops?: boolean
+}
+
+export function Transport({ plays = true, steps = true, stops = true }: TransportProps) {
   const idle = panels.value.length === 0
   const finished = phase.value === 'finished'
   return (
@@ -18,13 +26,22 @@ export function Transport() {
         disabled={idle || phase.value === 'editing'}
         onClick={reset}
       />
-      <PlayButton disabled={idle} />
+      {plays && <PlayButton disabled={idle} />}
+      {steps && <Steps disabled={idle || finished} toEnd={stops ? runToEnd : () => runOn(false)} />}
+      {stops && <Stops />}
+    </div>
+  )
+}
+
+function Steps({ disabled, toEnd }: { disabled: boolean; toEnd: () => void }) {
+  return (
+    <>
       <IconButton
         icon={Footprints}
         label={t('transport.stepMove')}
         keys="→"
         testId="step-move"
-        disabled={idle || finished}
+        disabled={disabled}
         onClick={stepMove}
       />
       <IconButton
@@ -32,7 +49,7 @@ export function Transport() {
         label={t('transport.stepIteration')}
         keys="Shift+→"
         testId="step-iteration"
-        disabled={idle || finished}
+        disabled={disabled}
         onClick={stepIteration}
       />
       <IconButton
@@ -40,11 +57,10 @@ export function Transport() {
         label={t('transport.toEnd')}
         keys="End"
         testId="run-to-end"
-        disabled={idle || finished}
-        onClick={runToEnd}
+        disabled={disabled}
+        onClick={toEnd}
       />
-      <Stops />
-    </div>
+    </>
   )
 }
 

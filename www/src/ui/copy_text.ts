@@ -1,13 +1,11 @@
 /** Copies text to the clipboard. */
 import { t } from '../i18n'
 import { announce, notify } from '../state'
+import { putOnClipboard } from '../state/clipboard'
 
 export async function copyText(text: string): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(text)
+  if (await putOnClipboard(text)) {
     notify('success', t('common.copied'))
     announce(t('common.copied'))
-  } catch {
-    notify('warning', t('common.copyFailed'), { hint: t('common.copyFailedHint') })
-  }
+  } else notify('warning', t('common.copyFailed'), { hint: t('common.copyFailedHint') })
 }

@@ -160,6 +160,7 @@ export const enLab = {
     gone: 'This comparison is not there any more',
     full: 'The browser’s storage is full: the runs go on, but are not kept',
     refused: 'The browser does not keep the runs: they last as long as this tab',
+    embedded: 'Within another page nothing is kept: the runs last as long as that page is open',
     refusedHint: 'Save the result file when they are done; it opens here again.',
   },
 }

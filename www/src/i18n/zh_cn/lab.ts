@@ -142,6 +142,7 @@ export const zhCNLab: DictionaryShape<typeof enLab> = {
     gone: '这个比较已经不在了',
     full: '浏览器的存储已满：运行会继续，但不会保存',
     refused: '浏览器不保存这些运行：它们只在标签页打开期间存在',
+    embedded: '在其他网页中不保存任何内容：运行只在该网页打开期间存在',
     refusedHint: '完成后请保存结果文件；它可以在这里再次打开。',
   },
 }

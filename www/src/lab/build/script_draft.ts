@@ -12,39 +12,12 @@ import {
   trueOrFalse,
   wholeNumber,
 } from '../../model/script_error'
+import type { Asked } from '../../model/scripting'
 import { catalog, fetchWholeEngine, plannerEntry } from '../../state'
-import { contentOf, type LoadOptions, type Source } from '../../state/script_files'
+import { contentOf } from '../../state/script_files'
 import { galleryName } from '../../words/map_names'
 import { AXES } from './budget'
 import { drafted, fillWith, takeRace } from './draft'
-
-export interface ScriptedPlanner {
-  /** Its id in the catalog. */
-  planner: string
-  /** A paper's values, by name. */
-  preset?: string | null
-  /** Values that differ from the defaults, or from the preset's. */
-  params?: ParamValues
-  /** What it is called in tables; by its planner, if nothing is said. */
-  label?: string
-}
-
-/** A map of the gallery by its id, whatever `load` takes, or that with the options of `load`. */
-export type ScriptedMap = Source | ({ source: Source } & LoadOptions)
-
-export interface Asked {
-  /** Those that race, if nothing is said. */
-  planners?: (string | ScriptedPlanner)[]
-  /** The one on show, if nothing is said. */
-  maps?: ScriptedMap[]
-  /** Of each planner: how many from 1 on, or which; 30 if nothing is said. */
-  seeds?: number | { from: number; count: number }
-  /** Of each run; none, if nothing is said. */
-  budget?: Budget | null
-  /** Whether every planner runs until the budget is spent, whatever its own parameters say. */
-  untilBudget?: boolean
-  title?: string
-}
 
 export const ASKED = ['planners', 'maps', 'seeds', 'budget', 'untilBudget', 'title'] as const
 

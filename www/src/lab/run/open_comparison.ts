@@ -7,6 +7,7 @@ import { canKeep } from '../../model/storage'
 import { checkNumbers, type NumbersOfLink } from '../../share/recorded_numbers'
 import { noShare, readShare, type ShareOfClass, shareText } from '../../share/share_of_class'
 import { notify, notifyError } from '../../state'
+import { embedding } from '../../state/embedding'
 import {
   type BroughtFile,
   ComparisonWriter,
@@ -321,11 +322,18 @@ function trouble(error: NonNullable<typeof analysisError.value>): void {
   analysisError.value = error
 }
 
+let toldOfFrame = false
+
 /** Said once: the runs go on without being stored. */
 function refused(id: string, error: unknown): void {
   // Of the page that keeps nothing nobody expects it.
   if (!canKeep()) return
   noteUnstored(id)
+  if (embedding) {
+    if (!toldOfFrame) notify('info', t('lab.kept.embedded'), { hint: t('lab.kept.refusedHint') })
+    toldOfFrame = true
+    return
+  }
   const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
   notify('warning', t(isFull ? 'lab.kept.full' : 'lab.kept.refused'), {
     hint: t('lab.kept.refusedHint'),

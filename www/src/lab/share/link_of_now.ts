@@ -15,6 +15,11 @@ export async function linkOfNow(): Promise<{ text: string; carriesNumbers: boole
   return { text: await encodeDocument(document), carriesNumbers: false }
 }
 
+/** The whole fragment; null where no comparison is open. */
+export async function fragmentOfNow(): Promise<string | null> {
+  return openComparison.peek() && `${PREFIX}${(await linkOfNow()).text}`
+}
+
 /** Of the runs that are done here, else as they came with a link: who hands it on has not changed them. */
 async function numbersNow(): Promise<NumbersOfLink | null> {
   const now = openComparison.peek()

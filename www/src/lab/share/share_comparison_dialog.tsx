@@ -38,6 +38,7 @@ function SendComparison({ onClass, onClose }: SendProps) {
   return (
     <SendDialog
       title={t('lab.share.title')}
+      name={shownComparison.value?.title ?? ''}
       what={t('lab.share.what')}
       link={link}
       tooLong={(lengths) => t('lab.share.tooLong', lengths)}

@@ -54,8 +54,8 @@ interface LabDatabase extends DBSchema {
 const NAME = 'formicarium.lab'
 let opening: Promise<IDBPDatabase<LabDatabase>> | null = null
 
-function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
-  if (!canKeep()) return Promise.reject(new Error('this page keeps nothing'))
+async function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
+  if (!canKeep()) throw new DOMException('this page keeps nothing', 'SecurityError')
   opening ??= openDB<LabDatabase>(NAME, 2, {
     upgrade(database, from) {
       if (from < 1) {
@@ -75,7 +75,7 @@ function openDatabase(): Promise<IDBPDatabase<LabDatabase>> {
 }
 
 function closeDatabase(): void {
-  void opening?.then((database) => database.close())
+  void opening?.then((database) => database.close()).catch(() => {})
   opening = null
 }
 

@@ -1,34 +1,47 @@
-/** Lets only one tab at a time run a comparison: two would do the same runs. Without the Web Locks API there is no such guard. */
+/**
+ * Lets only one tab at a time run a comparison: two would do the same runs. Without the Web Locks API there is no such guard, nor
+ * where the browser refuses it, as to frames in a sandbox: there nothing is stored either that another tab could run.
+ */
 import { canKeep } from '../../model/storage'
-
-/** What nobody keeps, no other tab has. */
-const locks = () => (canKeep() ? navigator.locks : undefined)
 
 const nameOf = (comparison: string) => `formicarium.study.${comparison}`
 
+const noLock = () => {}
+
 /** Resolves to a function that unlocks it, or to null when another tab holds the lock. */
 export function lockComparison(comparison: string): Promise<(() => void) | null> {
-  const all = locks()
-  if (!all) return Promise.resolve(() => {})
-  return new Promise((resolve, reject) => {
+  return new Promise((resolve) => {
     const hold = (lock: Lock | null) => {
       if (!lock) return resolve(null)
       return new Promise<void>((unlock) => resolve(unlock))
     }
-    all.request(nameOf(comparison), { ifAvailable: true }, hold).catch(reject)
+    request(nameOf(comparison), { ifAvailable: true }, hold).catch(() => resolve(noLock))
   })
 }
 
 export async function isLocked(comparison: string): Promise<boolean> {
-  const now = await locks()?.query()
-  return now?.held?.some(({ name }) => name === nameOf(comparison)) ?? false
+  try {
+    if (!canKeep()) return false
+    const locks = await navigator.locks.query()
+    return locks.held?.some(({ name }) => name === nameOf(comparison)) ?? false
+  } catch {
+    return false
+  }
 }
 
 /** Resolves once no tab holds the lock; never, when `signal` ends the wait. */
 export function whenUnlocked(comparison: string, signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
-    locks()
-      ?.request(nameOf(comparison), { signal }, () => resolve())
-      .catch(() => {})
+    request(nameOf(comparison), { signal }, () => resolve()).catch(() => {})
   })
+}
+
+/** Whatever is wrong with locks, it rejects. */
+async function request(
+  name: string,
+  options: LockOptions,
+  hold: (lock: Lock | null) => unknown,
+): Promise<unknown> {
+  if (!canKeep()) throw new Error('what nobody keeps, no other tab has')
+  return navigator.locks.request(name, options, hold)
 }

@@ -1,5 +1,6 @@
 /** Comparisons that the browser refused to store: kept as long as the page is open, and leaving it asks. */
 import type { KeptRun } from '../../model/comparison_calls'
+import { embedding } from '../../state/embedding'
 import { askBeforeLeaving } from '../../state/leaving'
 import type { StoredComparison } from './browser_storage'
 
@@ -7,7 +8,8 @@ const kept = new Map<string, { comparison: StoredComparison; runs: KeptRun[] }>(
 
 /** From now on its runs are in this page alone. */
 export function noteUnstored(id: string): void {
-  askBeforeLeaving(`comparison ${id}`, true)
+  // Who leaves a page is not asked about the frames in it.
+  if (!embedding) askBeforeLeaving(`comparison ${id}`, true)
 }
 
 /** They have been saved elsewhere. */

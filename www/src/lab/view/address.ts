@@ -2,6 +2,7 @@
 import { effect, untracked } from '@preact/signals'
 import { notifyError, view } from '../../state'
 import { arrival, goTo, returnedTo } from '../../state/address'
+import { embedding } from '../../state/embedding'
 import { isTab } from '../results/results'
 import {
   closeComparison,
@@ -67,7 +68,7 @@ function inTurn(open: () => Promise<void>): Promise<void> {
 async function follow(): Promise<void> {
   const fragment = location.hash
   if (view.peek() !== 'lab' || fragment === fragmentNow()) return
-  if (!(await openComparisonLink(fragment))) {
+  if (!(await openComparisonLink(fragment)) && !embedding) {
     const [, id = '', tab = ''] = fragment.split('/')
     await show(id)
     shownTab.value = isTab(tab) ? tab : null

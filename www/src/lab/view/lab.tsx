@@ -3,10 +3,12 @@ import { LoaderCircle } from 'lucide'
 import { useEffect } from 'preact/hooks'
 import { t } from '../../i18n/lab'
 import { fetchWholeEngine } from '../../state'
+import { embedding } from '../../state/embedding'
 import { holdPresses } from '../../ui/held_press'
 import { Icon } from '../../ui/icon'
 import { openComparison, phase } from '../run/actions'
 import { ComparisonView } from './comparison_view'
+import { NothingOpen } from './nothing_open'
 import { Start } from './start'
 
 holdPresses()
@@ -23,11 +25,14 @@ export function Lab() {
       ) : phase.value === 'opening' ? (
         <Opening />
       ) : (
-        <Start />
+        <AtRest />
       )}
     </main>
   )
 }
+
+/** In another page there is nothing to begin with: it says what is to be seen. */
+const AtRest = () => (embedding ? <NothingOpen /> : <Start />)
 
 function Opening() {
   return (

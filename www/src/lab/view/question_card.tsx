@@ -3,6 +3,7 @@ import { PenLine, RotateCcw } from 'lucide'
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { notifyError } from '../../state'
+import { embedding } from '../../state/embedding'
 import { Button } from '../../ui/buttons'
 import { ImportedResults } from '../build/imported_results'
 import { labelOfPlanner } from '../build/labels'
@@ -35,12 +36,14 @@ function Again({ of }: { of: OpenComparison }) {
   }
   return (
     <div class="asked-actions">
-      <Button
-        icon={PenLine}
-        label={t('lab.run.change')}
-        testId="lab-change"
-        onClick={() => change().catch(notifyError)}
-      />
+      {!embedding && (
+        <Button
+          icon={PenLine}
+          label={t('lab.run.change')}
+          testId="lab-change"
+          onClick={() => change().catch(notifyError)}
+        />
+      )}
       <Button
         icon={RotateCcw}
         label={t('lab.run.again')}

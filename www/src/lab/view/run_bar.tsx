@@ -5,6 +5,7 @@ import { translated } from '../../i18n'
 import { describeError } from '../../i18n/errors'
 import { t } from '../../i18n/lab'
 import { announce, notifyError } from '../../state'
+import { embedding } from '../../state/embedding'
 import { Button, IconButton } from '../../ui/buttons'
 import { Icon } from '../../ui/icon'
 import {
@@ -35,18 +36,20 @@ export function RunBar() {
   return (
     <section class="run-bar" aria-label={t('lab.run.region')} data-testid="run-bar">
       <div class="run-head">
-        <IconButton
-          icon={ArrowLeft}
-          label={t('lab.run.back')}
-          testId="lab-back"
-          onClick={() => (isRunning ? void cancel() : closeComparison())}
-        />
+        {!embedding && (
+          <IconButton
+            icon={ArrowLeft}
+            label={t('lab.run.back')}
+            testId="lab-back"
+            onClick={() => (isRunning ? void cancel() : closeComparison())}
+          />
+        )}
         <h2 ref={heading} tabIndex={-1}>
           {translated(now.title)}
         </h2>
         <div class="run-actions">
           <Actions />
-          <ShareComparison />
+          {!embedding && <ShareComparison />}
         </div>
       </div>
       <ProgressBar />
@@ -65,13 +68,15 @@ function Actions() {
     return (
       <>
         <Button icon={Pause} label={t('lab.run.pause')} testId="lab-pause" onClick={pause} />
-        <Button
-          icon={Square}
-          label={t('lab.run.cancel')}
-          tone="quiet"
-          testId="lab-cancel"
-          onClick={() => void cancel()}
-        />
+        {!embedding && (
+          <Button
+            icon={Square}
+            label={t('lab.run.cancel')}
+            tone="quiet"
+            testId="lab-cancel"
+            onClick={() => void cancel()}
+          />
+        )}
       </>
     )
   // A share is begun from its own card.
