@@ -12,6 +12,19 @@ interface Entry {
   session: number
 }
 
+/** A link whose signs a program has written as codes: then it may stand in the path or the query, and nowhere behind a `#`. */
+const CODED = /[?&#]?(?:#|%(?:25)*23)([xq])(?:=|%(?:25)*3[Dd])/
+
+/** The rest of the page finds the link where it belongs. */
+function uncode(): void {
+  if (/^#[xq]=/.test(location.hash)) return
+  const [head, kind] = CODED.exec(location.href) ?? []
+  if (!head) return
+  const [before, behind] = location.href.split(head, 2)
+  history.replaceState(history.state, '', `${before}#${kind}=${behind}`)
+}
+uncode()
+
 const known = history.state as Entry | null
 /** The fragment with which the page was loaded, if the reader had been at that entry before: a reload, or Back from another site. */
 export const returnedTo = known && location.hash
@@ -62,6 +75,7 @@ addEventListener('popstate', ({ state }) => {
 
 addEventListener('hashchange', () => {
   if (history.state) return
+  uncode()
   const isSession = location.hash.startsWith('#x=')
   arrive({ at: entry.at + 1, session: isSession ? Date.now() : entry.session })
   history.replaceState(entry, '')
