@@ -11,13 +11,13 @@ import {
 } from '../../../www/src/share/comparison_link'
 import { open, seal } from '../../../www/src/share/envelope'
 import { LinkError } from '../../../www/src/share/link_error'
-import { textBehind } from '../../../www/src/share/link_in_text'
+import { linkIn, textBehind } from '../../../www/src/share/link_in_text'
 import { shareEnding } from '../../../www/src/share/share_of_class'
 import { toldLength } from '../../../www/src/share/told_length'
 import { generate, randomCells, sessionOf } from './sessions'
 
 const ADDRESS = 'https://example.org/ants/'
-const LINKS = 250
+const LINKS = 500
 
 /** A fixed sequence below one, as good for one run as for another. */
 function chances(seed: number): () => number {
@@ -47,6 +47,17 @@ const orError = (opened: Promise<unknown>): Promise<Opened> =>
     },
   )
 
+/** What is opened follows from the link that is found, so each of them is unpacked once. */
+function once(open: (link: string) => Promise<Opened>): (address: string) => Promise<Opened> {
+  const known = new Map<string, Promise<Opened>>()
+  return (address) => {
+    const link = linkIn(address) ?? address
+    const opened = known.get(link) ?? open(link)
+    known.set(link, opened)
+    return opened
+  }
+}
+
 const openSession = (address: string) =>
   orError(open(textBehind('#x=', address, 'session')).then((bytes) => unpack(bytes, generate)))
 
@@ -57,7 +68,7 @@ async function sessionLink(seed: number): Promise<Sent> {
   const session = { ...sessionOf(width, height, cells), seed, title: `Race ${seed}` }
   const packed = packBits(session, '0.1.0')
   const content = JSON.stringify(await unpack(packed, generate))
-  return { link: `#x=${await seal(packed)}`, content, open: openSession }
+  return { link: `#x=${await seal(packed)}`, content, open: once(openSession) }
 }
 
 async function comparisonLink(seed: number): Promise<Sent> {
@@ -68,7 +79,11 @@ async function comparisonLink(seed: number): Promise<Sent> {
   const share = [undefined, { index: null, of }, { index: of, of }][seed % 3]
   const carried: ComparisonLink = { document, numbers: null, ...(share && { share }) }
   const link = `#q=${await encodeDocument(document)}${share ? shareEnding(share) : ''}`
-  return { link, content: JSON.stringify(carried), open: (text) => orError(decodeFragment(text)) }
+  return {
+    link,
+    content: JSON.stringify(carried),
+    open: once((text) => orError(decodeFragment(text))),
+  }
 }
 
 /** As it stands in mail that is quoted-printable. */

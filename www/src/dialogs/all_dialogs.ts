@@ -4,6 +4,7 @@ import '../styles/raster.css'
 import '../styles/figure.css'
 import '../styles/names.css'
 import type { DialogName } from '../state/dialogs'
+import { AboutDialog } from './about_dialog'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'
 import { GenerateDialog } from './generate_dialog'
@@ -30,6 +31,7 @@ export const DIALOGS: Record<DialogName, ComponentType> = {
   order: OrderDialog,
   names: NamesDialog,
   picture: PictureDialog,
+  about: AboutDialog,
 }
 
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

@@ -12,6 +12,7 @@ export type DialogName =
   | 'order'
   | 'names'
   | 'picture'
+  | 'about'
 
 export const openDialog = signal<DialogName | null>(null)
 
