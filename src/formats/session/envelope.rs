@@ -12,6 +12,7 @@ use super::damaged;
 use super::told_length::{blocks_of_length, told_length};
 use crate::error::FormatError;
 
+const SHORTEST_LINE: usize = 20;
 const STORED: u8 = 0;
 const DEFLATED: u8 = 1;
 const FOREIGN: &str = "it contains characters no link has";
@@ -46,12 +47,13 @@ pub(super) fn open(words: &[String]) -> Result<Vec<u8>, FormatError> {
     }
 }
 
-/// What is wrong with a link that knows its length. Words behind one that is too short are none of it.
+/// What is wrong with a link that knows its length. Where programs break links, lines are long: words behind it are none of it.
 fn missing(words: &[String], told: usize) -> FormatError {
-    let first = words.first().map_or(0, String::len);
-    let all = words.iter().map(String::len).sum();
-    let here = if all > told && first < told { first } else { all };
-    if here < told { damaged(&format!("{} of its {told} characters are missing", told - here)) } else { damaged(super::CHANGED) }
+    let length_of = |some: &[String]| some.iter().map(String::len).sum::<usize>();
+    let end = words.iter().skip(1).position(|word| word.len() < SHORTEST_LINE).map_or(words.len(), |at| at + 1);
+    let here = length_of(&words[..end]);
+    let is_cut = here < told && length_of(words) != told;
+    if is_cut { damaged(&format!("{} of its {told} characters are missing", told - here)) } else { damaged(super::CHANGED) }
 }
 
 fn unsealed(text: &str) -> Result<Vec<u8>, FormatError> {

@@ -21,7 +21,7 @@ export function AboutDialog() {
   if (!ready) return null
   return (
     <Dialog title={t('about.title')} onClose={closeDialog} testId="about-dialog" wide>
-      <div class="about" data-testid="about">
+      <div class="about-result" data-testid="about">
         {view.value === 'lab' ? <AboutComparison /> : <AboutRace />}
       </div>
     </Dialog>

@@ -23,7 +23,7 @@ import { closeDialog, show } from '../state/dialogs'
 import { held } from '../state/memory'
 import { gapOf, gapShown } from '../words/gap_words'
 import { mapName } from '../words/map_names'
-import { labelsOf } from '../words/planner_words'
+import { isSearch, labelsOf } from '../words/planner_words'
 import { Citation, Facts, Offer, Section } from './about_parts'
 
 export function AboutRace() {
@@ -107,7 +107,7 @@ function Run({ panel, name }: { panel: Panel; name: string }) {
       <th scope="row">{name}</th>
       <td>
         {result ? lengthWords(result) : t('about.runs.none')}
-        {result && (
+        {result && !isSearch(panel.setup.planner) && (
           <span class="hint">
             {' '}
             {t('about.runs.after', { count: numbers.value.whole.format(result.iterations) })}
@@ -212,6 +212,9 @@ function Next() {
   )
 }
 
+/** The digest tells the rest. */
+const DIGITS = 7
+
 /** What somebody needs to say which result is meant. */
 function citation(): string {
   const names = labels()
@@ -233,5 +236,6 @@ function runWords(planner: string, result: RecordedResult | null): string {
   if (!result) return t('about.cite.setUp', { planner })
   const { iterations, length, digest } = result
   const words = length === null ? 'runNoPath' : 'run'
-  return t(`about.cite.${words}`, { planner, iterations, length, digest })
+  const shown = length && Number(length.toPrecision(DIGITS))
+  return t(`about.cite.${words}`, { planner, iterations, length: shown, digest })
 }

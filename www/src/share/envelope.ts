@@ -12,6 +12,8 @@ import { blocksOfLength, toldLength } from './told_length'
 /** Longer links are cut by some hosts and mail programs: offer a file instead. Characters of the fragment's payload. */
 export const LINK_LIMIT = 8000
 
+const SHORTEST_LINE = 20
+
 const STORED = 0
 const DEFLATED = 1
 
@@ -61,10 +63,10 @@ async function unsealed(text: string): Promise<Uint8Array> {
 
 const isTooLarge = (error: unknown) => error instanceof LinkError && error.kind === 'link-too-large'
 
-/** What is wrong with a link that knows its length. Words behind one that is too short are none of it. */
+/** What is wrong with a link that knows its length. Where programs break links, lines are long: words behind it are none of it. */
 function missing(words: string[], told: number): LinkError {
-  const first = words[0]?.length ?? 0
-  const all = words.join('').length
-  const here = all > told && first < told ? first : all
-  return here < told ? cutShort(told - here, told) : changed()
+  const end = words.findIndex((word, at) => at > 0 && word.length < SHORTEST_LINE)
+  const lengthOf = (some: string[]) => some.join('').length
+  const here = lengthOf(end < 0 ? words : words.slice(0, end))
+  return here < told && lengthOf(words) !== told ? cutShort(told - here, told) : changed()
 }

@@ -46,7 +46,7 @@ export const enAbout = {
     partly:
       'As far as they have been repeated, {{runs}} of {{of}} runs, they are the same, to the last bit.',
     notYet:
-      'Not yet: press “Run again and compare” beside the results. Until then the numbers are only what the sender recorded.',
+      'Not yet: press “Run again and verify” beside the results. Until then the numbers are only what the sender recorded.',
     how: 'Verified means repeated, not believed. Each step of a run goes into a short number, its digest. The page runs the planner again with the same seed and compares the digests: if they are equal, so were all steps.',
   },
   gap: {
@@ -70,7 +70,7 @@ export const enAbout = {
     share: 'Save or share',
     shareHint: 'As a link, a file, or a picture that holds both.',
     add: 'Add planners with + beside the maps, draw walls, move the goal: what was sent stays as it is in its link.',
-    run: 'Run again and compare',
+    run: 'Run again and verify',
     runHint: 'Repeats every recorded run; the tables fill as they come.',
     watch: 'Watch a race',
     watchHint: 'See planners at work, step by step, on a map of your own.',
