@@ -6,6 +6,7 @@ import { chartNumbers } from './chart_numbers.ts'
 import { contentSecurity } from './content_security.ts'
 import { paperCards } from './paper_cards.ts'
 import { paperQuestions } from './paper_questions.ts'
+import { socialTags } from './social_tags.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
 const pkg = path('../pkg')
@@ -41,6 +42,7 @@ export default defineConfig({
     paperCards(),
     paperQuestions(),
     chartNumbers(),
+    socialTags(),
     contentSecurity(),
   ],
   resolve: { alias: { '@pkg': pkg } },

@@ -125,7 +125,9 @@ test.describe('links that cannot be opened', () => {
       else {
         refused++
         // Unless it was the length that changed.
-        expect(outcome.kind).toMatch(at < 30 ? /^link-(changed|cut|damaged)$/ : /^link-changed$/)
+        expect(outcome.kind).toMatch(
+          at < 30 ? /^link-(changed|cut|damaged)$/ : /^link-(changed|damaged)$/,
+        )
       }
     }
     // The last bits of the text and of the packing mean nothing, and the length of a link that is whole; all others do.
