@@ -21,7 +21,7 @@ import { Header } from './header'
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
 /** Offers to explain what was sent. */
-const ReceivedStrip = lazily(async () => (await import('../dialogs/received_strip')).fetchStrip())
+const ReceivedStrip = lazily(async () => (await import('../dialogs/all_dialogs')).fetchStrip())
 
 const TargetStrip = lazily(() => lazyParts.lesson('target'))
 

@@ -34,4 +34,5 @@ export const DIALOGS: Record<DialogName, ComponentType> = {
   about: AboutDialog,
 }
 
+export { fetchStrip } from './received_strip'
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }
