@@ -50,6 +50,8 @@ export default defineConfig({
   build: {
     target: 'es2022',
     sourcemap: false,
+    // Browsers that know no preloading load the same a little later.
+    modulePreload: { polyfill: false },
     // What every visit needs is one file: cut up by which late part needs what, it would be larger by kilobytes.
     rolldownOptions: {
       output: {

@@ -13,15 +13,12 @@ interface Entry {
 }
 
 /** A link whose signs a program has written as codes: then it may stand in the path or the query, and nowhere behind a `#`. */
-const CODED = /[?&#]?(?:#|%(?:25)*23)([xq])(?:=|%(?:25)*3[Dd])/
+const CODED = /[?&#]*(#|%(25)*23)([xq])(=|%(25)*3d)/i
 
 /** The rest of the page finds the link where it belongs. */
 function uncode(): void {
-  if (/^#[xq]=/.test(location.hash)) return
-  const [head, kind] = CODED.exec(location.href) ?? []
-  if (!head) return
-  const [before, behind] = location.href.split(head, 2)
-  history.replaceState(history.state, '', `${before}#${kind}=${behind}`)
+  if (!/^#[xq]=/.test(location.hash))
+    history.replaceState(history.state, '', location.href.replace(CODED, '#$3='))
 }
 uncode()
 
