@@ -160,6 +160,7 @@ test.describe('links that programs have changed', () => {
     await expect(toast).toContainText(`12 of its ${all} characters are missing`)
     await page.getByTestId('language').click()
     await page.getByTestId('language-zh-CN').click()
+    await expect(page.locator('html')).toHaveAttribute('lang', /^zh/)
     await race.paste(`#${link.slice(0, -7)}`)
     await expect(page.getByTestId('toast-error').last()).toContainText(
       `共 ${all} 个字符，缺少 7 个`,
