@@ -56,8 +56,8 @@ export const enAbout = {
     unproven:
       'For this question nobody has proven the best value; {{value}} is the best known here.',
     unknown: 'The best possible value is not known here yet.',
-    how: 'The gap tells how far a result is above that value: 0 % is as good as can be, 5 % is a path that is a twentieth longer.',
-    many: 'Where an exact search can prove the best possible value, results are compared with it, as a gap: 0 % is as good as can be. Where it cannot, the tables say so. A verdict counts all seeds, not the luckiest.',
+    how: 'The gap tells how far a result is above that value: 0% is as good as can be, 5% is a path that is a twentieth longer.',
+    many: 'Where an exact search can prove the best possible value, results are compared with it, as a gap: 0% is as good as can be. Where it cannot, the tables say so. A verdict counts all seeds, not the luckiest.',
   },
   next: {
     title: 'What you can do',
