@@ -7,6 +7,8 @@ import { defineConfig, type Plugin } from 'vite'
 
 const MODULE = 'virtual:files-of-page'
 const OUTPUT = 'sw.js'
+/** For programs that show cards of links. */
+const NOT_KEPT = [OUTPUT, 'social.png']
 /** Vite gives these a name of their own for each content. */
 const NAMED_BY_CONTENT = /^assets\//
 
@@ -41,7 +43,7 @@ function listOf(folder: string): string {
 
 const namesIn = (folder: string) =>
   readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile() && entry.name !== OUTPUT)
+    .filter((entry) => entry.isFile() && !NOT_KEPT.includes(entry.name))
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).split(sep).join('/'))
     .sort()
 

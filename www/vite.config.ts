@@ -8,6 +8,7 @@ import { contentSecurity } from './content_security.ts'
 import { paperCards } from './paper_cards.ts'
 import { paperQuestions } from './paper_questions.ts'
 import { partsOfPage } from './parts_of_page.ts'
+import { socialTags } from './social_tags.ts'
 import { versionOfPage } from './version_of_page.ts'
 
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
@@ -59,6 +60,7 @@ export default defineConfig({
     reloadOnNewEngine(),
     partsOfPage(),
     versionOfPage(pkg),
+    socialTags(),
     beforeAll(),
     contentSecurity(),
   ],

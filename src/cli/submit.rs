@@ -8,7 +8,7 @@ use crate::comparison::best_known::{ClaimedPath, Measured, Standing, check_bound
 use crate::comparison::gap::relative_gap;
 use crate::error::BestKnownError;
 use crate::exact::Reference;
-use crate::formats::session::{LINK_PREFIX, Panel, Session, read_session, read_session_link};
+use crate::formats::session::{Panel, Session, has_session_link, read_session, read_session_link};
 use crate::formats::{MAX_TEXT_BYTES, path_kind, read_places};
 use crate::path::PathKind;
 use crate::planner::Objective;
@@ -116,13 +116,13 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
 
 impl Args {
     fn claims<'a>(&self, tracker: &'a Tracker) -> Result<Claims<'a>, CliError> {
-        if self.claim.contains(LINK_PREFIX) || (is_payload(&self.claim) && !Path::new(&self.claim).exists()) {
+        if has_session_link(&self.claim) || (is_payload(&self.claim) && !Path::new(&self.claim).exists()) {
             return self.session(tracker, &read_session_link(&self.claim)?);
         }
         let file = Path::new(&self.claim);
         let content = input::in_file(file, MAX_TEXT_BYTES, |bytes, _| {
             let text = String::from_utf8_lossy(bytes);
-            Ok(if text.contains(LINK_PREFIX) && !text.trim_start().starts_with('{') {
+            Ok(if has_session_link(&text) && !text.trim_start().starts_with('{') {
                 Content::Session(Box::new(read_session_link(&text)?))
             } else if text.contains("formicarium/experiment@") {
                 Content::Session(Box::new(read_session(&text)?))

@@ -18,6 +18,9 @@ const TYPES: Record<string, string> = {
   '.woff2': 'font/woff2',
 }
 
+/** Files whose names change with their content. */
+const FOR_A_YEAR = 'public, max-age=31536000, immutable'
+
 /** Where the page has been built. */
 export const DIST = join(__dirname, '../../www/dist')
 
@@ -78,7 +81,11 @@ export class StaticHost {
     const name = path.startsWith(this.base) ? path.slice(this.base.length) || 'index.html' : ''
     try {
       const content = readFileSync(join(this.folder, name))
-      response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'text/plain', ...headers })
+      response.writeHead(200, {
+        'content-type': TYPES[extname(name)] ?? 'text/plain',
+        'cache-control': name.startsWith('assets/') ? FOR_A_YEAR : 'no-cache',
+        ...headers,
+      })
       response.end(content)
     } catch {
       response.writeHead(404).end('not here')

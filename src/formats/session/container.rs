@@ -53,7 +53,7 @@ pub(super) fn unpack(bytes: &[u8]) -> Result<Session, Error> {
 fn verified(bytes: &[u8]) -> Result<&[u8], FormatError> {
     let (noted, covered) = bytes.split_first_chunk().ok_or_else(|| damaged("it ends too early"))?;
     if checksum(covered) != u32::from_le_bytes(*noted) {
-        return Err(damaged("its checksum says that it is not the same as when it was made"));
+        return Err(damaged(super::CHANGED));
     }
     Ok(covered)
 }

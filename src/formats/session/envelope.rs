@@ -1,4 +1,5 @@
-//! Container bytes ⇄ the text of a link: base64url of one byte (0 stored, 1 raw deflate) and the bytes, whichever is shorter.
+//! Container bytes ⇄ the text of a link: base64url of one byte (0 stored, 1 raw deflate) and the bytes. What is written is deflated, tells its
+//! own length, and ends in a letter or a digit.
 
 use std::io::{Read as _, Write as _};
 
@@ -8,22 +9,54 @@ use flate2::write::DeflateEncoder;
 
 use super::container::MAX_CONTAINER;
 use super::damaged;
+use super::told_length::{blocks_of_length, told_length};
 use crate::error::FormatError;
 
+const SHORTEST_LINE: usize = 20;
 const STORED: u8 = 0;
 const DEFLATED: u8 = 1;
+const FOREIGN: &str = "it contains characters no link has";
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 pub(super) fn seal(bytes: &[u8]) -> String {
-    let deflated = deflate(bytes);
-    let (method, payload) = if deflated.len() < bytes.len() { (DEFLATED, &deflated[..]) } else { (STORED, bytes) };
-    to_base64url(&[&[method], payload].concat())
+    let packed = deflate(bytes);
+    to_base64url(&[&[DEFLATED], &blocks_of_length(1 + packed.len())[..], &packed].concat())
 }
 
-pub(super) fn open(text: &str) -> Result<Vec<u8>, FormatError> {
-    if text.len() > 2 * MAX_CONTAINER {
+/// The text may be in several words: a program has broken it, or the words behind are none of it.
+pub(super) fn open(words: &[String]) -> Result<Vec<u8>, FormatError> {
+    let whole = words.concat();
+    if whole.len() > 2 * MAX_CONTAINER {
         return Err(FormatError::TooLarge { what: "the link".into(), max: format!("{MAX_CONTAINER} bytes") });
     }
+    let told = told_length(&whole);
+    let candidates = match told {
+        Some(length) => vec![whole[..length.min(whole.len())].to_owned(), whole],
+        None => (1..=words.len()).map(|count| words[..count].concat()).collect(),
+    };
+    let mut faults = Vec::new();
+    for text in candidates {
+        match unsealed(&text) {
+            Ok(bytes) => return Ok(bytes),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    match (faults.into_iter().next(), told) {
+        (Some(FormatError::Field { .. }), Some(told)) => Err(missing(words, told)),
+        (fault, _) => Err(fault.unwrap_or_else(|| damaged(FOREIGN))),
+    }
+}
+
+/// What is wrong with a link that knows its length. Where programs break links, lines are long: words behind it are none of it.
+fn missing(words: &[String], told: usize) -> FormatError {
+    let length_of = |some: &[String]| some.iter().map(String::len).sum::<usize>();
+    let end = words.iter().skip(1).position(|word| word.len() < SHORTEST_LINE).map_or(words.len(), |at| at + 1);
+    let here = length_of(&words[..end]);
+    let is_cut = here < told && length_of(words) != told;
+    if is_cut { damaged(&format!("{} of its {told} characters are missing", told - here)) } else { damaged(super::CHANGED) }
+}
+
+fn unsealed(text: &str) -> Result<Vec<u8>, FormatError> {
     let mut sealed = from_base64url(text)?;
     let payload = sealed.split_off(1);
     match sealed[0] {
@@ -62,7 +95,7 @@ fn to_base64url(bytes: &[u8]) -> String {
     bytes.chunks(3).flat_map(letters).collect()
 }
 
-fn from_base64url(text: &str) -> Result<Vec<u8>, FormatError> {
+pub(super) fn from_base64url(text: &str) -> Result<Vec<u8>, FormatError> {
     let value = |letter: u8| match letter {
         b'A'..=b'Z' => Some(letter - b'A'),
         b'a'..=b'z' => Some(letter - b'a' + 26),
@@ -72,7 +105,7 @@ fn from_base64url(text: &str) -> Result<Vec<u8>, FormatError> {
         _ => None,
     };
     let values = text.bytes().map(value).collect::<Option<Vec<u8>>>().filter(|values| !values.is_empty());
-    let values = values.ok_or_else(|| damaged("it contains characters no link has"))?;
+    let values = values.ok_or_else(|| damaged(FOREIGN))?;
     if values.len() % 4 == 1 {
         return Err(damaged("its length is impossible"));
     }

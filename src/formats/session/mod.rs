@@ -6,7 +6,9 @@ mod container;
 mod document;
 mod envelope;
 mod heights;
+mod link_text;
 mod rows;
+mod told_length;
 
 use serde::{Deserialize, Serialize};
 
@@ -80,21 +82,29 @@ pub fn read_session(text: &str) -> Result<Session, Error> {
     rows::read(text)
 }
 
-/// Reads a session's link: an address with [`LINK_PREFIX`] in it, or what stands behind it alone.
+/// Reads a session's link: an address or any text with [`LINK_PREFIX`] in it, or what stands behind it alone. What mail and chat make of
+/// links is understood: signs as codes, broken lines, what follows an address.
 ///
 /// # Errors
-/// [`FormatError`] for a damaged link, one of a newer version, or one that holds something else; as [`read_session`] for what is in it.
+/// [`FormatError`] for a damaged link, which says how much is missing where it can, one of a newer version, or one that holds something
+/// else; as [`read_session`] for what is in it.
 pub fn read_session_link(text: &str) -> Result<Session, Error> {
     let text = text.trim();
-    let sealed = match text.split_once(LINK_PREFIX) {
-        Some((_, sealed)) => sealed,
+    let words = match link_text::words_of_link(text) {
+        Some(words) => words,
         None if text.contains(['#', '/']) => {
             let expected = format!("an address with `{LINK_PREFIX}`, as the page's share dialog makes it");
             return Err(FormatError::field("link", "it holds no session", expected).into());
         }
-        None => text,
+        None => text.split_whitespace().map(String::from).collect(),
     };
-    container::unpack(&envelope::open(sealed)?)
+    container::unpack(&envelope::open(&words)?)
+}
+
+/// Whether a text has a session's link in it, as [`read_session_link`] finds it.
+#[must_use]
+pub fn has_session_link(text: &str) -> bool {
+    link_text::words_of_link(text).is_some()
 }
 
 /// A session as the text of a link, from [`LINK_PREFIX`] on. The map is its generator call where that makes it, else all of its cells.
@@ -104,6 +114,8 @@ pub fn read_session_link(text: &str) -> Result<Session, Error> {
 pub fn write_session_link(session: &Session) -> Result<String, FormatError> {
     Ok(format!("{LINK_PREFIX}{}", envelope::seal(&container::pack(session)?)))
 }
+
+const CHANGED: &str = "its checksum says that it is not the same as when it was made";
 
 /// A link that is not what it was when it was made.
 fn damaged(what: &str) -> FormatError {

@@ -62,6 +62,88 @@ fn an_edited_map_travels_with_its_cells() {
     assert_eq!(read_session_link(&link), Ok(session));
 }
 
+/// What mail and chat make of a link, with nothing lost.
+fn manglings(link: &str) -> Vec<String> {
+    let address = format!("https://example.org/ants/{link}");
+    let broken = |between: &str| {
+        let lines: Vec<_> = link[3..].as_bytes().chunks(60).map(|line| std::str::from_utf8(line).expect("letters")).collect();
+        format!("https://example.org/#x={}", lines.join(between))
+    };
+    let coded = address.replace('#', "%23").replace('=', "%3D");
+    let mut all: Vec<_> = [
+        ".",
+        ",",
+        ")",
+        "]",
+        ">",
+        "\"",
+        "”",
+        "。",
+        "》",
+        " and more",
+        "\r\n\r\nAda",
+        "&fbclid=I_-",
+        "?utm_source=x",
+        "=20",
+        "%20",
+        "%E3%80%82",
+    ]
+    .iter()
+    .map(|behind| format!("{address}{behind}"))
+    .collect();
+    all.extend(["\n", "\r\n", "\n> ", "=\r\n", " ", "\u{200b}", "\u{ad}", "%0D%0A", "<wbr>"].map(broken));
+    all.extend([
+        format!("(see <{address}>)"),
+        coded.clone(),
+        coded.replace('%', "%25"),
+        address.replace('=', "=3D"),
+        address.replace('#', "&#35;"),
+        address.replace('-', "%2D").replace('_', "%5F"),
+        format!("https://example.org/##{}", &link[1..]),
+        link[3..].to_owned(),
+    ]);
+    all
+}
+
+#[test]
+fn links_survive_being_sent() {
+    let mut ends = std::collections::BTreeSet::new();
+    for seed in 0..100 {
+        let session = Session { seed, ..made(if seed % 2 == 0 { Generator::Random } else { Generator::Hills }) };
+        let link = write_session_link(&session).expect("short");
+        ends.insert(link.chars().last());
+        assert!(link.ends_with(|last: char| last.is_ascii_alphanumeric()), "{link}");
+        assert_eq!(told_length::told_length(&link[3..]), Some(link.len() - 3), "{link}");
+        for mangled in manglings(&link) {
+            assert_eq!(read_session_link(&mangled).as_ref(), Ok(&session), "{mangled}");
+        }
+    }
+    assert!(ends.len() > 4, "{ends:?}");
+    for stem in SAMPLES {
+        let link = sample(&format!("{stem}.link"));
+        let session = read_session_link(&link).expect(stem);
+        for mangled in manglings(link.trim()) {
+            assert_eq!(read_session_link(&mangled).as_ref(), Ok(&session), "{mangled}");
+        }
+    }
+}
+
+#[test]
+fn links_that_lost_something_say_how_much() {
+    let link = write_session_link(&made(Generator::Random)).expect("short");
+    let all = link.len() - 3;
+    for lost in 1..all - 60 {
+        let (end, at) = (&link[..link.len() - lost], 50);
+        for text in [end.to_owned(), format!("{end}… and so on"), format!("{}{}", &link[..at], &link[at + lost..])] {
+            let said = read_session_link(&text).expect_err("less than a link").report().message;
+            assert!(said.contains(&format!("{lost} of its {all} characters are missing")), "{text}: {said}");
+        }
+    }
+    let changed = format!("{}{}{}", &link[..80], if &link[80..81] == "k" { "R" } else { "k" }, &link[81..]);
+    let said = read_session_link(&changed).expect_err("another text").report().message;
+    assert!(said.contains("not the same as when it was made"), "{said}");
+}
+
 #[test]
 fn damaged_links_are_refused_by_name() {
     let link = sample("0.1.0/session.link");

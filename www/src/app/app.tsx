@@ -16,6 +16,7 @@ import {
   view,
 } from '../state'
 import { lazyParts } from '../state/lazy_parts'
+import { received } from '../state/received'
 import { PlayBar } from '../toolbar/play_bar'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
@@ -28,6 +29,9 @@ import { Header } from './header'
 
 /** The laboratory: fetched, with its words, when somebody wants to compare. */
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
+
+/** Offers to explain what was sent. */
+const ReceivedStrip = lazily(async () => (await import('../dialogs/all_dialogs')).fetchStrip())
 
 const TargetStrip = lazily(() => lazyParts.lesson('target'))
 
@@ -42,6 +46,7 @@ export function App() {
     <div class="app" data-view={view.value} data-focus={focused.value !== null}>
       <Header />
       <Body />
+      {received.value && <ReceivedStrip />}
       <Dialogs />
       <Toasts />
       <DropVeil />

@@ -4,6 +4,7 @@ import '../styles/raster.css'
 import '../styles/figure.css'
 import '../styles/names.css'
 import type { DialogName } from '../state/dialogs'
+import { AboutDialog } from './about_dialog'
 import { CardDialog } from './card_dialog'
 import { ExportDialog } from './export_dialog'
 import { FilmDialog } from './film_dialog'
@@ -34,6 +35,8 @@ export const DIALOGS: Record<DialogName, ComponentType> = {
   names: NamesDialog,
   picture: PictureDialog,
   film: FilmDialog,
+  about: AboutDialog,
 }
 
+export { fetchStrip } from './received_strip'
 export { MapChoiceDialog, MapDialog, ScenDialog, TerrainDialog }

@@ -1,4 +1,5 @@
 import type { ScenarioSpec } from '@pkg/formicarium'
+import { CircleQuestionMark } from 'lucide'
 import { useState } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
@@ -7,10 +8,11 @@ import type { Lesson } from '../model/lesson'
 import type { PanelSetup, Session } from '../model/session'
 import { encodeSession, PREFIX } from '../share/link'
 import { caption, currentSession, latest, lesson, panels, scenario } from '../state'
-import { closeDialog } from '../state/dialogs'
+import { closeDialog, show } from '../state/dialogs'
 import { download, exportSession, fileStem } from '../state/export_files'
 import { lazyParts } from '../state/lazy_parts'
 import { askBeforeLeaving } from '../state/leaving'
+import { Button } from '../ui/buttons'
 import { lazily } from '../ui/lazily'
 import { mapName } from '../words/map_names'
 import { isSearch, labelsOf } from '../words/planner_words'
@@ -48,6 +50,7 @@ export function ShareDialog() {
       testId="share"
     >
       {session && <Contents session={session} expanded={expanded} />}
+      <AboutOffer />
       <TargetField />
       {ready && <Names />}
       {!isTooLong(link) && <LinkCode link={link} />}
@@ -55,6 +58,17 @@ export function ShareDialog() {
     </SendDialog>
   )
 }
+
+/** What receivers may ask. */
+const AboutOffer = () => (
+  <Button
+    icon={CircleQuestionMark}
+    label={t('share.about')}
+    tone="quiet"
+    testId="share-about"
+    onClick={() => show('about')}
+  />
+)
 
 /** With the names of now: they can be changed in the dialog. */
 function named(session: Session): Session {

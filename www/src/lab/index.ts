@@ -12,6 +12,7 @@ import { Lab } from './view/lab'
 import { openAddress, openComparisonDocument } from './view/open_address'
 
 export { compare, resultFile } from './scripting'
+export { AboutComparison } from './share/about_comparison'
 export { fragmentOfNow } from './share/link_of_now'
 export { showPublished } from './view/show_published'
 export { openComparisonDocument }

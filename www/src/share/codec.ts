@@ -18,7 +18,7 @@ import { scenarioBefore } from '../model/wall_changes'
 import { bitsOf, joined, Reader, readBits, varint } from './byte_stream'
 import { fieldsOf, invalid, oneOf } from './field_checks'
 import { packHeights, unpackHeights } from './heights'
-import { damaged, LinkError } from './link_error'
+import { changed, damaged, LinkError } from './link_error'
 import { afterChanges } from './session_changes'
 import { type Described, documentOf, readDocument } from './session_document'
 
@@ -110,7 +110,7 @@ export function verifiedBytes(bytes: Uint8Array): Uint8Array {
   if (bytes.length < CHECKSUM_BYTES) throw damaged('it ends too early')
   const noted = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true)
   const covered = bytes.subarray(CHECKSUM_BYTES)
-  if (checksum(covered) !== noted) throw damaged('it is not the same as when it was made')
+  if (checksum(covered) !== noted) throw changed()
   return covered
 }
 

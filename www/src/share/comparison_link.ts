@@ -14,6 +14,7 @@ import { Reader, varint } from './byte_stream'
 import { MAX_BYTES, verifiedBytes, withChecksum } from './codec'
 import { open, seal } from './envelope'
 import { damaged, LinkError } from './link_error'
+import { textBehind } from './link_in_text'
 import { type NumbersOfLink, packedNumbers, readNumbers } from './recorded_numbers'
 import { type ShareOfClass, splitShare } from './share_of_class'
 
@@ -53,9 +54,7 @@ export async function encodeDocument(
 
 /** What an address carries. Throws a LinkError. */
 export async function decodeFragment(hash: string): Promise<ComparisonLink> {
-  const at = hash.indexOf(PREFIX)
-  if (at < 0) throw new LinkError('link-foreign', 'This link carries no comparison.')
-  const { text, share } = splitShare(hash.slice(at + PREFIX.length))
+  const { text, share } = splitShare(textBehind(PREFIX, hash, 'comparison'))
   const reader = new Reader(verifiedBytes(await open(text)))
   const version = reader.byte()
   if (version > VERSION)

@@ -1,26 +1,52 @@
-/** Container bytes ⇄ fragment text: base64url of one byte (0 stored, 1 deflated) and the bytes, whichever is shorter. */
+/**
+ * Container bytes ⇄ fragment text: base64url of one byte (0 stored, 1 deflated) and the bytes. What is written is deflated, tells its own
+ * length (told_length.ts), and ends in a letter or a digit.
+ */
+import { fromBase64url, toBase64url } from './base64url'
+import { joined } from './byte_stream'
 import { MAX_BYTES } from './codec'
 import { deflate, inflate } from './deflate'
-import { damaged, LinkError } from './link_error'
+import { changed, cutShort, damaged, LinkError } from './link_error'
+import { blocksOfLength, toldLength } from './told_length'
 
 /** Longer links are cut by some hosts and mail programs: offer a file instead. Characters of the fragment's payload. */
 export const LINK_LIMIT = 8000
+
+const SHORTEST_LINE = 20
 
 const STORED = 0
 const DEFLATED = 1
 
 export async function seal(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  const deflated = await deflate(bytes)
-  const [method, payload] = deflated.length < bytes.length ? [DEFLATED, deflated] : [STORED, bytes]
-  const sealed = new Uint8Array(payload.length + 1)
-  sealed[0] = method
-  sealed.set(payload, 1)
-  return toBase64url(sealed)
+  const packed = await deflate(bytes)
+  return toBase64url(joined([[DEFLATED], blocksOfLength(1 + packed.length), packed]))
 }
 
+/** `text` may be in several words: a program has broken it, or the words behind are none of it. Throws a LinkError. */
 export async function open(text: string): Promise<Uint8Array> {
   if (text.length > 2 * MAX_BYTES)
     throw new LinkError('link-too-large', 'The link is longer than any map needs.')
+  const words = text.split(' ')
+  const told = toldLength(words.join(''))
+  let fault: unknown
+  for (const candidate of candidates(words, told)) {
+    try {
+      return await unsealed(candidate)
+    } catch (error) {
+      fault ??= error
+    }
+  }
+  throw told === null || isTooLarge(fault) ? fault : missing(words, told)
+}
+
+/** What the text may be, the likeliest first. Only one that is whole can be unpacked. */
+function candidates(words: string[], told: number | null): Set<string> {
+  const heads = words.map((_, at) => words.slice(0, at + 1).join(''))
+  const whole = heads.at(-1) ?? ''
+  return new Set(told === null ? heads : [whole.slice(0, told), whole])
+}
+
+async function unsealed(text: string): Promise<Uint8Array> {
   const sealed = fromBase64url(text)
   const payload = sealed.subarray(1)
   switch (sealed[0]) {
@@ -35,22 +61,12 @@ export async function open(text: string): Promise<Uint8Array> {
   }
 }
 
-/** Many arguments at once overflow the stack, so the bytes go in blocks. */
-function toBase64url(bytes: Uint8Array): string {
-  let binary = ''
-  for (let at = 0; at < bytes.length; at += 8192)
-    binary += String.fromCharCode(...bytes.subarray(at, at + 8192))
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')
-}
+const isTooLarge = (error: unknown) => error instanceof LinkError && error.kind === 'link-too-large'
 
-function fromBase64url(text: string): Uint8Array<ArrayBuffer> {
-  if (text === '' || /[^A-Za-z0-9_-]/.test(text))
-    throw damaged('it contains characters no link has')
-  try {
-    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (char) =>
-      char.charCodeAt(0),
-    )
-  } catch {
-    throw damaged('its length is impossible')
-  }
+/** What is wrong with a link that knows its length. Where programs break links, lines are long: words behind it are none of it. */
+function missing(words: string[], told: number): LinkError {
+  const end = words.findIndex((word, at) => at > 0 && word.length < SHORTEST_LINE)
+  const lengthOf = (some: string[]) => some.join('').length
+  const here = lengthOf(end < 0 ? words : words.slice(0, end))
+  return here < told && lengthOf(words) !== told ? cutShort(told - here, told) : changed()
 }

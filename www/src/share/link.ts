@@ -15,6 +15,7 @@ import {
 import { open, seal } from './envelope'
 import { type Fields, fieldsOf, invalid, list, real, text } from './field_checks'
 import { LinkError } from './link_error'
+import { textBehind } from './link_in_text'
 import { afterChanges } from './session_changes'
 import { documentOf, readDocument } from './session_document'
 
@@ -38,11 +39,10 @@ export async function encodeSession(session: Session): Promise<string> {
   return short !== null && short.length < bits.length ? short : bits
 }
 
-/** Throws a LinkError. `hash`: `location.hash` or any address that ends with it. */
+/** Throws a LinkError. `hash`: `location.hash` or any text that contains a link. */
 export async function decodeFragment(hash: string): Promise<Session> {
-  const at = hash.indexOf(PREFIX)
-  if (at < 0) throw new LinkError('link-foreign', 'This link holds no session.')
-  return unpack(await open(hash.slice(at + PREFIX.length)), generate)
+  const text = textBehind(PREFIX, hash, 'session')
+  return unpack(await open(text), generate)
 }
 
 /** The session file (`.experiment.json`): readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */

@@ -14,6 +14,17 @@ interface Entry {
   session: number
 }
 
+/** A link whose signs a program has written as codes: then it may stand in the path or the query, and nowhere behind a `#`. */
+const CODED = /[?&#]*(#|%(25)*23)([xq])(=|%(25)*3d)/i
+
+/** The rest of the page finds the link where it belongs. */
+function uncode(): void {
+  const plain = location.href.replace(CODED, '#$3=')
+  if (!/^#[xq]=/.test(location.hash) && plain !== location.href)
+    history.replaceState(history.state, '', plain)
+}
+uncode()
+
 const known = embedding ? null : (history.state as Entry | null)
 /** The fragment with which the page was loaded, if the reader had been at that entry before: a reload, or Back from another site. */
 export const returnedTo = known && location.hash
@@ -65,6 +76,7 @@ addEventListener('popstate', ({ state }) => {
 
 addEventListener('hashchange', () => {
   if (history.state) return
+  uncode()
   const isSession = /^#(x|lesson)=/.test(location.hash)
   arrive({ at: entry.at + 1, session: isSession ? Date.now() : entry.session })
   remember()

@@ -14,6 +14,7 @@ export type DialogName =
   | 'names'
   | 'picture'
   | 'film'
+  | 'about'
 
 export const openDialog = signal<DialogName | null>(null)
 

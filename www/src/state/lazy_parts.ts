@@ -24,6 +24,8 @@ export interface LabPart {
   takeJournalFiles(files: UnreadFile[]): Promise<void>
   /** Shows what the papers ask. */
   showPublished(): Promise<void>
+  /** Explains the open comparison to somebody who was sent it. */
+  AboutComparison: ComponentType
 }
 
 /** Terrains in three dimensions (relief/). */

@@ -16,6 +16,7 @@ import { held, holdIfLarge, tellHeld } from './memory'
 import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
+import { tellReceived } from './received'
 import { dropRun, pause, play, reset, restart, runSetup, walls } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
@@ -108,6 +109,7 @@ export async function openFragment(hash: string): Promise<boolean> {
     if (!hash.startsWith('#x=')) return false
     const { decodeFragment } = await import('../share/link')
     loadSession(await readied(await decodeFragment(hash)))
+    tellReceived()
     return true
   } catch (error) {
     notifyError(error)

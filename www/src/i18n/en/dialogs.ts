@@ -328,6 +328,7 @@ export const enDialogs = {
     choose: 'Use',
   },
   share: {
+    about: 'What its receiver can read about it',
     title: 'Share this race',
     what: 'Whoever opens the link sees the same map, planners, parameters and seed; the run repeats, and the page says whether the result agrees bit for bit.',
     map: 'Map “{{name}}”, {{size}}',

@@ -315,6 +315,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     choose: '使用',
   },
   share: {
+    about: '接收者可以读到的说明',
     title: '分享这场比赛',
     what: '打开链接的人会看到相同的地图、规划器、参数与种子；运行会重新进行，页面会说明结果是否逐位一致。',
     map: '地图“{{name}}”，{{size}}',

@@ -318,6 +318,14 @@ export const zhCNRemarks = {
       message: '链接已损坏',
       hint: '可能缺少一部分；请重新复制完整链接，或索取文件',
     },
+    'link-cut': {
+      message: '链接已损坏：共 {{all}} 个字符，缺少 {{missing}} 个',
+      hint: '发送途中有程序将其去掉，多在末尾；请重新复制完整链接，或索取文件',
+    },
+    'link-changed': {
+      message: '链接已损坏：与生成时不同',
+      hint: '发送途中有程序改动了其中的字符；请对方换一种方式发送，或索取文件',
+    },
     'link-newer': { message: '链接由更新的版本生成', hint: '请刷新页面获取最新版本后再打开' },
     'link-too-large': {
       message: '链接的内容太大',

@@ -1,10 +1,12 @@
 /** Shares the open comparison as a link, a file or a picture. */
-import { Users } from 'lucide'
+import { CircleQuestionMark, Users } from 'lucide'
 import { useState } from 'preact/hooks'
 import type { PageContents } from '../../dialogs/save_page'
 import { SendDialog, useLink } from '../../dialogs/send_dialog'
+import { t as tOfDialogs } from '../../i18n/dialogs'
 import { t } from '../../i18n/lab'
 import { PREFIX } from '../../share/comparison_link'
+import { show } from '../../state/dialogs'
 import { download } from '../../state/export_files'
 import { Button } from '../../ui/buttons'
 import { openComparison, progress, resultFile } from '../run/actions'
@@ -50,6 +52,16 @@ function SendComparison({ onClass, onClose }: SendProps) {
       testId="lab-share"
     >
       <Contents carriesNumbers={carriesNumbers} />
+      <Button
+        icon={CircleQuestionMark}
+        label={tOfDialogs('share.about')}
+        tone="quiet"
+        testId="lab-share-about"
+        onClick={() => {
+          onClose()
+          show('about')
+        }}
+      />
       <div class="class-offer">
         <Button
           icon={Users}

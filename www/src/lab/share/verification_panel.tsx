@@ -47,10 +47,10 @@ function recordedWords({ of }: Verification, recorded: Recorded | null): string 
   return t('lab.verify.recorded', { count: of, engine: recorded.engine })
 }
 
-type State = 'none' | 'same' | 'partly' | 'differs' | 'refuted'
+export type State = 'none' | 'same' | 'partly' | 'differs' | 'refuted'
 
-/** A possible cause alone is no difference: the runs may agree all the same. */
-function stateOf({ runs, of, refuted, deviations }: Verification): State {
+/** What has come out so far. A possible cause alone is no difference: the runs may agree all the same. */
+export function stateOf({ runs, of, refuted, deviations }: Verification): State {
   if (refuted) return 'refuted'
   if (deviations.some(({ kind }) => kind === 'bits')) return 'differs'
   if (runs === 0) return 'none'
