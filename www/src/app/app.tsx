@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals'
 import { LoaderCircle, RotateCw, TriangleAlert } from 'lucide'
 import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
@@ -41,11 +42,17 @@ function leaveLab(error: unknown): never {
   throw error
 }
 
+/** Header first, then the rest, as two tasks. */
+const drawsAll = signal(false)
+export const drawRest = () => {
+  drawsAll.value = true
+}
+
 export function App() {
   return (
     <div class="app" data-view={view.value} data-focus={focused.value !== null}>
       <Header />
-      <Body />
+      {drawsAll.value && <Body />}
       {received.value && <ReceivedStrip />}
       <Dialogs />
       <Toasts />

@@ -3,9 +3,10 @@ import '../styles/index.css'
 import './lazy_parts'
 import { render } from 'preact'
 import { startLanguage } from '../i18n'
+import { anotherTask } from '../model/another_task'
 import { notifyError, rememberedLanguage, startPage } from '../state'
 import { embedding } from '../state/embedding'
-import { App } from './app'
+import { App, drawRest } from './app'
 import { listenForDrops } from './drop_files'
 import { openLaunched } from './launched_files'
 import { listenForPaste } from './paste'
@@ -30,8 +31,11 @@ async function main(): Promise<void> {
   const started = startPage()
   const soon = new Promise((resolve) => setTimeout(resolve, SOON_MS))
   await Promise.race([started.catch(() => {}), soon])
+  await anotherTask()
   const root = document.getElementById('app')
   if (root) render(<App />, root)
+  await anotherTask()
+  drawRest()
   await started
   openLaunched()
 }

@@ -131,5 +131,7 @@ export const SPEEDS: readonly Speed[] = [
 
 /** Slow enough to watch ants walk, fast enough to see them agree on a corridor within half a minute. */
 export const DEFAULT_SPEED = 3
+/** Of a first visit, until ants have arrived: four times as fast. */
+export const LEAD_IN_SPEED = DEFAULT_SPEED + 1
 /** The slowest that counts iterations. */
 export const ITERATION_SPEED = SPEEDS.findIndex(({ unit }) => unit === 'iteration')

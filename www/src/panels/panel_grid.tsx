@@ -48,9 +48,9 @@ function useRoom(place: RefObject<HTMLElement | null>): Size {
     const read = () => {
       room.value = { width: element.clientWidth, height: element.clientHeight }
     }
+    // It reads at once, when the browser has laid out the page, and not in the middle of putting it together.
     const observer = new ResizeObserver(read)
     observer.observe(element)
-    read()
     return () => observer.disconnect()
   }, [some])
   return room.value

@@ -1,7 +1,7 @@
 /** The size of an element in device pixels. */
 import type { CanvasSize } from './panel_view'
 
-/** Reports the element's size in device pixels, now and whenever it or the pixel ratio changes. */
+/** Reports the element's size in device pixels, as soon as it has been laid out and whenever it or the pixel ratio changes. */
 export function watchSize(element: HTMLElement, report: (size: CanvasSize) => void): () => void {
   const read = () => {
     const dpr = devicePixelRatio
@@ -12,7 +12,6 @@ export function watchSize(element: HTMLElement, report: (size: CanvasSize) => vo
   const observer = new ResizeObserver(read)
   observer.observe(element)
   const stopWatching = watchPixelRatio(read)
-  read()
   return () => {
     observer.disconnect()
     stopWatching()

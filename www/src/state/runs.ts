@@ -2,9 +2,9 @@
 import { batch } from '@preact/signals'
 import { createConductor } from '../engine/conductor'
 import type { RunSetup } from '../model/messages'
-import type { Scenario, Session } from '../model/session'
+import { DEFAULT_SPEED, LEAD_IN_SPEED, type Scenario, type Session } from '../model/session'
 import { askToEnd, lesson, stopsMet } from './lesson'
-import { clearLive, flushLive, forget, onReply } from './live_reports'
+import { clearLive, flushLive, forget, latest, onReply } from './live_reports'
 import { leavePast } from './looking'
 import { allowed } from './memory'
 import {
@@ -44,7 +44,7 @@ export const walls: Partial<WallsPart> = {}
 
 const conductor = createConductor({
   panelIds: () => panels.peek().map((panel) => panel.id),
-  speed: () => speed.peek(),
+  speed: () => (isLeadIn() ? LEAD_IN_SPEED : speed.peek()),
   sync: () => sync.peek(),
   stops: () => lesson.peek()?.stops,
   onReply,
@@ -61,6 +61,19 @@ const conductor = createConductor({
 })
 
 let lastRunId = 0
+let leadsIn = false
+
+/** The race of a first visit begins faster: until its colonies have brought paths there is nothing to compare. */
+export function leadIn(): void {
+  leadsIn = true
+}
+
+function isLeadIn(): boolean {
+  leadsIn &&=
+    speed.peek() === DEFAULT_SPEED &&
+    panels.peek().every(({ id }) => !latest(id).summary?.effort.constructed_paths)
+  return leadsIn
+}
 
 /** Whether no run is being advanced, and no step waits. */
 export const isIdle = () => conductor.isIdle()
@@ -116,6 +129,7 @@ export function showDrawn(map: Scenario): void {
 /** Every run back to its beginning, on the same map with the same seed. */
 export function reset(): void {
   conductor.pause()
+  leadsIn = false
   stopsMet.value = []
   leavePast()
   walls.begin?.()

@@ -17,7 +17,7 @@ import { notify, notifyError } from './notices'
 import { playWhenShown } from './page_view'
 import { bareSetup, makePanel, removePanel } from './panels'
 import { tellReceived } from './received'
-import { dropRun, pause, play, reset, restart, runSetup, walls } from './runs'
+import { dropRun, leadIn, pause, play, reset, restart, runSetup, walls } from './runs'
 import { fromGallery, setScenario } from './scenarios'
 import { setSpeedOfSession } from './speed'
 import {
@@ -121,6 +121,7 @@ export function openFirstSession(): void {
   const session = firstSession()
   fromGallery(FIRST_MAP, session.scenario)
   loadSession(session)
+  leadIn()
 }
 
 /** As on a first visit. A link in the address is left behind, or a reload would bring it back. */
@@ -146,8 +147,8 @@ export function firstSession(): Session {
 }
 
 /**
- * Plays at once but for a lesson, whose question comes first, or, when the reader prefers less motion, after the first key or click. What takes much memory waits until somebody asks
- * for it.
+ * Plays at once but for a lesson, whose question comes first, or, when the reader prefers less motion, after the first key or click. What
+ * takes much memory waits until somebody asks for it.
  */
 export function autoplay(): void {
   if (guide.peek() !== null) return

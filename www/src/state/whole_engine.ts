@@ -1,8 +1,9 @@
 /** The whole engine, with the planners that a first visit does without: fetched when there is time, or at once when one is needed. */
 
 import type { RunSummary } from '@pkg/formicarium'
-import { batch, effect } from '@preact/signals'
+import { effect } from '@preact/signals'
 import { tools } from '../engine/tools'
+import { anotherTask } from '../model/another_task'
 import { catalog, type Phase, panels, phase, wholeEngine } from './store'
 
 /** A browser that cannot tell when it is idle gets this long instead. */
@@ -50,10 +51,10 @@ async function fetchNow(ready: () => Promise<void>): Promise<void> {
   try {
     const whole = await tools.wholeCatalog()
     await ready()
-    batch(() => {
-      catalog.value = whole
-      wholeEngine.value = 'here'
-    })
+    catalog.value = whole
+    // What follows from each is much to draw.
+    await anotherTask()
+    wholeEngine.value = 'here'
   } catch {
     wholeEngine.value = 'failed'
   }
