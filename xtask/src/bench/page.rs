@@ -17,15 +17,18 @@ const PLANNERS: [&str; 6] =
 const INPUTS: [(&str, &str); 4] =
     [("hover", "pointer over a cell"), ("zoom", "wheel, zoomed"), ("pan", "drag, moved"), ("press", "first cell of a wall")];
 
-/// How many times slower the page's own thread is made, for the first visit.
-const THROTTLING: u32 = 4;
+/// First visits: how many times slower the page's own thread is made, the network (`benches/peers/page_opening.mjs` knows them), and both in
+/// words.
+const VISITS: [(u32, Option<&str>, &str); 3] =
+    [(1, None, "as it is"), (4, None, "thread 4 × slower"), (4, Some("slow-4g"), "thread 4 × slower, slow 4G")];
 
 const NOTE: &str = "\
 The page as it is built, in headless Chromium without a graphics processor, 1440 × 900. *Playing*: six panels (Ant System, elitist, rank-based, \
 MAX–MIN, Ant Colony System, fire, 50 ants each) play an iteration a frame on a map by seed 1, 20 % walls; from the input event, as the \
 browser stamps it, until the panel's worker has drawn what it asks for, of the panel that is first and of the one that is last. *A second*: \
-iterations that all panels finish meanwhile. *First visit*: nothing in the cache, files packed as static hosts do; the page's own thread \
-4 times slower than it is, from the address to the page's first word that a planner has made a step. `cargo xtask bench page`";
+iterations that all panels finish meanwhile. *First visit*: nothing in the cache, files packed as static hosts do, from the address to the \
+page's first word that a planner has made a step, and that a colony has finished an iteration; *longest task* of the page's thread until 3 \
+seconds later, 0 where none took 50 ms. Slow 4G: 1.6 Mbit/s, answers after 150 ms, as Lighthouse has it. `cargo xtask bench page`";
 
 pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let Some(mut page) = Runner::page()? else {
@@ -37,7 +40,9 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     // First, while no other page is open beside it.
     println!("bench: first visits…");
     let mut race = Race::new(vec![&mut page]);
-    race.join("first visit: first step", 0, &json!({ "work": "opening", "throttling": THROTTLING }))?;
+    for (throttling, network, name) in VISITS {
+        race.join(name, 0, &json!({ "work": "opening", "throttling": throttling, "network": network }))?;
+    }
     let visits = race.run(extent.rounds)?;
     println!("bench: page on {side} × {side}…");
     let mut race = Race::new(vec![&mut page]);
@@ -46,16 +51,20 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
         race.join(&format!("{side}², playing: {name}"), 0, &job)?;
     }
     let playing = race.run(extent.rounds)?;
-    let rows: Vec<_> = playing.iter().chain(&visits).map(row).collect();
-    let heads = ["what", "ms, last panel", "ms, first panel", "iterations a second"];
-    Ok(Some(Section { name: "page", page: PERFORMANCE, text: format!("{NOTE}\n\n{}", table(&heads, &rows)), readme: None }))
+    let playing: Vec<_> = playing.iter().map(|of| row(of, [("first", 1e3), ("iterations", 1.0)])).collect();
+    let visits: Vec<_> = visits.iter().map(|of| row(of, [("iteration", 1e3), ("task", 1e3)])).collect();
+    let playing = table(&["playing", "ms, last panel", "ms, first panel", "iterations a second"], &playing);
+    let visits = table(&["first visit", "ms, first step", "ms, first iteration", "ms, longest task"], &visits);
+    Ok(Some(Section { name: "page", page: PERFORMANCE, text: format!("{NOTE}\n\n{playing}\n\n{visits}"), readme: None }))
 }
 
-fn row(of: &Rounds) -> Vec<String> {
-    let told = |field: &'static str| of.answers.iter().all(|answer| answer[field].is_number());
-    let number = |field: &'static str| move |answer: &Value| answer[field].as_f64().unwrap_or(f64::NAN);
-    let median = |field, factor| {
-        if told(field) { of.median(number(field)).times(factor).to_string() } else { "–".into() }
+/// Its name, milliseconds, and the medians of two more fields of its answers, each times a factor; a dash where they do not tell.
+fn row(of: &Rounds, fields: [(&'static str, f64); 2]) -> Vec<String> {
+    let median = |(field, factor): (&'static str, f64)| {
+        let number = |answer: &Value| answer[field].as_f64().unwrap_or(f64::NAN);
+        let told = of.answers.iter().all(|answer| answer[field].is_number());
+        if told { of.median(number).times(factor).to_string() } else { "–".into() }
     };
-    vec![of.name.clone(), of.median(seconds).times(1e3).to_string(), median("first", 1e3), median("iterations", 1.0)]
+    let [second, third] = fields.map(median);
+    vec![of.name.clone(), of.median(seconds).times(1e3).to_string(), second, third]
 }
