@@ -40,6 +40,7 @@ rmSync(join(pkg, 'one-file.html'), { force: true })
 if (ownPage) copyFileSync(wholePage, join(pkg, 'one-file.html'))
 
 export default defineConfig({
+  publicDir: false,
   plugins: [declarations()],
   define: {
     OWN_PAGE: ownPage ? "new URL('../one-file.html', import.meta.url).href" : 'null',
