@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value as Json;
 
 use crate::error::{Error, FormatError};
-use crate::formats::session::{LINK_PREFIX, read_session, read_session_link};
+use crate::formats::session::{has_session_link, read_session, session_link_in};
 use crate::formats::{Kind, MAX_TEXT_BYTES, comparison_json, recognise};
 
 use super::error::CliError;
@@ -105,8 +105,9 @@ struct Carried {
 fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim();
-    if let Some((_, sealed)) = text.split_once(LINK_PREFIX).filter(|_| !text.starts_with('{')) {
-        return read_link(sealed);
+    if has_session_link(text) && !text.starts_with('{') {
+        let (link, session) = session_link_in(text)?;
+        return Ok(Carried { title: session.spec.name, engine: session.engine, text: Json::from(link).to_string() });
     }
     match recognise(bytes, name)?.kind {
         Kind::Session => {
@@ -124,14 +125,6 @@ fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
                 .into())
         }
     }
-}
-
-/// `sealed`: what stands behind the prefix, and after it in the text.
-fn read_link(sealed: &str) -> Result<Carried, Error> {
-    let end = sealed.find(|c: char| !c.is_ascii_alphanumeric() && c != '-' && c != '_').unwrap_or(sealed.len());
-    let link = format!("{LINK_PREFIX}{}", &sealed[..end]);
-    let session = read_session_link(&link)?;
-    Ok(Carried { title: session.spec.name, engine: session.engine, text: Json::from(link).to_string() })
 }
 
 /// Its own, or its map's.

@@ -56,7 +56,7 @@ test.describe('several goals', () => {
     await page.keyboard.press('a')
     await click(race, [10, 4])
     await expect(page.getByTestId('optimum')).toHaveText('Shortest tour: cannot be asked for')
-    await expect(page.locator('.race-strip')).toContainText('could not start')
+    await expect(page.locator('.race-strip')).toContainText('could not be fetched')
   })
 
   test('the tool adds them, any can be dragged, undo takes them back', async ({ page }) => {

@@ -101,6 +101,19 @@ pub fn read_session_link(text: &str) -> Result<Session, Error> {
     container::unpack(&envelope::open(&words)?)
 }
 
+/// A session's link and what it holds: from [`LINK_PREFIX`] on, as it was before programs broke it, without what stands around it.
+///
+/// # Errors
+/// As [`read_session_link`].
+pub fn session_link_in(text: &str) -> Result<(String, Session), Error> {
+    let words = link_text::words_of_link(text).unwrap_or_default();
+    let whole = (1..=words.len()).find_map(|count| {
+        let link = words[..count].concat();
+        read_session_link(&link).ok().map(|session| (format!("{LINK_PREFIX}{link}"), session))
+    });
+    whole.map_or_else(|| read_session_link(text).map(|session| (text.trim().to_owned(), session)), Ok)
+}
+
 /// Whether a text has a session's link in it, as [`read_session_link`] finds it.
 #[must_use]
 pub fn has_session_link(text: &str) -> bool {

@@ -17,7 +17,6 @@ import {
   view,
 } from '../state'
 import { lazyParts } from '../state/lazy_parts'
-import { received } from '../state/received'
 import { PlayBar } from '../toolbar/play_bar'
 import { Toolbar } from '../toolbar/toolbar'
 import { Button } from '../ui/buttons'
@@ -32,8 +31,6 @@ import { Header } from './header'
 const Lab = lazily(() => import('../lab').then((lab) => lab.fetchLab()).catch(leaveLab), Loading)
 
 /** Offers to explain what was sent. */
-const ReceivedStrip = lazily(async () => (await import('../dialogs/all_dialogs')).fetchStrip())
-
 const TargetStrip = lazily(() => lazyParts.lesson('target'))
 
 /** Goes back to the race when the laboratory could not be fetched; it can be asked for again. */
@@ -53,7 +50,6 @@ export function App() {
     <div class="app" data-view={view.value} data-focus={focused.value !== null}>
       <Header />
       {drawsAll.value && <Body />}
-      {received.value && <ReceivedStrip />}
       <Dialogs />
       <Toasts />
       <DropVeil />

@@ -13,11 +13,15 @@ import {
   view,
 } from '../state'
 import { show } from '../state/dialogs'
+import { received } from '../state/received'
 import { Button, IconButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
+import { lazily } from '../ui/lazily'
 import { Menu, MenuItem } from '../ui/menu'
 import { Logo } from './logo'
 import { MapMenu } from './map_menu'
+
+const ReceivedStrip = lazily(async () => (await import('../dialogs/all_dialogs')).fetchStrip())
 
 export function Header() {
   const started = scenario.value !== null
@@ -31,6 +35,7 @@ export function Header() {
       {started && <ViewSwitch />}
       {ready && <MapMenu />}
       {ready ? <RaceStrip /> : <span class="spacer" />}
+      {received.value && <ReceivedStrip />}
       {ready && (
         <Button
           label={t('header.share')}

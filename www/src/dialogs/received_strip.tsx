@@ -1,14 +1,13 @@
-/** Offers to explain what a link has brought. It lies over the page, so that nothing moves when it comes or goes. */
+/** Offers to explain what a link has brought. It has the room that the header keeps free, so that nothing moves when it comes or goes. */
 import '../styles/about.css'
 import { Mail } from 'lucide'
 import { addAboutWords, t } from '../i18n/about'
-import { openDialog, show } from '../state/dialogs'
+import { show } from '../state/dialogs'
 import { received } from '../state/received'
 import { Button, CloseButton } from '../ui/buttons'
 import { Icon } from '../ui/icon'
 
 function ReceivedStrip() {
-  if (openDialog.value !== null) return null
   return (
     <aside class="received" aria-label={t('about.title')} data-testid="received">
       <Icon icon={Mail} size={16} />

@@ -326,14 +326,14 @@ let toldOfFrame = false
 
 /** Said once: the runs go on without being stored. */
 function refused(id: string, error: unknown): void {
-  // Of the page that keeps nothing nobody expects it.
-  if (!canKeep()) return
-  noteUnstored(id)
   if (embedding) {
     if (!toldOfFrame) notify('info', t('lab.kept.embedded'), { hint: t('lab.kept.refusedHint') })
     toldOfFrame = true
     return
   }
+  // Of the page in one file nobody expects it.
+  if (!canKeep()) return
+  noteUnstored(id)
   const isFull = error instanceof DOMException && error.name === 'QuotaExceededError'
   notify('warning', t(isFull ? 'lab.kept.full' : 'lab.kept.refused'), {
     hint: t('lab.kept.refusedHint'),
