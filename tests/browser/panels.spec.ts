@@ -238,3 +238,19 @@ test.describe('planners that come while the page is idle', () => {
     await expect(page.getByTestId('planner-1').locator(LATER)).toHaveCount(1)
   })
 })
+
+test('beside two verdicts the buttons of a panel stay in it', async ({ page }) => {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await page.evaluate(() => window.formicarium.run({ iterations: 5 }))
+  await page.goto(await race.shareLink())
+  await expect(page.getByTestId('verified-2')).toBeVisible()
+  await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
+  for (const place of [1, 2]) {
+    const card = await page.getByTestId(`panel-${place}`).boundingBox()
+    const close = await page.getByTestId(`remove-${place}`).boundingBox()
+    expect((close?.x ?? 0) + (close?.width ?? 0)).toBeLessThanOrEqual(
+      (card?.x ?? 0) + (card?.width ?? 0),
+    )
+  }
+})
