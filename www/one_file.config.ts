@@ -12,6 +12,7 @@ const { plugins, ...page } = shared()
 
 export default defineConfig({
   ...page,
+  publicDir: false,
   plugins: [inOneScript(), ...plugins, shellAndParts()],
   build: {
     target: 'es2022',

@@ -66,7 +66,7 @@ fn an_edited_map_travels_with_its_cells() {
 fn manglings(link: &str) -> Vec<String> {
     let address = format!("https://example.org/ants/{link}");
     let broken = |between: &str| {
-        let lines: Vec<_> = link[3..].as_bytes().chunks(60).map(|line| std::str::from_utf8(line).expect("letters")).collect();
+        let lines: Vec<_> = link.as_bytes()[3..].chunks(60).map(|line| std::str::from_utf8(line).expect("letters")).collect();
         format!("https://example.org/#x={}", lines.join(between))
     };
     let coded = address.replace('#', "%23").replace('=', "%3D");

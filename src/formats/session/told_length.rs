@@ -13,7 +13,7 @@ const BEFORE: usize = 1;
 pub(super) fn blocks_of_length(others: usize) -> Vec<u8> {
     let fits = |digits: &usize| {
         let bytes = others + BLOCK * digits;
-        bytes % 3 != 0 && (bytes * 4).div_ceil(3) < BASE.pow(*digits as u32)
+        !bytes.is_multiple_of(3) && (bytes * 4).div_ceil(3) < BASE.pow(*digits as u32)
     };
     let digits = (1..).find(fits).expect("lengths grow slower than powers");
     let length = ((others + BLOCK * digits) * 4).div_ceil(3);
@@ -26,7 +26,7 @@ pub(super) fn told_length(text: &str) -> Option<usize> {
     let most = (BEFORE + BLOCK * (MOST_DIGITS + 1)).div_ceil(3) * 4;
     let head = text.get(..most.min(text.len() - text.len() % 4))?;
     let bytes = from_base64url(head).ok()?;
-    let digit = |block: &[u8]| (block[0] % 8 == 0 && block[1..] == EMPTY).then_some(usize::from(block[0] / 8));
+    let digit = |block: &[u8]| (block[0].is_multiple_of(8) && block[1..] == EMPTY).then_some(usize::from(block[0] / 8));
     let mut length = None;
     for block in bytes[BEFORE..].chunks_exact(BLOCK) {
         match digit(block) {

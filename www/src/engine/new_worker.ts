@@ -2,6 +2,7 @@
 
 import type { EngineError } from '@pkg/formicarium'
 import { crash, toEngineError } from '../model/errors'
+import { oneFile } from '../model/one_file'
 import coreUrl from '../worker/core.worker?worker&url'
 import wholeUrl from '../worker/whole.worker?worker&url'
 import type { Build } from './builds'
@@ -25,9 +26,9 @@ export function newWorker(build: Build): Worker {
   return build === 'whole' ? workerAt(wholeUrl) : (ahead.pop() ?? workerAt(coreUrl))
 }
 
-/** A new worker with this script, one of the page's own. */
+/** A new worker with this script, one of the page's own. In the page as one file it is plain: without an origin there are no modules. */
 export function workerAt(url: string): Worker {
-  const worker = new Worker(url, { type: 'module' })
+  const worker = new Worker(url, { type: oneFile() ? 'classic' : 'module' })
   addresses.set(worker, url)
   return worker
 }
