@@ -82,6 +82,11 @@
   }
 
   function sayUnfetched() {
+    // Should a copy of the page be at fault, the next try asks the network.
+    if (navigator.serviceWorker)
+      navigator.serviceWorker.getRegistration().then(function (kept) {
+        if (kept) kept.unregister()
+      })
     say(
       words('The page could not be fetched', '无法获取页面'),
       words('Check the connection and try again. If that does not help, the page has been moved or is being renewed.', '请检查网络连接后重试。如果仍然不行，页面可能已移动或正在更新。'),
@@ -110,6 +115,7 @@
     document.documentElement.setAttribute('data-lacks', names.join(', '))
     sayMissing(names)
   } else if (!scripts) return
+  else if (scripts.length > 0 && /one-file\.html$/.test(location.pathname)) sayUnfetched()
   else if (scripts.length > 0 && (location.protocol === 'file:' || self.origin === 'null')) {
     // Browsers give such a page none of its scripts: the one-file page brings its own.
     var address = './one-file.html' + location.search + location.hash

@@ -38,6 +38,9 @@ function declarations(): Plugin {
 rmSync(out, { recursive: true, force: true })
 rmSync(join(pkg, 'one-file.html'), { force: true })
 if (ownPage) copyFileSync(wholePage, join(pkg, 'one-file.html'))
+for (const licence of ['LICENSE-MIT', 'LICENSE-APACHE'])
+  copyFileSync(path(`../${licence}`), join(pkg, licence))
+copyFileSync(path('../docs/embedding.md'), join(pkg, 'README.md'))
 
 export default defineConfig({
   publicDir: false,

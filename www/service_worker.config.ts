@@ -8,7 +8,7 @@ import { defineConfig, type Plugin } from 'vite'
 const MODULE = 'virtual:files-of-page'
 const OUTPUT = 'sw.js'
 /** For programs that show cards of links. */
-const NOT_KEPT = [OUTPUT, 'social.png']
+const NOT_KEPT = [OUTPUT, 'social.png', '404.html']
 /** Vite gives these a name of their own for each content. */
 const NAMED_BY_CONTENT = /^assets\//
 
@@ -30,10 +30,13 @@ function listOf(folder: string): string {
   const all = createHash('sha256')
   const files = namesIn(folder).map((url) => {
     const content = readFileSync(join(folder, url))
-    const revision = createHash('sha256').update(content).digest('hex').slice(0, 16)
+    const hash = createHash('sha256').update(content).digest()
+    const revision = hash.toString('hex').slice(0, 16)
     bytes += content.length
     all.update(`${url} ${revision}\n`)
-    return { url, revision: NAMED_BY_CONTENT.test(url) ? null : revision }
+    // What is not exactly this file is not kept: a host may answer with something else while a version is put up.
+    const integrity = `sha256-${hash.toString('base64')}`
+    return { url, revision: NAMED_BY_CONTENT.test(url) ? null : revision, integrity }
   })
   const version = all.digest('hex').slice(0, 16)
   return Object.entries({ files, version, bytes })

@@ -104,7 +104,11 @@ struct Carried {
 
 fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
     let text = String::from_utf8_lossy(bytes);
-    let text = text.trim();
+    let text = text.trim_start_matches('\u{feff}').trim();
+    if text.contains(FORMAT) {
+        let expected = "what it carries: open it in a browser and save that as a file";
+        return Err(FormatError::syntax(0, "this is a page of one file already", expected).into());
+    }
     if has_session_link(text) && !text.starts_with('{') {
         let (link, session) = session_link_in(text)?;
         return Ok(Carried { title: session.spec.name, engine: session.engine, text: Json::from(link).to_string() });
@@ -112,6 +116,7 @@ fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
     match recognise(bytes, name)?.kind {
         Kind::Session => {
             let engine = read_session(text)?.engine;
+            check_words(text)?;
             Ok(Carried { title: title_of_session(text), engine, text: text.into() })
         }
         Kind::Comparison => {
@@ -125,6 +130,27 @@ fn read(bytes: &[u8], name: &str) -> Result<Carried, Error> {
                 .into())
         }
     }
+}
+
+/// What the page says of a session that its runs do not depend on, so that no page is made that refuses what it carries: most characters of
+/// its title, its note and each panel's label (`www/src/model/names.ts`).
+const LONGEST: [(&str, usize); 3] = [("title", 120), ("note", 2000), ("label", 60)];
+
+/// Refuses words that the page would refuse.
+fn check_words(text: &str) -> Result<(), Error> {
+    let fields: Json = serde_json::from_str(text).unwrap_or_default();
+    let [title, note, label] = LONGEST;
+    let panels = fields["panels"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let labels = panels.iter().map(|panel| (label, &panel[label.0]));
+    for ((field, most), value) in [title, note].map(|own| (own, &fields[own.0])).into_iter().chain(labels) {
+        let is_text = value.is_null() || value.is_string();
+        // As JavaScript counts.
+        if !is_text || value.as_str().is_some_and(|words| words.encode_utf16().count() > most) {
+            let found = value.to_string();
+            return Err(FormatError::field(field, found, format!("a text of at most {most} characters")).into());
+        }
+    }
+    Ok(())
 }
 
 /// Its own, or its map's.

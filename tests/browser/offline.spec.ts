@@ -3,6 +3,7 @@ import { execFileSync } from 'node:child_process'
 import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import { RacePage } from './race_page'
+import { savedPage } from './saved_pages'
 import { StaticHost } from './static_host'
 
 test.use({ serviceWorkers: 'allow' })
@@ -85,6 +86,22 @@ test.describe('without a network', () => {
     expect(compared.failed).toBe(0)
     await page.goto(`${host.address}?any=words#lab`)
     await expect(page.getByTestId('lab')).toBeVisible()
+    await page.getByTestId('view-race').click()
+    // The card of a paper, a terrain in three dimensions, a lesson, and the page as one file.
+    await race.menu('map-menu', 'gallery-paper-ship-20')
+    await race.ready()
+    await page.getByTestId('add-panel').click()
+    await page.getByTestId('about-ship').click()
+    await expect(page.getByTestId('card-dialog')).toContainText('2026')
+    await page.keyboard.press('Escape')
+    await race.menu('map-menu', 'gallery-terrain-hills')
+    await race.ready()
+    await page.locator('body').press('3')
+    await expect(page.locator('.stage.relief canvas').first()).toBeVisible()
+    await page.goto(`${host.address}#lesson=bridge`)
+    await expect(page.getByTestId('guide')).toBeVisible()
+    await page.getByTestId('share').click()
+    expect((await savedPage(page, 'share-page', 'lesson.html')).endsWith('.html')).toBe(true)
   })
 
   test('nothing is fetched twice for it, and nothing before the page rests', async ({ page }) => {

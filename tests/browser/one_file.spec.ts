@@ -288,7 +288,7 @@ test('the command line makes the same page', async ({ page, browser }) => {
 test('where the page cannot be fetched, the dialog says what to do', async ({ page }) => {
   await new RacePage(page).openAtRest()
   await page.getByTestId('share').click()
-  await expect(page.getByTestId('share-page-hint')).toContainText('2.3 MB')
+  await expect(page.getByTestId('share-page-hint')).toContainText(`${ABOUT_MB} MB`)
   await page.context().setOffline(true)
   await page.getByTestId('share-page').click()
   await expect(page.getByTestId('share-page-refused')).toContainText('Save as a page')

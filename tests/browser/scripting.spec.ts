@@ -72,7 +72,7 @@ const REFUSED: [code: string, kind: string, field: string][] = [
   ['formicarium.look("now")', 'bad-option', 'iteration'],
   ['formicarium.look()', 'bad-option', 'iteration'],
   ['formicarium.resultFile("csv")', 'no-comparison', ''],
-  ['formicarium.resultFile("pdf")', 'unknown-file', 'kind'],
+  ['formicarium.resultFile("pdf")', 'unknown-file', 'file'],
   ['formicarium.resultFile("csv", "de")', 'bad-option', 'language'],
   ['formicarium.compare({ seed: 3 })', 'unknown-option', 'seed'],
   ['formicarium.compare({ seeds: 0 })', 'bad-option', 'seeds'],

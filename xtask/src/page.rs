@@ -1,5 +1,6 @@
 //! The page: Vite's build of www/ around pkg/.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
@@ -19,6 +20,8 @@ pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     run(vite().args(args).arg(&folder))?;
     one_file::build(&folder)?;
     run(vite().args(["build", "--config", "element.config.ts", "--logLevel", "warn"]))?;
+    // Hosts of static pages answer with it where nothing is, as where a program has written `#` as a code: the page finds its link there.
+    fs::copy(folder.join("index.html"), folder.join("404.html"))?;
     // Last of all: it lists what is there.
     let args = ["build", "--config", "service_worker.config.ts", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;

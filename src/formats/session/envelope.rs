@@ -30,18 +30,27 @@ pub(super) fn open(words: &[String]) -> Result<Vec<u8>, FormatError> {
         return Err(FormatError::TooLarge { what: "the link".into(), max: format!("{MAX_CONTAINER} bytes") });
     }
     let told = told_length(&whole);
-    let candidates = match told {
-        Some(length) => vec![whole[..length.min(whole.len())].to_owned(), whole],
-        None => (1..=words.len()).map(|count| words[..count].concat()).collect(),
+    // How far it may reach, the likeliest first.
+    let ends = match told {
+        Some(length) => vec![length.min(whole.len()), whole.len()],
+        None => words
+            .iter()
+            .scan(0, |end, word| {
+                *end += word.len();
+                Some(*end)
+            })
+            .collect(),
     };
-    let mut faults = Vec::new();
-    for text in candidates {
-        match unsealed(&text) {
-            Ok(bytes) => return Ok(bytes),
-            Err(fault) => faults.push(fault),
+    let mut first = None;
+    for end in ends {
+        match unsealed(&whole[..end]) {
+            // Of what is too large the rest would be, too.
+            Err(fault @ FormatError::TooLarge { .. }) => return Err(fault),
+            Err(fault) => first = first.or(Some(fault)),
+            bytes => return bytes,
         }
     }
-    match (faults.into_iter().next(), told) {
+    match (first, told) {
         (Some(FormatError::Field { .. }), Some(told)) => Err(missing(words, told)),
         (fault, _) => Err(fault.unwrap_or_else(|| damaged(FOREIGN))),
     }

@@ -37,6 +37,8 @@ const MOST_ITERATIONS = 1_000_000
 
 export const load = (source: unknown, options?: LoadOptions): Promise<Opened> =>
   typed(async () => {
+    if (source === null || !['string', 'object'].includes(typeof source))
+      throw badOption('source', 'must be a link, a text, a file, several files or a session')
     let opened: Opened | null = null
     const whole = await inTurn([nameOf(source)], async (turn) => {
       const content = await contentOf(source, options)

@@ -111,7 +111,10 @@ function Run({ panel, name }: { panel: Panel; name: string }) {
         {result && !isSearch(panel.setup.planner) && (
           <span class="hint">
             {' '}
-            {t('about.runs.after', { count: numbers.value.whole.format(result.iterations) })}
+            {t('about.runs.after', {
+              count: result.iterations,
+              n: numbers.value.whole.format(result.iterations),
+            })}
           </span>
         )}
       </td>
@@ -219,7 +222,9 @@ const DIGITS = 7
 /** What somebody needs to say which result is meant. */
 function citation(): string {
   const names = labels()
-  const runs = panels.value.map((panel, at) => runWords(names[at] ?? '', recordedOf(panel)))
+  const runs = panels.value.map((panel, at) =>
+    runWords(panel.setup.planner, names[at] ?? '', recordedOf(panel)),
+  )
   const { name, width, height } = mapArgs()
   const title = caption.value.title || name
   return t('about.cite.race', {
@@ -233,10 +238,13 @@ function citation(): string {
   })
 }
 
-function runWords(planner: string, result: RecordedResult | null): string {
+function runWords(id: string, planner: string, result: RecordedResult | null): string {
   if (!result) return t('about.cite.setUp', { planner })
   const { iterations, length, digest } = result
   const words = length === null ? 'runNoPath' : 'run'
   const shown = length && Number(length.toPrecision(DIGITS))
-  return t(`about.cite.${words}`, { planner, iterations, length: shown, digest })
+  const told = { planner, length: shown, digest }
+  // Searches count cells, which are not recorded.
+  if (isSearch(id)) return t(`about.cite.${words}Search`, told)
+  return t(`about.cite.${words}`, { ...told, count: iterations })
 }

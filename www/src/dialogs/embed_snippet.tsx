@@ -33,6 +33,8 @@ const MAX_HEIGHT = 2000
 
 export function EmbedSnippet({ link, name, isRace }: EmbedSnippetProps) {
   const [page = '', fragment = ''] = link.split(/(?=#)/)
+  // From a page that came from no host there is no address to frame.
+  if (page === '' || page.startsWith('#')) return null
   const address = embeddedAddress(page, isRace ? { controls: chosen.value } : {}, fragment)
   const html = frameSnippet(address, name, height.value)
   return (

@@ -18,7 +18,10 @@ const SIDE = 1024
 /** `link`: null until it is there. */
 export function LinkCode({ link }: { link: string | null }) {
   return (
-    <details class="link-code">
+    <details
+      class="link-code"
+      onToggle={({ currentTarget }) => currentTarget.open && currentTarget.scrollIntoView()}
+    >
       <summary data-testid="link-code">{t('qr.title')}</summary>
       <Body link={link} />
     </details>

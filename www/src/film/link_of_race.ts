@@ -3,6 +3,7 @@ import { type QrCode, qrCode } from '../figures/qr_code'
 import { LINK_LIMIT } from '../share/envelope'
 import { encodeSession, PREFIX } from '../share/link'
 import { LinkError } from '../share/link_error'
+import { pageAddress } from '../share/page_file'
 import { currentSession } from '../state'
 
 export interface RaceLink {
@@ -14,7 +15,9 @@ export interface RaceLink {
 
 export async function linkOfRace(): Promise<RaceLink> {
   const link = await made()
-  return { link, code: link === null ? null : await qrCode(link) }
+  // A page that came from no host has no address that a camera could open.
+  const isAddress = link !== null && !link.startsWith(PREFIX)
+  return { link, code: isAddress ? await qrCode(link) : null }
 }
 
 async function made(): Promise<string | null> {
@@ -22,7 +25,7 @@ async function made(): Promise<string | null> {
   if (!session) return null
   try {
     const text = await encodeSession(session)
-    const link = `${location.href.replace(/#.*$/, '')}${PREFIX}${text}`
+    const link = `${pageAddress()}${PREFIX}${text}`
     return link.length > LINK_LIMIT ? null : link
   } catch (error) {
     if (error instanceof LinkError) return null

@@ -72,7 +72,7 @@ function documentAlone(document: unknown, asked: Asked): string {
 export async function resultFile(kind: ResultFile, language?: ReportLanguage): Promise<string> {
   if (!Object.hasOwn(KINDS, kind)) {
     const hint = `There are ${Object.keys(KINDS).join(', ')}.`
-    throw new ScriptError('unknown-file', 'kind', `there is no result file "${kind}"`, hint)
+    throw new ScriptError('unknown-file', 'file', `there is no result file "${kind}"`, hint)
   }
   if (language !== undefined && !Object.hasOwn(REPORTS, language)) {
     const hint = `There are ${Object.keys(REPORTS).join(', ')}.`

@@ -11,15 +11,19 @@ import type { KeepRequest, KeptPage, PageVersion } from '../model/kept_page'
 
 declare const self: ServiceWorkerGlobalScope
 
+const SCOPE = self.registration.scope
 /** Several pages may live on one host. */
-const PREFIX = `formicarium ${self.registration.scope} `
+const PREFIX = `formicarium ${SCOPE} `
 const NEWEST = PREFIX + version
 /** Holds which version is in use. */
 const CHOICE = `${PREFIX}in use`
-const KEY = new URL('in-use', self.registration.scope).href
+const KEY = new URL('in-use', SCOPE).href
 
 const controller = new PrecacheController({ cacheName: NEWEST, fallbackToNetwork: false })
 controller.addToCacheList(files)
+
+/** What is being removed answers nothing any more. */
+let isGone = false
 
 self.addEventListener('install', (event) => {
   controller.install(event)
@@ -27,12 +31,12 @@ self.addEventListener('install', (event) => {
 })
 
 self.addEventListener('activate', (event) => {
-  event.waitUntil(used().then(() => self.clients.claim()))
+  event.waitUntil(tidy().then(() => self.clients.claim()))
 })
 
 self.addEventListener('fetch', (event) => {
   const { request } = event
-  if (request.method !== 'GET' || !request.url.startsWith(self.registration.scope)) return
+  if (isGone || request.method !== 'GET' || !request.url.startsWith(SCOPE)) return
   event.respondWith(answer(request))
 })
 
@@ -43,23 +47,35 @@ self.addEventListener('message', (event) => {
 
 /** From the version in use; what it does not have, from the network. */
 async function answer(request: Request): Promise<Response> {
-  const cache = await caches.open(await used())
-  const { pathname } = new URL(request.url)
-  const isPage =
-    request.mode === 'navigate' && pathname === new URL(self.registration.scope).pathname
-  const kept = await cache.match(isPage ? fileAt('index.html') : request, { ignoreSearch: true })
-  return kept ?? fetch(request)
+  const name = await used()
+  if (name === null) return fetch(request)
+  const cache = await caches.open(name)
+  const asked = isPage(request) ? fileAt('index.html') : request
+  return (await cache.match(asked, { ignoreSearch: true })) ?? fetch(request)
 }
 
-const fileAt = (name: string) => new URL(name, self.registration.scope).href
+/** The page itself, also where a program has written the `#` of a link as a code. */
+function isPage({ mode, url }: Request): boolean {
+  const path = new URL(url).pathname.slice(new URL(SCOPE).pathname.length)
+  return mode === 'navigate' && /^(?:$|%23[xq](?:=|%3d))/i.test(path)
+}
 
-/** The cache of the version in use: the one that was chosen while it is there, else the newest. */
-async function used(): Promise<string> {
-  const choice = await caches.open(CHOICE)
-  const chosen = await (await choice.match(KEY))?.text()
-  if (chosen && (await caches.has(chosen))) return chosen
-  await choice.put(KEY, new Response(NEWEST))
-  return NEWEST
+const fileAt = (name: string) => new URL(name, SCOPE).href
+
+/** The cache of the version in use; null where none is whole. */
+async function used(): Promise<string | null> {
+  const chosen = (await caches.has(CHOICE))
+    ? await (await (await caches.open(CHOICE)).match(KEY))?.text()
+    : undefined
+  for (const name of [chosen, NEWEST]) if (name && (await versionIn(name))) return name
+  return null
+}
+
+/** Notes which version is in use, and keeps beside it the newest alone: another one that waited before is wanted no more. */
+async function tidy(): Promise<void> {
+  const now = (await used()) ?? NEWEST
+  await (await caches.open(CHOICE)).put(KEY, new Response(now))
+  await forget((name) => ![now, NEWEST, CHOICE].includes(name))
 }
 
 async function reply(request: KeepRequest): Promise<KeptPage | null> {
@@ -71,19 +87,22 @@ async function reply(request: KeepRequest): Promise<KeptPage | null> {
       await forget((name) => name !== NEWEST && name !== CHOICE)
       return null
     case 'forget':
-      await forget(() => true)
+      isGone = true
       await self.registration.unregister()
+      await forget(() => true)
       return null
   }
 }
 
 async function look(): Promise<KeptPage | null> {
-  const [now, newest] = await Promise.all([used().then(versionIn), versionIn(NEWEST)])
-  if (!now || !newest) return null
-  return { used: now, newer: (await used()) === NEWEST ? null : newest, bytes }
+  const name = await used()
+  const now = name && (await versionIn(name))
+  if (!now) return null
+  return { used: now, newer: name === NEWEST ? null : await versionIn(NEWEST), bytes }
 }
 
 async function versionIn(name: string): Promise<PageVersion | null> {
+  if (!(await caches.has(name))) return null
   const cache = await caches.open(name)
   return (await cache.match(fileAt('version.json'), { ignoreSearch: true }))?.json() ?? null
 }

@@ -33,10 +33,12 @@ export async function open(text: string): Promise<Uint8Array> {
     try {
       return await unsealed(candidate)
     } catch (error) {
+      // Of what is too large the rest would be, too.
+      if (isTooLarge(error)) throw error
       fault ??= error
     }
   }
-  throw told === null || isTooLarge(fault) ? fault : missing(words, told)
+  throw told === null ? fault : missing(words, told)
 }
 
 /** What the text may be, the likeliest first. Only one that is whole can be unpacked. */

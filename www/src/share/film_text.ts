@@ -2,7 +2,8 @@
 
 /** Metadata lies within so many bytes of either end. */
 const REACH = 1 << 18
-const LINK = /https?:\/\/[^\s"'<>#]*#x=[\w-]+/
+/** Addresses are shorter; without a bound, a file of nothing but beginnings would take minutes. */
+const LINK = /https?:\/\/[^\s"'<>#]{0,1000}#x=[\w-]+/
 
 const EBML = [0x1a, 0x45, 0xdf, 0xa3]
 const FTYP = [...'ftyp'].map((letter) => letter.charCodeAt(0))

@@ -19,7 +19,7 @@ const TEXT = new RegExp(`^(?:${BREAK.source})?[\\w-]+(?:(?:${BREAK.source})[\\w-
 const MOST_WORDS = 200
 
 /** What follows addresses and is none of them. */
-const TRAILING = /[\s.,;:!?)\]}>"'’”»…*_~|`。，、；：！？）】》」』]+$|=20$/
+const TRAILING = /[\s.,;:!?)\]}>"'’”»…*_~|`。，、；：！？）】》」』]/
 /** What programs put behind addresses: to know where readers came from, or to look at where they go. */
 const TRACKER =
   /^(?:utm_\w+|fbclid|gclid|msclkid|igshid|mc_[ce]id|_hsenc|_hsmi|si|ref|s?data|reserved)=/
@@ -74,5 +74,12 @@ function endingOf(behind: string): string {
   const told = [first, ...pieces].filter(
     (piece) => !TRACKER.test(piece.slice(1)) && piece.startsWith('&'),
   )
-  return told.map((piece) => piece.replace(TRAILING, '').replace('=3D', '=')).join('')
+  return told.map((piece) => withoutTrailing(piece).replace('=3D', '=')).join('')
+}
+
+/** From its end on: an expression that may begin anywhere takes minutes for a long row of dots. */
+function withoutTrailing(piece: string): string {
+  let end = piece.endsWith('=20') ? piece.length - 3 : piece.length
+  while (end > 0 && TRAILING.test(piece.charAt(end - 1))) end--
+  return piece.slice(0, end)
 }

@@ -15,13 +15,17 @@ interface Entry {
 }
 
 /** A link whose signs a program has written as codes: then it may stand in the path or the query, and nowhere behind a `#`. */
-const CODED = /[?&#]*(#|%(25)*23)([xq])(=|%(25)*3d)/i
+const CODED = /(?:#|%(?:25)*23)([xq])(?:=|%(?:25)*3d)/i
 
 /** The rest of the page finds the link where it belongs. */
 function uncode(): void {
-  const plain = location.href.replace(CODED, '#$3=')
-  if (!/^#[xq]=/.test(location.hash) && plain !== location.href)
-    history.replaceState(history.state, '', plain)
+  const { href, hash } = location
+  const found = /^#[xq]=/.test(hash) ? null : CODED.exec(href)
+  if (!found) return
+  let at = found.index
+  while ('?&#'.includes(href[at - 1] ?? '-')) at--
+  const link = `#${found[1]}=${href.slice(found.index + found[0].length)}`
+  history.replaceState(history.state, '', href.slice(0, at) + link)
 }
 uncode()
 

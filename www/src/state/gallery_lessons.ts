@@ -4,6 +4,7 @@ import { LESSON_IDS, lessonText, measuredIn } from '../gallery/lesson_files'
 import { addLessonsWords, t } from '../i18n/lessons'
 import type { Session } from '../model/session'
 import { sessionFromFile, sessionToFile } from '../share/link'
+import { pageAddress } from '../share/page_file'
 import { goTo, place } from './address'
 import { openText } from './files'
 import { guide, LESSON_PREFIX } from './lesson'
@@ -73,8 +74,7 @@ export async function lessonFile(id: string): Promise<string> {
   return sessionToFile(await lessonSession(id), engineVersion.peek())
 }
 
-export const lessonAddress = (id: string) =>
-  `${location.href.replace(/#.*$/, '')}${LESSON_PREFIX}${id}`
+export const lessonAddress = (id: string) => `${pageAddress()}${LESSON_PREFIX}${id}`
 
 /** Opens a lesson as its link does. */
 export const openLesson = (id: string) => openText(LESSON_PREFIX + id)

@@ -32,15 +32,17 @@ function tellRun({ tell }: Parent, told: Map<number, Told>, panel: Panel, at: nu
     told.delete(panel.id)
     return
   }
-  const { iteration, value, objective, status, digest, metrics } = summary
+  const { iteration, iteration_of_best, value, objective, status, digest, metrics } = summary
   const last = told.get(panel.id)
   const { planner } = panel.setup
   const length = metrics?.length ?? null
   const moment: RunMoment = { panel: at, planner, iteration, length, value, objective }
   const best = value ?? Number.POSITIVE_INFINITY
   const ended = status !== 'running'
-  if (value !== null && (last === undefined || best < last.best))
-    tell(last === undefined ? 'first-path' : 'better-path', moment)
+  if (value !== null && (last === undefined || best < last.best)) {
+    const found = { ...moment, iteration: iteration_of_best ?? iteration }
+    tell(last === undefined ? 'first-path' : 'better-path', found)
+  }
   if (ended && !last?.ended) tell('end', { ...moment, status, digest })
   told.set(panel.id, { best, ended })
 }

@@ -60,7 +60,7 @@ export const enFilm = {
     move: 'Move {{move}}',
     noPath: 'no path yet',
     never: 'no path',
-    scan: 'Scan to run this race again, bit for bit',
+    scan: 'Scan to run this race again',
     comment: 'The link is too long for a code; it stands in the file’s comment.',
     noLink: 'This race is too large for a link; its session file repeats it.',
     step: 'Step {{step}} of {{steps}}',

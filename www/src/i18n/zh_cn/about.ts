@@ -31,7 +31,7 @@ export const zhCNAbout: DictionaryShape<typeof enAbout> = {
     here: '此处重复',
     none: '没有记录',
     noPath: '没有路径',
-    after: '{{count}} 次迭代后',
+    after_other: '{{n}} 次迭代后',
     verified: '已验证',
     differs: '不同',
     pending: '正在重复……',
@@ -79,8 +79,10 @@ export const zhCNAbout: DictionaryShape<typeof enAbout> = {
     race: 'Formicarium {{engine}}。{{title}}。地图：{{map}}，{{width}} × {{height}} 格；种子 {{seed}}。{{runs}}',
     comparison:
       'Formicarium {{engine}}。{{title}}。{{maps}} 张地图，{{entries}} 个规划器，{{seeds}} 个种子；比较的摘要为 {{digest}}。',
-    run: '{{planner}}：{{iterations}} 次迭代，长度 {{length}}，摘要 {{digest}}。',
-    runNoPath: '{{planner}}：{{iterations}} 次迭代，没有路径，摘要 {{digest}}。',
+    run_other: '{{planner}}：{{count}} 次迭代，长度 {{length}}，摘要 {{digest}}。',
+    runNoPath_other: '{{planner}}：{{count}} 次迭代，没有路径，摘要 {{digest}}。',
+    runSearch: '{{planner}}：长度 {{length}}，摘要 {{digest}}。',
+    runNoPathSearch: '{{planner}}：没有路径，摘要 {{digest}}。',
     setUp: '{{planner}}：没有记录。',
   },
 }

@@ -1,0 +1,61 @@
+/** A proxy that refuses everything stands between the page and the world: nothing that the page does ever reaches it. */
+import { once } from 'node:events'
+import { createServer, type Server } from 'node:http'
+import type { AddressInfo } from 'node:net'
+import { chromium, expect, test } from '@playwright/test'
+import { RacePage } from './race_page'
+
+let proxy: Server
+let asked: string[]
+
+test.beforeAll(async () => {
+  asked = []
+  proxy = createServer(({ url = '' }, response) => {
+    asked.push(url)
+    response.writeHead(403).end()
+  })
+  proxy.on('connect', ({ url = '' }, socket) => {
+    asked.push(url)
+    socket.end('HTTP/1.1 403 Forbidden\r\n\r\n')
+  })
+  proxy.listen(0, 'localhost')
+  await once(proxy, 'listening')
+})
+test.afterAll(() => proxy.close())
+
+test('no request leaves the origin: race, link, dialogs, comparison, a copy for days without a network', async ({
+  baseURL,
+}) => {
+  const { launchOptions } = test.info().project.use
+  const browser = await chromium.launch({
+    ...launchOptions,
+    proxy: {
+      server: `http://localhost:${(proxy.address() as AddressInfo).port}`,
+      // Only the page's own host is spared.
+      bypass: new URL(baseURL ?? '').host,
+    },
+  })
+  const page = await browser.newPage({ baseURL, serviceWorkers: 'allow' })
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await page.evaluate(() => window.formicarium.run({ iterations: 3 }))
+  const link = await race.shareLink()
+  await page.getByTestId('help').click()
+  await expect(page.getByTestId('offline')).toHaveAttribute('data-keeping', 'kept', {
+    timeout: 60_000,
+  })
+  await page.keyboard.press('Escape')
+  await page.getByTestId('language').click()
+  await page.getByTestId('language-zh-CN').click()
+  await race.menu('map-menu', 'gallery-terrain-hills')
+  await race.ready()
+  await page.evaluate(() => window.formicarium.compare({ planners: ['astar'], seeds: 1 }))
+  await page.goto('about:blank')
+  await page.goto(link)
+  await expect(page.getByTestId('verified-1')).toHaveAttribute('data-verified', 'verified')
+  expect(asked).toEqual([])
+  // It would have been heard.
+  await page.goto('http://formicarium.example/').catch(() => {})
+  expect(asked.length).toBeGreaterThan(0)
+  await browser.close()
+})
