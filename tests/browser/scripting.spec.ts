@@ -58,8 +58,8 @@ async function refusal(page: Page, code: string): Promise<Refusal> {
 const REFUSED: [code: string, kind: string, field: string][] = [
   ['formicarium.load("")', 'unknown-format', 'file'],
   ['formicarium.load([])', 'nothing-to-open', 'source'],
-  ['formicarium.load(3)', 'link-invalid', 'session'],
-  ['formicarium.load(null)', 'link-invalid', 'session'],
+  ['formicarium.load(3)', 'bad-option', 'source'],
+  ['formicarium.load(null)', 'bad-option', 'source'],
   ['formicarium.load(["a.map"])', 'bad-option', 'source'],
   ['formicarium.load("https://example.org/#x=rubbish")', 'link-damaged', ''],
   ['formicarium.load("S..\\n.#.\\n..G\\n", { row: 3 })', 'unused-option', 'row'],

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals'
-import { LoaderCircle, RotateCw, TriangleAlert } from 'lucide'
+import { LoaderCircle, TriangleAlert } from 'lucide'
 import { Dialogs } from '../dialogs/dialog_switch'
 import { t } from '../i18n'
 import { describeError } from '../i18n/errors'
@@ -99,27 +99,19 @@ function Loading() {
 }
 
 function StartFailed() {
-  const { message } = describeError(startError.value)
-  if (isOutdated(startError.value)) return <NewerVersion />
+  const { message, hint } = describeError(startError.value)
+  const reload = isOutdated(startError.value)
   return (
     <main class="empty" data-testid="start-failed">
       <Icon icon={TriangleAlert} size={36} />
       <h2>{t('app.failed')}</h2>
-      <p role="alert">{t('app.failedHint')}</p>
-      <Button label={t('app.retry')} tone="primary" onClick={() => startPage()} />
-      <p class="hint">{message}</p>
-    </main>
-  )
-}
-
-function NewerVersion() {
-  const { message, hint } = describeError(startError.value)
-  return (
-    <main class="empty" data-testid="start-outdated">
-      <Icon icon={RotateCw} size={36} />
-      <p role="alert">{message}</p>
-      <p class="hint">{hint}</p>
-      <Button label={t('app.reload')} tone="primary" onClick={reloadPage} />
+      <p role="alert">{reload ? message : t('app.failedHint')}</p>
+      <Button
+        label={t(reload ? 'app.reload' : 'app.retry')}
+        tone="primary"
+        onClick={() => (reload ? reloadPage() : startPage())}
+      />
+      <p class="hint">{reload ? hint : message}</p>
     </main>
   )
 }

@@ -8,7 +8,6 @@ import { notifyError, rememberedLanguage, startPage } from '../state'
 import { embedding } from '../state/embedding'
 import { App, drawRest } from './app'
 import { listenForDrops } from './drop_files'
-import { openLaunched } from './launched_files'
 import { listenForPaste } from './paste'
 import { offerScripting } from './scripting'
 import { listenForKeys } from './shortcuts'
@@ -27,7 +26,7 @@ async function main(): Promise<void> {
   whenAntsWalk(() =>
     import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
   )
-  whenAtRest(() => import('../offline').then(({ keepPage }) => keepPage()))
+  whenAtRest(() => import('../offline').then(({ startResting }) => startResting()))
   const started = startPage()
   const soon = new Promise((resolve) => setTimeout(resolve, SOON_MS))
   await Promise.race([started.catch(() => {}), soon])
@@ -37,7 +36,6 @@ async function main(): Promise<void> {
   await anotherTask()
   drawRest()
   await started
-  openLaunched()
 }
 
 void main()

@@ -77,7 +77,7 @@ export function embeddedAddress(page: string, asked: Asked, fragment = ''): stri
   const { controls = [], theme, lang, autoplay, origin } = asked
   const isUsual = controls.join() === USUAL_CONTROLS.join()
   const query = [
-    isUsual || controls.length === 0 ? 'embed' : `embed=${controls.join(',')}`,
+    isUsual || controls.length === 0 ? 'embed' : `embed=${controls.join()}`,
     ...(theme ? [`theme=${encodeURIComponent(theme)}`] : []),
     ...(lang ? [`lang=${encodeURIComponent(lang)}`] : []),
     ...(autoplay ? ['autoplay'] : []),
