@@ -23,9 +23,7 @@ async function main(): Promise<void> {
   listenForKeys()
   listenForPaste()
   listenForDrops()
-  whenAntsWalk(() =>
-    import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError),
-  )
+  whenAntsWalk(() => setTimeout(announce, SOON_MS))
   whenAtRest(() => import('../offline').then(({ startResting }) => startResting()))
   const started = startPage()
   const soon = new Promise((resolve) => setTimeout(resolve, SOON_MS))
@@ -37,5 +35,8 @@ async function main(): Promise<void> {
   drawRest()
   await started
 }
+
+const announce = () =>
+  import('../panels/announce_run').then(({ announceRuns }) => announceRuns(), notifyError)
 
 void main()

@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'preact/hooks'
 import '../styles/card.css'
-import { language, t } from '../i18n'
+import { language } from '../i18n'
+import { t } from '../i18n/column'
 import { closeDialog } from '../state/dialogs'
 import { Dialog } from '../ui/dialog'
 import { FormError } from '../ui/form_error'

@@ -5,7 +5,7 @@
 
 import { marked, type Token, type Tokens } from 'marked'
 import type { ComponentChildren, JSX } from 'preact'
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 
 /** Drawings that stand beside the cards, by their files' names. */
 const pictures = import.meta.glob<string>('../../../docs/papers/*.svg', {

@@ -41,16 +41,15 @@ async function script(href: string): Promise<void> {
 
 async function style(href: string): Promise<void> {
   if (isLoaded(href)) return
-  await (await fetchOwn(href)).arrayBuffer().catch(refuse)
+  await script(href)
   const link = document.createElement('link')
   link.rel = 'stylesheet'
   link.href = href
-  const loaded = new Promise<void>((resolve, reject) => {
-    link.onload = () => resolve()
-    link.onerror = () => reject(new Error('a style has not been read'))
-  })
-  document.head.append(link)
-  await loaded.catch(() => {
+  await new Promise((resolve, reject) => {
+    link.onload = resolve
+    link.onerror = reject
+    document.head.append(link)
+  }).catch(() => {
     link.remove()
     refuse()
   })

@@ -1,10 +1,11 @@
 /** `t` for the page within another one, and for what makes it so: words that are fetched when one of them is wanted. */
-import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
+import { addWords, type KeyOf } from '.'
+import { type ColumnKey, t as tOfPage } from './column'
 import { enEmbed } from './en/embed'
 
 const english = { embed: enEmbed }
 
-export type EmbedKey = TextKey | KeyOf<typeof english>
+export type EmbedKey = ColumnKey | KeyOf<typeof english>
 
 export const t = tOfPage as (key: EmbedKey, args?: Record<string, unknown>) => string
 

@@ -1,5 +1,6 @@
 /** `t` for the laboratory, whose words are fetched with it. */
-import { addWords, type KeyOf, type TextKey, t as tOfPage } from '.'
+import { addWords, type KeyOf } from '.'
+import { type ColumnKey, t as tOfPage } from './column'
 import { enLab } from './en/lab'
 import { enLabClaims } from './en/lab_claims'
 import { enLabClass } from './en/lab_class'
@@ -20,7 +21,7 @@ const english = {
   },
 }
 
-export type LabKey = TextKey | KeyOf<typeof english>
+export type LabKey = ColumnKey | KeyOf<typeof english>
 
 export const t = tOfPage as (key: LabKey, args?: Record<string, unknown>) => string
 

@@ -1,5 +1,5 @@
 /** Copies text to the clipboard. */
-import { t } from '../i18n'
+import { t } from '../i18n/column'
 import { announce, notify } from '../state'
 import { putOnClipboard } from '../state/clipboard'
 

@@ -1,4 +1,4 @@
-/** Of what stands beside the maps: charts, numbers, parameters, goals. Its Chinese comes with the page's. */
+/** Of what stands beside the maps (charts, numbers, parameters, goals), and words that many parts share. Its Chinese comes with the page's. */
 export const enColumn = {
   welcome: {
     region: 'Welcome',
@@ -134,5 +134,19 @@ export const enColumn = {
     walked: 'Walked',
     total: 'Sum',
     weightHint: 'R = walked length · b',
+  },
+  common: {
+    close: 'Close',
+    apply: 'Apply',
+    copy: 'Copy',
+    copied: 'Copied',
+    copyFailed: 'The browser did not allow copying',
+    copyFailedHint: 'Select the text and copy it with the keyboard.',
+    working: 'Working…',
+  },
+  papers: {
+    title: 'The paper',
+    aboutThis: 'About this algorithm',
+    listing: 'Commands',
   },
 }

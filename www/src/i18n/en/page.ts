@@ -12,15 +12,6 @@ export const en = {
     retry: 'Try again',
     reload: 'Reload',
   },
-  common: {
-    close: 'Close',
-    apply: 'Apply',
-    copy: 'Copy',
-    copied: 'Copied',
-    copyFailed: 'The browser did not allow copying',
-    copyFailedHint: 'Select the text and copy it with the keyboard.',
-    working: 'Working…',
-  },
   header: {
     view: 'What to do',
     views: { race: 'Watch', lab: 'Compare' },
@@ -237,10 +228,7 @@ export const en = {
     on: 'on',
   },
   papers: {
-    title: 'The paper',
     about: 'About {{name}}',
-    aboutThis: 'About this algorithm',
-    listing: 'Commands',
   },
   ...enMaps,
   ...enRelief,
