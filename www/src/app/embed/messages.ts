@@ -12,6 +12,7 @@ import {
   VERSION,
 } from '../../model/embed_messages'
 import { badOption, ScriptError, toScriptError } from '../../model/script_error'
+import { flushLive } from '../../state'
 
 type Request = Record<string, unknown> & { kind: RequestKind }
 
@@ -73,6 +74,8 @@ async function answer(request: Request): Promise<Sent> {
     return refusal(null, badOption('id', 'must be a text or a number'))
   try {
     const value = (await call(request)) ?? null
+    // What the runs have come to is told before the answer that it belongs to.
+    flushLive()
     return { formicarium: VERSION, kind: 'answer', id, value }
   } catch (error) {
     return refusal(id, toScriptError(error))
