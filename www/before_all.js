@@ -83,10 +83,13 @@
 
   function sayUnfetched() {
     // Should a copy of the page be at fault, the next try asks the network.
-    if (navigator.serviceWorker)
+    try {
       navigator.serviceWorker.getRegistration().then(function (kept) {
         if (kept) kept.unregister()
       })
+    } catch (error) {
+      // A sandbox has none, and refuses to be asked.
+    }
     say(
       words('The page could not be fetched', '无法获取页面'),
       words('Check the connection and try again. If that does not help, the page has been moved or is being renewed.', '请检查网络连接后重试。如果仍然不行，页面可能已移动或正在更新。'),

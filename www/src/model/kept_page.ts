@@ -11,7 +11,7 @@ export interface PageVersion {
 export interface KeptPage {
   used: PageVersion
   newer: PageVersion | null
-  /** Of the version in use. */
+  /** Of the newest version: the others are about as large. */
   bytes: number
 }
 
