@@ -126,8 +126,10 @@ function Run({ panel, name }: { panel: Panel; name: string }) {
   )
 }
 
-const lengthWords = ({ length }: RecordedResult) =>
-  length === null ? t('about.runs.noPath') : numbers.value.length.format(length)
+function lengthWords({ length, status }: RecordedResult): string {
+  if (length !== null) return numbers.value.length.format(length)
+  return t(status === 'running' ? 'about.runs.noPathYet' : 'about.runs.noPath')
+}
 
 /** A record has the length alone, so other objectives have no gap here. */
 function gapOfRecorded({ live }: Panel, { length }: RecordedResult): number | null {

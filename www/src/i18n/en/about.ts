@@ -29,6 +29,7 @@ export const enAbout = {
     here: 'Repeated here',
     none: 'nothing recorded',
     noPath: 'no path',
+    noPathYet: 'no path yet',
     after_one: 'after {{n}} iteration',
     after_other: 'after {{n}} iterations',
     verified: 'verified',

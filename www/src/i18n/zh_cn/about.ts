@@ -31,6 +31,7 @@ export const zhCNAbout: DictionaryShape<typeof enAbout> = {
     here: '此处重复',
     none: '没有记录',
     noPath: '没有路径',
+    noPathYet: '尚无路径',
     after_other: '{{n}} 次迭代后',
     verified: '已验证',
     differs: '不同',
