@@ -1,7 +1,7 @@
 /** The link of the share dialog as a QR code, small and on the whole screen; and the way to films of the race. */
 import '../styles/link_code.css'
 import { Clapperboard, FileCode2, X } from 'lucide'
-import { useEffect, useRef, useState } from 'preact/hooks'
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks'
 import { MOST_QR_BYTES, type QrCode, qrCode, qrSvg } from '../figures/qr_code'
 import { svgText } from '../figures/svg'
 import { numbers } from '../i18n'
@@ -106,7 +106,7 @@ function Picture({ code }: { code: QrCode }) {
 /** White to the edges, as readers of codes want it; any press closes it. */
 function WholeScreen({ code, onClose }: { code: QrCode; onClose: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => dialog.current?.showModal(), [])
+  useLayoutEffect(() => dialog.current?.showModal(), [])
   return (
     <dialog
       ref={dialog}
