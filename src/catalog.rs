@@ -218,11 +218,9 @@ fn check_memory(scenario: &Scenario, ants: u32) -> Result<(), ParamError> {
 /// # Errors
 /// [`ParamError::Ground`] where the planner does not know how one moves in the scenario.
 fn check_ground(entry: &PlannerEntry, scenario: &Scenario) -> Result<(), ParamError> {
-    let ground = Ground::of(scenario);
-    if entry.grounds.contains(&ground) {
-        return Ok(());
-    }
-    let able = CATALOG.iter().filter(|e| e.grounds.contains(&ground)).map(|e| e.id).collect::<Vec<_>>();
+    let knows_all = |e: &PlannerEntry| Ground::all_of(scenario).all(|ground| e.grounds.contains(&ground));
+    let Some(ground) = Ground::all_of(scenario).find(|ground| !entry.grounds.contains(ground)) else { return Ok(()) };
+    let able = CATALOG.iter().filter(|e| knows_all(e)).map(|e| e.id).collect::<Vec<_>>();
     let (id, words) = ground.words();
     Err(ParamError::Ground { planner: entry.id.into(), ground: words, id, others: able.join(", ") })
 }

@@ -44,6 +44,9 @@ pub struct Findings {
     pub outside: Vec<At>,
     /// Cells on obstacles.
     pub collisions: Vec<At>,
+    /// Free cells in which the robot does not fit; always empty where it is a point.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub narrow: Vec<At>,
     /// Steps to a cell that is no neighbour.
     pub jumps: Vec<Step>,
     /// Steps between free neighbours that the movement does not allow.
@@ -58,8 +61,9 @@ pub struct Findings {
 
 impl Findings {
     /// Audits a path on a map that need not be a usable scenario. Its ends count only where `has_ends`: the map's file names them.
-    pub fn of(grid: &Grid, spec: &ScenarioSpec, has_ends: bool, path: &[Point], kind: PathKind) -> Self {
-        let movement = spec.movement;
+    pub fn of(drawn: &Grid, spec: &ScenarioSpec, has_ends: bool, path: &[Point], kind: PathKind) -> Self {
+        let ground = Scenario::unvalidated(drawn.clone(), spec.clone(), 0, 0);
+        let (grid, movement) = (&ground.grid, spec.movement);
         let cells = |wrong: &dyn Fn(Point) -> bool| -> Vec<At> {
             path.iter().enumerate().filter(|(_, p)| wrong(**p)).map(|(index, &at)| At { index, at }).collect()
         };
@@ -69,18 +73,33 @@ impl Findings {
         };
         let joints = |of: PathKind, wrong: &dyn Fn(Point, Point) -> bool| if kind == of { all(wrong) } else { Vec::new() };
         let outside = cells(&|p| !grid.contains(p));
-        let collisions = cells(&|p| grid.contains(p) && grid.is_blocked(grid.cell(p)));
+        let blocked = |grid: &Grid, p: Point| grid.contains(p) && grid.is_blocked(grid.cell(p));
+        let collisions = cells(&|p| blocked(drawn, p));
+        let narrow = cells(&|p| blocked(grid, p) && !blocked(drawn, p));
         let jumps = joints(PathKind::Steps, &|from, to| direction_between(from, to).is_none());
         let corner_cuts = joints(PathKind::Steps, &|from, to| cuts_corner(grid, movement, from, to));
         let out_of_sight = joints(PathKind::Polyline, &|from, to| hidden(grid, movement, from, to));
-        let ground = Scenario::unvalidated(grid.clone(), spec.clone(), 0, 0);
         let too_steep = all(&|from, to| is_too_steep(&ground, from, to));
         let wrong_ends = wrong_ends(spec, has_ends, path);
         let measurable = outside.is_empty() && jumps.is_empty();
         let joined = corner_cuts.is_empty() && out_of_sight.is_empty() && too_steep.is_empty();
-        let ok = measurable && joined && collisions.is_empty() && wrong_ends.is_empty() && !path.is_empty();
-        let metrics = if measurable { measure(grid, spec, path) } else { None };
-        Self { format: FORMAT, kind, ok, wrong_ends, outside, collisions, jumps, corner_cuts, too_steep, out_of_sight, metrics }
+        let fits = collisions.is_empty() && narrow.is_empty();
+        let ok = measurable && joined && fits && wrong_ends.is_empty() && !path.is_empty();
+        let metrics = measurable.then(|| measure(&ground, path));
+        Self {
+            format: FORMAT,
+            kind,
+            ok,
+            wrong_ends,
+            outside,
+            collisions,
+            narrow,
+            jumps,
+            corner_cuts,
+            too_steep,
+            out_of_sight,
+            metrics: metrics.flatten(),
+        }
     }
 }
 
@@ -150,11 +169,9 @@ fn wrong_ends(spec: &ScenarioSpec, has_ends: bool, path: &[Point]) -> Vec<String
 }
 
 /// The metrics of a path of neighbouring cells or of a polyline on the map. It need not be valid, so no validated scenario can be asked for.
-fn measure(grid: &Grid, spec: &ScenarioSpec, path: &[Point]) -> Option<Metrics> {
-    let cells: Vec<_> = path.iter().map(|&p| grid.cell(p)).collect();
-    let (&start, &goal) = (cells.first()?, cells.last()?);
-    let scenario = Scenario::unvalidated(grid.clone(), spec.clone(), start, goal);
-    Some(Metrics::of(&scenario, &cells))
+fn measure(ground: &Scenario, path: &[Point]) -> Option<Metrics> {
+    let cells: Vec<Cell> = path.iter().map(|&p| ground.grid.cell(p)).collect();
+    (!cells.is_empty()).then(|| Metrics::of(ground, &cells))
 }
 
 /// A cell in words.

@@ -25,7 +25,8 @@ pub struct Metrics {
     pub steps: u32,
     /// Number of steps whose direction differs from the step before.
     pub turns: u32,
-    /// V(d, r) = Σ dᵢ·rᵢ in cells, rᵢ = 1.2 if step i turns, else 1. The steps of a polyline are its segments.
+    /// V(d, r) = Σ dᵢ·rᵢ in cells, rᵢ = 1.2 if step i turns, else 1; dᵢ on weighted ground what step i costs. The steps of a polyline are
+    /// its segments.
     pub turn_index: f64,
     /// Smallest distance in cells from the centre of a cell that the path crosses to the nearest obstacle's centre; the world beyond the
     /// border is an obstacle. A polyline crosses the cells that its segments pass through, so straight stretches may be merged.
@@ -34,6 +35,9 @@ pub struct Metrics {
     pub mean_clearance: f64,
     /// Arrival time in seconds: metres / speed + turns · seconds per turn.
     pub travel_time: f64,
+    /// On weighted ground alone: what it costs, in cells; each stretch counts its length times the factor of its cell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<f64>,
     /// On a terrain alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub terrain: Option<TerrainMetrics>,
@@ -75,10 +79,10 @@ impl Metrics {
     /// # Ok::<(), formicarium::error::ScenarioError>(())
     /// ```
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Self {
-        let length = scenario.path_length(path);
+        let length = scenario.ground_length(path);
         let cells = scenario.cells_of(path);
         let (turns, turning) = turning(scenario, path, &cells);
-        let (min_clearance, mean_clearance) = clearance(&scenario.grid, &cells);
+        let (min_clearance, mean_clearance) = clearance(&scenario.drawn, &cells);
         let metres =
             if scenario.by_slices().is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
         let vehicle = scenario.spec.vehicle;
@@ -87,10 +91,11 @@ impl Metrics {
             length_metres: metres,
             steps: path.len().saturating_sub(1) as u32,
             turns,
-            turn_index: weighed(length, turning),
+            turn_index: weighed(scenario.path_length(path), turning),
             min_clearance,
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
+            cost: scenario.moves.weights().map(|_| scenario.path_length(path)),
             terrain: terrain(scenario, path),
         }
     }
@@ -111,7 +116,7 @@ fn weighed(length: f64, turning: f64) -> f64 {
 fn turning(scenario: &Scenario, path: &[Cell], cells: &[Cell]) -> (u32, f64) {
     let (width, area) = (scenario.grid.width(), scenario.grid.len() as Cell);
     let climbs = |a: usize, b: usize| (path[b] / area) as i32 - (path[a] / area) as i32;
-    let on_plane = scenario.by_slices().is_none() && scenario.moves.relief().is_none();
+    let on_plane = scenario.by_slices().is_none() && scenario.moves.is_plain();
     let (mut turns, mut tally, mut sum) = (0u32, PlaneLength::default(), 0.0);
     for k in 2..path.len() {
         let (before, after) = (displacement(width, cells[k - 2], cells[k - 1]), displacement(width, cells[k - 1], cells[k]));

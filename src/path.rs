@@ -248,7 +248,8 @@ param_choice! {
 }
 
 /// What refinement makes of a path of steps: from the start on, nodes in sight are dropped and the one that [`Refinement`] names is kept.
-/// The polyline is never longer than the path: on a terrain, where the straight way may lead over a hill, nodes in sight stay if it would be.
+/// The polyline is never longer than the path, nor dearer: where the straight way may lead over a hill or through a swamp, nodes in sight
+/// stay if it would be.
 pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
     let at = |k: usize| scenario.grid.point(path[k]);
     let mut refined: Path = path.first().copied().into_iter().collect();
@@ -268,10 +269,10 @@ pub fn refine(scenario: &Scenario, path: &[Cell], how: Refinement) -> Path {
     refined
 }
 
-/// Whether the straight way between the ends of a path is no longer than the path: always on a plane.
+/// Whether the straight way between the ends of a path is no longer than the path, on weighted ground no dearer: always on plain ground.
 fn no_detour(scenario: &Scenario, path: &[Cell]) -> bool {
-    let (Some(relief), [first, .., last]) = (scenario.moves.relief(), path) else { return true };
-    relief.segment(*first, *last).length <= scenario.path_length(path)
+    let (false, [first, .., last]) = (scenario.moves.is_plain(), path) else { return true };
+    scenario.path_length(&[*first, *last]) <= scenario.path_length(path)
 }
 
 /// The direction of the step between two neighbouring cells.

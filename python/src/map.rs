@@ -93,7 +93,7 @@ impl Map {
     fn with_spec(&self, py: Python<'_>, spec: &str, has_ends: bool) -> PyResult<(Self, Notices)> {
         let made = py.detach(|| {
             let spec = formats::read_spec(spec)?;
-            let scenario = Scenario::new(self.scenario.grid.clone(), spec)?;
+            let scenario = Scenario::new(self.scenario.drawn.clone(), spec)?;
             let notices = told(scenario.notices());
             Ok::<_, Refusal>((Self { scenario: Arc::new(scenario), has_ends }, notices))
         });
@@ -119,12 +119,12 @@ impl Map {
 
     /// One byte a cell, row by row.
     fn cells<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &self.scenario.grid.to_bytes())
+        PyBytes::new(py, &self.scenario.drawn.to_bytes())
     }
 
     /// The heights as little-endian f32, row by row; none on a plane.
     fn heights<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
-        let heights = self.scenario.grid.heights()?;
+        let heights = self.scenario.drawn.heights()?;
         let bytes: Vec<u8> = heights.iter().flat_map(|height| height.to_le_bytes()).collect();
         Some(PyBytes::new(py, &bytes))
     }

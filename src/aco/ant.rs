@@ -19,7 +19,7 @@ pub struct Ant {
     pub(super) steps: Vec<Direction>,
     /// How many of the steps are diagonal.
     diagonals: u32,
-    /// Length of its way over the ground of a terrain, in cells; 0 on a plane, where steps are counted.
+    /// What its way has cost on a terrain or on weighted ground, in cells; 0 on plain ground, where steps are counted.
     over_ground: f64,
     /// Places that were left by backtracking and are still on the tabu list.
     abandoned: Vec<Place>,
@@ -123,7 +123,7 @@ impl Ant {
         self.moves
     }
 
-    /// Length of its way so far in cells, without what it took back.
+    /// Length of its way so far in cells, without what it took back; on weighted ground its cost.
     pub fn walked(&self) -> f64 {
         if self.over_ground > 0.0 {
             self.over_ground
@@ -132,7 +132,7 @@ impl Ant {
         }
     }
 
-    /// Length of its way in cells, once it has arrived.
+    /// The same once it has arrived.
     pub fn length(&self) -> Option<f64> {
         (self.fate == Fate::Arrived).then(|| self.walked())
     }
@@ -179,13 +179,13 @@ impl Ant {
         }
     }
 
-    /// Counts its diagonal steps, and on a terrain the ground, which it does not while it walks beside others.
+    /// Counts its diagonal steps, and where the ground is not plain what it has cost, which it does not while it walks beside others.
     #[inline(never)]
     pub(super) fn count(&mut self, walk: &Walk) {
         // 255 fit into a byte.
         let diagonals = |steps: &[Direction]| steps.iter().map(|&d| u8::from(is_diagonal(d))).sum::<u8>();
         self.diagonals = self.steps.chunks(255).map(|steps| u32::from(diagonals(steps))).sum();
-        if walk.moves.relief().is_some() {
+        if !walk.moves.is_plain() {
             self.over_ground = self.summed(walk.moves);
         }
     }
@@ -194,20 +194,20 @@ impl Ant {
     fn step(&mut self, walk: &Walk, d: Direction) {
         self.steps.push(d);
         self.diagonals += u32::from(is_diagonal(d));
-        if walk.moves.relief().is_some() {
+        if !walk.moves.is_plain() {
             self.over_ground += walk.moves.length(self.cell, d);
         }
         self.cell = walk.moves.step(self.cell, d);
         self.place = self.tabu.step(self.place, d);
         if self.cell == walk.goal {
             self.fate = Fate::Arrived;
-            if walk.moves.relief().is_some() {
+            if !walk.moves.is_plain() {
                 self.over_ground = self.summed(walk.moves);
             }
         }
     }
 
-    /// Length of its way over the ground, from the start on: what steps taken back have left behind by rounding is gone.
+    /// What its way has cost from the start on: what steps taken back have left behind by rounding is gone.
     #[inline(never)]
     fn summed(&self, moves: &MoveSet) -> f64 {
         let mut at = self.cell;
@@ -245,7 +245,7 @@ impl Ant {
     fn go_back(&mut self, walk: &Walk) {
         let Some(d) = self.at_dead_end(walk) else { return };
         self.diagonals -= u32::from(is_diagonal(d));
-        if walk.moves.relief().is_some() {
+        if !walk.moves.is_plain() {
             self.over_ground -= walk.moves.length(self.cell, d);
         }
     }

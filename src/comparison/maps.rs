@@ -56,7 +56,7 @@ impl Map {
 
     /// Whether the same is asked on both: equal cells, heights, ends and rules.
     pub(super) fn is_same(&self, other: &Self) -> bool {
-        self.scenario.spec == other.scenario.spec && self.scenario.grid == other.scenario.grid
+        self.scenario.spec == other.scenario.spec && self.scenario.drawn == other.scenario.drawn
     }
 
     /// What paths on it are compared by: by slices their cost, elsewhere their length.

@@ -119,8 +119,9 @@ impl Comparison {
         digest.bytes(json(&self.question).as_bytes());
         for Map { scenario, .. } in &self.maps {
             digest.bytes(json(&scenario.spec).as_bytes());
-            digest.bytes(&scenario.grid.to_bytes());
-            scenario.grid.heights().iter().flat_map(|h| h.iter()).for_each(|&h| digest.f64(f64::from(h)));
+            digest.bytes(&scenario.drawn.to_bytes());
+            let numbers = scenario.drawn.heights().into_iter().chain(scenario.drawn.factors()).flat_map(|n| n.iter());
+            numbers.for_each(|&number| digest.f64(f64::from(number)));
         }
         self.imported.iter().for_each(|row| digest.bytes(json(row).as_bytes()));
         digest

@@ -73,6 +73,36 @@ pub enum ScenarioError {
         /// Whether the heights are what is missing.
         missing: bool,
     },
+    /// The factor of a cell of weighted ground is none.
+    #[cfg(feature = "whole")]
+    #[error("the factor {value} of the cell ({x}, {y}) cannot be used: it must be 1 to {most}")]
+    Factor {
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+        /// The refused value.
+        value: String,
+        /// Largest factor there can be.
+        most: f32,
+    },
+    /// Factors of cells on a map with heights.
+    #[cfg(feature = "whole")]
+    #[error("the map has heights and factors of cells: what a step costs there is not defined")]
+    WeightedTerrain,
+    /// Start or goal lies nearer to an obstacle than the robot's radius.
+    #[cfg(feature = "whole")]
+    #[error("the robot does not fit at the {role} ({x}, {y}): an obstacle is no farther than its radius of {radius} m")]
+    TooNarrow {
+        /// `start` or `goal`.
+        role: &'static str,
+        /// Column.
+        x: u32,
+        /// Row.
+        y: u32,
+        /// The robot's radius in metres.
+        radius: f64,
+    },
     /// By slices: start or goal lies in the ground.
     #[error("the {role} at level {level} lies below the ground there")]
     BelowGround {
@@ -147,6 +177,30 @@ impl ScenarioError {
                     ("terrain-missing", "say how one moves: give the scenario a `terrain`")
                 };
                 ErrorReport::new(kind, "terrain", message, hint)
+            }
+            #[cfg(feature = "whole")]
+            Self::Factor { x, y, value, most } => {
+                let hint = format!("give 1 for plain ground and up to {most} for dearer ground; block what cannot be entered");
+                ErrorReport::new("factor", "factors", message, hint)
+                    .with("x", x)
+                    .with("y", y)
+                    .with("value", value)
+                    .with("max", most)
+            }
+            #[cfg(feature = "whole")]
+            Self::WeightedTerrain => ErrorReport::new(
+                "weighted-terrain",
+                "factors",
+                message,
+                "leave out the heights, or the factors and the inflation",
+            ),
+            #[cfg(feature = "whole")]
+            Self::TooNarrow { role, x, y, radius } => {
+                let hint = "move it away from obstacles, or make the radius smaller";
+                ErrorReport::new(&format!("{role}-too-narrow"), *role, message, hint)
+                    .with("x", x)
+                    .with("y", y)
+                    .with("radius", radius)
             }
             Self::BelowGround { role, level, lowest } => {
                 let hint = format!("the lowest level there is {lowest}");

@@ -22,7 +22,7 @@ use crate::error::ParamError;
 use crate::map::{Cell, Point};
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
-use crate::planner::{Objective, Planner, PlannerEntry, Status, held};
+use crate::planner::{Ground, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 /// Largest plane in cells, free or not: 1024 × 1024, for which the search holds up to a quarter of a gigabyte.
@@ -170,6 +170,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     name: "Any-angle optimum",
     summary: "A* over all pairs of cells that see each other; always the shortest polyline through cell centres, on planes of up to 1024 × 1024 cells within a limit of work, on terrains of up to 64 × 64.",
     source: "ours: A* (Hart, Nilsson, Raphael 1968) on the graph of all cells in line of sight",
+    grounds: Ground::LENGTHS,
     build,
     ..SEARCH
 };

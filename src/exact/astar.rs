@@ -3,7 +3,8 @@
 //!
 //! Estimate: Manhattan distance with 4 moves, octile distance with 8, its like with 16. Each is consistent under every corner rule, because a
 //! stricter rule only removes steps; so the length is exact. On a terrain √(d² + z²), z being the difference in height: a step is at least
-//! as long as the straight line between its ends, and √(d² + z²) is a norm because d is one.
+//! as long as the straight line between its ends, and √(d² + z²) is a norm because d is one. On weighted ground the distance times the
+//! smallest factor of a free cell.
 
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
@@ -16,8 +17,17 @@ use crate::params::{Values, check_keys};
 use crate::planner::{Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
+/// What a lower bound must know of ground that is not plain.
+#[derive(Clone)]
+enum Uneven {
+    /// A terrain: its ground, the map's width, and the height of the goal; all lengths in cells.
+    Relief(Relief, u32, f64),
+    /// Weighted ground: the smallest factor of the map.
+    Least(f64),
+}
+
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
-/// terrain it is a lower bound.
+/// terrain it is a lower bound; on weighted ground it counts the smallest factor of the map, so that it is one.
 #[derive(Clone)]
 pub struct Distance {
     /// Whether nothing is known of the goal: 0 everywhere. A search by it is the same code as by the others.
@@ -25,8 +35,8 @@ pub struct Distance {
     goal: Point,
     saved_by_diagonal: f64,
     saved_by_far: f64,
-    /// The ground, the map's width, and the height of the goal; all lengths in cells.
-    relief: Option<(Relief, u32, f64)>,
+    /// What the ground adds; none on plain ground.
+    uneven: Option<Uneven>,
 }
 
 impl Distance {
@@ -48,8 +58,9 @@ impl Distance {
             Moves::Eight => (2.0 - SQRT_2, 0.0),
             Moves::Sixteen => (2.0 - SQRT_2, 1.0 + SQRT_2 - step_length(DIRECTIONS as u8)),
         };
-        let relief = scenario.moves.relief().map(|r| (r.clone(), scenario.grid.width(), r.height(goal)));
-        Self { unknown: false, goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, relief }
+        let relief = scenario.moves.relief().map(|r| Uneven::Relief(r.clone(), scenario.grid.width(), r.height(goal)));
+        let uneven = relief.or_else(|| scenario.moves.weights().map(|weights| Uneven::Least(weights.least())));
+        Self { unknown: false, goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, uneven }
     }
 }
 
@@ -64,9 +75,10 @@ impl Estimate for Distance {
         if self.saved_by_far > 0.0 {
             plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
         }
-        match self.relief.as_ref().filter(|_| cfg!(feature = "whole")) {
+        match self.uneven.as_ref().filter(|_| cfg!(feature = "whole")) {
             None => plane,
-            Some((relief, width, height)) => {
+            Some(Uneven::Least(factor)) => plane * factor,
+            Some(Uneven::Relief(relief, width, height)) => {
                 let z = relief.height(y * width + x) - height;
                 libm::sqrt(plane * plane + z * z)
             }

@@ -150,17 +150,18 @@ const MOST_CELLS_TO_PROVE: usize = 64 * 64;
 const MOST_CELLS_TO_COMPARE: usize = 1 << 20;
 
 /// The shortest polyline where it can be proven, a good one where the map is larger: on a terrain, whose ground Theta* does not know, the
-/// shortest path of steps.
+/// shortest path of steps. On weighted ground nothing is proven: a dearest cell may be passed at any angle.
 fn polyline(scenario: &Arc<Scenario>) -> Reference {
     let cells = scenario.grid.len();
     if cells > MOST_CELLS_TO_COMPARE {
         return Reference::Unknown;
     }
-    let proven = cells <= MOST_CELLS_TO_PROVE;
-    let entry = match (proven, scenario.moves.relief()) {
+    let weighted = scenario.moves.weights().is_some();
+    let proven = cells <= MOST_CELLS_TO_PROVE && !weighted;
+    let entry = match (proven, scenario.moves.is_plain() || weighted) {
         (true, _) => &any_angle::ENTRY,
-        (false, None) => &theta_star::ENTRY,
-        (false, Some(_)) => &astar::ENTRY,
+        (false, true) => &theta_star::ENTRY,
+        (false, false) => &astar::ENTRY,
     };
     let value = solved(scenario, entry).map(|path| scenario.path_length(&path));
     value.map_or(Reference::Unknown, |value| if proven { Reference::Proven { value } } else { Reference::Unproven { value } })
@@ -168,7 +169,7 @@ fn polyline(scenario: &Arc<Scenario>) -> Reference {
 
 /// The path of a search without parameters; none where it refuses the map or does not know how one moves there.
 fn solved(scenario: &Arc<Scenario>, entry: &PlannerEntry) -> Option<Path> {
-    if !entry.grounds.contains(&Ground::of(scenario)) {
+    if !Ground::all_of(scenario).all(|ground| entry.grounds.contains(&ground)) {
         return None;
     }
     let mut planner = (entry.build)(scenario, &Values::new(), 0).ok()?;

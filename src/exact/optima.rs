@@ -11,7 +11,7 @@ use crate::scenario::Scenario;
 
 /// Lengths of shortest paths of steps from cell to cell on a scenario's map, under its rules: between any two cells, without the paths.
 ///
-/// By jump points with 8 moves on a plane; elsewhere by A*, which finds the same. What depends on the map alone is worked out once.
+/// By jump points with 8 moves on plain ground; elsewhere by A*, which finds the same. What depends on the map alone is worked out once.
 ///
 /// ```
 /// # use std::sync::Arc;
@@ -38,7 +38,7 @@ impl Optima {
     /// On the scenario's map; its ends do not matter.
     pub fn new(scenario: &Arc<Scenario>) -> Self {
         let movement = scenario.spec.movement;
-        let jumps = movement.moves == Moves::Eight && scenario.moves.relief().is_none() && scenario.by_slices().is_none();
+        let jumps = movement.moves == Moves::Eight && scenario.moves.is_plain() && scenario.by_slices().is_none();
         let jump_points = jumps.then(|| JumpPoints::new(&scenario.grid, movement.corner_rule));
         Self { scenario: Arc::clone(scenario), jump_points, expansions: 0 }
     }

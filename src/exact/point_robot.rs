@@ -10,7 +10,7 @@
 
 use std::cmp::Ordering;
 
-use crate::map::{CornerRule, Grid, Moves, Point};
+use crate::map::{CornerRule, Grid, Moves, Point, Weights};
 use crate::scenario::Scenario;
 
 /// Largest map in cells: 64 × 64.
@@ -27,13 +27,17 @@ pub struct TooLarge {
 }
 
 /// Length in cells of the shortest way of a point from the centre of the start to the centre of the (first) goal; `None` when there is
-/// none, which is when no polyline leads there either.
+/// none, which is when no polyline leads there either. On weighted ground times the smallest factor: no polyline costs less.
 ///
 /// # Errors
 /// [`TooLarge`] beyond [`MOST_CELLS`].
 pub fn point_robot(scenario: &Scenario) -> Result<Option<f64>, TooLarge> {
-    let cells = scenario.grid.len();
-    if cells > MOST_CELLS { Err(TooLarge { cells, most: MOST_CELLS }) } else { Ok(Plane::of(scenario).shortest()) }
+    let (cells, least) = (scenario.grid.len(), scenario.moves.weights().map_or(1.0, Weights::least));
+    if cells > MOST_CELLS {
+        Err(TooLarge { cells, most: MOST_CELLS })
+    } else {
+        Ok(Plane::of(scenario).shortest().map(|length| length * least))
+    }
 }
 
 /// A place in half cells: corners have even coordinates, centres odd ones.

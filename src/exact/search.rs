@@ -7,8 +7,8 @@
 //! On a plane all neighbours of a cell are looked at at once, and only those to which the way is cheaper one by one: they are one or two of
 //! eight.
 //!
-//! On a terrain hardly two ways are equally long, and loose order would expand cells dozens of times over: there the bucket at work is a
-//! heap, and each cell is expanded once.
+//! On a terrain and on weighted ground hardly two ways cost the same, and loose order would expand cells dozens of times over: there the
+//! bucket at work is a heap, and each cell is expanded once.
 
 use std::collections::BinaryHeap;
 use std::sync::Arc;
@@ -62,11 +62,11 @@ pub(super) struct Search<E> {
     /// Empty until the first step.
     ways: Ways,
     frontier: Frontier<Waiting>,
-    /// On a terrain what the bucket at work holds, the least f first.
+    /// On a terrain and on weighted ground what the bucket at work holds, the least f first.
     sorted: Option<BinaryHeap<Open>>,
     /// f below which bucket 0 begins.
     base: f64,
-    /// Cells of f to a contour: 1 but on a terrain with steps of hundreds of cells.
+    /// Cells of f to a contour: 1 but where steps cost far more than on plain ground.
     contour: f64,
     /// [`BUCKETS_PER_CONTOUR`] over that.
     buckets_per_cell: f64,
@@ -159,7 +159,7 @@ impl<E: Estimate> Search<E> {
         self.ways.note_expansion(cell);
         self.progress.effort.cell_expansions += 1;
         // The opening build must stay small.
-        if self.scenario.moves.relief().is_some() || !cfg!(feature = "whole") {
+        if !self.scenario.moves.is_plain() || !cfg!(feature = "whole") {
             self.expand_one_by_one(cell, g);
             return;
         }
@@ -199,7 +199,7 @@ impl<E: Estimate> Search<E> {
         }
     }
 
-    /// On a terrain takes the bucket at work into the heap.
+    /// Where there is a heap, takes the bucket at work into it.
     fn sort(&mut self) {
         if self.sorted().is_some() {
             let waiting: Vec<Waiting> = self.frontier.take().collect();
@@ -246,6 +246,9 @@ impl<E: Estimate> Search<E> {
 pub(super) fn contour(scenario: &Scenario) -> f64 {
     const ONWARDS: u16 = 0xf0f0;
     let moves = &scenario.moves;
+    if let Some(weights) = moves.weights() {
+        return libm::ceil(weights.most() * step_length(DIRECTIONS as Direction) / 16.0);
+    }
     let cells = if moves.relief().is_none() { 0 } else { scenario.grid.len() as Cell };
     let onwards = |c: Cell| moves.directions(c).filter(|d| ONWARDS >> d & 1 == 1);
     let longest = |c: Cell| onwards(c).map(move |d| moves.length(c, d));
@@ -265,7 +268,7 @@ impl<E: Estimate> Contours for Search<E> {
         self.ways = Ways::new(self.scenario.grid.width(), self.scenario.grid.len());
         self.contour = contour(&self.scenario);
         self.buckets_per_cell = BUCKETS_PER_CONTOUR as f64 / self.contour;
-        self.sorted = self.scenario.moves.relief().map(|_| BinaryHeap::new());
+        self.sorted = (!self.scenario.moves.is_plain()).then(BinaryHeap::new);
         let to_goal = self.to_goal(self.start);
         self.base = libm::floor(to_goal);
         self.open(self.start, 0.0, to_goal, NO_PARENT);

@@ -8,6 +8,8 @@
 //! Each step of the search may look as far as the map is wide: in corridors of a map of 4096 × 4096 cells it would look at 10¹¹ of them. So it
 //! ends when it has looked along [`MOST_LOOKED_AT`] cells, as a run whose budget is spent, with the best way to the goal that it then knows, if any.
 //!
+//! On weighted ground a segment costs the integral of the factors along it, and the straight way may be the dearer one: then path 1 stays.
+//!
 //! Unlike the print we open a cell again when a shorter way to it turns up, so the result is never longer than the path of A*.
 
 use std::sync::Arc;
@@ -16,7 +18,7 @@ use super::SEARCH;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::euclidean;
 use crate::error::ParamError;
-use crate::map::Cell;
+use crate::map::{Cell, Weights};
 use crate::params::{Values, check_keys};
 use crate::path::line_of_sight;
 use crate::planner::{Family, Ground, Objective, Planner, PlannerEntry, Status};
@@ -41,7 +43,7 @@ impl Rules for ThetaStar {
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
-        euclidean(scenario, cell, scenario.goal)
+        euclidean(scenario, cell, scenario.goal) * scenario.moves.weights().map_or(1.0, Weights::least)
     }
 
     fn expand(&mut self, scenario: &Scenario, cell: State, tree: &mut Tree) {
@@ -50,6 +52,11 @@ impl Rules for ThetaStar {
         for d in scenario.moves.directions(cell) {
             let next = scenario.moves.step(cell, d);
             let to_goal = self.to_goal(scenario, next);
+            if let Some(weights) = scenario.moves.weights() {
+                tree.relax(next, tree.g(cell) + scenario.moves.length(cell, d), to_goal, cell, next == scenario.goal);
+                self.hang_on_parent(scenario, weights, (parent, next), to_goal, tree);
+                continue;
+            }
             // By the triangle inequality the way from the parent is the shorter one: where that improves nothing, sight is no matter.
             let straight = tree.g(parent) + euclidean(scenario, parent, next);
             if !tree.improves(next, straight, to_goal) {
@@ -67,6 +74,26 @@ impl Rules for ThetaStar {
     }
 }
 
+impl ThetaStar {
+    /// Path 2 on weighted ground, where the straight way from the parent may be the dearer one: only where it is not, and is in sight.
+    fn hang_on_parent(
+        &mut self,
+        scenario: &Scenario,
+        weights: &Weights,
+        (parent, next): (Cell, Cell),
+        to_goal: f64,
+        tree: &mut Tree,
+    ) {
+        let (from, to) = (scenario.grid.point(parent), scenario.grid.point(next));
+        let cells = u64::from(from.x.abs_diff(to.x).max(from.y.abs_diff(to.y)));
+        self.left = self.left.saturating_sub(cells);
+        let straight = tree.g(parent) + weights.segment(parent, next);
+        if tree.improves(next, straight, to_goal) && line_of_sight(scenario, from, to) {
+            tree.relax(next, straight, to_goal, parent, next == scenario.goal);
+        }
+    }
+}
+
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     check_keys(ENTRY.id, &[], values)?;
     Ok(Box::new(BestFirst::new(Arc::clone(scenario), ThetaStar { left: MOST_LOOKED_AT })))
@@ -79,7 +106,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     family: Family::Search,
     summary: "A* whose segments may have any angle: a cell hangs on its grandparent where that one sees it. Short polylines, without a proof.",
     source: "Nash, Daniel, Koenig, Felner 2007, AAAI-07, 1177–1183; Daniel, Nash, Koenig, Felner 2010, JAIR 39, 533–579, doi:10.1613/jair.2994",
-    grounds: Ground::PLANE,
+    grounds: Ground::WEIGHTED_PLANE,
     build,
     ..SEARCH
 };

@@ -1,6 +1,6 @@
 //! The path of steps with the smallest turn index V(d, r) = Σ dᵢ·rᵢ, rᵢ = 1.2 where step i turns, else 1: equation (10) of the
 //! fire-fighting paper. A* over states of a cell and the direction of the step that led there, by the octile or Manhattan distance, which
-//! V cannot undercut; so V is exact. (Dijkstra 1959 and Hart, Nilsson, Raphael 1968 on this graph.)
+//! V cannot undercut; so V is exact. On weighted ground dᵢ is what step i costs. (Dijkstra 1959 and Hart, Nilsson, Raphael 1968 on this graph.)
 //!
 //! Of the states of a cell the first expanded has the least V. Another one can save at most the surcharge of the next step, and only
 //! straight on: every other step costs the first state no more. So the others are followed straight on alone, while they save anything.
@@ -12,7 +12,7 @@ use super::astar::Distance;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::search::Estimate;
 use crate::error::ParamError;
-use crate::map::{Cell, DIRECTIONS, Direction, step_length};
+use crate::map::{Cell, DIRECTIONS, Direction};
 use crate::metrics::{SAME_LENGTH, TURN_WEIGHT};
 use crate::params::{Values, check_keys};
 use crate::planner::{Ground, Objective, Planner, PlannerEntry, Status, held};
@@ -34,7 +34,7 @@ impl TurnAware {
     fn step(&self, scenario: &Scenario, state: State, came: Direction, d: Direction, tree: &mut Tree) {
         let next = scenario.moves.step(state / Self::STATES_PER_CELL, d);
         let turns = came != NO_DIRECTION && came != d;
-        let v = tree.g(state) + step_length(d) * if turns { TURN_WEIGHT } else { 1.0 };
+        let v = tree.g(state) + scenario.moves.length(state / Self::STATES_PER_CELL, d) * if turns { TURN_WEIGHT } else { 1.0 };
         let to = next * Self::STATES_PER_CELL + State::from(d);
         if tree.is_cheaper(to, v) && self.may_save(scenario, next, d, v) {
             tree.relax(to, v, self.to_goal(scenario, next), state, next == scenario.goal);
@@ -45,7 +45,7 @@ impl TurnAware {
     fn may_save(&self, scenario: &Scenario, cell: Cell, d: Direction, v: f64) -> bool {
         let first = self.first[cell as usize];
         let straight_on = scenario.moves.bits[cell as usize] >> d & 1 == 1;
-        first.is_infinite() || (straight_on && v < first + (TURN_WEIGHT - 1.0) * step_length(d) - SAME_LENGTH)
+        first.is_infinite() || (straight_on && v < first + (TURN_WEIGHT - 1.0) * scenario.moves.length(cell, d) - SAME_LENGTH)
     }
 }
 
@@ -94,7 +94,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     name: "Turn-aware A*",
     summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times.",
     source: "V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)",
-    grounds: Ground::PLANE,
+    grounds: Ground::WEIGHTED_PLANE,
     build,
     ..SEARCH
 };

@@ -116,7 +116,7 @@ pub fn write(comparison: &Comparison, rows: &[Row], with_rows: bool) -> String {
 
 /// The same, with what is to be told of the runs: another engine may have done them, on another machine.
 pub fn write_as(comparison: &Comparison, rows: &[Row], with_rows: bool, recorded: Option<&Recorded>) -> String {
-    let maps = comparison.maps.iter().map(|m| scenario_json::write(&m.scenario.grid, &m.scenario.spec));
+    let maps = comparison.maps.iter().map(|m| scenario_json::write(&m.scenario.drawn, &m.scenario.spec));
     let list = |items: Vec<String>| items.join(",\n");
     let mut out = format!("{{\"format\": \"{FORMAT}\",\n\"question\": {},\n", json(&comparison.question));
     out += &format!("\"maps\": [\n{}]", list(maps.map(|m| m.trim_end().to_owned()).collect()));

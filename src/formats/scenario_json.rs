@@ -1,7 +1,10 @@
 //! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`,
-//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; with `"changes"` where walls change.
+//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; on weighted ground with `map.factors`,
+//! rows of numbers; with `"robot"` where it is no point, with `"changes"` where walls change.
 //!
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
+
+use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -30,7 +33,7 @@ pub(super) fn read(text: &str) -> Result<(Grid, ScenarioSpec), FormatError> {
     let grid = read_map(&map, &spec)?;
     // Validation takes both and gives them back.
     let scenario = Scenario::new(grid, spec)?;
-    Ok((scenario.grid, scenario.spec))
+    Ok((scenario.drawn, scenario.spec))
 }
 
 /// Reads the fields of a scenario that comes without its map; nothing is validated against one.
@@ -125,7 +128,8 @@ fn unknown_field(read: &Value, known: &Value, path: &str) -> Option<(String, Str
 /// Reads `map`: rows of letters, on a terrain rows of heights.
 pub(super) fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatError> {
     const EXPECTED: &str = r#"{"rows": ["..@.", …]} with `.` for free and `@` for blocked"#;
-    if let Some(key) = map.as_object().and_then(|m| m.keys().find(|k| *k != "rows" && *k != "heights")) {
+    const FIELDS: [&str; 3] = ["rows", "heights", "factors"];
+    if let Some(key) = map.as_object().and_then(|m| m.keys().find(|key| !FIELDS.contains(&key.as_str()))) {
         return Err(field_error(format!("there is no field `map.{}`", quote(key)), EXPECTED));
     }
     check_size(u64::from(spec.width), u64::from(spec.height))?;
@@ -150,33 +154,61 @@ pub(super) fn read_map(map: &Value, spec: &ScenarioSpec) -> Result<Grid, FormatE
         }
     }
     let grid = Grid::from_bytes(spec.width, spec.height, &cells)?;
-    match map.get("heights") {
-        Some(heights) => Ok(grid.with_heights(read_heights(heights, spec)?)?),
+    let grid = match map.get("heights") {
+        Some(heights) => grid.with_heights(read_numbers(heights, spec, HEIGHTS)?)?,
+        None => grid,
+    };
+    match map.get("factors") {
+        Some(factors) => Ok(grid.with_factors(read_numbers(factors, spec, FACTORS)?)?),
         None => Ok(grid),
     }
 }
 
-fn read_heights(heights: &Value, spec: &ScenarioSpec) -> Result<Vec<f32>, FormatError> {
-    const EXPECTED: &str = r#""heights": [[12.5, 13, null, …], …], one number for each cell, `null` for no data"#;
-    let rows = heights.as_array().ok_or_else(|| field_error("`map.heights` is no list", EXPECTED))?;
+/// A field of `map` with one number for each cell.
+#[derive(Clone, Copy)]
+struct Numbers {
+    field: &'static str,
+    one: &'static str,
+    /// Whether `null` stands for a cell without one.
+    null: bool,
+    expected: &'static str,
+}
+
+const HEIGHTS: Numbers = Numbers {
+    field: "heights",
+    one: "height",
+    null: true,
+    expected: r#""heights": [[12.5, 13, null, …], …], one number for each cell, `null` for no data"#,
+};
+
+const FACTORS: Numbers = Numbers {
+    field: "factors",
+    one: "factor",
+    null: false,
+    expected: r#""factors": [[1, 2.5, 1, …], …], one number for each cell, at least 1"#,
+};
+
+fn read_numbers(numbers: &Value, spec: &ScenarioSpec, of: Numbers) -> Result<Vec<f32>, FormatError> {
+    let Numbers { field, one, null, expected } = of;
+    let rows = numbers.as_array().ok_or_else(|| field_error(format!("`map.{field}` is no list"), expected))?;
     if rows.len() != spec.height as usize {
-        return Err(field_error(format!("`map.heights` has {} rows where `height` is {}", rows.len(), spec.height), EXPECTED));
+        return Err(field_error(format!("`map.{field}` has {} rows where `height` is {}", rows.len(), spec.height), expected));
     }
     let mut values = Vec::with_capacity(spec.width as usize * spec.height as usize);
     for (y, row) in rows.iter().enumerate() {
         let row = row
             .as_array()
             .filter(|row| row.len() == spec.width as usize)
-            .ok_or_else(|| field_error(format!("row {y} of the heights is no list of {} numbers", spec.width), EXPECTED))?;
+            .ok_or_else(|| field_error(format!("row {y} of the {field} is no list of {} numbers", spec.width), expected))?;
         for (x, value) in row.iter().enumerate() {
             values.push(match value {
-                Value::Null => f32::NAN,
+                Value::Null if null => f32::NAN,
                 Value::Number(n) => {
                     let height = n.as_f64().map_or(f32::NAN, |v| v as f32);
-                    let wrong = || field_error(format!("{n} at ({x}, {y}) is no height"), EXPECTED);
+                    let wrong = || field_error(format!("{n} at ({x}, {y}) is no {one}"), expected);
                     Some(height).filter(|h| h.is_finite()).ok_or_else(wrong)?
                 }
-                other => return Err(field_error(format!("{} at ({x}, {y}) is no height", quote(&other.to_string())), EXPECTED)),
+                other => return Err(field_error(format!("{} at ({x}, {y}) is no {one}", quote(&other.to_string())), expected)),
             });
         }
     }
@@ -198,6 +230,8 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
         terrain,
         world,
         #[cfg(feature = "whole")]
+        robot,
+        #[cfg(feature = "whole")]
         changes,
     } = spec;
     let fields = [
@@ -215,19 +249,25 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     let world = world.iter().map(|world| ("world", text(world)));
     let fields = fields.into_iter().chain(terrain).chain(world);
     #[cfg(feature = "whole")]
+    let fields = fields.chain(robot.iter().map(|robot| ("robot", text(robot))));
+    #[cfg(feature = "whole")]
     let fields = fields.chain((!changes.is_empty()).then(|| ("changes", text(changes))));
     let fields: String = fields.map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
-    format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))
+    format!(
+        "{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n",
+        rows.join(",\n"),
+        write_numbers("heights", grid.heights(), grid) + &write_numbers("factors", grid.factors(), grid)
+    )
 }
 
-/// The heights as a field behind the rows, one line for each row of the map; nothing on a plane.
-fn write_heights(grid: &Grid) -> String {
-    let Some(heights) = grid.heights() else { return String::new() };
+/// Heights or factors as a field behind the rows, one line for each row of the map; nothing where there are none.
+fn write_numbers(field: &str, numbers: Option<&Arc<[f32]>>, grid: &Grid) -> String {
+    let Some(numbers) = numbers else { return String::new() };
     // Shortest digits that give back the same f32; what is not finite becomes null.
     let row = |row: &[f32]| format!("    {}", text(&row));
-    let rows: Vec<String> = heights.chunks(grid.width() as usize).map(row).collect();
-    format!(", \"heights\": [\n{}\n  ]", rows.join(",\n"))
+    let rows: Vec<String> = numbers.chunks(grid.width() as usize).map(row).collect();
+    format!(", \"{field}\": [\n{}\n  ]", rows.join(",\n"))
 }
 
 /// Why writing cannot fail.

@@ -1,4 +1,5 @@
-//! The occupancy grid: free and blocked cells, row by row from the upper left; on a terrain, with a height for each cell.
+//! The occupancy grid: free and blocked cells, row by row from the upper left; on a terrain, with a height for each cell;
+//! on weighted ground, with a factor for each cell.
 
 use std::sync::Arc;
 
@@ -56,13 +57,17 @@ pub struct Grid {
     blocked: Arc<[bool]>,
     /// One a cell on a terrain, in the unit of the file; NaN where there is no data, and such a cell is blocked.
     heights: Option<Arc<[f32]>>,
+    /// One a cell on weighted ground, 1 to [`super::MAX_FACTOR`]; never all 1.
+    factors: Option<Arc<[f32]>>,
 }
 
 impl PartialEq for Grid {
     /// Heights by their bits, so that a map with cells that lack data equals itself.
     fn eq(&self, other: &Self) -> bool {
-        let bits = |grid: &Self| grid.heights.as_ref().map(|h| h.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
-        (self.width, self.height, &self.blocked) == (other.width, other.height, &other.blocked) && bits(self) == bits(other)
+        let bits = |values: &Option<Arc<[f32]>>| values.as_ref().map(|v| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
+        (self.width, self.height, &self.blocked) == (other.width, other.height, &other.blocked)
+            && bits(&self.heights) == bits(&other.heights)
+            && self.factors == other.factors
     }
 }
 
@@ -75,7 +80,7 @@ impl Grid {
     /// [`ScenarioError::MapSize`] when a side is 0 or above [`MAX_SIDE`].
     pub fn open(width: u32, height: u32) -> Result<Self, ScenarioError> {
         check_size(u64::from(width), u64::from(height))?;
-        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize].into(), heights: None })
+        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize].into(), heights: None, factors: None })
     }
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
@@ -96,7 +101,7 @@ impl Grid {
         if cells.len() != width as usize * height as usize {
             return Err(ScenarioError::CellCount { width, height, got: cells.len() });
         }
-        Ok(Self { width, height, blocked: cells.iter().map(|&c| c != 0).collect(), heights: None })
+        Ok(Self { width, height, blocked: cells.iter().map(|&c| c != 0).collect(), heights: None, factors: None })
     }
 
     /// The same map as a terrain: one height a cell, row by row, in the unit of the file. Cells whose height is not finite have no data
@@ -123,6 +128,39 @@ impl Grid {
     /// The heights of a terrain, one a cell; NaN where there is no data. `None` on a plane.
     pub fn heights(&self) -> Option<&Arc<[f32]>> {
         self.heights.as_ref()
+    }
+
+    /// The same map as weighted ground: one factor a cell, row by row, by which a way through it counts; what those of blocked cells are says
+    /// nothing until these are freed. Where all are 1 the ground is plain.
+    ///
+    /// ```
+    /// use formicarium::map::Grid;
+    ///
+    /// let grid = Grid::open(2, 1)?;
+    /// assert!(grid.clone().with_factors(vec![1.0, 2.5])?.factors().is_some());
+    /// assert!(grid.clone().with_factors(vec![1.0, 1.0])?.factors().is_none());
+    /// assert!(grid.with_factors(vec![1.0, 0.5]).is_err(), "no ground is better than plain");
+    /// # Ok::<(), formicarium::error::ScenarioError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ScenarioError::CellCount`], or [`ScenarioError::Factor`] with the first cell whose factor is not 1 to [`super::MAX_FACTOR`].
+    #[cfg(feature = "whole")]
+    pub fn with_factors(self, factors: Vec<f32>) -> Result<Self, ScenarioError> {
+        if factors.len() != self.len() {
+            return Err(ScenarioError::CellCount { width: self.width, height: self.height, got: factors.len() });
+        }
+        if let Some(cell) = factors.iter().position(|factor| !(1.0..=super::MAX_FACTOR).contains(factor)) {
+            let Point { x, y } = self.point(cell as Cell);
+            return Err(ScenarioError::Factor { x, y, value: factors[cell].to_string(), most: super::MAX_FACTOR });
+        }
+        let plain = factors.iter().all(|&factor| factor == 1.0);
+        Ok(Self { factors: (!plain).then(|| factors.into()), ..self })
+    }
+
+    /// The factors of weighted ground, one a cell; `None` on plain ground.
+    pub fn factors(&self) -> Option<&Arc<[f32]>> {
+        self.factors.as_ref()
     }
 
     /// One byte a cell, row by row: 0 = free, 1 = blocked.
@@ -193,6 +231,13 @@ impl Grid {
     pub fn set_blocked(&mut self, cell: Cell, blocked: bool) {
         let no_data = self.heights.as_ref().is_some_and(|h| h[cell as usize].is_nan());
         Arc::make_mut(&mut self.blocked)[cell as usize] = blocked || no_data;
+    }
+
+    /// Blocks all these cells.
+    #[cfg(feature = "whole")]
+    pub(crate) fn block_all(&mut self, cells: impl Iterator<Item = Cell>) {
+        let blocked = Arc::make_mut(&mut self.blocked);
+        cells.for_each(|cell| blocked[cell as usize] = true);
     }
 
     /// Number of free cells.

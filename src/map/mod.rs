@@ -1,6 +1,8 @@
 //! Maps and how one moves on them.
 
 mod contours;
+#[cfg(feature = "whole")]
+mod distance;
 mod generate;
 mod grid;
 mod movement;
@@ -9,8 +11,11 @@ mod relief;
 pub mod resample;
 mod shading;
 mod slices;
+mod weights;
 
 pub use contours::{ContourLine, Contours};
+#[cfg(feature = "whole")]
+pub use distance::squared_distances;
 pub use generate::{Generated, Generator, MAX_DENSITY, generate};
 pub use grid::{Cell, Grid, MAX_SIDE, Point, check_size};
 pub use movement::{
@@ -23,3 +28,4 @@ pub use relief::{Relief, Stretch};
 pub use resample::Window;
 pub use shading::{LEVEL_LIGHT, Shading};
 pub use slices::{MAX_LEVELS, MAX_REACH, Measure, SliceRules, Slices, Way};
+pub use weights::{Charge, MAX_FACTOR, Weights};

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::{Cell, Grid, Point};
 use super::relief::Relief;
+use super::weights::Weights;
 
 /// A direction index: 0..8 in reading order of the neighbours, NW, N, NE, W, E, SW, S, SE; with 16 moves 8..16 for [`FAR`].
 pub type Direction = u8;
@@ -171,7 +172,7 @@ impl Movement {
 }
 
 /// The two cells that a step of [`FAR`] passes between its ends, as offsets: the straight line crosses both.
-const fn beside_far(d: Direction) -> [(i32, i32); 2] {
+pub(super) const fn beside_far(d: Direction) -> [(i32, i32); 2] {
     let (dx, dy) = offset(d);
     // The nearer one along the long axis, then the one beside the end.
     let (long_x, long_y) = (dx / 2, dy / 2);
@@ -187,8 +188,17 @@ pub struct MoveSet {
     far: Arc<[u8]>,
     /// What to add to a cell index for each direction.
     pub delta: [i32; ALL_DIRECTIONS],
-    /// The ground that steps go up and down; none on a plane.
-    relief: Option<Relief>,
+    /// What makes steps longer or dearer than they are on a plane; none there.
+    uneven: Option<Uneven>,
+}
+
+/// Ground on which a step is not just as long as it looks on the map.
+#[derive(Debug, Clone)]
+enum Uneven {
+    /// A terrain: steps go up and down.
+    Relief(Relief),
+    /// Weighted ground: cells have factors.
+    Weights(Weights),
 }
 
 impl MoveSet {
@@ -209,7 +219,7 @@ impl MoveSet {
             dy * grid.width() as i32 + dx
         });
         let far = if movement.moves == Moves::Sixteen { far_steps(grid, movement) } else { Vec::new() };
-        Self { bits: bits.into(), far: far.into(), delta, relief: None }
+        Self { bits: bits.into(), far: far.into(), delta, uneven: None }
     }
 
     /// On a terrain: steps go over its ground, and those that are too steep are not allowed.
@@ -225,22 +235,48 @@ impl MoveSet {
             }
         }
         (self.bits, self.far) = (bits.into(), far.into());
-        self.relief = Some(relief);
+        self.uneven = Some(Uneven::Relief(relief));
         self
+    }
+
+    /// On weighted ground: steps cost what these factors say.
+    #[must_use]
+    pub fn weighing(self, weights: Weights) -> Self {
+        Self { uneven: Some(Uneven::Weights(weights)), ..self }
+    }
+
+    /// Whether every step costs the length that it has on the map: on a plane whose cells all count the same. The opening build knows no
+    /// other ground and is spared its code.
+    #[inline(always)]
+    pub fn is_plain(&self) -> bool {
+        !cfg!(feature = "whole") || self.uneven.is_none()
     }
 
     /// The ground of a terrain; none on a plane, and none in the opening build, which knows no terrains and is spared their code.
     #[inline(always)]
     pub fn relief(&self) -> Option<&Relief> {
-        if cfg!(feature = "whole") { self.relief.as_ref() } else { None }
+        match &self.uneven {
+            Some(Uneven::Relief(relief)) if cfg!(feature = "whole") => Some(relief),
+            _ => None,
+        }
     }
 
-    /// Length of an allowed step in cells: along the ground of a terrain.
+    /// The factors of weighted ground; none on any other.
+    #[inline(always)]
+    pub fn weights(&self) -> Option<&Weights> {
+        match &self.uneven {
+            Some(Uneven::Weights(weights)) if cfg!(feature = "whole") => Some(weights),
+            _ => None,
+        }
+    }
+
+    /// What an allowed step costs, in cells: its length, along the ground of a terrain; on weighted ground its length times its factor.
     #[inline(always)]
     pub fn length(&self, from: Cell, d: Direction) -> f64 {
-        match self.relief() {
-            None => step_length(d),
-            Some(relief) => relief.step(from, self.step(from, d), d).length,
+        match &self.uneven {
+            Some(Uneven::Relief(relief)) if cfg!(feature = "whole") => relief.step(from, self.step(from, d), d).length,
+            Some(Uneven::Weights(weights)) if cfg!(feature = "whole") => weights.step(from, self.step(from, d), d),
+            _ => step_length(d),
         }
     }
 

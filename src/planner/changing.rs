@@ -88,7 +88,7 @@ impl Changing {
 
     /// The map as the changes to come will leave it.
     pub fn coming(&self) -> Grid {
-        let mut grid = self.now.grid.clone();
+        let mut grid = self.now.drawn.clone();
         let make = |due: &Change| due.make(&mut grid, &self.now.spec, 0);
         self.due.iter().try_for_each(make).expect("a change is checked when it is taken");
         grid

@@ -19,6 +19,8 @@ listed! {
         Sixteen,
         /// By slices over a terrain.
         Slices,
+        /// On weighted ground: beside one of the others, where cells have factors.
+        Weighted,
     }
 }
 
@@ -48,12 +50,18 @@ impl GroundRule {
 impl Ground {
     /// Of planners that only know the plane.
     pub const PLANE: &'static [Self] = &[Self::Plane];
+    /// Of planners that only know the plane, and factors of its cells.
+    pub const WEIGHTED_PLANE: &'static [Self] = &[Self::Plane, Self::Weighted];
+    /// Of planners that know lengths alone, on any ground but slices.
+    pub const LENGTHS: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen];
     /// Of planners that go from cell to neighbouring cell.
-    pub const NEIGHBOURS: &'static [Self] = &[Self::Plane, Self::Surface];
+    pub const NEIGHBOURS: &'static [Self] = &[Self::Plane, Self::Surface, Self::Weighted];
     /// Of planners that go from cell to cell by any allowed step.
-    pub const STEPS: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen];
+    pub const STEPS: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen, Self::Weighted];
+    /// Of planners that know every way of moving but weighted ground.
+    pub const UNWEIGHTED: &'static [Self] = &[Self::Plane, Self::Surface, Self::Sixteen, Self::Slices];
 
-    /// The ground of every scenario: the first rule that holds. The last one always does.
+    /// The ground of every scenario: the first rule that holds. The last one always does. [`Ground::Weighted`] comes on top.
     pub const RULES: &'static [GroundRule] = &[
         GroundRule { ground: Self::Slices, slices: Some(true), moves: None, terrain: None },
         GroundRule { ground: Self::Sixteen, slices: None, moves: Some(16), terrain: None },
@@ -68,6 +76,12 @@ impl Ground {
         Self::RULES.iter().find(|rule| rule.holds(slices, moves, terrain)).map_or(Self::Plane, |rule| rule.ground)
     }
 
+    /// All that a planner must know of how one moves in a scenario.
+    pub fn all_of(scenario: &Scenario) -> impl Iterator<Item = Self> + use<> {
+        let weighted = scenario.moves.weights().map(|_| Self::Weighted);
+        std::iter::once(Self::of(scenario)).chain(weighted)
+    }
+
     /// Its stable name, and as a phrase after "plans".
     pub const fn words(self) -> (&'static str, &'static str) {
         match self {
@@ -75,6 +89,7 @@ impl Ground {
             Self::Surface => ("surface", "on the surface of a terrain"),
             Self::Sixteen => ("sixteen", "with 16 moves"),
             Self::Slices => ("slices", "by slices"),
+            Self::Weighted => ("weighted", "on weighted ground"),
         }
     }
 }
@@ -93,6 +108,6 @@ mod tests {
             found.push(rule.ground);
         }
         assert_eq!(found, [Ground::Plane, Ground::Surface, Ground::Sixteen, Ground::Sixteen, Ground::Slices]);
-        assert!(Ground::ALL.iter().all(|ground| found.contains(ground)));
+        assert!(Ground::ALL.iter().all(|ground| found.contains(ground) || *ground == Ground::Weighted));
     }
 }

@@ -130,7 +130,7 @@ impl Scenario {
     /// # Errors
     /// [`ScenarioError::Change`] names the field, the value and what is allowed.
     pub fn changed(&self, change: &Change) -> Result<Self, ScenarioError> {
-        let mut grid = self.grid.clone();
+        let mut grid = self.drawn.clone();
         change.make(&mut grid, &self.spec, 0)?;
         Self::new(grid, ScenarioSpec { changes: Vec::new(), ..self.spec.clone() })
     }

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "whole")]
 mod changes;
+#[cfg(feature = "whole")]
+mod robot;
 mod terrain;
 mod world;
 
@@ -10,10 +12,12 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
+use crate::map::{Cell, Charge, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, Weights, length_on_plane};
 
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
+#[cfg(feature = "whole")]
+pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, Robot};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
 pub use world::World;
@@ -109,6 +113,11 @@ pub struct ScenarioSpec {
     #[cfg_attr(not(feature = "whole"), serde(skip))]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub world: Option<World>,
+    /// The robot that moves; none where it is a point. The opening build knows none.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub robot: Option<Robot>,
     /// How walls change while planners are at work, in the order of their iterations; empty where they stay. The opening build knows none.
     #[cfg(feature = "whole")]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -140,6 +149,8 @@ impl ScenarioSpec {
             terrain: grid.heights().map(|_| TerrainSpec::default()),
             world: None,
             #[cfg(feature = "whole")]
+            robot: None,
+            #[cfg(feature = "whole")]
             changes: Vec::new(),
         }
     }
@@ -159,17 +170,31 @@ impl ScenarioSpec {
         self.world.as_ref().map_or(Ok(()), World::check)?;
         check_terrain(grid, self)?;
         #[cfg(feature = "whole")]
+        robot::check(grid, self)?;
+        #[cfg(feature = "whole")]
         changes::check_changes(grid, self)?;
         Ok(())
     }
 
-    /// The allowed steps on a map.
+    /// The allowed steps on a map, and what they cost.
     fn steps(&self, grid: &Grid) -> MoveSet {
         let moves = MoveSet::new(grid, self.movement);
-        match self.relief(grid) {
-            Some(relief) if cfg!(feature = "whole") => moves.over(relief),
+        match (self.relief(grid), grid.factors()) {
+            (Some(relief), _) if cfg!(feature = "whole") => moves.over(relief),
+            (None, Some(factors)) if cfg!(feature = "whole") => {
+                moves.weighing(Weights::new(Arc::clone(factors), grid, Charge::default()))
+            }
             _ => moves,
         }
+    }
+
+    /// The map as the robot feels it: blocked where it does not fit, dearer where an obstacle is near.
+    fn felt(&self, drawn: &Grid) -> Grid {
+        #[cfg(feature = "whole")]
+        if let Some(robot) = &self.robot {
+            return robot.feels(drawn, self.resolution);
+        }
+        drawn.clone()
     }
 
     /// The ground of a terrain in lengths of cells; none on a plane.
@@ -186,8 +211,10 @@ impl ScenarioSpec {
 /// A validated scenario: start and goal are different or equal free cells of the map, all quantities are usable.
 #[derive(Debug, Clone)]
 pub struct Scenario {
-    /// The map.
+    /// The map on which one moves: where the robot is no point, the cells in which it does not fit count as blocked.
     pub grid: Grid,
+    /// The map as it was drawn or read: what obstacles there are.
+    pub drawn: Grid,
     /// What it was made from.
     pub spec: ScenarioSpec,
     /// The allowed steps of every cell. By slices only the ground below.
@@ -222,7 +249,8 @@ impl Scenario {
     /// [`ScenarioError`] names the field, the value and what is allowed.
     pub fn new(grid: Grid, spec: ScenarioSpec) -> Result<Self, ScenarioError> {
         spec.check(&grid)?;
-        Self::asked(grid, spec, ScenarioSpec::steps)
+        let felt = spec.felt(&grid);
+        Self::asked([grid, felt], spec, ScenarioSpec::steps)
     }
 
     /// The same map, rules and changes with another start and other goals. What depends on the map alone is shared with this scenario, so
@@ -244,23 +272,30 @@ impl Scenario {
     pub fn with_ends(&self, start: Point, goals: Vec<Goal>) -> Result<Self, ScenarioError> {
         let spec = ScenarioSpec { start, goals, ..self.spec.clone() };
         #[cfg(feature = "whole")]
-        changes::check_changes(&self.grid, &spec)?;
-        Self::asked(self.grid.clone(), spec, |_, _| self.moves.clone())
+        changes::check_changes(&self.drawn, &spec)?;
+        Self::asked([self.drawn.clone(), self.grid.clone()], spec, |_, _| self.moves.clone())
     }
 
     /// Validates the ends of a scenario that is otherwise usable; `moves` makes its steps once they are.
-    fn asked(grid: Grid, spec: ScenarioSpec, moves: impl FnOnce(&ScenarioSpec, &Grid) -> MoveSet) -> Result<Self, ScenarioError> {
-        let start = free_cell(&grid, "start", spec.start)?;
-        let goals = goal_cells(&grid, &spec.goals)?;
+    fn asked(
+        [drawn, grid]: [Grid; 2],
+        spec: ScenarioSpec,
+        moves: impl FnOnce(&ScenarioSpec, &Grid) -> MoveSet,
+    ) -> Result<Self, ScenarioError> {
+        let start = free_cell(&drawn, "start", spec.start)?;
+        let goals = goal_cells(&drawn, &spec.goals)?;
+        #[cfg(feature = "whole")]
+        robot::check_room(&grid, &spec)?;
         let slices = if cfg!(feature = "whole") { slices(&grid, &spec, start, &goals)?.map(Arc::new) } else { None };
         let moves = moves(&spec, &grid);
-        Ok(Self { grid, spec, moves, slices, start, goal: goals[0], goals })
+        Ok(Self { grid, drawn, spec, moves, slices, start, goal: goals[0], goals })
     }
 
     /// For measuring paths that need not be valid, from cell to cell between any two cells of the map.
-    pub fn unvalidated(grid: Grid, spec: ScenarioSpec, start: Cell, goal: Cell) -> Self {
+    pub fn unvalidated(drawn: Grid, spec: ScenarioSpec, start: Cell, goal: Cell) -> Self {
+        let grid = spec.felt(&drawn);
         let moves = spec.steps(&grid);
-        Self { grid, spec, moves, slices: None, start, goal, goals: vec![goal] }
+        Self { grid, drawn, spec, moves, slices: None, start, goal, goals: vec![goal] }
     }
 
     /// The same map with another start and one goal: a leg of a tour. Both must be free cells.
@@ -269,7 +304,8 @@ impl Scenario {
         let goals = vec![Goal::new(self.grid.point(goal), "")];
         let spec = ScenarioSpec { start: self.grid.point(start), goals, ..self.spec.clone() };
         let slices = self.slices.clone();
-        Self { grid: self.grid.clone(), spec, moves: self.moves.clone(), slices, start, goal, goals: vec![goal] }
+        let (grid, drawn) = (self.grid.clone(), self.drawn.clone());
+        Self { grid, drawn, spec, moves: self.moves.clone(), slices, start, goal, goals: vec![goal] }
     }
 
     /// The places and steps of movement by slices, if that is how one moves; never in the opening build, which is spared their code.
@@ -278,15 +314,35 @@ impl Scenario {
         if cfg!(feature = "whole") { self.slices.as_deref() } else { None }
     }
 
+    /// What planners make small, in cells: the length of a path of allowed steps or of segments in line of sight, on weighted ground what
+    /// it costs.
+    pub fn path_length(&self, path: &[Cell]) -> f64 {
+        match self.moves.weights() {
+            Some(weights) => path.windows(2).map(|s| weights.segment(s[0], s[1])).sum(),
+            None => self.ground_length(path),
+        }
+    }
+
     /// Length in cells of a path of allowed steps or of segments in line of sight; along the ground of a terrain. By slices
     /// Σ √(1 + Δy² + Δh²), cells and levels counting 1 each.
-    pub fn path_length(&self, path: &[Cell]) -> f64 {
+    pub fn ground_length(&self, path: &[Cell]) -> f64 {
         let sum = |length: &dyn Fn(Cell, Cell) -> f64| path.windows(2).map(|s| length(s[0], s[1])).sum();
         match (self.by_slices(), self.moves.relief()) {
             (Some(slices), _) => sum(&|a, b| slices.length(a, b)),
             (None, Some(relief)) => sum(&|a, b| relief.segment(a, b).length),
             (None, None) => length_on_plane(self.grid.width(), path),
         }
+    }
+
+    /// The same scenario with its weighted ground charged by another rule; on any other ground the same.
+    #[must_use]
+    pub fn charging(self, charge: Charge) -> Self {
+        let factors = self.grid.factors().filter(|_| self.moves.weights().is_some());
+        let moves = match factors {
+            Some(factors) => self.moves.clone().weighing(Weights::new(Arc::clone(factors), &self.grid, charge)),
+            None => self.moves.clone(),
+        };
+        Self { moves, ..self }
     }
 
     /// The cells of a path, whatever its places are.

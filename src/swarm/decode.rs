@@ -74,7 +74,7 @@ pub fn free_cells(scenario: &Scenario) -> impl Iterator<Item = Cell> + use<'_> {
 fn longest_step(scenario: &Scenario) -> f64 {
     let moves = &scenario.moves;
     let on_plane = if scenario.spec.movement.moves == Moves::Sixteen { step_length(DIRECTIONS as Direction) } else { SQRT_2 };
-    let cells = if moves.relief().is_some() { 0..scenario.grid.len() as Cell } else { 0..0 };
+    let cells = if !moves.is_plain() { 0..scenario.grid.len() as Cell } else { 0..0 };
     cells.flat_map(|c| moves.directions(c).map(move |d| moves.length(c, d))).fold(on_plane, f64::max)
 }
 

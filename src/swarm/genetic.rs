@@ -226,7 +226,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     components: &[],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
-    grounds: &Ground::ALL,
+    grounds: Ground::UNWEIGHTED,
     specs: GeneticParams::specs,
     build,
 };

@@ -99,7 +99,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     components: &[],
     layers: &[Layer::Priority, Layer::Visits],
     max_goals: 1,
-    grounds: &Ground::ALL,
+    grounds: Ground::UNWEIGHTED,
     specs: PsoParams::specs,
     build,
 };

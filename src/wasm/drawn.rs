@@ -56,8 +56,8 @@ pub struct HandPath {
 impl HandPath {
     /// Throws where a scenario cannot be used, and by slices, where a path has levels that a pointer does not tell.
     #[wasm_bindgen(constructor)]
-    pub fn new(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>) -> Answer<HandPath> {
-        let scenario = scenario(&spec, cells, heights.as_ref())?;
+    pub fn new(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>, factors: Option<Heights>) -> Answer<HandPath> {
+        let scenario = scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?;
         if scenario.by_slices().is_some() {
             return Err(plain(&DrawnError::Slices.report()));
         }

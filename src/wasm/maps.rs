@@ -30,6 +30,10 @@ pub struct Imported {
     #[serde(with = "serde_bytes")]
     #[tsify(type = "Uint8Array")]
     pub heights: Vec<u8>,
+    /// On weighted ground one factor a cell as little-endian f32; empty on plain ground.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub factors: Vec<u8>,
     /// What is worth saying about the file.
     pub warnings: Vec<Notice>,
 }
@@ -212,14 +216,15 @@ pub struct RosFiles {
 #[wasm_bindgen]
 pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer<Ts<RosFiles>> {
     let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
-    let grid = grid(spec.width, spec.height, cells, None)?;
+    let grid = grid(spec.width, spec.height, cells, [None, None])?;
     let scenario = Scenario::new(grid, ScenarioSpec { terrain: None, ..spec }).map_err(throw)?;
-    let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.grid, &scenario.spec, &image.read("image")?);
+    let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.drawn, &scenario.spec, &image.read("image")?);
     Ok(object(&RosFiles { yaml, pgm }))
 }
 
 pub(super) fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
-    object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), warnings: notices })
+    let factors = grid.factors().map_or_else(Vec::new, |factors| le_bytes(factors));
+    object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), factors, warnings: notices })
 }
 
 /// The heights of a terrain as little-endian f32; empty on a plane.
@@ -268,19 +273,25 @@ pub fn fitting_slices(
     spec: Ts<ScenarioSpec>,
     cells: &Bytes,
     heights: Option<Heights>,
+    factors: Option<Heights>,
     vertical_unit: &Number,
 ) -> Answer<Ts<SliceRules>> {
     let (spec, vertical_unit) = (arguments::value(&spec, "spec")?, vertical_unit.real("vertical_unit")?);
-    let grid = grid(spec.width, spec.height, cells, heights.as_ref())?;
+    let grid = grid(spec.width, spec.height, cells, [heights.as_ref(), factors.as_ref()])?;
     let goal = spec.goals.first().map_or(spec.start, |goal| goal.at);
     Ok(object(&SliceRules::fitting_map(&grid, vertical_unit, spec.start, goal, None)))
 }
 
 /// Writes the heights as a GeoTIFF of f32 in metres.
 #[wasm_bindgen]
-pub fn export_geotiff(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>) -> Answer<Vec<u8>> {
-    let scenario = scenario(&spec, cells, heights.as_ref())?;
-    formats::export_binary(&scenario.grid, &scenario.spec, BinaryExport::Geotiff).map_err(throw)
+pub fn export_geotiff(
+    spec: Ts<ScenarioSpec>,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    factors: Option<Heights>,
+) -> Answer<Vec<u8>> {
+    let scenario = scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?;
+    formats::export_binary(&scenario.drawn, &scenario.spec, BinaryExport::Geotiff).map_err(throw)
 }
 
 /// Reads the lines of a MovingAI .scen file.
@@ -292,9 +303,15 @@ pub fn import_scen(bytes: &Bytes) -> Answer<Ts<ScenFile>> {
 /// Writes a map or scenario. A .scen line carries the exact optimum of its format's rule (8 moves, no corner cut), computed here; it throws
 /// when there is no path to write down.
 #[wasm_bindgen]
-pub fn export_map(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>, format: Ts<ExportFormat>) -> Answer<String> {
-    let scenario = scenario(&spec, cells, heights.as_ref())?;
-    let (grid, spec) = (&scenario.grid, &scenario.spec);
+pub fn export_map(
+    spec: Ts<ScenarioSpec>,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    factors: Option<Heights>,
+    format: Ts<ExportFormat>,
+) -> Answer<String> {
+    let scenario = scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?;
+    let (grid, spec) = (&scenario.drawn, &scenario.spec);
     let format = match arguments::word(&format.js_value(), "format")? {
         ExportFormat::MovingaiMap => Export::MovingaiMap,
         ExportFormat::MovingaiScen => Export::MovingaiScen { optimal: movingai_optimum(grid, spec)? },

@@ -104,19 +104,24 @@ fn throw(error: impl Into<Error>) -> JsValue {
     plain(&error.into().report())
 }
 
-/// The map from what the page holds: one byte a cell, and on a terrain one height.
-fn grid(width: u32, height: u32, cells: &Bytes, heights: Option<&Heights>) -> Answer<Grid> {
+/// The map from what the page holds: one byte a cell, on a terrain one height, on weighted ground one factor.
+fn grid(width: u32, height: u32, cells: &Bytes, [heights, factors]: [Option<&Heights>; 2]) -> Answer<Grid> {
     let grid = Grid::from_bytes(width, height, &cells.read("cells")?).map_err(throw)?;
-    match heights {
-        Some(heights) => grid.with_heights(heights.read("heights")?).map_err(throw),
-        None => Ok(grid),
+    let grid = match heights {
+        Some(heights) => grid.with_heights(heights.read("heights")?).map_err(throw)?,
+        None => grid,
+    };
+    match factors {
+        #[cfg(feature = "whole")]
+        Some(factors) => grid.with_factors(factors.read("factors")?).map_err(throw),
+        _ => Ok(grid),
     }
 }
 
 /// A validated scenario from what the page holds.
-fn scenario(spec: &Ts<ScenarioSpec>, cells: &Bytes, heights: Option<&Heights>) -> Answer<Arc<Scenario>> {
+fn scenario(spec: &Ts<ScenarioSpec>, cells: &Bytes, numbers: [Option<&Heights>; 2]) -> Answer<Arc<Scenario>> {
     let spec = arguments::value(spec, "spec")?;
-    let grid = grid(spec.width, spec.height, cells, heights)?;
+    let grid = grid(spec.width, spec.height, cells, numbers)?;
     Ok(Arc::new(Scenario::new(grid, spec).map_err(throw)?))
 }
 
@@ -140,8 +145,13 @@ pub fn catalog() -> Ts<crate::catalog::Catalog> {
 
 /// Throws when a scenario cannot be used; otherwise tells what is worth saying, e.g. that the goal cannot be reached.
 #[wasm_bindgen]
-pub fn check_scenario(spec: Ts<ScenarioSpec>, cells: &Bytes, heights: Option<Heights>) -> Answer<Vec<Ts<Notice>>> {
-    Ok(scenario(&spec, cells, heights.as_ref())?.notices().iter().map(object).collect())
+pub fn check_scenario(
+    spec: Ts<ScenarioSpec>,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    factors: Option<Heights>,
+) -> Answer<Vec<Ts<Notice>>> {
+    Ok(scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?.notices().iter().map(object).collect())
 }
 
 /// The yardstick of an objective on a scenario: what results are compared with. The core of the engine knows that of `length` alone; to it
@@ -151,10 +161,11 @@ pub fn reference(
     spec: Ts<ScenarioSpec>,
     cells: &Bytes,
     heights: Option<Heights>,
+    factors: Option<Heights>,
     objective: Ts<Objective>,
 ) -> Answer<Ts<Reference>> {
     let objective = arguments::word(&objective.js_value(), "objective")?;
-    Ok(object(&yardstick(&scenario(&spec, cells, heights.as_ref())?, objective)))
+    Ok(object(&yardstick(&scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?, objective)))
 }
 
 #[cfg(feature = "whole")]

@@ -99,11 +99,12 @@ impl Run {
         spec: Ts<ScenarioSpec>,
         cells: &Bytes,
         heights: Option<Heights>,
+        factors: Option<Heights>,
         planner: &Text,
         params: &ParamValues,
         seed: &Number,
     ) -> Answer<Run> {
-        let scenario = scenario(&spec, cells, heights.as_ref())?;
+        let scenario = scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?;
         let (planner, seed) = (planner.read("planner")?, seed.whole("seed")?);
         let values = params.read("params")?;
         let layers = crate::catalog::find(&planner).map_err(throw)?.layers;
@@ -251,11 +252,12 @@ pub fn paint_map(
     spec: Ts<ScenarioSpec>,
     cells: &Bytes,
     heights: Option<Heights>,
+    factors: Option<Heights>,
     theme: &ThemeName,
     shaded: &Flag,
 ) -> Answer<()> {
     let spec = arguments::value(&spec, "spec")?;
-    let grid = grid(spec.width, spec.height, cells, heights.as_ref())?;
+    let grid = grid(spec.width, spec.height, cells, [heights.as_ref(), factors.as_ref()])?;
     Canvas::default().paint_map(context, &grid, Style::of(theme, cells_per_unit(&spec), shaded)?)
 }
 

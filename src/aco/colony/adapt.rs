@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use super::tables::Tables;
 use super::{Colony, Variant, refined};
-use crate::map::{Cell, Grid};
+use crate::map::{Cell, Grid, Point};
 use crate::path::Path;
 use crate::scenario::{Change, Scenario};
 
@@ -26,14 +26,17 @@ const FELT: u32 = 2;
 impl<V: Variant + 'static> Colony<V> {
     /// Goes on from the map that a change has led to.
     pub(super) fn go_on(&mut self, change: &Change, to: &Arc<Scenario>) {
-        self.scenario = Arc::clone(to);
+        let before = std::mem::replace(&mut self.scenario, Arc::clone(to));
         self.progress.best.take_if(|best| !is_allowed(to, &best.path));
         if let Some(best) = &mut self.progress.best {
+            if !to.moves.is_plain() {
+                best.length = to.path_length(&best.path);
+            }
             best.refined = refined(to, &best.path, self.variant.refinement());
         }
         if let Some(tables) = &mut self.tables {
             self.variant.prepare(to);
-            tables.look_again::<V>(&around(&to.grid, change));
+            tables.look_again::<V>(&around(&before.grid, &to.grid, change));
         }
         self.progress.go_on(change, to, self.settings.iterations);
     }
@@ -51,16 +54,24 @@ impl Tables {
     }
 }
 
-/// The cells whose steps, or what is seen of them, a change concerns.
-fn around(grid: &Grid, change: &Change) -> Vec<Cell> {
+/// The cells whose steps, or what is seen of them, a change concerns: around its own cells and, where the robot needs room, around all that
+/// it has made narrow or wide, dear or cheap.
+fn around(before: &Grid, now: &Grid, change: &Change) -> Vec<Cell> {
     let mut cells = BTreeSet::new();
-    for p in change.cells() {
-        for y in p.y.saturating_sub(FELT)..=(p.y + FELT).min(grid.height() - 1) {
-            let row = y * grid.width();
-            cells.extend(row + p.x.saturating_sub(FELT)..=row + (p.x + FELT).min(grid.width() - 1));
+    for p in change.cells().chain(differing(before, now)) {
+        for y in p.y.saturating_sub(FELT)..=(p.y + FELT).min(now.height() - 1) {
+            let row = y * now.width();
+            cells.extend(row + p.x.saturating_sub(FELT)..=row + (p.x + FELT).min(now.width() - 1));
         }
     }
     cells.into_iter().collect()
+}
+
+/// The cells that two maps of one size differ in.
+fn differing<'a>(before: &'a Grid, now: &'a Grid) -> impl Iterator<Item = Point> + use<'a> {
+    let factor = |grid: &Grid, cell: usize| grid.factors().map_or(1.0, |factors| factors[cell]);
+    let differs = move |&cell: &usize| before.blocked()[cell] != now.blocked()[cell] || factor(before, cell) != factor(now, cell);
+    (0..now.len()).filter(differs).map(|cell| now.point(cell as Cell))
 }
 
 /// Whether every step of a path is still allowed.

@@ -37,7 +37,7 @@ use std::sync::Arc;
 
 use crate::aco::criterion::Criterion;
 use crate::aco::deposit;
-use crate::aco::heuristic::{AT_GOAL, goal_distance};
+use crate::aco::heuristic::{AT_GOAL, goal_distance, per_factor};
 use crate::aco::legs::{self, OrderLevel};
 use crate::aco::odds;
 use crate::aco::selection::{pseudo_random_proportional, random_proportional};
@@ -168,8 +168,9 @@ impl Variant for Fire {
     }
 
     /// η_j = 1/d_j of Eq. 3.
-    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
-        goal_distance(scenario.grid.point(j), scenario.grid.point(scenario.goal), AT_GOAL)
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        let near = goal_distance(scenario.grid.point(j), scenario.grid.point(scenario.goal), AT_GOAL);
+        per_factor(scenario, i, d, j, near)
     }
 
     fn abreast(&self) -> Abreast {

@@ -141,9 +141,10 @@ impl CommonParams {
         }
     }
 
-    /// Eq. 4 of the step to `j`.
-    fn heuristic(&self, scenario: &Scenario, j: Cell) -> f64 {
-        visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.goal_distance)
+    /// Eq. 4 of the step from `i` to `j`.
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        let seen = visibility(scenario.grid.point(j), scenario.grid.point(scenario.goal), self.goal_distance);
+        heuristic::per_factor(scenario, i, d, j, seen)
     }
 }
 
@@ -204,8 +205,8 @@ impl Variant for Acost {
         self.params.common.initial_trail
     }
 
-    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
-        self.params.common.heuristic(scenario, j)
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        self.params.common.heuristic(scenario, i, d, j)
     }
 
     fn enters_goal(&self) -> bool {
@@ -273,8 +274,8 @@ impl Variant for Acomsp {
         self.params.common.initial_trail
     }
 
-    fn heuristic(&self, scenario: &Scenario, _: Cell, _: Direction, j: Cell) -> f64 {
-        self.params.common.heuristic(scenario, j)
+    fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        self.params.common.heuristic(scenario, i, d, j)
     }
 
     fn enters_goal(&self) -> bool {

@@ -111,7 +111,7 @@ impl Tracker {
             return Ok(same);
         }
         // Only where the cells are the same is it of use to know what else differs.
-        let is_close = |tracked: &Tracked| tracked.scenario.grid == scenario.grid;
+        let is_close = |tracked: &Tracked| tracked.scenario.drawn == scenario.drawn;
         let close = differences().find_map(|(tracked, what)| what.filter(|_| is_close(tracked)).map(|what| (tracked, what)));
         let difference = match close {
             Some((tracked, what)) => format!("it has the cells of {}, but {what}", tracked.id),

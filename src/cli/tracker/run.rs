@@ -160,7 +160,7 @@ impl Args {
         let panel = Panel { planner: planner.id.into(), preset: None, params: self.params(), result: Some(found.recorded) };
         let session = Session {
             engine: env!("CARGO_PKG_VERSION").into(),
-            grid: tracked.scenario.grid.clone(),
+            grid: tracked.scenario.drawn.clone(),
             spec: tracked.scenario.spec.clone(),
             origin: tracked.origin,
             changes: 0,

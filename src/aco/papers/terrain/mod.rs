@@ -132,7 +132,7 @@ pub const ACO: PlannerEntry = PlannerEntry {
     components: &[],
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
-    grounds: &Ground::ALL,
+    grounds: Ground::UNWEIGHTED,
     specs: BasicParams::specs,
     build: build_basic,
 };
@@ -200,7 +200,7 @@ pub const EPF: PlannerEntry = PlannerEntry {
     components: COMPONENTS,
     layers: &[Layer::Trail, Layer::InitialTrail, Layer::Visits, Layer::Heuristic],
     max_goals: 1,
-    grounds: &Ground::ALL,
+    grounds: Ground::UNWEIGHTED,
     specs: EpfParams::specs,
     build: build_epf,
 };
