@@ -20,6 +20,14 @@ pub fn drawn(rows: &[&str], movement: Movement) -> Arc<Scenario> {
     Arc::new(Scenario::on(grid, movement, find(b'S'), find(b'G')).expect("usable"))
 }
 
+/// Weighted ground: a swamp of several factors between start and goal, with a wall in it.
+pub fn swamp(movement: Movement) -> Arc<Scenario> {
+    let plain = drawn(&["........", "S.......", "...##...", "...#...G", "........"], movement);
+    let factor = |c: u32| if (2..6).contains(&(c % 8)) { 1.5 + (c * 7 % 5) as f32 } else { 1.0 };
+    let grid = plain.grid.clone().with_factors((0..40).map(factor).collect()).expect("factors of every cell");
+    Arc::new(Scenario::new(grid, plain.spec.clone()).expect("usable"))
+}
+
 /// Every movement model.
 pub fn movements() -> Vec<Movement> {
     let eight = CornerRule::ALL.map(|corner_rule| Movement { moves: Moves::Eight, corner_rule });

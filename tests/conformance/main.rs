@@ -42,16 +42,20 @@ fn planner(entry: &PlannerEntry, scenario: &Arc<Scenario>, seed: u32) -> Box<dyn
 
 /// Whether a planner plans there at all.
 fn takes(entry: &PlannerEntry, scenario: &Scenario) -> bool {
-    scenario.goals.len() <= entry.max_goals as usize && entry.grounds.contains(&Ground::of(scenario))
+    scenario.goals.len() <= entry.max_goals as usize && Ground::all_of(scenario).all(|ground| entry.grounds.contains(&ground))
 }
 
-/// Every scenario: planes and tours under every movement, and every terrain.
+/// Every scenario: planes and tours under every movement, weighted ground, and every terrain.
 fn scenarios() -> Vec<(String, Arc<Scenario>)> {
     let on_planes = movements().into_iter().flat_map(|movement| {
         let all = gallery(movement).into_iter().chain(common::tours(movement));
         all.map(move |(name, scenario)| (format!("{name} with {movement:?}"), scenario))
     });
-    on_planes.chain(terrains::terrains(&movements())).collect()
+    let weighted = movements()
+        .into_iter()
+        .chain(terrains::sixteen())
+        .map(|movement| (format!("a swamp with {movement:?}"), common::swamp(movement)));
+    on_planes.chain(weighted).chain(terrains::terrains(&movements())).collect()
 }
 
 /// Calls `check` for every planner on every scenario that it takes, under every movement.
