@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os'
 import { join } from 'node:path'
 import { defineConfig } from '@playwright/test'
 
@@ -20,7 +21,7 @@ export default defineConfig({
   testIgnore: 'other/**',
   outputDir: '../../target/browser-tests',
   reporter: 'list',
-  workers: 1,
+  workers: Math.min(2, availableParallelism()),
   retries: 0,
   // Generous, because machines that run tests are often busy.
   timeout: 90_000,
