@@ -17,9 +17,11 @@ use super::{Outcome, text, text::TextOrJson, text::row};
 /// Audits a path: collisions, cut corners, slopes, jumps, sight, ends; and measures it
 #[derive(clap::Args)]
 #[command(after_help = "\
-The path: JSON [[x, y], …] or the output of `plan --format json`, CSV lines x,y, or MATLAB [x y; x y].
-Its points are neighbouring cells, or with --polyline the corners of a polyline; a result says which itself.
-By slices each place has its level: [[x, y, level], …], lines x,y,level, or a result's path and levels.
+The path: JSON [[x, y], …], CSV lines x,y, MATLAB [x y; x y], or what `plan` writes as json, path-csv, path-json,
+nav-msgs, geojson or svg. Metres of a ROS path or of GeoJSON become the cells in which they lie.
+Its points are neighbouring cells, or with --polyline the corners of a polyline; json, path-json, geojson and svg
+say which themselves.
+By slices each place has its level: [[x, y, level], …], lines x,y,level, a result's path and levels, or z in metres.
 The ends are checked only where the map's file names them.
 
 Examples:
@@ -66,7 +68,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     args.movement.apply(&mut map);
     let spec = &map.spec;
     let read = |bytes: &[u8], _: &str| Ok(read_path_on(bytes, spec)?);
-    let PathOnMap { places: mut path, kind, names_columns, notices } = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
+    let PathOnMap { places: mut path, kind, metres, names_columns, notices } = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
     text::notes(&notices);
     if args.rows_first && names_columns {
         let message = "the path's file says itself which number is the row; --rows-first would turn them once more";
@@ -80,6 +82,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
     }
     args.terrain.apply(&mut map)?;
+    if let Some(metres) = metres {
+        // Only now it is known how high a level is.
+        path = metres.on(&map.spec)?;
+    }
     map.spec.check(&map.grid)?;
     if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
         return by_slices(args, map, &path);

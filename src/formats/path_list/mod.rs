@@ -170,6 +170,8 @@ pub struct PathOnMap {
     pub places: Vec<(Point, Option<u32>)>,
     /// How they follow each other.
     pub kind: PathKind,
+    /// The path in metres, where the file is: by slices [`WorldPath::on`] tells levels once it is known how high they are.
+    pub metres: Option<WorldPath>,
     /// Whether the file itself says which number of a place is the column and which the row.
     pub names_columns: bool,
     /// What was assumed.
@@ -181,11 +183,10 @@ pub struct PathOnMap {
 /// # Errors
 /// As [`read_places`] and [`read_world_path`], and for a place beside the map.
 pub fn read_path_on(bytes: &[u8], spec: &ScenarioSpec) -> Result<PathOnMap, FormatError> {
-    let (places, notices) = match read_world_path(bytes)? {
-        Some(path) => (path.on(spec)?, path.notices(spec)),
-        None => (read_places(bytes)?, Vec::new()),
-    };
-    Ok(PathOnMap { places, kind: path_kind(bytes), names_columns: names_columns(bytes)?, notices })
+    let metres = read_world_path(bytes)?;
+    let places = metres.as_ref().map_or_else(|| read_places(bytes), |path| path.on(spec))?;
+    let notices = metres.as_ref().map_or_else(Vec::new, |path| path.notices(spec));
+    Ok(PathOnMap { places, kind: path_kind(bytes), metres, names_columns: names_columns(bytes)?, notices })
 }
 
 /// Whether a file itself says which number of a place is the column and which the row: by the names of its columns or points, by its format, or

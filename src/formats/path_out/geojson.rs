@@ -15,7 +15,8 @@ use crate::path::PathKind;
 use crate::scenario::ScenarioSpec;
 
 /// What a map must have to be written so.
-const PLACE: &str = "a map with `world` in its scenario, whose `frame` is a code such as EPSG:25832; path-json and nav-msgs need none";
+const PLACE: &str =
+    "a map with `world` in its scenario, whose `frame` is a code such as EPSG:25832; path-json and nav-msgs need none";
 
 /// What is read.
 const LINE: &str = "a Feature, or a collection of one, whose geometry is a LineString of [x, y] or [x, y, z]";

@@ -56,7 +56,8 @@ fn headings(metres: &[Vec<f64>]) -> Vec<[f64; 2]> {
 
 /// That the map has no place.
 fn unplaced(path: &PlannedPath<'_>) -> Option<Notice> {
-    let message = "the map's place in the world is not known: its lower left corner is (0, 0), as in the ROS map that `convert` writes";
+    let message =
+        "the map's place in the world is not known: its lower left corner is (0, 0), as in the ROS map that `convert` writes";
     path.spec.world.is_none().then(|| Notice::new("path-unplaced", message))
 }
 

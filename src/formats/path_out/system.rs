@@ -27,7 +27,8 @@ mod tests {
 
     #[test]
     fn codes_are_found_in_every_spelling() {
-        for name in ["EPSG:25832", "epsg:25832", " EPSG:25832 ", "urn:ogc:def:crs:EPSG::25832", "urn:ogc:def:crs:EPSG:9.8:25832"] {
+        for name in ["EPSG:25832", "epsg:25832", " EPSG:25832 ", "urn:ogc:def:crs:EPSG::25832", "urn:ogc:def:crs:EPSG:9.8:25832"]
+        {
             assert_eq!(code(name), Some(25832), "{name}");
         }
         assert_eq!(code(&urn(32633)), Some(32633));
