@@ -294,6 +294,25 @@ fn a_drawing_shows_walls_ends_and_a_scale() {
 }
 
 #[test]
+fn a_path_as_the_page_holds_it_is_the_same_file() {
+    let (plane, path) = small("EPSG:25832");
+    let slices = terrains::hilly_slices(8, 5, 7, terrains::rules(Measure::Cost));
+    let by_slices = common::solve(&slices, "slices-exact");
+    let by_slices = by_slices.best().unwrap().result().0.clone();
+    for (scenario, path) in [(&plane, path), (&slices, by_slices)] {
+        let points: Vec<Point> = places(scenario, &path).into_iter().map(|(at, _)| at).collect();
+        let altitudes: Vec<f32> = scenario.altitudes(&path).into_iter().map(|metres| metres as f32).collect();
+        let held = PlannedPath::of_points(scenario, &points, &altitudes, PathKind::Steps).unwrap();
+        let text = PathFormat::PathJson.write(&held).unwrap().text;
+        assert_eq!(text, write(scenario, &path, PathKind::Steps, PathFormat::PathJson));
+        for wrong in [&points[..0], &points[1..], &points[..2], &[Point::new(1, 0); 3], &[Point::new(99, 99)]] {
+            let report = PlannedPath::of_points(scenario, wrong, &altitudes, PathKind::Steps).unwrap_err().report();
+            assert_eq!((report.kind.as_str(), report.field.as_str()), ("bad-field", "path"), "{report:?}");
+        }
+    }
+}
+
+#[test]
 fn one_place_is_a_path_and_none_is_not() {
     let (scenario, _) = small("EPSG:25832");
     assert!(PlannedPath::new(&scenario, &[], PathKind::Steps).is_none());

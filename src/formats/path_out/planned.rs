@@ -3,7 +3,7 @@
 use crate::error::FormatError;
 use crate::map::{Cell, Grid, Point};
 use crate::metrics::Metrics;
-use crate::path::PathKind;
+use crate::path::{Flaw, PathKind, audit, audit_slices};
 use crate::scenario::{Scenario, ScenarioSpec, World};
 
 /// A path that can be written.
@@ -55,6 +55,28 @@ impl<'a> PlannedPath<'a> {
         };
         let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
         Some(Self { grid, spec, kind, cells, levels, metres, length, length_metres })
+    }
+
+    /// A path as the page holds it: points, and on a terrain their altitudes in metres, which by slices tell the levels.
+    ///
+    /// # Errors
+    /// [`FormatError::Field`] for what is no path on this map, with its first flaw.
+    pub fn of_points(scenario: &'a Scenario, points: &[Point], altitudes: &[f32], kind: PathKind) -> Result<Self, FormatError> {
+        let expected = "a path on this map, from its start by every goal";
+        let flawed = |flaw: Flaw| FormatError::field("path", flaw.to_string(), expected);
+        let cells: Vec<Cell> = match scenario.by_slices() {
+            Some(slices) => {
+                let level = |altitude: f32| libm::round(f64::from(altitude) / slices.rules().level) as u32;
+                let places: Vec<(Point, u32)> = points.iter().copied().zip(altitudes.iter().copied().map(level)).collect();
+                audit_slices(scenario, &places).map_err(flawed)?;
+                places.iter().map(|&(at, level)| slices.place(at.x, at.y, level)).collect()
+            }
+            None => {
+                audit(scenario, points, kind).map_err(flawed)?;
+                points.iter().map(|&at| scenario.grid.cell(at)).collect()
+            }
+        };
+        Self::new(scenario, &cells, kind).ok_or_else(|| flawed(Flaw::Empty))
     }
 
     /// Cells so small, so far from zero, that their middles are not told apart would not be read back.
