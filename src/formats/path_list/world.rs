@@ -20,7 +20,7 @@ impl WorldPath {
     /// # Errors
     /// [`FormatError::Field`] with the number of the place that lies beside the map.
     pub fn on(&self, spec: &ScenarioSpec) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
-        let expected = "poses on the map; the map must say where it lies: check against the ROS map";
+        let expected = "places on the map: check against the one that the path was planned on";
         let (placed, level) = (placed(spec), metres_of_level(spec));
         let mut places = Vec::with_capacity(self.places.len());
         for (index, &[x, y, z]) in self.places.iter().enumerate() {

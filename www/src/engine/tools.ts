@@ -146,7 +146,7 @@ export const tools = {
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
   /** Every format of paths, with why a map cannot give it. */
-  pathFormats: (spec: ScenarioSpec) => wholeBox().call('pathFormats', spec),
+  pathFormats: (spec: Scenario['spec']) => wholeBox().call('pathFormats', spec),
   /** The text of a path for other programs. */
   writePath: ({ spec, cells, heights }: Scenario, found: FoundPath, format: PathFormat) =>
     wholeBox().call('writePath', spec, cells, heights, found, format),
