@@ -2,12 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::error::{FormatError, Notice};
 use crate::findings::{At, Findings, SliceFindings, Step};
-use crate::formats::{Imported, MAX_TEXT_BYTES, names_columns, path_kind, read_places, read_world_path};
+use crate::formats::{Imported, MAX_TEXT_BYTES, PathOnMap, read_path_on};
 use crate::map::Point;
 use crate::path::PathKind;
-use crate::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
+use crate::scenario::{Scenario, TerrainMoves, TerrainSpec};
 
 use super::error::CliError;
 use super::input::{self, MovementArgs};
@@ -18,9 +17,11 @@ use super::{Outcome, text, text::TextOrJson, text::row};
 /// Audits a path: collisions, cut corners, slopes, jumps, sight, ends; and measures it
 #[derive(clap::Args)]
 #[command(after_help = "\
-The path: JSON [[x, y], …] or the output of `plan --format json`, CSV lines x,y, or MATLAB [x y; x y].
-Its points are neighbouring cells, or with --polyline the corners of a polyline; a result says which itself.
-By slices each place has its level: [[x, y, level], …], lines x,y,level, or a result's path and levels.
+The path: JSON [[x, y], …], CSV lines x,y, MATLAB [x y; x y], or what `plan` writes as json, path-csv, path-json,
+nav-msgs, geojson or svg. Metres of a ROS path or of GeoJSON become the cells in which they lie.
+Its points are neighbouring cells, or with --polyline the corners of a polyline; json, path-json, geojson and svg
+say which themselves.
+By slices each place has its level: [[x, y, level], …], lines x,y,level, a result's path and levels, or z in metres.
 The ends are checked only where the map's file names them.
 
 Examples:
@@ -66,9 +67,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = args.reading.import_still(&args.map)?;
     args.movement.apply(&mut map);
     let spec = &map.spec;
-    let read = |bytes: &[u8], _: &str| Ok((places(bytes, spec)?, path_kind(bytes), names_columns(bytes)?));
-    let (mut path, kind, named) = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
-    if args.rows_first && named {
+    let read = |bytes: &[u8], _: &str| Ok(read_path_on(bytes, spec)?);
+    let PathOnMap { places: mut path, kind, metres, names_columns, notices } = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
+    text::notes(&notices);
+    if args.rows_first && names_columns {
         let message = "the path's file says itself which number is the row; --rows-first would turn them once more";
         return Err(CliError::usage(message, "leave out --rows-first"));
     }
@@ -80,6 +82,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
     }
     args.terrain.apply(&mut map)?;
+    if let Some(metres) = metres {
+        // Only now it is known how high a level is.
+        path = metres.on(&map.spec)?;
+    }
     map.spec.check(&map.grid)?;
     if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
         return by_slices(args, map, &path);
@@ -91,31 +97,6 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         TextOrJson::Json => text::json(&findings, 2),
     };
     Ok(Outcome { text, fine: findings.ok })
-}
-
-/// The places of a file; of a Path message of ROS the cells in which its poses lie, one for each run of poses in the same cell.
-fn places(bytes: &[u8], spec: &ScenarioSpec) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
-    let Some(path) = read_world_path(bytes)? else { return read_places(bytes) };
-    text::notes(&spec.world.as_ref().and_then(|world| other_frame(&path.frame, &world.frame)).into_iter().collect::<Vec<_>>());
-    let mut places = Vec::with_capacity(path.metres.len());
-    for (index, [x, y]) in path.metres.into_iter().enumerate() {
-        let expected = "poses on the map; the map must say where it lies: check against the ROS map";
-        let cell = spec.to_cell([x, y]);
-        places.push((
-            cell.ok_or_else(|| FormatError::field("poses", format!("pose {index} ({x}, {y}) lies beside the map"), expected))?,
-            None,
-        ));
-    }
-    places.dedup();
-    Ok(places)
-}
-
-/// That a path and its map name different frames; a ROS map alone names none.
-fn other_frame(path: &str, map: &str) -> Option<Notice> {
-    (!path.is_empty() && !map.is_empty() && path != map).then(|| {
-        let message = format!("the path is in the frame {path}, the map in {map}: their metres were taken for the same");
-        Notice::new("path-frame", message).with("path", path).with("map", map)
-    })
 }
 
 impl Args {

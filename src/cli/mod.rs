@@ -12,6 +12,7 @@ mod order;
 mod output;
 mod page;
 mod plan;
+mod plan_format;
 mod reading;
 pub mod shared;
 mod streams;

@@ -10,10 +10,10 @@ use crate::formats::run_result::{self, RunResult};
 use crate::params::{Value, Values};
 use crate::planner::{Effort, Objective, Planner, Record, Status};
 use crate::scenario::{Goal, Scenario, ScenarioSpec};
-use clap::ValueEnum;
 
 use super::error::CliError;
 use super::input::ScenarioArgs;
+use super::plan_format::{Format, path_file};
 use super::streams::say;
 use super::text::{self, row};
 use super::{Outcome, text::grouped};
@@ -29,6 +29,7 @@ Examples:
   formicarium plan dem.asc --planner astar --moves 16 --max-slope 25
   formicarium plan heights.csv --planner slices-exact --model slices --from 0,9 --from-level 4 --to 20,7 --to-level 5
   formicarium generate rooms --size 80x60 | formicarium plan - --planner dijkstra --format json
+  formicarium plan map.yaml --planner any-angle --from -1.5m,2m --to 3m,0.5m --format nav-msgs > path.yaml
 
 Exit code 1 when no path was found.")]
 pub struct Args {
@@ -49,16 +50,9 @@ pub struct Args {
     /// Threads on which the ants of an iteration walk, 0 for all cores; the run is the same for any number
     #[arg(long, value_name = "N", default_value_t = 1)]
     threads: usize,
-    /// text, json (everything) or csv (one row per iteration)
+    /// text, json (everything) or csv (one row per iteration); or the path for other programs: path-csv, path-json, nav-msgs (ROS 2), geojson, svg
     #[arg(long, value_enum, hide_possible_values = true, default_value_t = Format::Text)]
     format: Format,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Text,
-    Json,
-    Csv,
 }
 
 impl Args {
@@ -78,6 +72,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let values: Values = args.set.iter().cloned().collect();
     let entry = catalog::find(&args.planner)?;
     let scenario = args.scenario.load()?;
+    args.format.check(&scenario.spec)?;
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
         say(format!(
@@ -86,19 +81,17 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         ));
     }
     planner.run();
+    let last = run_result::last(&scenario, planner.as_ref());
+    if let Format::Path(format) = args.format {
+        return path_file(format, &last, planner.as_ref());
+    }
     let result = RunResult::of(entry.id, args.seed, &scenario, planner.as_ref());
     let fine = result.metrics.is_some();
-    let report = Report {
-        args,
-        scenario: &run_result::last(&scenario, planner.as_ref()),
-        name: entry.name,
-        planner: planner.as_ref(),
-        result,
-    };
+    let report = Report { args, scenario: &last, name: entry.name, planner: planner.as_ref(), result };
     let text = match args.format {
-        Format::Text => report.text(),
         Format::Json => text::json(&report.result, 2),
         Format::Csv => csv(planner.history()),
+        _ => report.text(),
     };
     Ok(Outcome { text, fine })
 }

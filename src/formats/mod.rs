@@ -1,7 +1,7 @@
 //! Files: what a page or a command line is handed, and what it hands out.
 //!
 //! [`recognise`] tells what a file is by its contents, [`import`] reads a map, [`import_with`] one that leaves a choice or comes in two files, [`import_scen`] a list of scenarios, [`read_path`] a
-//! path, [`import_results`] results of runs from elsewhere, [`session`] a race as the page shares it, [`tsplib`] order problems, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
+//! path, [`PathFormat`] writes one, [`import_results`] results of runs from elsewhere, [`session`] a race as the page shares it, [`tsplib`] order problems, [`comparison_json`] a whole comparison; [`survey`] looks at a raster of heights and [`import_terrain`] reads a piece of
 //! it; [`export`] writes. No bytes make any of them panic; what is accepted with a remark comes with a [`Notice`].
 //! docs/formats.md describes each format.
 
@@ -20,6 +20,7 @@ mod movingai;
 mod numbers;
 mod options;
 mod path_list;
+mod path_out;
 pub mod picture;
 mod recognise;
 mod results;
@@ -44,7 +45,8 @@ pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
 pub use options::{FigureOptions, ReadOptions};
-pub use path_list::{names_columns, path_kind, read_path, read_places, read_world_path};
+pub use path_list::{PathOnMap, WorldPath, path_kind, read_path, read_path_on, read_places, read_world_path};
+pub use path_out::{PathFile, PathFormat, PlannedPath};
 use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};
 pub use results::{MAX_ENTRIES, MAX_INSTANCES, MAX_ROWS, import_results, results_table};

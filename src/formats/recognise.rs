@@ -75,7 +75,7 @@ const READERS: [Reader; 20] = [
     Reader(Kind::Mapf, |s| certain_if(ros::is_mapf(&s.text), "the keys map and agents")),
     Reader(Kind::Tsplib, |s| tsplib_as(s, tsplib::Looks::Instance)),
     Reader(Kind::TsplibTour, |s| tsplib_as(s, tsplib::Looks::Tour)),
-    Reader(Kind::Path, |s| certain_if(path_list::looks_like(&s.text), "places in brackets, or poses")),
+    Reader(Kind::Path, path),
     Reader(Kind::Drawing, |s| drawing::sureness(&s.text)),
     Reader(Kind::Matrix, table),
 ];
@@ -177,6 +177,14 @@ fn movingai_scen(sample: &Sample<'_>) -> Sureness {
     certain_if(sample.name.ends_with(".scen") && scen::has_fields(&sample.text), "its name and the fields of its first line")
 }
 
+/// By its own `format`, or by its form.
+fn path(sample: &Sample<'_>) -> Sureness {
+    match json(sample, Kind::Path) {
+        Sureness::No => certain_if(path_list::looks_like(&sample.text), "places in brackets, or poses"),
+        named => named,
+    }
+}
+
 fn tsplib_as(sample: &Sample<'_>, looks: tsplib::Looks) -> Sureness {
     certain_if(tsplib::looks_like(&sample.text) == Some(looks), "the keys of its header")
 }
@@ -209,6 +217,7 @@ fn json(sample: &Sample<'_>, kind: Kind) -> Sureness {
         // Of a single run: the reader of comparisons says so.
         (place("formicarium/result@"), Kind::Comparison),
         (place("formicarium/journal@"), Kind::Journal),
+        (place("formicarium/path@"), Kind::Path),
     ];
     let first = named.into_iter().filter(|(place, _)| *place < usize::MAX).min_by_key(|(place, _)| *place);
     certain_if(first.is_some_and(|(_, named)| named == kind), "its field `format`")

@@ -18,7 +18,7 @@ use crate::scenario::{Scenario, ScenarioSpec};
 /// A path as cells, in order.
 #[derive(serde::Deserialize, Tsify)]
 #[serde(transparent)]
-pub struct Cells(#[tsify(type = "[number, number][]")] Vec<Point>);
+pub struct Cells(#[tsify(type = "[number, number][]")] pub(super) Vec<Point>);
 
 /// What a drawn path is worth.
 #[derive(Serialize, Tsify)]

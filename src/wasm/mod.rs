@@ -24,6 +24,8 @@ mod maps;
 #[cfg(feature = "whole")]
 mod order;
 mod paint;
+#[cfg(feature = "whole")]
+mod path_file;
 mod playback;
 #[cfg(feature = "whole")]
 mod results;
@@ -63,6 +65,8 @@ pub use maps::{
 };
 #[cfg(feature = "whole")]
 pub use order::{OrderRun, read_order};
+#[cfg(feature = "whole")]
+pub use path_file::{path_formats, write_path};
 #[cfg(feature = "whole")]
 pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};

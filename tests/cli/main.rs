@@ -20,6 +20,7 @@ mod journal;
 mod kept_files;
 mod order;
 mod page;
+mod path_out;
 mod plan;
 mod quantities;
 mod results;

@@ -1,12 +1,15 @@
 //! Every file format: what is accepted, what is refused and in which words, and that nothing is lost on the way out and in.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "../common/mod.rs"]
+mod common;
 mod comparison;
 mod figure;
 mod figure_picture;
 mod geotiff;
 mod matrix;
 mod movingai;
+mod path_out;
 mod properties;
 mod recognition;
 mod results;
@@ -15,6 +18,8 @@ mod scen;
 mod scenario;
 mod schema;
 mod terrain;
+#[path = "../common/terrains.rs"]
+mod terrains;
 
 use formicarium::error::{Error, ErrorReport};
 use formicarium::formats::{Imported, import};

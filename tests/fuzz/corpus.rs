@@ -5,9 +5,10 @@ use std::{env, fs};
 
 use formicarium::comparison::{Comparison, Shard};
 use formicarium::formats::journal::JournalLines;
-use formicarium::formats::{BinaryExport, Export, comparison_json, export, export_binary};
+use formicarium::formats::{BinaryExport, Export, PathFormat, PlannedPath, comparison_json, export, export_binary};
 use formicarium::map::{Grid, Measure, Point};
-use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
+use formicarium::path::PathKind;
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec, World};
 
 use crate::{common, terrains};
 
@@ -22,7 +23,7 @@ const LARGEST: u64 = 24 << 10;
 
 pub fn corpus() -> Vec<File> {
     let mut files: Vec<File> =
-        written().into_iter().chain(exported()).map(|(name, bytes)| File { name: name.into(), bytes }).collect();
+        written().into_iter().chain(exported()).chain(paths()).map(|(name, bytes)| File { name: name.into(), bytes }).collect();
     for folder in ["tests/fixtures", "experiments/maps"] {
         add_folder(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut files);
     }
@@ -193,6 +194,32 @@ fn exported() -> Vec<(&'static str, Vec<u8>)> {
     let random = common::random(12, 0.25, 5, formicarium::map::Movement::default());
     all.push(("random.map", export(&random.grid, &random.spec, Export::MovingaiMap).into_bytes()));
     all
+}
+
+/// A map with a place in the world.
+pub fn placed() -> Scenario {
+    let plain = common::drawn(&["S.#G", "...."], formicarium::map::Movement::default());
+    let world = World { frame: "EPSG:25832".into(), yaw: 0.5, ..World::at(1e5, 5e6) };
+    Scenario::new(plain.grid.clone(), ScenarioSpec { world: Some(world), ..plain.spec.clone() }).expect("usable")
+}
+
+/// A path of it in every format, and one by slices.
+fn paths() -> Vec<(&'static str, Vec<u8>)> {
+    let placed = placed();
+    let slices = terrains::hilly_slices(8, 5, 7, terrains::rules(Measure::Cost));
+    let by_slices = common::solve(&slices, "slices-exact");
+    let path = PlannedPath::new(&placed, &[0, 5, 6, 7, 3], PathKind::Steps).expect("it has places");
+    let levels = by_slices.best().and_then(|best| PlannedPath::new(&slices, best.result().0, PathKind::Steps)).expect("a path");
+    let file = |name, path, format: PathFormat| (name, format.write(path).expect("it can be written").text.into_bytes());
+    vec![
+        file("out.path.csv", &path, PathFormat::PathCsv),
+        file("out.path.json", &path, PathFormat::PathJson),
+        file("out.path.yaml", &path, PathFormat::NavMsgs),
+        file("out.geojson", &path, PathFormat::Geojson),
+        file("out.path.svg", &path, PathFormat::Svg),
+        file("slices.path.json", &levels, PathFormat::PathJson),
+        file("slices.path.svg", &levels, PathFormat::Svg),
+    ]
 }
 
 /// A tile of fixed size, of which only bytes can be spoiled; half a second each, so it is rare.

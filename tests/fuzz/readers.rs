@@ -8,11 +8,13 @@ use formicarium::comparison::{Axis, Question, Samples, Seen, analyse};
 use formicarium::error::{Error, ErrorReport};
 use formicarium::formats::journal::JournalLines;
 use formicarium::formats::session::Session;
-use formicarium::formats::{self, BinaryExport, Companion, Export, Imported, ReadOptions, TerrainOptions, comparison_json};
-use formicarium::map::{Grid, Window};
+use formicarium::formats::{
+    self, BinaryExport, Companion, Export, Imported, PathFormat, PlannedPath, ReadOptions, TerrainOptions, comparison_json,
+};
+use formicarium::map::{Grid, Point, Window};
 use formicarium::scenario::{Scenario, ScenarioSpec};
 
-use crate::corpus::{FIVE_PLACES, File, small};
+use crate::corpus::{FIVE_PLACES, File, placed, small};
 use crate::limits::{Limits, MOST_CELLS, MOST_CELLS_PER_BYTE};
 use crate::stated::stated;
 use crate::watch::{Fault, watch};
@@ -49,6 +51,7 @@ pub const READERS: &[Reader] = &[
     text("read_path", |file| typed(formats::read_path(&file.bytes).map_err(Error::from)).map(drop)),
     text("read_places", |file| typed(formats::read_places(&file.bytes).map_err(Error::from)).map(drop)),
     text("read_world_path", |file| typed(formats::read_world_path(&file.bytes).map_err(Error::from)).map(drop)),
+    text("read_path_on", path_on),
     raster("list_matrices", |file| typed(formats::list_matrices(&file.bytes)).map(drop)),
     raster("unpack", |file| typed(formats::unpack(&file.bytes, &file.name).map_err(Error::from)).map(drop)),
     raster("recognise", |file| typed(formats::recognise(&file.bytes, &file.name).map_err(Error::from)).map(drop)),
@@ -126,6 +129,23 @@ pub fn told(report: &ErrorReport) -> Result<(), Fault> {
     if report.message.len() + report.hint.len() > 4000 {
         let begin: String = report.message.chars().take(100).collect();
         return Err(Fault::broken("errors are short", format!("{} bytes: {begin}…", report.message.len())));
+    }
+    Ok(())
+}
+
+/// A path that is accepted on a map can be written and read again, if it is one.
+fn path_on(file: &File) -> Result<(), Fault> {
+    static MAP: LazyLock<Scenario> = LazyLock::new(placed);
+    let Some(read) = typed(formats::read_path_on(&file.bytes, &MAP.spec).map_err(Error::from))? else { return Ok(()) };
+    let points: Vec<Point> = read.places.iter().map(|(at, _)| *at).collect();
+    let Some(path) = typed(PlannedPath::of_points(&MAP, &points, &[], read.kind).map_err(Error::from))? else { return Ok(()) };
+    for format in PathFormat::ALL {
+        let text = format.write(&path).map_err(|error| Fault::broken("a path is written", error.to_string()))?.text;
+        let back = formats::read_path_on(text.as_bytes(), &MAP.spec);
+        if back.as_ref().is_ok_and(|back| back.places.iter().map(|(at, _)| *at).eq(points.iter().copied())) {
+            continue;
+        }
+        return Err(Fault::broken("a path comes back", format!("{} {back:?}", format.id())));
     }
     Ok(())
 }

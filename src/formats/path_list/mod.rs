@@ -1,28 +1,34 @@
 //! A path as a list of cells: JSON (`[[0, 0], [1, 1]]` or the output of `plan`), CSV lines whose names say which column is which, MATLAB
-//! pairs, tuples and points with names as Python prints them; by slices with the level of each place behind it. A Path message of ROS is in
-//! metres: [`read_world_path`].
+//! pairs, tuples and points with names as Python prints them; by slices with the level of each place behind it; what `path_out` writes. A Path
+//! message of ROS and a line of GeoJSON are in metres: [`read_world_path`].
 
 mod columns;
+mod world;
 
 use std::borrow::Cow;
 
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::ros::WorldPath;
 use super::text::{decode, is_ours};
-use super::{numbers, ros};
-use crate::error::FormatError;
+use super::{numbers, path_out, ros};
+use crate::error::{FormatError, Notice};
 use crate::map::Point;
 use crate::path::PathKind;
 use crate::planner::Objective;
+use crate::scenario::ScenarioSpec;
 use columns::Columns;
+pub use world::WorldPath;
 
 /// What a path looks like, for error messages.
 const EXPECTED: &str = "pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]; by slices each with its level";
 
-/// Whether a text is a path by its form: pairs in round brackets, points with names, poses of ROS, or columns with such names.
+/// Whether a text is a path by its form: pairs in round brackets, points with names, poses of ROS, columns with such names, GeoJSON, or a
+/// drawing of a path.
 pub(super) fn looks_like(text: &str) -> bool {
+    if path_out::looks_like(text) {
+        return true;
+    }
     if is_ours(text) {
         return false;
     }
@@ -64,12 +70,14 @@ pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
 /// [`FormatError`] with the line of the first thing that is no place.
 pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
     let text = decode(bytes)?;
+    if let Some(path) = path_out::read_own(&text) {
+        return path.map(|path| path.places);
+    }
+    if let Some((what, expected)) = in_metres(&text) {
+        return Err(FormatError::syntax(0, what, expected));
+    }
     if text.trim_start().starts_with('{') {
         return from_result(&text);
-    }
-    if ros::is_path(&text) {
-        let expected = "a map that knows its place in the world: check it against the ROS map";
-        return Err(FormatError::syntax(0, "a Path message of ROS is in metres", expected));
     }
     if has_named_points(&beginning(&text)) {
         return named_points(&text);
@@ -133,23 +141,59 @@ fn named_points(text: &str) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
     points.iter().enumerate().map(read).collect()
 }
 
-/// The places of a Path message of ROS in metres; none for any other file.
-///
-/// # Errors
-/// [`FormatError`] with the line or the pose at fault.
-pub fn read_world_path(bytes: &[u8]) -> Result<Option<WorldPath>, FormatError> {
-    let text = decode(bytes)?;
-    if ros::is_path(&text) { ros::read_path(&text).map(Some) } else { Ok(None) }
+/// What a text in metres is, and what it needs.
+fn in_metres(text: &str) -> Option<(&'static str, &'static str)> {
+    if path_out::read_geojson(text).is_some() {
+        return Some(("a line of GeoJSON is in the map's coordinate system", "a map that knows its place in the world"));
+    }
+    let expected = "a map that knows its place in the world: check it against the ROS map";
+    ros::is_path(text).then_some(("a Path message of ROS is in metres", expected))
 }
 
-/// Whether a file itself says which number of a place is the column and which the row: by the names of its columns or points, or as a Path
-/// message of ROS.
+/// The places of a Path message of ROS or of a line of GeoJSON in metres; none for any other file.
 ///
 /// # Errors
-/// [`FormatError`] for what is no text, or names that do not say which column is which.
-pub fn names_columns(bytes: &[u8]) -> Result<bool, FormatError> {
+/// [`FormatError`] with the line, the pose or the position at fault.
+pub fn read_world_path(bytes: &[u8]) -> Result<Option<WorldPath>, FormatError> {
     let text = decode(bytes)?;
-    if ros::is_path(&text) {
+    match path_out::read_geojson(&text) {
+        Some(line) => line.map(|(path, _)| Some(path)),
+        None if ros::is_path(&text) => ros::read_path(&text).map(Some),
+        None => Ok(None),
+    }
+}
+
+/// A path as a map's cells, from any file that holds one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PathOnMap {
+    /// Its cells, as the file names them or in which its metres lie; by slices each with its level.
+    pub places: Vec<(Point, Option<u32>)>,
+    /// How they follow each other.
+    pub kind: PathKind,
+    /// The path in metres, where the file is: by slices [`WorldPath::on`] tells levels once it is known how high they are.
+    pub metres: Option<WorldPath>,
+    /// Whether the file itself says which number of a place is the column and which the row.
+    pub names_columns: bool,
+    /// What was assumed.
+    pub notices: Vec<Notice>,
+}
+
+/// Reads a path of a map: cells as they stand in the file, neither checked against the map nor shifted; of metres the cells in which they lie.
+///
+/// # Errors
+/// As [`read_places`] and [`read_world_path`], and for a place beside the map.
+pub fn read_path_on(bytes: &[u8], spec: &ScenarioSpec) -> Result<PathOnMap, FormatError> {
+    let metres = read_world_path(bytes)?;
+    let places = metres.as_ref().map_or_else(|| read_places(bytes), |path| path.on(spec))?;
+    let notices = metres.as_ref().map_or_else(Vec::new, |path| path.notices(spec));
+    Ok(PathOnMap { places, kind: path_kind(bytes), metres, names_columns: names_columns(bytes)?, notices })
+}
+
+/// Whether a file itself says which number of a place is the column and which the row: by the names of its columns or points, by its format, or
+/// by being in metres.
+fn names_columns(bytes: &[u8]) -> Result<bool, FormatError> {
+    let text = decode(bytes)?;
+    if path_out::read_own(&text).is_some() || in_metres(&text).is_some() {
         return Ok(true);
     }
     if text.trim_start().starts_with('{') {
@@ -158,11 +202,18 @@ pub fn names_columns(bytes: &[u8]) -> Result<bool, FormatError> {
     Ok(has_named_points(&beginning(&text)) || columns::of(text.lines().next().unwrap_or(""))?.is_some())
 }
 
-/// What kind of path a file holds: what a result's objective says; steps for everything else.
+/// What kind of path a file holds: what it says itself, or a result's objective; steps for everything else.
 pub fn path_kind(bytes: &[u8]) -> PathKind {
     #[derive(Deserialize)]
     struct Result {
         objective: Objective,
+    }
+    let text = decode(bytes).unwrap_or_default();
+    if let Some(Ok((_, kind))) = path_out::read_geojson(&text) {
+        return kind;
+    }
+    if let Some(Ok(path)) = path_out::read_own(&text) {
+        return path.kind;
     }
     serde_json::from_slice::<Result>(bytes).map_or(PathKind::Steps, |result| result.objective.path_kind())
 }

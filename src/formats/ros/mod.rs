@@ -12,6 +12,7 @@ use std::borrow::Cow;
 
 use super::imported_map::Imported;
 use super::kind::Kind;
+use super::path_list::WorldPath;
 use super::picture;
 use super::text::{self, lines};
 use crate::error::{Error, FormatError, Notice};
@@ -91,15 +92,6 @@ pub(super) fn read_message(text: &str, name: &str, unknown: Unknown, cells: Opti
     Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices }.import(name, unknown, cells)
 }
 
-/// A Path message.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WorldPath {
-    /// The places of its poses, in metres.
-    pub metres: Vec<[f64; 2]>,
-    /// Of its header: in which frame they are; empty where it does not say.
-    pub frame: String,
-}
-
 /// Reads a Path message.
 ///
 /// # Errors
@@ -119,11 +111,11 @@ pub(super) fn read_path(text: &str) -> Result<WorldPath, FormatError> {
             stamped.and_then(yaml::Value::number)
         };
         let missing = || FormatError::field("poses", format!("pose {index} has no position"), "position: {x, y}");
-        Ok([number("x").ok_or_else(missing)?, number("y").ok_or_else(missing)?])
+        Ok([number("x").ok_or_else(missing)?, number("y").ok_or_else(missing)?, number("z").unwrap_or(0.0)])
     };
-    let metres = poses.iter().enumerate().map(read).collect::<Result<_, FormatError>>()?;
+    let places = poses.iter().enumerate().map(read).collect::<Result<_, FormatError>>()?;
     let frame = message.get(&["header", "frame_id"]).and_then(yaml::Value::text).unwrap_or("").to_owned();
-    Ok(WorldPath { metres, frame })
+    Ok(WorldPath { places, frame })
 }
 
 /// Reads an instance of multi-agent path finding.

@@ -89,6 +89,7 @@ function valid(): Record<string, unknown[]> {
     list_matrices: [text('0 0\n0 0\n')],
     match_results: [DOCUMENT, text(table), 'x.csv'],
     paint_map: [{}, on, cells, heights, 'dark', false],
+    path_formats: [on],
     read_order: [text(TRIANGLE), false, null],
     recognise: [text('0 0'), 'x'],
     read_figure: [pixel, lattice],
@@ -98,8 +99,12 @@ function valid(): Record<string, unknown[]> {
     show_picture: [pixel, 9],
     survey_terrain: [text(terrain), 'x.asc'],
     unpack: [gzipSync('0 0'), 'x.gz'],
+    write_path: [on, cells, heights, straight(9), null, 'length', 'path-csv'],
   }
 }
+
+/** The diagonal of a map of so many cells a side. */
+const straight = (side: number) => Array.from({ length: side }, (_, i) => [i, i])
 
 /** A picture of a grid of so many cells a side, every other one a wall. */
 function gridOf(side: number): Uint8Array {

@@ -5,6 +5,7 @@ import type {
   ExportFormat,
   Generator,
   Objective,
+  PathFormat,
   ReadOptions,
   Reference,
   RunSummary,
@@ -12,7 +13,14 @@ import type {
 import { toEngineError } from '../model/errors'
 import type { ParamValues, RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
-import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
+import type {
+  FoundPath,
+  MapCalls,
+  TerrainPart,
+  ToolCalls,
+  ToolReply,
+  ToolRequest,
+} from '../model/tool_calls'
 import { type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
 import { newWorker, whyFailed } from './new_worker'
@@ -137,6 +145,11 @@ export const tools = {
     wholeBox().call('exportRos', spec, cells, image),
   exportGeotiff: ({ spec, cells, heights }: Scenario) =>
     wholeBox().call('exportGeotiff', spec, cells, heights),
+  /** Every format of paths, with why a map cannot give it. */
+  pathFormats: (spec: Scenario['spec']) => wholeBox().call('pathFormats', spec),
+  /** The text of a path for other programs. */
+  writePath: ({ spec, cells, heights }: Scenario, found: FoundPath, format: PathFormat) =>
+    wholeBox().call('writePath', spec, cells, heights, found, format),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
   fittingSlices: ({ spec, cells, heights }: Scenario, verticalUnit: number) =>
     wholeBox().call('fittingSlices', spec, cells, heights, verticalUnit),

@@ -13,6 +13,9 @@ import type {
   MatrixInfo,
   Notice,
   Objective,
+  PathFormat,
+  PathFormatFacts,
+  PathText,
   ReadOptions,
   Recognised,
   Reference,
@@ -35,6 +38,14 @@ import type { ContourData } from './terrain'
 export interface TerrainPart {
   crop?: Window
   size?: Size
+}
+
+/** A panel's best path, and what it was measured by. */
+export interface FoundPath {
+  path: [number, number][]
+  /** Metres at its places; null or empty on a plane. */
+  altitudes: Float64Array | null
+  objective: Objective
 }
 
 /** What only the whole engine's worker can do, as plain functions on its side. */
@@ -64,6 +75,15 @@ export interface MapCalls {
   ): string
   exportRos(spec: ScenarioSpec, cells: Uint8Array, image: string): RosFiles
   exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
+  /** Every format of paths, with why maps of this kind cannot give it. */
+  pathFormats(spec: ScenarioSpec): PathFormatFacts[]
+  writePath(
+    spec: ScenarioSpec,
+    cells: Uint8Array,
+    heights: Float32Array | null,
+    found: FoundPath,
+    format: PathFormat,
+  ): PathText
   /** Rules of movement by slices that suit a terrain. */
   fittingSlices(
     spec: ScenarioSpec,

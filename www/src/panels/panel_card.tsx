@@ -29,6 +29,7 @@ import { Select } from '../ui/fields'
 import { Icon } from '../ui/icon'
 import { FAMILIES, panelTitle, plannerName, whyNot } from '../words/planner_words'
 import { PanelLabel } from './panel_label'
+import { PathMenu } from './path_menu'
 import { cardId, showParameters } from './places'
 import { Readout } from './readout'
 import { StatusChip } from './status_chip'
@@ -73,11 +74,13 @@ export function PanelCard({ panel, place }: PanelCardProps) {
   )
 }
 
-function PanelButtons({ panel: { id }, place }: PanelCardProps) {
+function PanelButtons({ panel, place }: PanelCardProps) {
+  const { id } = panel
   const title = panelTitle(id)
-  if (focused.value === id) return <FocusButtons />
+  if (focused.value === id) return <FocusButtons panel={panel} place={place} />
   return (
     <span class="panel-buttons">
+      <PathMenu panel={panel} place={place} />
       <IconButton
         icon={SlidersHorizontal}
         label={t('panels.parametersOf', { planner: title })}
@@ -106,9 +109,10 @@ function PanelButtons({ panel: { id }, place }: PanelCardProps) {
 }
 
 /** With the page to itself a panel can take the whole screen, or give the page back. */
-function FocusButtons() {
+function FocusButtons({ panel, place }: PanelCardProps) {
   return (
     <span class="panel-buttons">
+      <PathMenu panel={panel} place={place} />
       <IconButton
         icon={Fullscreen}
         label={t('focus.fullScreen')}

@@ -29,6 +29,17 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
     engine.fitting_slices(spec, cells, heights, verticalUnit),
   exportRos: (spec, cells, image) => engine.export_ros(spec, cells, image),
   exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
+  pathFormats: (spec) => engine.path_formats(spec),
+  writePath: (spec, cells, heights, { path, altitudes, objective }, format) =>
+    engine.write_path(
+      spec,
+      cells,
+      heights,
+      path,
+      Float32Array.from(altitudes ?? []),
+      objective,
+      format,
+    ),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
   joinResults: (document, bytes, name, instance, leaveOut) =>
     engine.join_results(document, bytes, name, instance, leaveOut),

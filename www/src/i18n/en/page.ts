@@ -134,6 +134,7 @@ export const en = {
     planner: 'Planner',
     parametersOf: 'Parameters of {{planner}}',
     remove: 'Remove {{planner}}',
+    savePath: 'Save path of {{planner}} as…',
     add: 'Add planner',
     full: 'At most {{count}} planners race at once. Remove one to add another.',
     useInstead: 'Use {{planner}}',

@@ -81,11 +81,27 @@ export const zhCNFileRules: Phrases = {
 
   // Paths.
   'one level for each cell': '每格一个层',
+  'places on the map: check against the one that the path was planned on':
+    '地图上的位置：请与规划此路径的地图一起检验',
   'x and y, or row and col, once each': 'x 与 y，或 row 与 col，各一次',
   'pairs of whole numbers: [[x, y], …], lines `x,y`, or [x y; x y]; by slices each with its level':
     '整数对：[[x, y], …]、每行 x,y，或 [x y; x y]；按切片时各带所在层',
   'a map that knows its place in the world: check it against the ROS map':
     '带有世界坐标的地图：请与 ROS 地图一起检验',
+  'an object of JSON': 'JSON 对象',
+  'a path on this map, from its start by every goal': '此地图上从起点经过每个目标的路径',
+  'a map with `world` in its scenario, whose `frame` is a code such as EPSG:25832; path-json and nav-msgs need none':
+    '场景中有 world 的地图，其 frame 是 EPSG:25832 之类的代码；path-json 与 nav-msgs 不需要',
+  'a place of the map nearer to zero': '离原点更近的地图位置',
+  "the code of the system in which the map's place is said": '地图位置所用坐标系的代码',
+  'a Feature, or a collection of one, whose geometry is a LineString of [x, y] or [x, y, z]':
+    '一个要素，或只有一个要素的集合，其几何为 [x, y] 或 [x, y, z] 组成的 LineString',
+  'a name such as urn:ogc:def:crs:EPSG::25832': 'urn:ogc:def:crs:EPSG::25832 之类的名称',
+  '`cells`: [[x, y], …], and by slices `levels`: [level, …]':
+    'cells：[[x, y], …]，按切片时还有 levels：[level, …]',
+  'the drawing as `plan --format svg` writes it, with whole numbers `x,y` as the points of its line':
+    'plan --format svg 写出的图形，其线上的点为整数 x,y',
+  'a map that knows its place in the world': '带有世界坐标的地图',
 
   // Pictures and figures.
   'a length above 0': '大于 0 的长度',

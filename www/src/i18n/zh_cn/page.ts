@@ -151,6 +151,7 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
     planner: '规划器',
     parametersOf: '“{{planner}}”的参数',
     remove: '移除“{{planner}}”',
+    savePath: '将“{{planner}}”的路径另存为…',
     add: '添加规划器',
     full: '最多同时比赛 {{count}} 个规划器。请先移除一个。',
     useInstead: '改用“{{planner}}”',
