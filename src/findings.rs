@@ -6,6 +6,7 @@ use crate::map::{Cell, Grid, Movement, Point};
 use crate::metrics::Metrics;
 use crate::path::{PathKind, audit_slices, direction_between, in_sight};
 use crate::scenario::{Scenario, ScenarioSpec};
+use crate::smoothing::Smoothed;
 
 /// What `format` says.
 const FORMAT: &str = "formicarium/check@1";
@@ -54,6 +55,9 @@ pub struct Findings {
     pub out_of_sight: Vec<Step>,
     /// Its measures, where no cell lies beside the map and no step jumps.
     pub metrics: Option<Metrics>,
+    /// The path as a smooth curve, where nothing is wrong with it and the vehicle has a rule of smoothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smoothed: Option<Smoothed>,
 }
 
 impl Findings {
@@ -80,8 +84,30 @@ impl Findings {
         let joined = corner_cuts.is_empty() && out_of_sight.is_empty() && too_steep.is_empty();
         let ok = measurable && joined && collisions.is_empty() && wrong_ends.is_empty() && !path.is_empty();
         let metrics = if measurable { measure(grid, spec, path) } else { None };
-        Self { format: FORMAT, kind, ok, wrong_ends, outside, collisions, jumps, corner_cuts, too_steep, out_of_sight, metrics }
+        let smoothed = if ok { smooth(ground, path) } else { None };
+        Self {
+            format: FORMAT,
+            kind,
+            ok,
+            wrong_ends,
+            outside,
+            collisions,
+            jumps,
+            corner_cuts,
+            too_steep,
+            out_of_sight,
+            metrics,
+            smoothed,
+        }
     }
+}
+
+/// The curve of a valid path, which comes by all goals of the scenario.
+fn smooth(ground: Scenario, path: &[Point]) -> Option<Smoothed> {
+    let cell = |p: &Point| ground.grid.cell(*p);
+    let goals = ground.spec.goals.iter().map(|goal| cell(&goal.at)).collect();
+    let path: Vec<Cell> = path.iter().map(cell).collect();
+    Smoothed::of(&Scenario { goals, ..ground }, &path)
 }
 
 /// What is wrong with a path by slices, and its measures when nothing is.

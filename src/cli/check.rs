@@ -9,6 +9,7 @@ use crate::map::Point;
 use crate::path::PathKind;
 use crate::scenario::{Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 
+use super::driving::{self, DrivingArgs};
 use super::error::CliError;
 use super::input::{self, MovementArgs};
 use super::reading::ReadingArgs;
@@ -43,6 +44,8 @@ pub struct Args {
     /// The path's points are joined by straight segments in line of sight, not by steps
     #[arg(long)]
     polyline: bool,
+    #[command(flatten)]
+    driving: DrivingArgs,
     /// The path counts cells from 1, as MATLAB does
     #[arg(long)]
     one_based: bool,
@@ -80,6 +83,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
     }
     args.terrain.apply(&mut map)?;
+    args.driving.apply(&mut map.spec.vehicle);
     map.spec.check(&map.grid)?;
     if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
         return by_slices(args, map, &path);
@@ -155,6 +159,7 @@ fn whole_text(findings: &Findings, map: &Imported, points: usize) -> String {
     if let Some(metrics) = &findings.metrics {
         text::metrics(&mut out, metrics);
     }
+    driving::smoothed(&mut out, &map.spec.vehicle, findings.smoothed.as_ref());
     out
 }
 
