@@ -264,15 +264,8 @@ fn by_slices_and_without_a_rule_there_is_none() {
     let (scenario, path) = open(9, &[(0, 0), (4, 0), (4, 4)]);
     assert_eq!((Smoothed::of(&scenario, &path), smooth(&scenario, &[], ANY)), (None, None));
     let grid = Grid::open(6, 6).expect("a map").with_heights(vec![0.0; 36]).expect("heights");
-    let rules = SliceRules {
-        level: 1.0,
-        levels: 5,
-        max_aside: 2,
-        max_climb: 2,
-        start_level: 1,
-        goal_level: 1,
-        measure: Measure::Cost,
-    };
+    let rules =
+        SliceRules { level: 1.0, levels: 5, max_aside: 2, max_climb: 2, start_level: 1, goal_level: 1, measure: Measure::Cost };
     let terrain = Some(TerrainSpec { vertical_unit: 1.0, moves: TerrainMoves::Slices(rules) });
     let mut spec = ScenarioSpec { terrain, ..ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(5, 3)) };
     spec.vehicle.smoothing = Some(ANY);

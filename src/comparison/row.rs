@@ -262,6 +262,12 @@ mod tests {
         let json = serde_json::to_string(&row).unwrap();
         assert!(json.contains(r#""trace":[[0.30000000000000004,3,60,null,0]]"#), "{json}");
         assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
+        assert!(!json.contains("driving"), "as it was before there was such a measure: {json}");
+        let driving = Driving { turning: 1.5, largest_curvature: None, smoothness: 2.5, energy: 30.0 };
+        let driven = Row { found: Some(Found { driving: Some(driving), ..found }), ..row.clone() };
+        assert_eq!(serde_json::from_str::<Row>(&driven.to_line()).unwrap(), driven);
+        assert_eq!((driven.value(RunMeasure::Turning), row.value(RunMeasure::Turning)), (Some(1.5), None));
+        assert_eq!(driven.value(RunMeasure::LargestCurvature), Some(f64::INFINITY));
         let imported = json.replace("00ff00ff00ff00ff", "");
         assert_eq!(serde_json::from_str::<Row>(&imported).unwrap().digest, "");
         for digest in ["00ff", "=HYPERLINK(1)  ", "00FF00FF00FF00FF", "00ff00ff00ff00f\\n"] {

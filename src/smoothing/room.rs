@@ -90,7 +90,8 @@ impl<'a> Room<'a> {
         for (dy, share_y) in [(0, 1.0 - down_share), (1, down_share)] {
             for (dx, share_x) in [(0, 1.0 - right_share), (1, right_share)] {
                 let (column, row, share) = (left as i64 + dx, up as i64 + dy, share_x * share_y);
-                let inside = (0..i64::from(self.grid.width())).contains(&column) && (0..i64::from(self.grid.height())).contains(&row);
+                let inside =
+                    (0..i64::from(self.grid.width())).contains(&column) && (0..i64::from(self.grid.height())).contains(&row);
                 if !inside || share == 0.0 {
                     continue;
                 }
