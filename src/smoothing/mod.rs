@@ -89,7 +89,7 @@ pub fn smooth(scenario: &Scenario, path: &[Cell], rule: SmoothingRule) -> Option
 
 impl Smoothed {
     fn through(points: Vec<[f64; 2]>, path: &[[f64; 2]], room: Room, curvature: Option<f64>, rule: SmoothingRule) -> Self {
-        let measure = |points: &[[f64; 2]]| points.windows(2).map(|ends| room.length(ends[0], ends[1])).sum::<f64>();
+        let measure = |points: &[[f64; 2]]| points.windows(2).fold(0.0, |sum, ends| sum + room.length(ends[0], ends[1]));
         let length = measure(&points);
         Self {
             saved: measure(path) - length,

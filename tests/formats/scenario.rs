@@ -117,7 +117,7 @@ fn what_is_left_out_takes_its_default() {
 #[test]
 fn errors_name_the_field() {
     type Edit = fn(&mut Value);
-    let cases: [(Edit, &str, &str); 15] = [
+    let cases: [(Edit, &str, &str); 19] = [
         (|v| v["colour"] = json!("red"), "syntax", "`colour`"),
         (|v| v["movement"]["diagonal"] = json!(true), "syntax", "`movement.diagonal`"),
         (|v| v["goals"][0]["weight"] = json!(1), "syntax", "`goals.weight`"),
