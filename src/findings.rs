@@ -6,6 +6,7 @@ use crate::map::{Cell, Grid, Movement, Point};
 use crate::metrics::Metrics;
 use crate::path::{PathKind, audit_slices, direction_between, in_sight};
 use crate::scenario::{Scenario, ScenarioSpec};
+use crate::smoothing::Smoothed;
 
 /// What `format` says.
 const FORMAT: &str = "formicarium/check@1";
@@ -57,6 +58,9 @@ pub struct Findings {
     pub out_of_sight: Vec<Step>,
     /// Its measures, where no cell lies beside the map and no step jumps.
     pub metrics: Option<Metrics>,
+    /// The path as a smooth curve, where nothing is wrong with it and the vehicle has a rule of smoothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smoothed: Option<Smoothed>,
 }
 
 impl Findings {
@@ -85,7 +89,8 @@ impl Findings {
         let joined = corner_cuts.is_empty() && out_of_sight.is_empty() && too_steep.is_empty();
         let fits = collisions.is_empty() && narrow.is_empty();
         let ok = measurable && joined && fits && wrong_ends.is_empty() && !path.is_empty();
-        let metrics = measurable.then(|| measure(&ground, path));
+        let metrics = measurable.then(|| measure(&ground, path)).flatten();
+        let smoothed = if ok { smooth(ground, path) } else { None };
         Self {
             format: FORMAT,
             kind,
@@ -98,9 +103,18 @@ impl Findings {
             corner_cuts,
             too_steep,
             out_of_sight,
-            metrics: metrics.flatten(),
+            metrics,
+            smoothed,
         }
     }
+}
+
+/// The curve of a valid path, which comes by all goals of the scenario.
+fn smooth(ground: Scenario, path: &[Point]) -> Option<Smoothed> {
+    let cell = |p: &Point| ground.grid.cell(*p);
+    let goals = ground.spec.goals.iter().map(|goal| cell(&goal.at)).collect();
+    let path: Vec<Cell> = path.iter().map(cell).collect();
+    Smoothed::of(&Scenario { goals, ..ground }, &path)
 }
 
 /// What is wrong with a path by slices, and its measures when nothing is.

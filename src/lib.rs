@@ -27,7 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`] and [`drawn`]; [`planner`] and [`findings`]; [`exact`]
+//! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`], [`drawn`] and [`smoothing`]; [`planner`] and [`findings`]; [`exact`]
 //! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
@@ -61,6 +61,8 @@ pub mod planner;
 pub mod rng;
 pub mod sampling;
 pub mod scenario;
+#[cfg(feature = "whole")]
+pub mod smoothing;
 pub mod swarm;
 
 #[cfg(target_arch = "wasm32")]

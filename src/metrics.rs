@@ -1,10 +1,16 @@
-//! What is measured on a path: length, turns, V(d, r), clearance, arrival time; on a terrain what it climbs.
+//! What is measured on a path: length, turns, V(d, r), clearance, arrival time; on a terrain what it climbs; what driving along it takes.
+
+#[cfg(feature = "whole")]
+mod driving;
 
 use serde::Serialize;
 
 use crate::map::{Cell, Grid, OFFSETS, PlaneLength, displacement};
-use crate::path::crossed;
+use crate::path::{crossed, turns};
 use crate::scenario::Scenario;
+
+#[cfg(feature = "whole")]
+pub use driving::Driving;
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
 pub const TURN_WEIGHT: f64 = 1.2;
@@ -41,6 +47,10 @@ pub struct Metrics {
     /// On a terrain alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub terrain: Option<TerrainMetrics>,
+    /// How it is to drive; none by slices. The opening build does not measure it.
+    #[cfg(feature = "whole")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub driving: Option<Driving>,
 }
 
 /// What a path does on a terrain.
@@ -56,13 +66,6 @@ pub struct TerrainMetrics {
     /// By slices: Σ √(1 + Δy² + Δh²) + |h|, the textbook program's cost.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub level_cost: Option<f64>,
-}
-
-/// Whether two steps or segments lead in different directions.
-fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
-    let cross = i64::from(a.0) * i64::from(b.1) - i64::from(a.1) * i64::from(b.0);
-    let dot = i64::from(a.0) * i64::from(b.0) + i64::from(a.1) * i64::from(b.1);
-    cross != 0 || dot < 0
 }
 
 impl Metrics {
@@ -86,6 +89,7 @@ impl Metrics {
         let metres =
             if scenario.by_slices().is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
         let vehicle = scenario.spec.vehicle;
+        let terrain = terrain(scenario, path);
         Self {
             length,
             length_metres: metres,
@@ -96,7 +100,9 @@ impl Metrics {
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
             cost: scenario.moves.weights().map(|_| scenario.path_length(path)),
-            terrain: terrain(scenario, path),
+            terrain,
+            #[cfg(feature = "whole")]
+            driving: Driving::of(scenario, path, metres, terrain.map_or(0.0, |t| t.climb)),
         }
     }
 }
@@ -255,7 +261,7 @@ mod tests {
     fn measures_by_hand() {
         let mut s = scenario(&["....", "....", "...."]);
         s.spec.resolution = 0.5;
-        s.spec.vehicle = crate::scenario::Vehicle { speed: 0.25, seconds_per_turn: 2.0 };
+        s.spec.vehicle = crate::scenario::Vehicle { speed: 0.25, seconds_per_turn: 2.0, ..Default::default() };
         // E, E, SE, S: turns at the SE and at the S step.
         let path = [0, 1, 2, 7, 11];
         let m = Metrics::of(&s, &path);
@@ -283,7 +289,7 @@ mod tests {
     #[test]
     fn a_polyline_is_measured_by_its_segments_and_the_cells_they_cross() {
         let mut s = scenario(&["......", "......", "..#...", "......", "......"]);
-        s.spec.vehicle = crate::scenario::Vehicle { speed: 0.5, seconds_per_turn: 3.0 };
+        s.spec.vehicle = crate::scenario::Vehicle { speed: 0.5, seconds_per_turn: 3.0, ..Default::default() };
         // (0,0) → (1,3) crosses (0,0), (0,1), (1,2), (1,3); then → (5,3): (2,3), (3,3), (4,3), (5,3).
         let m = Metrics::of(&s, &[0, 19, 23]);
         assert_eq!((m.steps, m.turns), (2, 1));

@@ -275,6 +275,29 @@ fn no_detour(scenario: &Scenario, path: &[Cell]) -> bool {
     scenario.path_length(&[*first, *last]) <= scenario.path_length(path)
 }
 
+/// The cells at which a path of either kind begins, turns or ends: straight stretches become one, and a cell twice in a row counts once.
+#[cfg(feature = "whole")]
+pub fn corners(scenario: &Scenario, path: &[Cell]) -> Vec<Point> {
+    let mut corners: Vec<Point> = Vec::new();
+    for at in points(scenario, path) {
+        let away = |from: Point, to: Point| (to.x as i32 - from.x as i32, to.y as i32 - from.y as i32);
+        match corners[..] {
+            [.., last] if last == at => continue,
+            [.., before, last] if !turns(away(before, last), away(last, at)) => corners.truncate(corners.len() - 1),
+            _ => {}
+        }
+        corners.push(at);
+    }
+    corners
+}
+
+/// Whether two steps or segments lead in different directions.
+pub(crate) fn turns(a: (i32, i32), b: (i32, i32)) -> bool {
+    let cross = i64::from(a.0) * i64::from(b.1) - i64::from(a.1) * i64::from(b.0);
+    let dot = i64::from(a.0) * i64::from(b.0) + i64::from(a.1) * i64::from(b.1);
+    cross != 0 || dot < 0
+}
+
 /// The direction of the step between two neighbouring cells.
 pub fn direction_between(from: Point, to: Point) -> Option<u8> {
     let step = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));

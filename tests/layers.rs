@@ -11,7 +11,7 @@ const LAYERS: [&[&str]; 13] = [
     &["map"],
     &["scenario"],
     &["path"],
-    &["metrics", "drawn"],
+    &["metrics", "drawn", "smoothing"],
     &["planner", "findings"],
     &["exact", "swarm", "sampling"],
     &["aco"],

@@ -8,6 +8,7 @@ use crate::map::Point;
 use crate::path::PathKind;
 use crate::scenario::{Scenario, TerrainMoves, TerrainSpec};
 
+use super::driving::{self, DrivingArgs};
 use super::error::CliError;
 use super::input::{self, MovementArgs};
 use super::reading::ReadingArgs;
@@ -44,6 +45,8 @@ pub struct Args {
     /// The path's points are joined by straight segments in line of sight, not by steps
     #[arg(long)]
     polyline: bool,
+    #[command(flatten)]
+    driving: DrivingArgs,
     /// The path counts cells from 1, as MATLAB does
     #[arg(long)]
     one_based: bool,
@@ -86,6 +89,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         // Only now it is known how high a level is.
         path = metres.on(&map.spec)?;
     }
+    args.driving.apply(&mut map.spec.vehicle);
     map.spec.check(&map.grid)?;
     if let Some(TerrainSpec { moves: TerrainMoves::Slices(_), .. }) = map.spec.terrain {
         return by_slices(args, map, &path);
@@ -136,6 +140,7 @@ fn whole_text(findings: &Findings, map: &Imported, points: usize) -> String {
     if let Some(metrics) = &findings.metrics {
         text::metrics(&mut out, metrics);
     }
+    driving::smoothed(&mut out, &map.spec.vehicle, findings.smoothed.as_ref());
     out
 }
 

@@ -11,6 +11,7 @@ use crate::map::{CornerRule, Moves, Point, Window};
 use crate::scenario::{Goal, Scenario};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use super::driving::DrivingArgs;
 use super::error::CliError;
 use super::reading::ReadingArgs;
 use super::terrain::TerrainArgs;
@@ -30,6 +31,8 @@ pub struct ScenarioArgs {
     scenario: Option<PathBuf>,
     #[command(flatten)]
     route: RouteArgs,
+    #[command(flatten)]
+    driving: DrivingArgs,
     #[command(flatten)]
     reading: ReadingArgs,
 }
@@ -192,6 +195,7 @@ impl ScenarioArgs {
             set_ends(&mut map, Some(line.start), &[line.goal]);
         }
         self.route.apply(&mut map)?;
+        self.driving.apply(&mut map.spec.vehicle);
         let scenario = Scenario::new(map.grid, map.spec)?;
         text::notes(&map.notices);
         text::notes(&scenario.notices());

@@ -5,6 +5,7 @@ mod catalog;
 mod check;
 mod compare;
 mod convert;
+mod driving;
 mod error;
 mod generate;
 mod input;

@@ -11,6 +11,7 @@ use crate::params::{Value, Values};
 use crate::planner::{Effort, Objective, Planner, Record, Status};
 use crate::scenario::{Goal, Scenario, ScenarioSpec};
 
+use super::driving;
 use super::error::CliError;
 use super::input::ScenarioArgs;
 use super::plan_format::{Format, path_file};
@@ -27,6 +28,7 @@ Examples:
   formicarium plan maze.csv --planner fire --from 0,0 --to 19,19 --to 3,17 --to 16,2
   formicarium plan room.json --planner ant-system --set ants=40 --set rho=0.2 --format csv > curve.csv
   formicarium plan dem.asc --planner astar --moves 16 --max-slope 25
+  formicarium plan room.json --planner theta-star --smooth=2 --format json
   formicarium plan heights.csv --planner slices-exact --model slices --from 0,9 --from-level 4 --to 20,7 --to-level 5
   formicarium generate rooms --size 80x60 | formicarium plan - --planner dijkstra --format json
   formicarium plan map.yaml --planner any-angle --from -1.5m,2m --to 3m,0.5m --format nav-msgs > path.yaml
@@ -123,6 +125,7 @@ impl Report<'_> {
                 self.gap_text(&mut out);
                 self.polyline_text(&mut out);
                 text::metrics(&mut out, metrics);
+                driving::smoothed(&mut out, &spec.vehicle, self.result.smoothed.as_ref());
             }
             None => {
                 if let Some(value) = self.result.reference.value() {

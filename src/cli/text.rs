@@ -148,6 +148,9 @@ pub fn metrics(out: &mut String, m: &Metrics) {
     row(out, "turns", format!("{}, turn index V = {:.4} cells", m.turns, m.turn_index));
     row(out, "clearance", format!("at least {:.2}, on average {:.2} cells", m.min_clearance, m.mean_clearance));
     row(out, "arrival time", seconds(m.travel_time));
+    if let Some(driving) = &m.driving {
+        super::driving::metrics(out, driving);
+    }
 }
 
 /// Remarks on one of several files.

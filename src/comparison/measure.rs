@@ -18,6 +18,14 @@ pub enum RunMeasure {
     Turns,
     /// Its turn-weighted index V(d, r) in cells.
     TurnIndex,
+    /// Radians that it turns in all.
+    Turning,
+    /// Its largest curvature per metre; infinite where it turns straight back.
+    LargestCurvature,
+    /// Its smoothness per square metre; 0 of a straight line.
+    Smoothness,
+    /// What driving along it costs by the map's vehicle.
+    Energy,
     /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
     Weight,
     /// The iteration that found the best path.
@@ -52,6 +60,10 @@ impl RunMeasure {
             Self::Cost => "cost",
             Self::Turns => "turns",
             Self::TurnIndex => "turn index V",
+            Self::Turning => "turning angle",
+            Self::LargestCurvature => "largest curvature",
+            Self::Smoothness => "smoothness",
+            Self::Energy => "energy",
             Self::Weight => "weight R",
             Self::IterationOfBest => "iteration of best",
             Self::PathsToBest => "constructed paths to best",
@@ -60,6 +72,11 @@ impl RunMeasure {
             Self::Optimal => "share of runs with the optimum",
             Self::RunningTime => "expected running time",
         }
+    }
+
+    /// Whether it tells how a path is to drive: such measures are taken only where they are asked for.
+    pub fn is_of_driving(self) -> bool {
+        matches!(self, Self::Turning | Self::LargestCurvature | Self::Smoothness | Self::Energy)
     }
 
     /// Whether it is 1 or 0 for a run, and so a share of all runs.
@@ -71,8 +88,9 @@ impl RunMeasure {
     /// comes to differs little between planners that are any good; efforts and turns differ much from run to run.
     pub fn relevant(self) -> f64 {
         match self {
-            Self::Length | Self::Cost | Self::TurnIndex | Self::Weight => 0.01,
-            Self::Turns | Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
+            Self::Length | Self::Cost | Self::TurnIndex | Self::Energy | Self::Weight => 0.01,
+            Self::Turns | Self::Turning | Self::LargestCurvature | Self::Smoothness => 0.1,
+            Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
             Self::Success | Self::Optimal => 0.05,
         }
     }
@@ -86,6 +104,7 @@ impl RunMeasure {
             Self::TurnIndex => row.turn_index,
             Self::Weight => row.weight,
             Self::IterationOfBest => row.iterations,
+            Self::Turning | Self::LargestCurvature | Self::Smoothness | Self::Energy => None,
             Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal | Self::RunningTime => None,
         }
     }

@@ -136,7 +136,16 @@ impl Comparison {
         let entry = self.question.entries.get(task.entry).ok_or_else(|| outside("entry"))?;
         let map = self.maps.get(task.instance).ok_or_else(|| outside("instance"))?;
         let planner = run::build(&map.scenario, entry, task.seed)?.ok_or_else(|| outside("entry"))?;
-        Ok(run::run(task, &map.scenario, planner, self.question.budget, clock))
+        let asked = run::Asked { scenario: &map.scenario, budget: self.question.budget, drives: self.drives(map) };
+        Ok(run::run(task, asked, planner, clock))
+    }
+
+    /// Whether rows on a map tell how a path is to drive: where a claim is about it, or the map's vehicle has a rule of energy or smoothing. All
+    /// others stay as they were before such measures were taken.
+    fn drives(&self, map: &Map) -> bool {
+        let vehicle = &map.scenario.spec.vehicle;
+        let is_claimed = self.question.claims.iter().any(|claim| claim.measure.is_of_driving());
+        is_claimed || vehicle.energy.is_some() || vehicle.smoothing.is_some()
     }
 
     /// The runs that were done and the imported ones, in the order of the rows. `done` is in that order.

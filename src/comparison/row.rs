@@ -8,6 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::budget::Axis;
 use super::json;
 use super::measure::RunMeasure;
+use crate::metrics::Driving;
 use crate::planner::{Effort, Status};
 
 /// One run that is to be done; tasks are in the order of the rows.
@@ -65,6 +66,9 @@ pub struct Found {
     pub weight: Option<f64>,
     /// Its value by the planner's own objective, in cells.
     pub value: f64,
+    /// How it is to drive, where the question or the map's vehicle asks for it; files of before have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub driving: Option<Driving>,
 }
 
 /// A better path than before, by what the planner searches for: of one that refines its best path, the length after refinement may rise. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
@@ -210,6 +214,10 @@ impl Row {
     /// [`RunMeasure::RunningTime`] is all runs' together.
     pub fn value(&self, measure: RunMeasure) -> Option<f64> {
         let of_path = |value: fn(&Found) -> Option<f64>| self.found.as_ref().map_or(Some(f64::INFINITY), value);
+        let of_driving = |value: fn(&Driving) -> f64| match &self.found {
+            None => Some(f64::INFINITY),
+            Some(found) => found.driving.as_ref().map(value),
+        };
         let to_best = |axis| match (&self.found, self.trace.last()) {
             (None, _) => Some(f64::INFINITY),
             (Some(_), last) => last?.spent.on(axis),
@@ -219,6 +227,10 @@ impl Row {
             RunMeasure::Cost => of_path(|f| Some(f.value)),
             RunMeasure::Turns => of_path(|f| f.turns.map(f64::from)),
             RunMeasure::TurnIndex => of_path(|f| f.turn_index),
+            RunMeasure::Turning => of_driving(|d| d.turning),
+            RunMeasure::LargestCurvature => of_driving(|d| d.largest_curvature.unwrap_or(f64::INFINITY)),
+            RunMeasure::Smoothness => of_driving(|d| d.smoothness),
+            RunMeasure::Energy => of_driving(|d| d.energy),
             RunMeasure::Weight => of_path(|f| Some(f.weight.unwrap_or(f64::INFINITY))),
             RunMeasure::IterationOfBest => to_best(Axis::Iterations),
             RunMeasure::PathsToBest => to_best(Axis::ConstructedPaths),
@@ -236,7 +248,7 @@ mod tests {
     #[test]
     fn a_row_is_itself_again_after_json() {
         let spent = Spent { iterations: Some(3), constructed_paths: Some(60), ant_moves: None, cell_expansions: Some(0) };
-        let found = Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6 };
+        let found = Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6, driving: None };
         let task = Task { instance: 0, entry: 2, seed: 7 };
         let trace = vec![Improvement { value: 0.1 + 0.2, spent }];
         let row = Row {
@@ -250,6 +262,12 @@ mod tests {
         let json = serde_json::to_string(&row).unwrap();
         assert!(json.contains(r#""trace":[[0.30000000000000004,3,60,null,0]]"#), "{json}");
         assert_eq!(serde_json::from_str::<Row>(&json).unwrap(), row);
+        assert!(!json.contains("driving"), "as it was before there was such a measure: {json}");
+        let driving = Driving { turning: 1.5, largest_curvature: None, smoothness: 2.5, energy: 30.0 };
+        let driven = Row { found: Some(Found { driving: Some(driving), ..found }), ..row.clone() };
+        assert_eq!(serde_json::from_str::<Row>(&driven.to_line()).unwrap(), driven);
+        assert_eq!((driven.value(RunMeasure::Turning), row.value(RunMeasure::Turning)), (Some(1.5), None));
+        assert_eq!(driven.value(RunMeasure::LargestCurvature), Some(f64::INFINITY));
         let imported = json.replace("00ff00ff00ff00ff", "");
         assert_eq!(serde_json::from_str::<Row>(&imported).unwrap().digest, "");
         for digest in ["00ff", "=HYPERLINK(1)  ", "00FF00FF00FF00FF", "00ff00ff00ff00f\\n"] {

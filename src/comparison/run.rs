@@ -30,10 +30,20 @@ pub(super) fn build(scenario: &Arc<Scenario>, entry: &Entry, seed: u32) -> Resul
     built.map(Some).map_err(|error| QuestionError::planner(&entry.id, error))
 }
 
+/// Where a planner runs, for how long, and what is noted of it.
+#[derive(Clone, Copy)]
+pub(super) struct Asked<'a> {
+    pub scenario: &'a Scenario,
+    pub budget: Option<Budget>,
+    /// Whether rows tell how a path is to drive.
+    pub drives: bool,
+}
+
 /// Runs a planner to its end, or to the budget's.
-pub(super) fn run(task: Task, scenario: &Scenario, mut planner: Box<dyn Planner>, budget: Option<Budget>, clock: Clock) -> Timed {
+pub(super) fn run(task: Task, asked: Asked, mut planner: Box<dyn Planner>, clock: Clock) -> Timed {
+    let Asked { scenario, budget, drives } = asked;
     let began = clock();
-    let mut log = Log::default();
+    let mut log = Log { drives, ..Log::default() };
     let status = loop {
         let status = planner.advance(Granularity::Iteration);
         let spent = budget.and_then(|b| Some((Spent::from(planner.effort()).count(b.axis)?, b.amount)));
@@ -61,6 +71,8 @@ struct Log {
     found: Option<Found>,
     /// The iteration that found it.
     iteration: Option<u32>,
+    /// Whether it tells how a path is to drive.
+    drives: bool,
 }
 
 impl Log {
@@ -83,6 +95,7 @@ impl Log {
             turn_index: Some(metrics.turn_index),
             weight: planner.tour().and_then(|t| t.walked_weight),
             value,
+            driving: metrics.driving.filter(|_| self.drives),
         });
     }
 }

@@ -11,6 +11,7 @@ use crate::metrics::Metrics;
 use crate::path::points;
 use crate::planner::{Effort, Objective, Planner, Record, Status, Tour};
 use crate::scenario::Scenario;
+use crate::smoothing::Smoothed;
 
 /// One finished run, measured and compared with the best there is. Lengths and values in cells.
 #[derive(Debug, Serialize)]
@@ -50,6 +51,9 @@ pub struct RunResult<'a> {
     /// On a terrain: metres of each place of the path.
     #[serde(skip_serializing_if = "Option::is_none")]
     altitudes: Option<Vec<f64>>,
+    /// Its path as a smooth curve, where the vehicle has a rule of smoothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smoothed: Option<Smoothed>,
 }
 
 /// The map as the last of its changes has left it: the one that results belong to.
@@ -88,6 +92,7 @@ impl<'a> RunResult<'a> {
             path: points(&scenario, path),
             levels: scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect()),
             altitudes: scenario.spec.terrain.map(|_| scenario.altitudes(path)),
+            smoothed: Smoothed::of(&scenario, path),
         }
     }
 }

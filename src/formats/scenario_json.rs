@@ -13,7 +13,7 @@ use super::movingai;
 use super::text::quote;
 use crate::error::FormatError;
 use crate::map::{CornerRule, Grid, Movement, check_size};
-use crate::scenario::{Scenario, ScenarioSpec, Vehicle};
+use crate::scenario::{EnergyRule, Scenario, ScenarioSpec, SmoothingRule, Vehicle};
 
 /// What `format` must say.
 pub(super) const FORMAT: &str = "formicarium/scenario@1";
@@ -88,6 +88,13 @@ fn complete(object: &mut Object) {
     }
     for change in object.get_mut("changes").and_then(Value::as_array_mut).into_iter().flatten().filter_map(Value::as_object_mut) {
         ["blocked", "freed"].into_iter().for_each(|key| fill(change, key, json!([])));
+    }
+    if let Some(Value::Object(vehicle)) = object.get_mut("vehicle") {
+        let rules = [("energy", json_value(&EnergyRule::default())), ("smoothing", json_value(&SmoothingRule::default()))];
+        for (rule, default) in rules {
+            let (Some(Value::Object(rule)), Value::Object(default)) = (vehicle.get_mut(rule), default) else { continue };
+            default.into_iter().for_each(|(key, value)| fill(rule, &key, value));
+        }
     }
     if let Some(Value::Object(movement)) = object.get_mut("movement") {
         fill(movement, "corner_rule", json_value(&CornerRule::default()));

@@ -39,6 +39,12 @@ impl Relief {
         Self { heights, width, scale, steepest }
     }
 
+    /// Largest rise over run that may be walked; infinite where there is no limit.
+    #[cfg(feature = "whole")]
+    pub fn steepest(&self) -> f64 {
+        self.steepest
+    }
+
     /// Height of a cell in cells.
     #[inline(always)]
     pub fn height(&self, c: Cell) -> f64 {

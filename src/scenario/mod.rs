@@ -3,6 +3,8 @@
 #[cfg(feature = "whole")]
 mod changes;
 #[cfg(feature = "whole")]
+mod driving;
+#[cfg(feature = "whole")]
 mod robot;
 mod terrain;
 mod world;
@@ -16,6 +18,8 @@ use crate::map::{Cell, Charge, Generated, Grid, MoveSet, Movement, Point, Relief
 
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
+#[cfg(feature = "whole")]
+pub use driving::{EnergyRule, SmoothingRule};
 #[cfg(feature = "whole")]
 pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, Robot};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
@@ -54,7 +58,7 @@ impl Goal {
     }
 }
 
-/// What turns a path into seconds.
+/// Who drives along a path: what turns it into seconds, into energy, and into a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Vehicle {
@@ -62,11 +66,28 @@ pub struct Vehicle {
     pub speed: f64,
     /// Seconds lost at each turn, at least 0.
     pub seconds_per_turn: f64,
+    /// What driving costs; where it is absent, [`EnergyRule::default`]. No search depends on it. The opening build knows none.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub energy: Option<EnergyRule>,
+    /// Results carry a smoothed curve as well where it is present. No search depends on it. The opening build knows none.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub smoothing: Option<SmoothingRule>,
 }
 
 impl Default for Vehicle {
     fn default() -> Self {
-        Self { speed: 1.0, seconds_per_turn: 0.0 }
+        Self {
+            speed: 1.0,
+            seconds_per_turn: 0.0,
+            #[cfg(feature = "whole")]
+            energy: None,
+            #[cfg(feature = "whole")]
+            smoothing: None,
+        }
     }
 }
 
@@ -101,7 +122,7 @@ pub struct ScenarioSpec {
     pub start: Point,
     /// Where they are to arrive: all of them, in an order that the planner chooses. 1 to [`MAX_GOALS`].
     pub goals: Vec<Goal>,
-    /// For the arrival time.
+    /// For arrival time, energy and smoothing.
     pub vehicle: Vehicle,
     /// On a map with heights; none on a plane. The opening build knows no terrains and is spared reading them.
     #[cfg_attr(feature = "whole", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -167,6 +188,8 @@ impl ScenarioSpec {
         quantity("speed", self.vehicle.speed, self.vehicle.speed > 0.0, "a positive number of metres per second")?;
         let turn = self.vehicle.seconds_per_turn;
         quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
+        #[cfg(feature = "whole")]
+        driving::check_driving(&self.vehicle)?;
         self.world.as_ref().map_or(Ok(()), World::check)?;
         check_terrain(grid, self)?;
         #[cfg(feature = "whole")]

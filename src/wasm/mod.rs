@@ -30,6 +30,8 @@ mod playback;
 #[cfg(feature = "whole")]
 mod results;
 mod run;
+#[cfg(feature = "whole")]
+mod smoothed;
 
 use std::sync::Arc;
 

@@ -72,7 +72,7 @@ fn specs() -> impl Strategy<Value = (Grid, ScenarioSpec)> {
                 resolution,
                 movement: Movement { moves, corner_rule },
                 goals: vec![goal],
-                vehicle: Vehicle { speed, seconds_per_turn: 0.0 },
+                vehicle: Vehicle { speed, ..Vehicle::default() },
                 ..ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(0, 0))
             };
             (grid, spec)

@@ -2,6 +2,7 @@
 
 use formicarium::formats::{Export, Kind, export, sniff};
 use formicarium::map::{CornerRule, Moves, Point};
+use formicarium::scenario::{EnergyRule, SmoothingRule};
 use serde_json::{Value, json};
 
 use super::schema::{load, violations};
@@ -34,7 +35,7 @@ const TERRAIN: &str = r#"{
   "movement": {"moves":16,"corner_rule":"both-free"},
   "start": [0,0],
   "goals": [{"at":[2,1],"name":"","area":1.0,"strength":1.0,"danger":1.0}],
-  "vehicle": {"speed":1.0,"seconds_per_turn":0.0},
+  "vehicle": {"speed":1.0,"seconds_per_turn":0.0,"energy":{"per_metre":2.0,"per_radian":0.5,"per_metre_up":9.0},"smoothing":{"max_curvature":0.5}},
   "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
   "world": {"x":-10.0,"y":2.5,"yaw":0.5,"frame":"map"},
   "changes": [{"at":12,"blocked":[[1,0]],"freed":[]}],
@@ -116,7 +117,7 @@ fn what_is_left_out_takes_its_default() {
 #[test]
 fn errors_name_the_field() {
     type Edit = fn(&mut Value);
-    let cases: [(Edit, &str, &str); 15] = [
+    let cases: [(Edit, &str, &str); 19] = [
         (|v| v["colour"] = json!("red"), "syntax", "`colour`"),
         (|v| v["movement"]["diagonal"] = json!(true), "syntax", "`movement.diagonal`"),
         (|v| v["goals"][0]["weight"] = json!(1), "syntax", "`goals.weight`"),
@@ -132,6 +133,10 @@ fn errors_name_the_field() {
         (|v| v["goals"] = json!([]), "goal-count", "0 goals"),
         (|v| v["goals"] = json!([{"at": [2, 1]}, {"at": [2, 1]}]), "goal-twice", "(2, 1)"),
         (|v| v["goals"][0]["danger"] = json!(0), "quantity", "danger = 0"),
+        (|v| v["vehicle"]["energy"] = json!({"per_metre": -1}), "quantity", "vehicle.energy.per_metre = -1"),
+        (|v| v["vehicle"]["energy"] = json!({"per_mile": 1}), "syntax", "`per_mile`"),
+        (|v| v["vehicle"]["smoothing"] = json!({"max_curvature": -0.5}), "quantity", "vehicle.smoothing.max_curvature = -0.5"),
+        (|v| v["vehicle"]["smoothing"] = json!({"radius": 2}), "syntax", "`radius`"),
     ];
     for (edit, kind, message) in cases {
         let report = refused(&edited(edit));
@@ -188,6 +193,19 @@ fn the_schema_accepts_what_is_written_and_refuses_what_is_refused() {
 }
 
 #[test]
+fn what_a_rule_of_driving_leaves_out_has_its_default() {
+    let text = edited(|v| {
+        v["vehicle"]["energy"] = json!({"per_radian": 3});
+        v["vehicle"]["smoothing"] = json!({});
+    });
+    let vehicle = read(&text).unwrap().spec.vehicle;
+    assert_eq!(vehicle.energy, Some(EnergyRule { per_radian: 3.0, ..EnergyRule::default() }));
+    assert_eq!(vehicle.smoothing, Some(SmoothingRule { max_curvature: 0.0 }));
+    let plain = read(FULL).unwrap().spec.vehicle;
+    assert_eq!((plain.energy, plain.smoothing), (None, None));
+}
+
+#[test]
 fn the_schema_names_every_field() {
     let schema = load("scenario");
     let full: Value = serde_json::from_str(TERRAIN).unwrap();
@@ -197,4 +215,9 @@ fn the_schema_names_every_field() {
     let rules = &schema["properties"]["terrain"]["properties"]["slices"]["properties"];
     assert_eq!(keys(rules), keys(&full["terrain"]["slices"]));
     assert_eq!(keys(&schema["properties"]["changes"]["items"]["properties"]), keys(&full["changes"][0]));
+    let vehicle = &schema["properties"]["vehicle"]["properties"];
+    assert_eq!(keys(vehicle), keys(&full["vehicle"]));
+    for rule in ["energy", "smoothing"] {
+        assert_eq!(keys(&vehicle[rule]["properties"]), keys(&full["vehicle"][rule]));
+    }
 }

@@ -12,7 +12,7 @@ use formicarium::metrics::Metrics;
 use formicarium::params::{ParamKind, ParamSpec, Value, Values};
 use formicarium::path::{PathKind, audit, audit_slices, points};
 use formicarium::planner::{Granularity, Ground, Layer, Planner, PlannerEntry};
-use formicarium::scenario::{Goal, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec, Vehicle};
+use formicarium::scenario::{EnergyRule, Goal, Scenario, ScenarioSpec, SmoothingRule, TerrainMoves, TerrainSpec, Vehicle};
 
 use crate::limits::Limits;
 use crate::random::Random;
@@ -276,9 +276,18 @@ fn spec(random: &mut Random, grid: &Grid, terrain: Option<TerrainSpec>, free: &[
         resolution: quantity(random),
         movement: Movement { moves, corner_rule: *random.of_list(&CornerRule::ALL) },
         goals,
-        vehicle: Vehicle { speed: quantity(random), seconds_per_turn: quantity(random) },
+        vehicle: vehicle(random),
         terrain,
         ..ScenarioSpec::new(grid, start, Point::new(0, 0))
+    }
+}
+
+fn vehicle(random: &mut Random) -> Vehicle {
+    Vehicle {
+        speed: quantity(random),
+        seconds_per_turn: quantity(random),
+        energy: random.one_in(4).then(|| EnergyRule { per_radian: quantity(random), ..EnergyRule::default() }),
+        smoothing: random.one_in(4).then(|| SmoothingRule { max_curvature: quantity(random) }),
     }
 }
 

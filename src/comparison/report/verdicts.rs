@@ -104,11 +104,16 @@ fn hundred(direction: Direction, effect: f64) -> String {
 
 pub(super) fn amount(words: &Words, measure: RunMeasure, v: f64) -> String {
     if !v.is_finite() {
-        let is_time = measure == RunMeasure::RunningTime;
-        return if is_time { words.claims.never } else { words.names.no_path }.into();
+        return match measure {
+            RunMeasure::RunningTime => words.claims.never.into(),
+            // No path, or one that turns straight back.
+            RunMeasure::LargestCurvature => "∞".into(),
+            _ => words.names.no_path.into(),
+        };
     }
     match measure {
         RunMeasure::Length | RunMeasure::Cost | RunMeasure::TurnIndex | RunMeasure::Weight => length(v),
+        RunMeasure::Turning | RunMeasure::LargestCurvature | RunMeasure::Smoothness | RunMeasure::Energy => length(v),
         RunMeasure::Success | RunMeasure::Optimal => hundredths(words, v),
         RunMeasure::Turns
         | RunMeasure::IterationOfBest
