@@ -13,6 +13,7 @@ mod output;
 mod page;
 mod plan;
 mod reading;
+mod robot;
 pub mod shared;
 mod streams;
 mod submit;

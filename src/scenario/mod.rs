@@ -17,7 +17,7 @@ use crate::map::{Cell, Charge, Generated, Grid, MoveSet, Movement, Point, Relief
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
 #[cfg(feature = "whole")]
-pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, Robot};
+pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, MAX_MULTIPLIER, NAV2_RADIUS, Robot};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
 pub use world::World;
