@@ -148,6 +148,12 @@ impl Report<'_> {
         if self.planner.objective() == Objective::SliceCost { "cells and levels" } else { "cells" }
     }
 
+    /// What it is, in words.
+    fn words(&self) -> &'static str {
+        let objective = self.planner.objective();
+        if self.scenario.moves.weights().is_some() { objective.cost_words() } else { objective.words() }
+    }
+
     fn gap_text(&self, out: &mut String) {
         if self.planner.tour().is_some() && self.result.reference == Reference::Unknown {
             row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
@@ -157,7 +163,7 @@ impl Report<'_> {
             Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
             _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
         };
-        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.planner.objective().words()));
+        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.words()));
     }
 
     /// What refinement has saved, and the bound that no polyline can beat.
@@ -167,7 +173,10 @@ impl Report<'_> {
             row(out, "unrefined", format!("{:.4} cells by steps", best.length));
         }
         match exact::point_robot(self.scenario) {
-            Ok(Some(bound)) => row(out, "point robot", format!("{bound:.4} cells: no polyline through centres is shorter")),
+            Ok(Some(bound)) => {
+                let than = if self.scenario.moves.weights().is_some() { "costs less" } else { "is shorter" };
+                row(out, "point robot", format!("{bound:.4} cells: no polyline through centres {than}"));
+            }
             Ok(None) => {}
             Err(limit) => row(out, "point robot", limit),
         }

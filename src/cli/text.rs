@@ -138,6 +138,9 @@ pub fn metrics(out: &mut String, m: &Metrics) {
         (None, None) => "cells",
     };
     row(out, "length", format!("{:.4} {unit} = {:.4} m", m.length, m.length_metres));
+    if let Some(cost) = m.cost {
+        row(out, "cost", format!("{cost:.4} cells: every stretch counts its length times the factor of its cell"));
+    }
     if let Some(cost) = by_slices {
         row(out, "level cost", format!("{cost:.4}: every step's length and the level that it leads to"));
     }
