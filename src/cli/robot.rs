@@ -77,7 +77,10 @@ impl RobotArgs {
             (self.robot_radius.is_none() && radius_too, format!("robot_radius {NAV2_RADIUS} m")),
             (self.inflation_radius.is_none(), format!("inflation_radius {radius} m")),
             (self.cost_scaling.is_none(), format!("cost_scaling_factor {cost_scaling}")),
-            (self.cost_multiplier.is_none() && has_multiplier, format!("cost_travel_multiplier {multiplier} (1 in newer versions)")),
+            (
+                self.cost_multiplier.is_none() && has_multiplier,
+                format!("cost_travel_multiplier {multiplier} (1 in newer versions)"),
+            ),
         ];
         let taken: Vec<String> = usual.into_iter().filter_map(|(is_taken, what)| is_taken.then_some(what)).collect();
         let taken = taken.join(", ");

@@ -74,8 +74,12 @@ impl Price {
         }
         match (&self.unknown, self.reference) {
             (Some(why), _) => row(out, "optimum", format!("unknown: {why}")),
-            (None, Reference::Proven { value }) => row(out, "optimum", format!("{value:.4} cells between the path's ends, proven")),
-            (None, Reference::Unproven { value }) => row(out, "reference", format!("{value:.4} cells, by theta-star, not proven")),
+            (None, Reference::Proven { value }) => {
+                row(out, "optimum", format!("{value:.4} cells between the path's ends, proven"))
+            }
+            (None, Reference::Unproven { value }) => {
+                row(out, "reference", format!("{value:.4} cells, by theta-star, not proven"))
+            }
             (None, Reference::NoPath) => row(out, "optimum", "none: no path leads from its start to its goal"),
             (None, Reference::Unknown) => row(out, "optimum", "unknown: the map is too large"),
         }
