@@ -148,12 +148,6 @@ impl Report<'_> {
         if self.planner.objective() == Objective::SliceCost { "cells and levels" } else { "cells" }
     }
 
-    /// What it is, in words.
-    fn words(&self) -> &'static str {
-        let objective = self.planner.objective();
-        if self.scenario.moves.weights().is_some() { objective.cost_words() } else { objective.words() }
-    }
-
     fn gap_text(&self, out: &mut String) {
         if self.planner.tour().is_some() && self.result.reference == Reference::Unknown {
             row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
@@ -163,7 +157,11 @@ impl Report<'_> {
             Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
             _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
         };
-        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.words()));
+        row(
+            out,
+            "gap",
+            format!("{} above {of} ({})", text::percent(gap), text::objective(self.planner.objective(), self.scenario)),
+        );
     }
 
     /// What refinement has saved, and the bound that no polyline can beat.

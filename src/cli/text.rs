@@ -6,6 +6,8 @@ use std::io;
 use crate::error::Notice;
 use crate::map::Point;
 use crate::metrics::Metrics;
+use crate::planner::Objective;
+use crate::scenario::Scenario;
 use serde::Serialize;
 use serde_json::ser::Formatter;
 
@@ -127,6 +129,11 @@ pub fn seconds(s: f64) -> String {
 /// A cell as (x, y).
 pub fn cell(p: Point) -> String {
     format!("({}, {})", p.x, p.y)
+}
+
+/// What an objective is on a scenario: on weighted ground a cost.
+pub fn objective(objective: Objective, scenario: &Scenario) -> &'static str {
+    if scenario.moves.weights().is_some() { objective.cost_words() } else { objective.words() }
 }
 
 /// The lines about a path.
