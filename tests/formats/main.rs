@@ -2,6 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod comparison;
+mod costs;
 mod figure;
 mod figure_picture;
 mod geotiff;
