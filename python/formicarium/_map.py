@@ -263,9 +263,7 @@ class Map:
         return _unpickled, (native.size, native.cells(), native.heights(), native.spec, native.has_ends, native.factors())
 
 
-def _unpickled(
-    size: tuple[int, int], walls: bytes, heights: bytes | None, spec: str, has_ends: bool, factors: bytes | None = None
-) -> Map:
+def _unpickled(size: tuple[int, int], walls: bytes, heights: bytes | None, spec: str, has_ends: bool, factors: bytes | None = None) -> Map:
     return Map._of(_engine.Map.of_parts(size, walls, heights, factors, spec, has_ends))
 
 
@@ -302,9 +300,7 @@ def _edited(native: _engine.Map, spec: Mapping[str, Any], changes: Mapping[str, 
         elif key in ("name", "resolution", "world", "robot"):
             fields[key] = value
         else:
-            known = (
-                "start, goals, moves, corner_rule, resolution, world, name, vertical_unit, max_slope, slices, speed, seconds_per_turn, robot"
-            )
+            known = "start, goals, moves, corner_rule, resolution, world, name, vertical_unit, max_slope, slices, speed, seconds_per_turn, robot"
             raise bad(key, f"a map has no field `{key}`", f"give {known}")
     if changes.get("slices") is True:
         on_the_ground = {"vertical_unit": fields["terrain"]["vertical_unit"]}
@@ -364,7 +360,8 @@ def read_map(
     ``invert``: swap free and blocked cells. ``crop``: (column, row, columns, rows); ``size``: (columns, rows);
     ``threshold``: gray from 0 to 255, or ``"auto"``;
     ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``costs``: their values are those of a costmap, by the rule ``"nav2-smac-2d"`` or
-    ``"nav2-navfn"``, or ``{"rule": …, "multiplier": …}``; ``swamp_factor``: of swamp in MovingAI maps; ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
+    ``"nav2-navfn"``, or ``{"rule": …, "multiplier": …}``; ``swamp_factor``: of swamp in MovingAI maps;
+    ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
     ``rules`` are the fields of ``Map.replace``. What was assumed is a ``FormicariumWarning``; what cannot be read a ``FormatError``.
     """
     piece = (None if crop is None else _wholes(crop, "crop", 4), None if size is None else _wholes(size, "size", 2), square)
