@@ -162,7 +162,8 @@ def test_swamp_and_costmaps_are_read_as_costs(tmp_path: Path) -> None:
     assert any("no factors" in str(said.message) for said in lost)
     text = "info: {resolution: 1, width: 3, height: 1, origin: {position: {x: 0, y: 0}}}\ndata: [0, 98, 0]\n"
     (tmp_path / "costs.yaml").write_text(text, encoding="ascii")
-    for costs, factor in [("nav2-smac-2d", 3.0), ({"rule": "nav2-smac-2d", "multiplier": 4.0}, 5.0)]:
+    asked: list[tuple[Any, float]] = [("nav2-smac-2d", 3.0), ({"rule": "nav2-smac-2d", "multiplier": 4.0}, 5.0)]
+    for costs, factor in asked:
         with pytest.warns(formicarium.FormicariumWarning):
             read = formicarium.read_map(tmp_path / "costs.yaml", costs=costs, **ends)
         assert read.factors is not None

@@ -25,3 +25,4 @@ mod quantities;
 mod results;
 mod shards;
 mod terrain;
+mod weighted;

@@ -91,7 +91,10 @@ fn pictures_hold_costs_in_the_modes_that_have_values_between() {
     // Scale: 127 is 128/255 = 0.502 occupied, (0.502 − 0.25) / 0.4 = 0.63: 63 of 100.
     let scale = picture("scale", &[254, 127, 0, 254], &smac);
     let cost = 1.0 + (251.0 * 62.0 / 97.0_f64).ceil();
-    assert_eq!((rows(&scale.grid), scale.grid.factors().unwrap()[1]), (vec!["..@.".to_owned()], (1.0 + 2.0 * cost / 252.0) as f32));
+    assert_eq!(
+        (rows(&scale.grid), scale.grid.factors().unwrap()[1]),
+        (vec!["..@.".to_owned()], (1.0 + 2.0 * cost / 252.0) as f32)
+    );
     assert!(notices(&picture("scale", &[254, 127, 0], &ReadOptions::default())).contains(&"costs-unread"));
     let trinary = picture("trinary", &[254, 127, 0], &smac);
     assert!(trinary.grid.factors().is_none() && notices(&trinary).contains(&"costs-none"));
