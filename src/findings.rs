@@ -89,7 +89,8 @@ impl Findings {
         let joined = corner_cuts.is_empty() && out_of_sight.is_empty() && too_steep.is_empty();
         let fits = collisions.is_empty() && narrow.is_empty();
         let ok = measurable && joined && fits && wrong_ends.is_empty() && !path.is_empty();
-        let metrics = measurable.then(|| measure(&ground, path)).flatten();
+        let open = fits && out_of_sight.is_empty();
+        let metrics = measurable.then(|| measure(&ground, path, open)).flatten();
         let smoothed = if ok { smooth(ground, path) } else { None };
         Self {
             format: FORMAT,
@@ -183,9 +184,13 @@ fn wrong_ends(spec: &ScenarioSpec, has_ends: bool, path: &[Point]) -> Vec<String
 }
 
 /// The metrics of a path of neighbouring cells or of a polyline on the map. It need not be valid, so no validated scenario can be asked for.
-fn measure(ground: &Scenario, path: &[Point]) -> Option<Metrics> {
+/// `open`: no part of it lies where nothing can go; any other path costs nothing that could be told.
+fn measure(ground: &Scenario, path: &[Point], open: bool) -> Option<Metrics> {
     let cells: Vec<Cell> = path.iter().map(|&p| ground.grid.cell(p)).collect();
-    (!cells.is_empty()).then(|| Metrics::of(ground, &cells))
+    (!cells.is_empty()).then(|| {
+        let measured = Metrics::of(ground, &cells);
+        Metrics { cost: measured.cost.filter(|_| open), ..measured }
+    })
 }
 
 /// A cell in words.

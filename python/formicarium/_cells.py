@@ -82,6 +82,15 @@ def height_bytes(value: Any) -> tuple[tuple[int, int], bytes]:
     return shape(array), made.tobytes()
 
 
+def factor_bytes(value: Any) -> tuple[tuple[int, int], bytes]:
+    """Columns and rows, and little-endian f32, of an array [row, column] of numbers; the engine says which can be."""
+    array = two_dimensional(value, "factors")
+    if array.dtype.kind not in "iuf":
+        raise bad("factors", f"an array of {array.dtype} has no factors", "give numbers from 1")
+    with np.errstate(over="ignore"):
+        return shape(array), np.ascontiguousarray(array, dtype="<f4").tobytes()
+
+
 def two_dimensional(value: Any, field: str) -> npt.NDArray[Any]:
     """An array with rows and columns, and not more of them than a map may have."""
     if np.ma.isMaskedArray(value):

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _engine
-from ._cells import blocked_bytes, cell, cells, height_bytes, whole
+from ._cells import blocked_bytes, cell, cells, factor_bytes, height_bytes, whole
 from ._need import bad, warn, warn_of_lines
 
 if TYPE_CHECKING:
@@ -45,6 +45,8 @@ class Rules(TypedDict, total=False):
     speed: float
     #: Seconds lost at each turn, for the travel time.
     seconds_per_turn: float
+    #: The robot: ``radius`` in metres, ``inflation`` with ``radius``, ``cost_scaling``, ``rule``, ``multiplier``; None: a point.
+    robot: Mapping[str, Any] | None
 
 
 class Changes(Rules, total=False):
@@ -65,10 +67,12 @@ class Map:
 
     ``blocked``: array of bool, or of 0 (free) and 1 (blocked). It may be None where there are heights.
     ``heights``: array of float32, NaN = no data (blocked); the map is then a terrain.
+    ``factors``: array of float32 from 1, how many times its length a way through a cell costs; the ground is then weighted. Not with heights.
     ``start``, ``goals``: cells. Left out, the free cells nearest the upper left and the lower right corner are taken, with a warning.
     ``moves``: 4, 8 or 16; ``corner_rule``: ``always``, ``one-free`` or ``both-free``.
     ``resolution``: metres a cell. ``world``: the place of the lower left corner, ``{"x": m, "y": m, "yaw": radians, "frame": name}``.
     ``vertical_unit``: metres per unit of the heights; ``max_slope`` in degrees; ``slices``: True, or rules by slices as a dict.
+    ``robot``: ``{"radius": m}``, and with ``"inflation": {"radius": m, "cost_scaling": 1/m}`` cells near obstacles cost more, as Nav2 counts.
     """
 
     __slots__ = ("_native", "_spec")
@@ -80,6 +84,7 @@ class Map:
         blocked: npt.ArrayLike | None = None,
         *,
         heights: npt.ArrayLike | None = None,
+        factors: npt.ArrayLike | None = None,
         start: npt.ArrayLike | None = None,
         goals: npt.ArrayLike | None = None,
         name: str = "",
@@ -92,9 +97,13 @@ class Map:
         if raised is not None and of_cells != size:
             message = f"{size[1]} rows and {size[0]} columns of heights on {of_cells[1]} rows and {of_cells[0]} columns of cells"
             raise bad("heights", message, "give two arrays of the same shape")
+        of_factors, weighed = factor_bytes(factors) if factors is not None else (of_cells, None)
+        if of_factors != of_cells:
+            message = f"{of_factors[1]} rows and {of_factors[0]} columns of factors on {of_cells[1]} rows and {of_cells[0]} columns of cells"
+            raise bad("factors", message, "give two arrays of the same shape")
         first = None if start is None else cell(start, "start")
         last = None if goals is None else cells(goals, "goals")
-        native, notices = _engine.Map.of_cells(of_cells, walls, raised, name, (first, last[0] if last else None))
+        native, notices = _engine.Map.of_cells(of_cells, walls, raised, weighed, name, (first, last[0] if last else None))
         self._adopt(native)
         changes: dict[str, Any] = dict(rules) if last is None else {"goals": last, **rules}
         if first is not None:
@@ -120,7 +129,7 @@ class Map:
 
     def replace(self, **changes: Unpack[Changes]) -> Map:
         """The same cells with other ``start``, ``goals``, ``moves``, ``corner_rule``, ``resolution``, ``world``, ``name``, ``vertical_unit``,
-        ``max_slope``, ``slices``, ``speed`` or ``seconds_per_turn``.
+        ``max_slope``, ``slices``, ``speed``, ``seconds_per_turn`` or ``robot``.
 
         Raises ``ScenarioError`` for what cannot be, e.g. a start on a wall.
         """
@@ -143,6 +152,20 @@ class Map:
         if heights is None:
             return None
         return np.frombuffer(heights, dtype="<f4").astype(np.float32).reshape(self.shape)
+
+    @property
+    def factors(self) -> npt.NDArray[np.float32] | None:
+        """How many times its length a way through each cell costs, [row, column]; a copy. None on plain ground, where all are 1."""
+        factors = self._native.factors()
+        if factors is None:
+            return None
+        return np.frombuffer(factors, dtype="<f4").astype(np.float32).reshape(self.shape)
+
+    @property
+    def robot(self) -> dict[str, Any] | None:
+        """The robot: ``radius`` in metres, and ``inflation`` where cells near obstacles cost more. None: a point."""
+        robot = self.spec.get("robot")
+        return None if robot is None else dict(robot)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -237,11 +260,11 @@ class Map:
 
     def __reduce__(self) -> tuple[Any, ...]:
         native = self._native
-        return _unpickled, (native.size, native.cells(), native.heights(), native.spec, native.has_ends)
+        return _unpickled, (native.size, native.cells(), native.heights(), native.spec, native.has_ends, native.factors())
 
 
-def _unpickled(size: tuple[int, int], walls: bytes, heights: bytes | None, spec: str, has_ends: bool) -> Map:
-    return Map._of(_engine.Map.of_parts(size, walls, heights, spec, has_ends))
+def _unpickled(size: tuple[int, int], walls: bytes, heights: bytes | None, spec: str, has_ends: bool, factors: bytes | None = None) -> Map:
+    return Map._of(_engine.Map.of_parts(size, walls, heights, factors, spec, has_ends))
 
 
 def _json(value: Any, field: str) -> str:
@@ -274,17 +297,17 @@ def _edited(native: _engine.Map, spec: Mapping[str, Any], changes: Mapping[str, 
             fields["vehicle"][key] = value
         elif key in ("vertical_unit", "max_slope", "slices"):
             _edit_terrain(fields, key, value)
-        elif key in ("name", "resolution", "world"):
+        elif key in ("name", "resolution", "world", "robot"):
             fields[key] = value
         else:
-            known = "start, goals, moves, corner_rule, resolution, world, name, vertical_unit, max_slope, slices, speed, seconds_per_turn"
+            known = "start, goals, moves, corner_rule, resolution, world, name, vertical_unit, max_slope, slices, speed, seconds_per_turn, robot"
             raise bad(key, f"a map has no field `{key}`", f"give {known}")
     if changes.get("slices") is True:
         on_the_ground = {"vertical_unit": fields["terrain"]["vertical_unit"]}
         fitting, _ = native.with_spec(_json({**fields, "terrain": on_the_ground}, "map"), True)
         fields["terrain"]["slices"] = json.loads(fitting.fitting_slices())
-    if fields.get("world") is None:
-        fields.pop("world", None)
+    for absent in [key for key in ("world", "robot") if fields.get(key) is None]:
+        fields.pop(absent, None)
     return fields
 
 
@@ -326,6 +349,8 @@ def read_map(
     metres_per_pixel: float | None = None,
     metres_per_cell: float | None = None,
     unknown: str | None = None,
+    costs: str | Mapping[str, Any] | None = None,
+    swamp_factor: float | None = None,
     figure: bool = False,
     lattice: Mapping[str, float] | None = None,
     **rules: Unpack[Rules],
@@ -334,7 +359,9 @@ def read_map(
 
     ``invert``: swap free and blocked cells. ``crop``: (column, row, columns, rows); ``size``: (columns, rows);
     ``threshold``: gray from 0 to 255, or ``"auto"``;
-    ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
+    ``unknown``: ``"blocked"`` or ``"free"`` cells of ROS maps; ``costs``: their values are those of a costmap, by the rule ``"nav2-smac-2d"`` or
+    ``"nav2-navfn"``, or ``{"rule": …, "multiplier": …}``; ``swamp_factor``: of swamp in MovingAI maps;
+    ``lattice``: ``{"x0", "y0", "dx", "dy", "shear_x", "shear_y", "columns", "rows"}``.
     ``rules`` are the fields of ``Map.replace``. What was assumed is a ``FormicariumWarning``; what cannot be read a ``FormatError``.
     """
     piece = (None if crop is None else _wholes(crop, "crop", 4), None if size is None else _wholes(size, "size", 2), square)
@@ -345,6 +372,10 @@ def read_map(
     options: dict[str, Any] = {"matrix": matrix, "cells": cells, "picture": picture}
     if unknown is not None:
         options["unknown"] = unknown
+    if costs is not None:
+        options["costs"] = {"rule": costs} if isinstance(costs, str) else costs
+    if swamp_factor is not None:
+        options["swamp_factor"] = swamp_factor
     if figure:
         options["figure"] = {"lattice": None if lattice is None else {"shear_x": 0.0, "shear_y": 0.0, **lattice}}
     elif lattice is not None:

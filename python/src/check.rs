@@ -12,7 +12,7 @@ use super::map::{Map, json};
 /// Audits a path: `formicarium/check@1`, as `check --format json` prints it. `levels` for a map by slices alone.
 #[pyfunction]
 pub fn check(py: Python<'_>, map: &Map, path: Vec<(u32, u32)>, levels: Option<Vec<u32>>, polyline: bool) -> PyResult<String> {
-    let Scenario { grid, spec, .. } = &*map.scenario;
+    let Scenario { drawn, spec, .. } = &*map.scenario;
     let points = path.iter().map(|&(x, y)| Point::new(x, y));
     match (map.scenario.by_slices(), levels) {
         (Some(_), Some(levels)) => {
@@ -22,7 +22,7 @@ pub fn check(py: Python<'_>, map: &Map, path: Vec<(u32, u32)>, levels: Option<Ve
         (None, None) => {
             let points: Vec<Point> = points.collect();
             let kind = if polyline { PathKind::Polyline } else { PathKind::Steps };
-            Ok(py.detach(|| json(&Findings::of(grid, spec, map.has_ends, &points, kind))))
+            Ok(py.detach(|| json(&Findings::of(drawn, spec, map.has_ends, &points, kind))))
         }
         (Some(_), None) => {
             let hint = "give column, row and level of each place";

@@ -36,9 +36,9 @@ impl Map {
     }
 
     fn imported(&self) -> Imported {
-        let Scenario { grid, spec, .. } = &*self.scenario;
+        let Scenario { drawn, spec, .. } = &*self.scenario;
         let notices = if self.has_ends { Vec::new() } else { vec![Notice::new("ends-chosen", "")] };
-        Imported { kind: Kind::Scenario, grid: grid.clone(), spec: spec.clone(), notices }
+        Imported { kind: Kind::Scenario, grid: drawn.clone(), spec: spec.clone(), notices }
     }
 }
 
@@ -48,19 +48,21 @@ fn told(notices: Vec<Notice>) -> Notices {
 
 #[pymethods]
 impl Map {
-    /// From one byte a cell, 0 = free, row by row; heights as little-endian f32, NaN = no data. Ends that are not given are chosen.
+    /// From one byte a cell, 0 = free, row by row; heights and factors as little-endian f32, NaN = no data. Ends that are not given are
+    /// chosen.
     #[staticmethod]
     fn of_cells(
         py: Python<'_>,
         size: (u32, u32),
         cells: &[u8],
         heights: Option<&[u8]>,
+        factors: Option<&[u8]>,
         name: &str,
         ends: (Option<At>, Option<At>),
     ) -> PyResult<(Self, Notices)> {
         let made = py.detach(|| {
             let [start, goal] = [ends.0, ends.1].map(|end| end.map(|(x, y)| Point::new(x, y)));
-            let grid = grid(size, cells, heights)?;
+            let grid = grid(size, cells, [heights, factors])?;
             let outside = [start, goal].into_iter().flatten().any(|end| !grid.contains(end));
             // Ends beside the map are the scenario's to refuse.
             let (start, goal) = if outside { (start.or(goal), goal.or(start)) } else { (start, goal) };
@@ -78,12 +80,13 @@ impl Map {
         size: (u32, u32),
         cells: &[u8],
         heights: Option<&[u8]>,
+        factors: Option<&[u8]>,
         spec: &str,
         has_ends: bool,
     ) -> PyResult<Self> {
         let made = py.detach(|| {
             let spec = formats::read_spec(spec)?;
-            let scenario = Scenario::new(grid(size, cells, heights)?, spec)?;
+            let scenario = Scenario::new(grid(size, cells, [heights, factors])?, spec)?;
             Ok::<_, Refusal>(Self { scenario: Arc::new(scenario), has_ends })
         });
         Ok(made?)
@@ -124,18 +127,21 @@ impl Map {
 
     /// The heights as little-endian f32, row by row; none on a plane.
     fn heights<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
-        let heights = self.scenario.drawn.heights()?;
-        let bytes: Vec<u8> = heights.iter().flat_map(|height| height.to_le_bytes()).collect();
-        Some(PyBytes::new(py, &bytes))
+        self.scenario.drawn.heights().map(|heights| le_bytes(py, heights))
+    }
+
+    /// The factors as little-endian f32, row by row; none on plain ground.
+    fn factors<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        self.scenario.drawn.factors().map(|factors| le_bytes(py, factors))
     }
 
     /// The rules by slices that suit the terrain, as JSON.
     fn fitting_slices(&self) -> PyResult<String> {
-        let Scenario { grid, spec, .. } = &*self.scenario;
+        let Scenario { drawn, spec, .. } = &*self.scenario;
         let Some(terrain) = spec.terrain else {
             return Err(Refusal::argument("slices", "a map without heights has no levels", "give heights").into());
         };
-        Ok(json(&SliceRules::fitting_map(grid, terrain.vertical_unit, spec.start, spec.goals[0].at, None)))
+        Ok(json(&SliceRules::fitting_map(drawn, terrain.vertical_unit, spec.start, spec.goals[0].at, None)))
     }
 
     /// The middle of a cell in metres; none where the map's place is not known.
@@ -158,15 +164,25 @@ impl Map {
 
     fn same_as(&self, other: &Self) -> bool {
         let (a, b) = (&self.scenario, &other.scenario);
-        a.spec == b.spec && a.grid == b.grid
+        a.spec == b.spec && a.drawn == b.drawn
     }
 }
 
-fn grid((width, height): (u32, u32), cells: &[u8], heights: Option<&[u8]>) -> Result<Grid, Refusal> {
-    let grid = Grid::from_bytes(width, height, cells)?;
-    let Some(bytes) = heights else { return Ok(grid) };
-    let (numbers, _) = bytes.as_chunks::<4>();
-    Ok(grid.with_heights(numbers.iter().map(|four| f32::from_le_bytes(*four)).collect())?)
+fn grid((width, height): (u32, u32), cells: &[u8], [heights, factors]: [Option<&[u8]>; 2]) -> Result<Grid, Refusal> {
+    let numbers = |bytes: &[u8]| bytes.as_chunks::<4>().0.iter().map(|four| f32::from_le_bytes(*four)).collect();
+    let mut grid = Grid::from_bytes(width, height, cells)?;
+    if let Some(heights) = heights {
+        grid = grid.with_heights(numbers(heights))?;
+    }
+    if let Some(factors) = factors {
+        grid = grid.with_factors(numbers(factors))?;
+    }
+    Ok(grid)
+}
+
+fn le_bytes<'py>(py: Python<'py>, numbers: &[f32]) -> Bound<'py, PyBytes> {
+    let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+    PyBytes::new(py, &bytes)
 }
 
 /// Plain data of the engine as JSON.

@@ -104,6 +104,72 @@ def test_heights_are_float32_and_nan_is_blocked() -> None:
         Map(WALLS, heights=heights[:, 2:])
 
 
+def test_factors_are_float32_from_1_and_plain_ground_has_none() -> None:
+    factors = np.linspace(1, 9, 24).reshape(4, 6)
+    made = small(factors=factors)
+    back = made.factors
+    assert back is not None
+    assert back.dtype == np.float32
+    assert np.array_equal(back, factors.astype(np.float32))
+    assert made.factors is not back
+    assert made != small()
+    assert pickle.loads(pickle.dumps(made)) == made
+    assert made.replace(moves=4).factors is not None
+    assert small().factors is None
+    assert small(factors=np.ones((4, 6), dtype=int)) == small()
+    for wrong in (0.5, np.inf, np.nan, 1e300, 1001):
+        factors[0, 1] = wrong
+        with pytest.raises(errors.ScenarioError, match=r"\(1, 0\)") as refused:
+            small(factors=factors)
+        assert refused.value.kind == "factor"
+    with pytest.raises(errors.ArgumentError, match="no factors"):
+        small(factors=np.full((4, 6), True))
+    with pytest.raises(errors.ArgumentError, match="same shape"):
+        small(factors=factors[:, 2:])
+    with pytest.raises(errors.ScenarioError) as both:
+        small(factors=np.full((4, 6), 2), heights=np.zeros((4, 6)))
+    assert both.value.kind == "weighted-terrain"
+
+
+def test_a_robot_needs_room_and_its_map_stays_as_it_was_drawn(tmp_path: Path) -> None:
+    inflation = {"radius": 3.0, "cost_scaling": 0.5}
+    made = small(robot={"radius": 1.0, "inflation": inflation})
+    assert made.robot == {"radius": 1.0, "inflation": {**inflation, "rule": "nav2-smac-2d", "multiplier": 2.0}}
+    assert np.array_equal(made.blocked, WALLS)
+    assert made.factors is None
+    assert pickle.loads(pickle.dumps(made)) == made
+    assert made.replace(robot=None) == small()
+    run = formicarium.plan(made, "astar")
+    assert run.metrics is not None
+    assert run.metrics["cost"] > run.metrics["length"]
+    made.write(tmp_path / "robot.json")
+    assert formicarium.read_map(tmp_path / "robot.json") == made
+    with pytest.raises(errors.ScenarioError) as narrow:
+        made.replace(start=(2, 0))
+    assert narrow.value.kind == "start-too-narrow"
+
+
+def test_swamp_and_costmaps_are_read_as_costs(tmp_path: Path) -> None:
+    (tmp_path / "swamp.map").write_text("type octile\nheight 2\nwidth 3\nmap\n.S.\n...\n", encoding="ascii")
+    ends: Any = {"start": (0, 0), "goals": (2, 0)}
+    with pytest.warns(formicarium.FormicariumWarning) as read_so:
+        swamp = formicarium.read_map(tmp_path / "swamp.map", swamp_factor=3, **ends)
+    assert [said.message.kind for said in read_so] == ["swamp-factor"]  # type: ignore[union-attr]
+    assert swamp.factors is not None
+    assert swamp.factors.tolist() == [[1, 3, 1], [1, 1, 1]]
+    with pytest.warns(formicarium.FormicariumWarning) as lost:
+        swamp.write(tmp_path / "again.map")
+    assert any("no factors" in str(said.message) for said in lost)
+    text = "info: {resolution: 1, width: 3, height: 1, origin: {position: {x: 0, y: 0}}}\ndata: [0, 98, 0]\n"
+    (tmp_path / "costs.yaml").write_text(text, encoding="ascii")
+    asked: list[tuple[Any, float]] = [("nav2-smac-2d", 3.0), ({"rule": "nav2-smac-2d", "multiplier": 4.0}, 5.0)]
+    for costs, factor in asked:
+        with pytest.warns(formicarium.FormicariumWarning):
+            read = formicarium.read_map(tmp_path / "costs.yaml", costs=costs, **ends)
+        assert read.factors is not None
+        assert read.factors.tolist() == [[1, factor, 1]]
+
+
 def test_what_comes_out_is_a_copy() -> None:
     made = small()
     made.blocked[:] = True

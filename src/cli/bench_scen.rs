@@ -69,6 +69,10 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
     let map = ReadingArgs::default().import_still(&map_path)?;
+    if map.grid.factors().is_some() || map.spec.robot.is_some() {
+        let message = "the listed optima are lengths of a point's ways on plain ground; this map has factors of cells or a robot";
+        return Err(CliError::usage(message, "leave `factors` and `robot` out of the map's file"));
+    }
     text::notes(&scen.notices);
     let mut spec = map.spec;
     spec.movement.corner_rule = args.corner_rule;

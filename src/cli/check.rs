@@ -1,19 +1,25 @@
 //! `check`: is this a path, and how good is it?
 
+mod price;
+
 use std::path::PathBuf;
 
 use crate::findings::{At, Findings, SliceFindings, Step};
 use crate::formats::{Imported, MAX_TEXT_BYTES, PathOnMap, read_path_on};
-use crate::map::Point;
+use crate::map::{CornerRule, Moves, Point};
+use crate::metrics::Metrics;
 use crate::path::PathKind;
-use crate::scenario::{Scenario, TerrainMoves, TerrainSpec};
+use crate::scenario::{CostRule, Scenario, TerrainMoves, TerrainSpec};
+use serde::Serialize;
 
 use super::driving::{self, DrivingArgs};
 use super::error::CliError;
 use super::input::{self, MovementArgs};
 use super::reading::ReadingArgs;
+use super::robot::RobotArgs;
 use super::terrain::TerrainArgs;
 use super::{Outcome, text, text::TextOrJson, text::row};
+use price::Price;
 
 /// Audits a path: collisions, cut corners, slopes, jumps, sight, ends; and measures it
 #[derive(clap::Args)]
@@ -24,11 +30,14 @@ Its points are neighbouring cells, or with --polyline the corners of a polyline;
 say which themselves.
 By slices each place has its level: [[x, y, level], …], lines x,y,level, a result's path and levels, or z in metres.
 The ends are checked only where the map's file names them.
+With --cost, or --costs for a costmap, the path is counted as that planner of Nav2 counts, and compared with the least
+cost between its ends: 8 moves and corner rule always, as SmacPlanner2D has no corner check, unless asked otherwise.
 
 Examples:
   formicarium check path.csv --map arena2.map
   formicarium check route.txt --map grid.csv --one-based --rows-first --corner-rule always
   formicarium check corners.csv --map arena2.map --polyline
+  formicarium check plan.yaml --map map.yaml --cost nav2-smac-2d --robot-radius 0.22
   formicarium plan a.json --planner astar --format json | formicarium check - --map a.json
 
 Exit code 1 when the path is none.")]
@@ -40,6 +49,8 @@ pub struct Args {
     map: PathBuf,
     #[command(flatten)]
     movement: MovementArgs,
+    #[command(flatten)]
+    robot: RobotArgs,
     #[command(flatten)]
     terrain: TerrainArgs,
     /// The path's points are joined by straight segments in line of sight, not by steps
@@ -69,6 +80,7 @@ impl Args {
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let mut map = args.reading.import_still(&args.map)?;
     args.movement.apply(&mut map);
+    args.judge_as_nav2(&mut map);
     let spec = &map.spec;
     let read = |bytes: &[u8], _: &str| Ok(read_path_on(bytes, spec)?);
     let PathOnMap { places: mut path, kind, metres, names_columns, notices } = input::in_file(&args.path, MAX_TEXT_BYTES, read)?;
@@ -96,14 +108,41 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     }
     let path = on_the_ground(&path)?;
     let findings = Findings::of(&map.grid, &map.spec, !map.ends_were_chosen(), &path, kind);
+    let price = Price::of(&map, &path, &findings, args.judged());
+    let (fine, checked) = (findings.ok, Checked { findings, price });
     let text = match args.format {
-        TextOrJson::Text => whole_text(&findings, &map, path.len()),
-        TextOrJson::Json => text::json(&findings, 2),
+        TextOrJson::Text => whole_text(&checked, &map, path.len()),
+        TextOrJson::Json => text::json(&checked, 2),
     };
-    Ok(Outcome { text, fine: findings.ok })
+    Ok(Outcome { text, fine })
+}
+
+/// What is wrong with a path, and what it costs.
+#[derive(Serialize)]
+struct Checked {
+    #[serde(flatten)]
+    findings: Findings,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    price: Option<Price>,
 }
 
 impl Args {
+    /// The planner of Nav2 as which the path is counted.
+    fn judged(&self) -> Option<CostRule> {
+        self.robot.cost().or(self.reading.costs())
+    }
+
+    /// Lets the robot's arguments and, where a planner of Nav2 is the judge, its way of moving override the map's; says what was assumed.
+    fn judge_as_nav2(&self, map: &mut Imported) {
+        let of_costs = map.notices.iter().filter(|notice| notice.kind.starts_with("costs-")).cloned();
+        text::notes(&of_costs.chain(self.robot.apply(&mut map.spec)).collect::<Vec<_>>());
+        if self.judged().is_some() {
+            let movement = &mut map.spec.movement;
+            movement.moves = self.movement.moves.unwrap_or(Moves::Eight);
+            movement.corner_rule = self.movement.corner_rule.unwrap_or(CornerRule::Always);
+        }
+    }
+
     /// Brings a point into column, row, from 0.
     fn shift(&self, p: &mut Point) -> Result<(), CliError> {
         if self.rows_first {
@@ -121,7 +160,7 @@ impl Args {
 }
 
 /// What `check` prints.
-fn whole_text(findings: &Findings, map: &Imported, points: usize) -> String {
+fn whole_text(Checked { findings, price }: &Checked, map: &Imported, points: usize) -> String {
     let rule =
         format!("{} moves, corner rule {}", u8::from(map.spec.movement.moves), input::rule_id(map.spec.movement.corner_rule));
     let (what, valid) = match findings.kind {
@@ -133,24 +172,29 @@ fn whole_text(findings: &Findings, map: &Imported, points: usize) -> String {
     for end in &findings.wrong_ends {
         row(&mut out, "ends", end);
     }
-    counts(findings, &mut out, map.spec.terrain.is_some());
+    counts(findings, &mut out, map);
     if !findings.jumps.is_empty() {
         row(&mut out, "", "for the corners of a polyline, add --polyline");
     }
-    if let Some(metrics) = &findings.metrics {
-        text::metrics(&mut out, metrics);
+    if let Some(metrics) = findings.metrics {
+        // Its price tells the cost, with what it is compared with.
+        text::metrics(&mut out, &Metrics { cost: metrics.cost.filter(|_| price.is_none()), ..metrics });
+    }
+    if let Some(price) = price {
+        price.text(&mut out);
     }
     driving::smoothed(&mut out, &map.spec.vehicle, findings.smoothed.as_ref());
     out
 }
 
 /// A line for each kind of flaw that this kind of path can have.
-fn counts(findings: &Findings, out: &mut String, on_terrain: bool) {
+fn counts(findings: &Findings, out: &mut String, map: &Imported) {
     let at = |found: &[At]| (found.len(), found.first().map(|f| format!("cell {} {}", f.index, text::cell(f.at))));
     let step = |found: &[Step], name: &str| {
         (found.len(), found.first().map(|f| format!("{name} {} {} → {}", f.step, text::cell(f.from), text::cell(f.to))))
     };
-    let steep = on_terrain.then(|| ("too steep", step(&findings.too_steep, "step")));
+    let narrow = map.spec.robot.map(|_| ("too narrow", at(&findings.narrow)));
+    let steep = map.spec.terrain.map(|_| ("too steep", step(&findings.too_steep, "step")));
     let (cells, joints) = (
         [("outside", at(&findings.outside)), ("collisions", at(&findings.collisions))],
         match findings.kind {
@@ -160,7 +204,7 @@ fn counts(findings: &Findings, out: &mut String, on_terrain: bool) {
             PathKind::Polyline => vec![("out of sight", step(&findings.out_of_sight, "segment"))],
         },
     );
-    for (label, (count, first)) in cells.into_iter().chain(joints).chain(steep) {
+    for (label, (count, first)) in cells.into_iter().chain(narrow).chain(joints).chain(steep) {
         row(out, label, first.map_or("none".into(), |first| format!("{count}, first at {first}")));
     }
 }

@@ -119,10 +119,10 @@ impl Format {
     }
 }
 
-/// The optimum under the benchmark's rules: 8 moves, both cells beside a diagonal step free, on the plane.
+/// The optimum under the benchmark's rules: 8 moves, both cells beside a diagonal step free, of a point on a plane of plain ground.
 fn listed_optimum(map: &Imported) -> Result<f64, CliError> {
-    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, ..map.spec.clone() };
-    let scenario = Arc::new(Scenario::new(map.grid.clone().without_heights(), spec)?);
+    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, robot: None, ..map.spec.clone() };
+    let scenario = Arc::new(Scenario::new(map.grid.clone().cells_alone(), spec)?);
     exact::optimum(&scenario).ok_or_else(|| {
         CliError::usage("no path leads from start to goal, so there is no optimum to list", "choose other ends, or write a .map")
     })
@@ -210,6 +210,12 @@ pub fn tell_of_losses(format: Format, map: &Imported) {
     }
     if is_terrain && !format.is_raster() && format != Format::Scenario {
         say("note: this format holds no heights; .asc, .tif and .json do");
+    }
+    if map.grid.factors().is_some() && format != Format::Scenario {
+        say("note: this format holds no factors of cells: what the ground costs is left out; a .json keeps it");
+    }
+    if map.spec.robot.is_some() && format != Format::Scenario {
+        say("note: this format holds no robot: its radius and what cells near obstacles cost are left out; a .json keeps them");
     }
     if !map.spec.changes.is_empty() && format != Format::Scenario {
         say("note: this format holds the map before its walls change; a .json keeps the changes");

@@ -8,12 +8,13 @@ use std::sync::Arc;
 use crate::error::{Error, FormatError, Notice};
 use crate::formats::{self, Imported, MAX_TEXT_BYTES, ScenLine};
 use crate::map::{CornerRule, Moves, Point, Window};
-use crate::scenario::{Goal, Scenario};
+use crate::scenario::{CostRule, Goal, Scenario};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::driving::DrivingArgs;
 use super::error::CliError;
 use super::reading::ReadingArgs;
+use super::robot::RobotArgs;
 use super::terrain::TerrainArgs;
 use super::text;
 
@@ -49,6 +50,8 @@ pub struct RouteArgs {
     #[command(flatten)]
     movement: MovementArgs,
     #[command(flatten)]
+    robot: RobotArgs,
+    #[command(flatten)]
     terrain: TerrainArgs,
 }
 
@@ -64,6 +67,8 @@ impl RouteArgs {
         let goals = self.to.iter().map(|place| place.on(map)).collect::<Result<Vec<_>, _>>()?;
         set_ends(map, start, &goals);
         self.movement.apply(map);
+        let assumed = self.robot.apply(&mut map.spec);
+        map.notices.extend(assumed);
         self.terrain.apply(map)
     }
 }
@@ -103,7 +108,7 @@ pub struct MovementArgs {
     #[arg(long, value_name = "4|8|16", hide_possible_values = true, value_parser = moves())]
     pub moves: Option<Moves>,
     /// Metres per cell [default: the map's, else 1]
-    #[arg(long, value_name = "M", value_parser = metres, allow_negative_numbers = true)]
+    #[arg(long, visible_alias = "cell-size", value_name = "M", value_parser = metres, allow_negative_numbers = true)]
     pub resolution: Option<f64>,
 }
 
@@ -138,6 +143,14 @@ pub fn rule_id(rule: CornerRule) -> &'static str {
 pub fn corner_rules() -> impl TypedValueParser<Value = CornerRule> {
     PossibleValuesParser::new(CornerRule::ALL.map(rule_id)).map(|id| {
         let found = CornerRule::ALL.into_iter().find(|r| rule_id(*r) == id);
+        found.unwrap_or_default()
+    })
+}
+
+/// Reads a rule of costs by its id.
+pub fn cost_rules() -> impl TypedValueParser<Value = CostRule> {
+    PossibleValuesParser::new(CostRule::ALL.map(CostRule::id)).map(|id| {
+        let found = CostRule::ALL.into_iter().find(|rule| rule.id() == id);
         found.unwrap_or_default()
     })
 }

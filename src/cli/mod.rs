@@ -15,6 +15,7 @@ mod page;
 mod plan;
 mod plan_format;
 mod reading;
+mod robot;
 pub mod shared;
 mod streams;
 mod submit;

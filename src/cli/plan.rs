@@ -153,7 +153,11 @@ impl Report<'_> {
             Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
             _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
         };
-        row(out, "gap", format!("{} above {of} ({})", text::percent(gap), self.planner.objective().words()));
+        row(
+            out,
+            "gap",
+            format!("{} above {of} ({})", text::percent(gap), text::objective(self.planner.objective(), self.scenario)),
+        );
     }
 
     /// What refinement has saved, and the bound that no polyline can beat.
@@ -163,7 +167,10 @@ impl Report<'_> {
             row(out, "unrefined", format!("{:.4} cells by steps", best.length));
         }
         match exact::point_robot(self.scenario) {
-            Ok(Some(bound)) => row(out, "point robot", format!("{bound:.4} cells: no polyline through centres is shorter")),
+            Ok(Some(bound)) => {
+                let than = if self.scenario.moves.weights().is_some() { "costs less" } else { "is shorter" };
+                row(out, "point robot", format!("{bound:.4} cells: no polyline through centres {than}"));
+            }
             Ok(None) => {}
             Err(limit) => row(out, "point robot", limit),
         }

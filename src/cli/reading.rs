@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use crate::error::Notice;
 use crate::formats::figure::Lattice;
 use crate::formats::picture::PictureOptions;
-use crate::formats::ros::{self, Unknown};
+use crate::formats::ros::{self, Costs, Unknown};
 use crate::formats::{self, Companion, FigureOptions, Imported, Kind, MAX_BYTES, ReadOptions};
 use crate::map::Window;
+use crate::scenario::CostRule;
 use clap::ValueEnum;
 
 use super::error::CliError;
@@ -38,6 +39,16 @@ pub struct ReadingArgs {
     /// ROS maps: cells that nobody has seen are blocked or free [default: blocked]
     #[arg(long, value_enum, value_name = "blocked|free", hide_possible_values = true)]
     unknown: Option<UnknownAs>,
+    /// ROS maps and OccupancyGrid messages that are costmaps: values from 1 to 98 are costs, which make cells dearer by the rule nav2-smac-2d
+    /// or nav2-navfn [default: thresholds tell free from occupied]
+    #[arg(long, value_name = "RULE", hide_possible_values = true, value_parser = input::cost_rules(), conflicts_with = "cost")]
+    costs: Option<CostRule>,
+    /// With --costs nav2-smac-2d: its cost_travel_multiplier, 0 to 500 [default: 2; newer versions of Nav2 have 1]
+    #[arg(long, value_name = "M", requires = "costs", allow_negative_numbers = true)]
+    costs_multiplier: Option<f64>,
+    /// MovingAI maps: how many times its length a way through swamp (S) costs, 1 to 1000 [default: as free as any other cell]
+    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    swamp_factor: Option<f32>,
     /// Pictures: the figure of a grid, whose cells are read, not its pixels; start and goal by its markers
     #[arg(long, conflicts_with_all = ["matrix", "threshold", "light_is_blocked", "cells", "metres_per_pixel", "unknown"])]
     figure: bool,
@@ -106,7 +117,17 @@ impl ReadingArgs {
         };
         let unknown = if self.unknown == Some(UnknownAs::Free) { Unknown::Free } else { Unknown::Blocked };
         let figure = self.figure.then_some(FigureOptions { lattice: self.lattice });
-        ReadOptions { matrix: self.matrix, picture, unknown, cells: self.cells, figure }
+        let costs = self.costs.map(|rule| {
+            let usual = Costs::by(rule);
+            Costs { multiplier: self.costs_multiplier.unwrap_or(usual.multiplier), ..usual }
+        });
+        let swamp_factor = self.swamp_factor;
+        ReadOptions { matrix: self.matrix, picture, unknown, costs, swamp_factor, cells: self.cells, figure }
+    }
+
+    /// By which rule values of the file are costs.
+    pub fn costs(&self) -> Option<CostRule> {
+        self.costs
     }
 
     /// Reads a map; the picture of a ROS map is looked for beside its description.

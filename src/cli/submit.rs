@@ -196,7 +196,8 @@ impl Args {
         };
         let known = best(entries.iter().filter(is_same));
         let standing = Standing::of(measured.value, known.map(|entry| entry.value));
-        report.tell(&planner, measured, standing, known, reference);
+        let objective = text::objective(measured.objective, &tracked.scenario);
+        report.tell(&planner, (objective, measured.value), standing, known, reference);
         if !standing.wins() {
             return Ok(());
         }
@@ -252,8 +253,14 @@ struct Report {
 }
 
 impl Report {
-    fn tell(&mut self, planner: &str, measured: Measured, standing: Standing, known: Option<&Entry>, reference: Reference) {
-        let Measured { objective, value } = measured;
+    fn tell(
+        &mut self,
+        planner: &str,
+        (objective, value): (&str, f64),
+        standing: Standing,
+        known: Option<&Entry>,
+        reference: Reference,
+    ) {
         let beside = known.map_or(String::new(), |entry| format!("{:.4} of {}, {}", entry.value, entry.by, entry.date));
         let verdict = match standing {
             Standing::First => "the first value of this planner here".into(),
@@ -270,7 +277,7 @@ impl Report {
             Reference::NoPath | Reference::Unknown => "not known".into(),
         };
         let _ = writeln!(self.text, "{planner}");
-        row(&mut self.text, "value", format!("{value:.4}, {}; it holds", objective.words()));
+        row(&mut self.text, "value", format!("{value:.4}, {objective}; it holds"));
         row(&mut self.text, "verdict", verdict);
         row(&mut self.text, "optimum", optimum);
     }

@@ -6,6 +6,8 @@ use std::io;
 use crate::error::Notice;
 use crate::map::Point;
 use crate::metrics::Metrics;
+use crate::planner::Objective;
+use crate::scenario::Scenario;
 use serde::Serialize;
 use serde_json::ser::Formatter;
 
@@ -129,6 +131,11 @@ pub fn cell(p: Point) -> String {
     format!("({}, {})", p.x, p.y)
 }
 
+/// What an objective is on a scenario: on weighted ground a cost.
+pub fn objective(objective: Objective, scenario: &Scenario) -> &'static str {
+    if scenario.moves.weights().is_some() { objective.cost_words() } else { objective.words() }
+}
+
 /// The lines about a path.
 pub fn metrics(out: &mut String, m: &Metrics) {
     let by_slices = m.terrain.as_ref().and_then(|terrain| terrain.level_cost);
@@ -138,6 +145,9 @@ pub fn metrics(out: &mut String, m: &Metrics) {
         (None, None) => "cells",
     };
     row(out, "length", format!("{:.4} {unit} = {:.4} m", m.length, m.length_metres));
+    if let Some(cost) = m.cost {
+        row(out, "cost", format!("{cost:.4} cells: every stretch counts its length times the factor of its cell"));
+    }
     if let Some(cost) = by_slices {
         row(out, "level cost", format!("{cost:.4}: every step's length and the level that it leads to"));
     }

@@ -154,7 +154,7 @@ fn on_map(samples: &Samples, index: usize, axis: Axis, mut intervals: Option<&mu
 }
 
 fn curve_measure(map: &Map, entries: usize) -> RunMeasure {
-    let mut all = (0..entries).filter_map(|entry| map.objective(entry)).map(RunMeasure::of);
+    let mut all = (0..entries).filter_map(|entry| map.objective(entry)).map(|objective| map.measure_of(objective));
     let first = all.next();
     if first.is_none_or(|m| m == map.measure()) || all.any(|m| m == map.measure()) {
         map.measure()

@@ -251,12 +251,13 @@ pub fn difference(one: &Scenario, other: &Scenario) -> Option<&'static str> {
     };
     let parts = [
         ("its size differs", (a.width, a.height) == (b.width, b.height)),
-        ("its cells differ", one.grid == other.grid),
+        ("its cells differ", one.drawn == other.drawn),
         ("its start differs", a.start == b.start),
         ("its goals differ", goals(one) == goals(other)),
         ("its moves differ", a.movement == b.movement),
         ("its terrain differs", a.terrain == b.terrain),
         ("its metres a cell differ", a.resolution == b.resolution),
+        ("its robot differs", a.robot == b.robot),
         ("its changes differ", a.changes == b.changes),
     ];
     parts.into_iter().find(|(_, is_same)| !is_same).map(|(name, _)| name)

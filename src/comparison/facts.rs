@@ -28,7 +28,7 @@ pub struct Fact {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub says: String,
-    /// The least published length (by slices cost): the exact optimum under the map's rule cannot be above it.
+    /// The least published length (by slices and on weighted ground cost): the exact optimum under the map's rule cannot be above it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub optimum_at_most: Option<f64>,

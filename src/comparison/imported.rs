@@ -60,7 +60,7 @@ pub struct ImportedRun {
 pub struct ImportedStep {
     /// Its length in cells.
     pub length: Option<f64>,
-    /// Its value by whatever it was searched for: on terrains by slices the cost. One of length and value is always there.
+    /// Its value by whatever it was searched for: by slices and on weighted ground the cost. One of length and value is always there.
     pub value: Option<f64>,
     /// Its turns.
     pub turns: Option<u32>,
@@ -73,10 +73,10 @@ pub struct ImportedStep {
 }
 
 impl ImportedStep {
-    /// What it is compared by: on terrains by slices its value, elsewhere its length, or the only number there is. None where the cost by
-    /// slices is asked for and a length is all that is known.
-    pub fn compared(&self, by_slices: bool) -> Option<f64> {
-        if by_slices { self.value } else { self.length.or(self.value) }
+    /// What it is compared by: where a map is compared by cost its value, elsewhere its length, or the only number there is. None where the
+    /// cost is asked for and a length is all that is known.
+    pub fn compared(&self, by_cost: bool) -> Option<f64> {
+        if by_cost { self.value } else { self.length.or(self.value) }
     }
 
     /// Whether it has a smaller length or a smaller value than another one.

@@ -272,7 +272,7 @@ fn rank_test(of: &TwoSamples<f64>) -> Option<f64> {
 /// the shortest path of steps, and the path of the smallest V need not be the shortest one.
 fn is_bound(map: &Map, measure: RunMeasure, entries: [usize; 2]) -> bool {
     let best = |entry: usize| {
-        let objective = map.objective(entry).filter(|o| RunMeasure::of(*o) == measure)?;
+        let objective = map.objective(entry).filter(|o| map.measure_of(*o) == measure)?;
         map.yardsticks().iter().find(|y| y.objective == objective)?.reference.value()
     };
     let [improved, baseline] = entries.map(best);

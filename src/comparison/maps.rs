@@ -54,14 +54,19 @@ impl Map {
         Ok(Self { scenario, objectives, references: OnceLock::new(), own: by_map, own_reference: OnceLock::new() })
     }
 
-    /// Whether the same is asked on both: equal cells, heights, ends and rules.
+    /// Whether the same is asked on both: equal cells, heights, factors, ends and rules.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         self.scenario.spec == other.scenario.spec && self.scenario.drawn == other.scenario.drawn
     }
 
-    /// What paths on it are compared by: by slices their cost, elsewhere their length.
+    /// What paths on it are compared by: by slices and on weighted ground their cost, elsewhere their length.
     pub fn measure(&self) -> RunMeasure {
-        if self.scenario.by_slices().is_some() { RunMeasure::Cost } else { RunMeasure::Length }
+        self.measure_of(self.own)
+    }
+
+    /// The measure that the value of an objective belongs to here.
+    pub fn measure_of(&self, objective: Objective) -> RunMeasure {
+        RunMeasure::of(objective, self.scenario.moves.weights().is_some())
     }
 
     /// What counts for an entry here.
@@ -76,7 +81,7 @@ impl Map {
             for objective in self.objectives.iter().flatten().copied() {
                 if all.iter().all(|y| y.objective != objective) {
                     let reference = exact::reference(&self.scenario, objective);
-                    all.push(Yardstick { objective, measure: RunMeasure::of(objective), reference });
+                    all.push(Yardstick { objective, measure: self.measure_of(objective), reference });
                 }
             }
             all

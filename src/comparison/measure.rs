@@ -12,7 +12,7 @@ use crate::planner::Objective;
 pub enum RunMeasure {
     /// Length of the path in cells.
     Length,
-    /// Cost of a path by slices, by the scenario's measure; elsewhere the value by the planner's own objective.
+    /// Cost of a path by slices, by the scenario's measure, and on weighted ground; elsewhere the value by the planner's own objective.
     Cost,
     /// Its turns.
     Turns,
@@ -43,9 +43,10 @@ pub enum RunMeasure {
 }
 
 impl RunMeasure {
-    /// The measure that an objective's value belongs to: two objectives can share one, over different paths.
-    pub fn of(objective: Objective) -> Self {
+    /// The measure that an objective's value belongs to on a map, `weighted` or not: two objectives can share one, over different paths.
+    pub fn of(objective: Objective, weighted: bool) -> Self {
         match objective {
+            Objective::Length | Objective::PolylineLength | Objective::TourLength if weighted => Self::Cost,
             Objective::Length | Objective::PolylineLength | Objective::TourLength => Self::Length,
             Objective::SliceCost => Self::Cost,
             Objective::TurnIndex => Self::TurnIndex,

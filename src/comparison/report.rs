@@ -75,7 +75,7 @@ fn objectives(words: &Words, map: &MapAnalysis, called: fn(&str) -> String) -> S
     let of = |yardstick: &Yardstick| {
         let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
         let by: Vec<_> = by.map(|e| called(&e.label)).collect();
-        (words.signs.beside)((words.names.objective)(yardstick.objective), &by.join(words.signs.list))
+        (words.signs.beside)((words.names.objective)(yardstick.objective, yardstick.measure), &by.join(words.signs.list))
     };
     map.references.iter().map(of).collect::<Vec<_>>().join(words.signs.parts)
 }
@@ -126,7 +126,7 @@ fn map_table(words: &Words, out: &mut String, comparison: &Comparison, map: &Map
 
 /// The best there is by an objective; where nothing is proven, the best of these runs stands in.
 fn reference(words: &Words, out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
-    let (said, name) = (&words.page, (words.names.objective)(yardstick.objective));
+    let (said, name) = (&words.page, (words.names.objective)(yardstick.objective, yardstick.measure));
     let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
     let best = by.filter_map(|e| e.best).reduce(f64::min);
     let (name, value) = match yardstick.reference {
@@ -178,7 +178,9 @@ fn moves(words: &Words, scenario: &Scenario) -> String {
     };
     let rule = rule.map_or_else(String::new, |rule| format!("{}{rule}", words.signs.comma));
     let surface = if scenario.moves.relief().is_some() { said.on_surface } else { "" };
-    (said.moves)(&u8::from(moves).to_string()) + &rule + surface
+    let weighted = if scenario.moves.weights().is_some() { said.on_weighted } else { "" };
+    let robot = scenario.spec.robot.map_or_else(String::new, |robot| (said.robot)(&robot.radius.to_string()));
+    (said.moves)(&u8::from(moves).to_string()) + &rule + surface + weighted + &robot
 }
 
 fn published(main: RunMeasure, row: &Published) -> String {

@@ -3,7 +3,6 @@
 use super::claim::Claim;
 use super::contrast::TwoSamples;
 use super::course::{Course, most};
-use super::measure::RunMeasure;
 use super::samples::Samples;
 use super::statistics::wilson;
 use super::verdict::WhyNot;
@@ -24,7 +23,7 @@ pub(super) fn spendings(
 ) -> Result<TwoSamples<Spending>, WhyNot> {
     let map = &samples.comparison().maps[instance];
     let objectives = entries.map(|entry| map.objective(entry));
-    let measures = objectives.map(|objective| objective.map(RunMeasure::of));
+    let measures = objectives.map(|objective| objective.map(|objective| map.measure_of(objective)));
     let measure = measures[0].filter(|_| measures[0] == measures[1]).ok_or(WhyNot::OtherObjective)?;
     // Two colonies that go by steps need not come near to what polylines can reach.
     let best = match objectives {

@@ -81,7 +81,8 @@ impl<'a> Samples<'a> {
 
     /// The best value on a map by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
     pub fn best_known(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
-        self.best(instance, |objective| RunMeasure::of(objective) == measure)
+        let map = &self.comparison.maps[instance];
+        self.best(instance, |objective| map.measure_of(objective) == measure)
     }
 
     /// The same by an objective alone: of steps, not of polylines.

@@ -130,10 +130,9 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
         return archive::import_archive(bytes, name, options);
     }
     let decoded = || text::decode(bytes);
-    let (unknown, cells) = (options.unknown, options.cells);
     let imported = match kind {
         Kind::MovingaiMap => {
-            let file = movingai::read(&decoded()?)?;
+            let file = movingai::read(&decoded()?, options.swamp_factor)?;
             complete(kind, name, file.grid, None, None, file.notices)?
         }
         Kind::Matrix => table(&decoded()?, name, options.matrix)?,
@@ -146,10 +145,10 @@ fn read(kind: Kind, bytes: &[u8], name: &str, options: &ReadOptions, beside: Opt
             None => picture(bytes, name, &options.picture)?,
         },
         Kind::RosMap => match beside {
-            Some(image) => ros::read_map(bytes, image.bytes, name, unknown, cells)?,
+            Some(image) => ros::read_map(bytes, image.bytes, name, options)?,
             None => return Err(FormatError::Needs { found: kind.name(), other: ros::image_of(bytes)? }.into()),
         },
-        Kind::OccupancyGrid => ros::read_message(&decoded()?, name, unknown, cells)?,
+        Kind::OccupancyGrid => ros::read_message(&decoded()?, name, options)?,
         Kind::Mapf => ros::read_mapf(&decoded()?, name)?,
         Kind::Scenario => scenario(&decoded()?)?,
         Kind::Tsplib => {

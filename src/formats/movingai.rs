@@ -2,12 +2,12 @@
 //!
 //! `.` `G` `S` are passable, `@` `O` `T` `W` are not; so is `E`, an emitter in the maps of the League of Robot Runners. Maps of type
 //! `octile-corner` (Warcraft III) have the heights of the corners before the cells; these are left out.
-//! The format's rules for swamp (`S`: only from passable ground) and water
-//! (`W`: only from water) need terrain that this engine does not have; a notice says so where they occur.
+//! Swamp (`S`) may be given a factor, by which a way through it counts; the format itself only says that it is passable from ground. Water
+//! (`W`) is for who comes over water: from the ground, where every way begins, it is blocked. A notice says so where they occur.
 
 use super::text::{lines, quote};
 use crate::error::{FormatError, Notice, ScenarioError};
-use crate::map::{Grid, MAX_SIDE, Point, check_size};
+use crate::map::{Grid, MAX_FACTOR, MAX_SIDE, Point, check_size};
 
 /// Header lines that are looked at before a file is given up.
 const HEADER_LINES: usize = 20;
@@ -37,11 +37,14 @@ pub(super) fn looks_like(text: &str) -> bool {
     head.next().is_some_and(is_header) && head.any(|l| l.eq_ignore_ascii_case("map") || is_header(l))
 }
 
-/// Reads a `.map`.
+/// Reads a `.map`; `swamp` is the factor of its swamp.
 ///
 /// # Errors
-/// [`FormatError`] with the line at fault; sizes are refused before anything is allocated.
-pub(super) fn read(text: &str) -> Result<MapFile, FormatError> {
+/// [`FormatError`] with the line at fault, or `swamp_factor`; sizes are refused before anything is allocated.
+pub(super) fn read(text: &str, swamp: Option<f32>) -> Result<MapFile, FormatError> {
+    if let Some(factor) = swamp.filter(|factor| !(1.0..=MAX_FACTOR).contains(factor)) {
+        return Err(FormatError::field("swamp_factor", factor.to_string(), format!("a number from 1 to {MAX_FACTOR}")));
+    }
     let mut lines = lines(text);
     let (header, map_line) = read_header(&mut lines)?;
     let (mut width, mut height) = header.size(map_line)?;
@@ -64,7 +67,11 @@ pub(super) fn read(text: &str) -> Result<MapFile, FormatError> {
         return Err(FormatError::syntax(number, what, "the end of the file, or a larger `height`"));
     }
     let grid = Grid::from_bytes(width, height, &cells)?;
-    let notices = header.notice().into_iter().chain(corners).chain(terrain.notices()).collect();
+    let grid = match swamp.filter(|_| terrain.has_swamp()) {
+        Some(factor) => grid.with_factors(terrain.factors(cells.len(), factor))?,
+        None => grid,
+    };
+    let notices = header.notice().into_iter().chain(corners).chain(terrain.notices(swamp)).collect();
     Ok(MapFile { grid, notices })
 }
 
@@ -157,22 +164,22 @@ fn too_few_rows(line: usize, row: u32, height: u32) -> FormatError {
     FormatError::syntax(line, format!("the map ends after {row} of {height} rows"), "one line for each row")
 }
 
-/// How often each unusual terrain was seen.
+/// How often each unusual terrain was seen, and where the swamp lies.
 #[derive(Default)]
 struct Terrain {
-    swamp: usize,
+    swamp: Vec<usize>,
     water: usize,
     emitters: usize,
 }
 
 impl Terrain {
     /// 1 = blocked, 0 = free; none for a letter that is no terrain.
-    fn cell(&mut self, letter: u8) -> Option<u8> {
+    fn cell(&mut self, letter: u8, at: usize) -> Option<u8> {
         match letter.to_ascii_uppercase() {
             b'.' | b'G' => Some(0),
             b'@' | b'O' | b'T' => Some(1),
             b'S' => {
-                self.swamp += 1;
+                self.swamp.push(at);
                 Some(0)
             }
             b'E' => {
@@ -187,25 +194,53 @@ impl Terrain {
         }
     }
 
-    fn notices(&self) -> impl Iterator<Item = Notice> + use<> {
-        let say = |kind, count: usize, name, read_as| {
-            let message = format!("{count} cells of {name} were read as {read_as}; going from terrain to terrain is not limited");
-            (count > 0).then(|| Notice::new(kind, message).with("count", count))
-        };
-        // Where there are emitters, S is a station beside them and not swamp.
+    /// Where there are emitters, S is a station beside them and not swamp.
+    fn has_swamp(&self) -> bool {
+        self.emitters == 0 && !self.swamp.is_empty()
+    }
+
+    /// One factor a cell of so many: that of swamp, else 1.
+    fn factors(&self, cells: usize, swamp: f32) -> Vec<f32> {
+        let mut factors = vec![1.0; cells];
+        self.swamp.iter().for_each(|&at| factors[at] = swamp);
+        factors
+    }
+
+    /// The notice about swamp, which has a factor or not.
+    fn swamp_notice(&self, factor: Option<f32>) -> Notice {
+        let count = self.swamp.len();
+        match factor {
+            Some(factor) => {
+                let message = format!("{count} cells of swamp (S) have the factor {factor}");
+                Notice::new("swamp-factor", message).with("count", count).with("factor", factor)
+            }
+            None => {
+                let message = format!(
+                    "{count} cells of swamp (S) were read as free; a factor makes them dearer: `swamp_factor` (--swamp-factor)"
+                );
+                Notice::new("swamp", message).with("count", count)
+            }
+        }
+    }
+
+    fn notices(&self, swamp: Option<f32>) -> impl Iterator<Item = Notice> + use<> {
+        let water = (self.water > 0).then(|| {
+            let message = format!("{} cells of water (W) were read as blocked: no way leads into it from the ground", self.water);
+            Notice::new("water", message).with("count", self.water)
+        });
         let robots = (self.emitters > 0).then(|| {
-            let (emitters, stations) = (self.emitters, self.swamp);
+            let (emitters, stations) = (self.emitters, self.swamp.len());
             let message = format!("{emitters} emitters (E) and {stations} stations (S) were read as free");
             Notice::new("map-stations", message).with("emitters", emitters).with("stations", stations)
         });
-        let swamp = say("swamp", self.swamp, "swamp (S)", "free").filter(|_| self.emitters == 0);
-        [swamp, robots, say("water", self.water, "water (W)", "blocked")].into_iter().flatten()
+        let swamp = self.has_swamp().then(|| self.swamp_notice(swamp));
+        [swamp, robots, water].into_iter().flatten()
     }
 }
 
 fn read_row(number: usize, line: &str, width: u32, terrain: &mut Terrain, cells: &mut Vec<u8>) -> Result<(), FormatError> {
     for (column, letter) in line.char_indices().take(width as usize) {
-        let Some(cell) = u8::try_from(letter).ok().and_then(|b| terrain.cell(b)) else {
+        let Some(cell) = u8::try_from(letter).ok().and_then(|b| terrain.cell(b, cells.len())) else {
             let what = format!("`{letter}` in column {column} is no terrain");
             return Err(FormatError::syntax(number, what, ". G S E (free) or @ O T W (blocked)"));
         };

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Kind;
 use super::figure::Lattice;
 use super::picture::PictureOptions;
-use super::ros::Unknown;
+use super::ros::{Costs, Unknown};
 use crate::error::FormatError;
 
 /// How to read a file that leaves a choice. Fields that are left out are as in [`ReadOptions::default`]; those that do not concern the file's
@@ -23,6 +23,12 @@ pub struct ReadOptions {
     /// How unknown cells of a ROS map count.
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub unknown: Unknown,
+    /// ROS maps and OccupancyGrid messages: their values from 1 to 98 are costs, the others free or occupied; none: thresholds tell which.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub costs: Option<Costs>,
+    /// MovingAI maps: the factor of a cell of swamp, 1 to [`crate::map::MAX_FACTOR`]; none: as free as any other.
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub swamp_factor: Option<f32>,
     /// Most cells a side of a ROS map: every n × n cells become one, as blocked as the worst of them.
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub cells: Option<u32>,

@@ -119,10 +119,10 @@ impl Grid {
         Ok(self)
     }
 
-    /// The same cells as a plane.
+    /// The same cells as a plane of plain ground: without heights and factors.
     #[must_use]
-    pub fn without_heights(self) -> Self {
-        Self { heights: None, ..self }
+    pub fn cells_alone(self) -> Self {
+        Self { heights: None, factors: None, ..self }
     }
 
     /// The heights of a terrain, one a cell; NaN where there is no data. `None` on a plane.

@@ -91,8 +91,9 @@ pub fn nearest<T: Copy>(cells: &[T], from: (u32, u32), to: (u32, u32)) -> Vec<T>
     rows.0.iter().flat_map(|row| near(row.3)).collect()
 }
 
+#[cfg(feature = "whole")]
 impl Grid {
-    /// The cells of a window, with their heights.
+    /// The cells of a window, with their heights or factors.
     ///
     /// # Errors
     /// [`FormatError::Window`].
@@ -100,13 +101,18 @@ impl Grid {
         window.check((self.width(), self.height()))?;
         let cells = crop(&self.to_bytes(), self.width(), window);
         let grid = Self::from_bytes(window.width, window.height, &cells)?;
-        match self.heights() {
-            Some(heights) => Ok(grid.with_heights(crop(heights, self.width(), window))?),
+        let cut = |values: &[f32]| crop(values, self.width(), window);
+        let grid = match self.heights() {
+            Some(heights) => grid.with_heights(cut(heights))?,
+            None => grid,
+        };
+        match self.factors() {
+            Some(factors) => Ok(grid.with_factors(cut(factors))?),
             None => Ok(grid),
         }
     }
 
-    /// The same ground in another number of cells.
+    /// The same ground in another number of cells: heights are interpolated, walls and factors taken from the nearest cell.
     ///
     /// # Errors
     /// [`ScenarioError::MapSize`].
@@ -114,8 +120,12 @@ impl Grid {
         super::grid::check_size(u64::from(width), u64::from(height))?;
         let (from, to) = ((self.width(), self.height()), (width, height));
         let grid = Self::from_bytes(width, height, &nearest(&self.to_bytes(), from, to))?;
-        match self.heights() {
-            Some(values) => grid.with_heights(heights(values, from, to)),
+        let grid = match self.heights() {
+            Some(values) => grid.with_heights(heights(values, from, to))?,
+            None => grid,
+        };
+        match self.factors() {
+            Some(factors) => grid.with_factors(nearest(factors, from, to)),
             None => Ok(grid),
         }
     }

@@ -125,6 +125,17 @@ impl Objective {
         }
     }
 
+    /// The same on weighted ground, where ways cost more than their length.
+    #[cfg(feature = "whole")]
+    pub const fn cost_words(self) -> &'static str {
+        match self {
+            Self::Length => "cost by steps",
+            Self::PolylineLength => "cost of a polyline",
+            Self::TourLength => "cost by all goals",
+            Self::SliceCost | Self::TurnIndex | Self::TourWeight => self.words(),
+        }
+    }
+
     /// The value of a path of steps from start to goal that no planner has found; none where more than the path decides.
     pub fn of_steps(self, metrics: &Metrics) -> Option<f64> {
         match self {

@@ -21,7 +21,7 @@ pub use changes::{Change, MAX_CHANGES};
 #[cfg(feature = "whole")]
 pub use driving::{EnergyRule, SmoothingRule};
 #[cfg(feature = "whole")]
-pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, Robot};
+pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, MAX_MULTIPLIER, NAV2_RADIUS, Robot};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
 pub use world::World;

@@ -19,6 +19,11 @@ pub const INSCRIBED_COST: u8 = 253;
 /// Cost of an obstacle: `LETHAL_OBSTACLE` of Nav2.
 pub const LETHAL_COST: u8 = 254;
 
+/// Nav2's radius of a robot that nobody has described, in metres: `robot_radius` of nav2_costmap_2d.
+pub const NAV2_RADIUS: f64 = 0.1;
+/// Largest m of [`CostRule::Nav2Smac2d`].
+pub const MAX_MULTIPLIER: f64 = 500.0;
+
 /// A round robot.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -44,7 +49,7 @@ pub struct Inflation {
     /// What a cost makes of a step.
     #[serde(default)]
     pub rule: CostRule,
-    /// m of [`CostRule::Nav2Smac2d`], 0 to 500: its `cost_travel_multiplier`. NavFn has none.
+    /// m of [`CostRule::Nav2Smac2d`], 0 to [`MAX_MULTIPLIER`]: its `cost_travel_multiplier`. NavFn has none.
     #[serde(default = "multiplier_of_nav2")]
     pub multiplier: f64,
 }
@@ -62,12 +67,25 @@ pub enum CostRule {
     Nav2Navfn,
 }
 
+impl CostRule {
+    /// All rules.
+    pub const ALL: [Self; 2] = [Self::Nav2Smac2d, Self::Nav2Navfn];
+
+    /// Its stable name.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Nav2Smac2d => "nav2-smac-2d",
+            Self::Nav2Navfn => "nav2-navfn",
+        }
+    }
+}
+
 fn multiplier_of_nav2() -> f64 {
     Inflation::NAV2.multiplier
 }
 
 impl Inflation {
-    /// Nav2's defaults: 0.55 m, 10 / m, SmacPlanner2D with m = 2.
+    /// Nav2's defaults: 0.55 m and 10 / m (`InflationLayer`), SmacPlanner2D with m = 2; newer versions of that have m = 1.
     pub const NAV2: Self = Self { radius: 0.55, cost_scaling: 10.0, rule: CostRule::Nav2Smac2d, multiplier: 2.0 };
 
     /// Factor of a cell of this cost, 0 to 252; at least 1.
@@ -142,7 +160,7 @@ pub(super) fn check(grid: &Grid, spec: &ScenarioSpec) -> Result<(), ScenarioErro
     length("robot.inflation.radius", radius)?;
     let scaling = cost_scaling > 0.0 && cost_scaling <= 1e3;
     quantity("robot.inflation.cost_scaling", cost_scaling, scaling, "above 0 and up to 1000 per metre")?;
-    quantity("robot.inflation.multiplier", multiplier, (0.0..=500.0).contains(&multiplier), "0 to 500")
+    quantity("robot.inflation.multiplier", multiplier, (0.0..=MAX_MULTIPLIER).contains(&multiplier), "0 to 500")
 }
 
 /// Whether the robot has room at its ends, which are free on the drawn map.

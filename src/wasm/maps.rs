@@ -324,8 +324,8 @@ pub fn export_map(
 }
 
 fn movingai_optimum(grid: &Grid, spec: &ScenarioSpec) -> Answer<f64> {
-    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, ..spec.clone() };
-    let scenario = Arc::new(Scenario::new(grid.clone().without_heights(), spec).map_err(throw)?);
+    let spec = ScenarioSpec { movement: Movement::default(), terrain: None, robot: None, ..spec.clone() };
+    let scenario = Arc::new(Scenario::new(grid.clone().cells_alone(), spec).map_err(throw)?);
     crate::exact::optimum(&scenario).ok_or_else(|| {
         let message = "a .scen line needs a length, and no path leads from start to goal without cutting a corner";
         plain(&ErrorReport::new("no-path", "goal", message, "open a way, or export the scenario as JSON"))

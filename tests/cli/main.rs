@@ -27,3 +27,4 @@ mod quantities;
 mod results;
 mod shards;
 mod terrain;
+mod weighted;

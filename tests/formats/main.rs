@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod comparison;
+mod costs;
 mod figure;
 mod figure_picture;
 mod geotiff;

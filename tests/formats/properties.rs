@@ -1,11 +1,12 @@
 //! For all files: no bytes make a reader panic, and every map survives every format.
 
+use formicarium::formats::session::{Session, read_session_link, write_session_link};
 use formicarium::formats::{
     BinaryExport, Export, TerrainOptions, export, export_binary, import, import_piece, import_results, import_scen, read_places,
     sniff, survey,
 };
 use formicarium::map::{CornerRule, Grid, Movement, Moves, Point, Window};
-use formicarium::scenario::{Goal, ScenarioSpec, Vehicle};
+use formicarium::scenario::{Goal, Inflation, Robot, ScenarioSpec, Vehicle};
 use proptest::prelude::*;
 
 use super::data;
@@ -59,6 +60,15 @@ fn terrains() -> impl Strategy<Value = Grid> {
     })
 }
 
+/// Maps with any factors; of all 1 there are none.
+fn weighted() -> impl Strategy<Value = Grid> {
+    let factor = prop_oneof![2 => Just(1.0f32), 2 => 1.0f32..1000.0, 1 => Just(1000.0f32), 1 => (4u8..40).prop_map(|n| f32::from(n) / 4.0)];
+    maps().prop_flat_map(move |grid| {
+        let factors = proptest::collection::vec(factor.clone(), grid.len());
+        factors.prop_map(move |factors| grid.clone().with_factors(factors).unwrap())
+    })
+}
+
 fn specs() -> impl Strategy<Value = (Grid, ScenarioSpec)> {
     let rules = prop::sample::select(&CornerRule::ALL[..]);
     let moves = prop_oneof![Just(Moves::Four), Just(Moves::Eight)];
@@ -96,6 +106,8 @@ fn samples() -> Vec<Vec<u8>> {
     samples.push(b"seed;value;status\r\n1;34,5;optimal\r\n2;nan;\r\n".to_vec());
     samples.push(b"\"function evaluation\" \"best-so-far f(x)\"\n1  +2.95e+02\n9 inf\nevaluations raw_y\n3 4\n".to_vec());
     samples.push(b"10,20,30\n40,-9999,60\n7,8,9\n".to_vec());
+    let dear = grid.clone().with_factors((1..=12u8).map(f32::from).collect()).unwrap();
+    samples.push(export(&dear, &spec, Export::Scenario).into_bytes());
     let heights = vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, f32::NAN, 11.0, 12.0];
     let terrain = grid.with_heights(heights).unwrap();
     let spec = ScenarioSpec::new(&terrain, Point::new(0, 0), Point::new(3, 2));
@@ -164,7 +176,7 @@ proptest! {
     }
 
     #[test]
-    fn spoiled_files_are_read_or_refused(which in 0usize..14, spoils in spoils()) {
+    fn spoiled_files_are_read_or_refused(which in 0usize..15, spoils in spoils()) {
         let mut bytes = samples().swap_remove(which);
         spoils.iter().for_each(|s| s.apply(&mut bytes));
         read_all(&bytes);
@@ -193,6 +205,18 @@ proptest! {
             prop_assert_eq!(&back.grid, &grid);
             prop_assert_eq!(export(&back.grid, &back.spec, format), text);
         }
+    }
+
+    #[test]
+    fn weighted_ground_survives_its_files_and_links(grid in weighted(), radius in 0.0f64..5.0, cost_scaling in 0.1f64..20.0) {
+        let inflation = Some(Inflation { radius, cost_scaling, ..Inflation::NAV2 });
+        let robot = Some(Robot { radius: 0.0, inflation });
+        let spec = ScenarioSpec { robot, ..ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(0, 0)) };
+        let back = import(export(&grid, &spec, Export::Scenario).as_bytes(), "").unwrap();
+        prop_assert_eq!((&back.grid, &back.spec), (&grid, &spec));
+        let session = Session { engine: String::new(), grid, spec, origin: None, changes: 0, panels: Vec::new(), seed: 1 };
+        let link = write_session_link(&session).unwrap();
+        prop_assert_eq!(read_session_link(&link), Ok(session));
     }
 
     #[test]

@@ -49,6 +49,28 @@ const TERRAIN: &str = r#"{
 }
 "#;
 
+/// Weighted ground, and a robot on it.
+const WEIGHTED: &str = r#"{
+  "format": "formicarium/scenario@1",
+  "name": "",
+  "width": 3,
+  "height": 2,
+  "resolution": 0.5,
+  "movement": {"moves":8,"corner_rule":"always"},
+  "start": [0,0],
+  "goals": [{"at":[2,1],"name":"","area":1.0,"strength":1.0,"danger":1.0}],
+  "vehicle": {"speed":1.0,"seconds_per_turn":0.0},
+  "robot": {"radius":0.25,"inflation":{"radius":0.55,"cost_scaling":10.0,"rule":"nav2-navfn","multiplier":2.0}},
+  "map": {"rows": [
+    "..@",
+    "..."
+  ], "factors": [
+    [1.0,2.5,1.0],
+    [1.1,1000.0,1.0]
+  ]}
+}
+"#;
+
 fn edited(edit: impl Fn(&mut Value)) -> String {
     let mut value: Value = serde_json::from_str(FULL).unwrap();
     edit(&mut value);
@@ -68,6 +90,9 @@ fn a_file_comes_out_as_it_went_in() {
 fn a_terrain_comes_out_as_it_went_in() {
     let surface = TERRAIN
         .replace(&TERRAIN[TERRAIN.find("\"slices\"").unwrap()..TERRAIN.find("},\n  \"world\"").unwrap()], "\"max_slope\":30.0");
+    let weighted = read(WEIGHTED).unwrap();
+    assert_eq!(weighted.grid.factors().unwrap()[..], [1.0, 2.5, 1.0, 1.1, 1000.0, 1.0]);
+    assert_eq!(export(&weighted.grid, &weighted.spec, Export::Scenario), WEIGHTED);
     for text in [TERRAIN, &surface] {
         let scenario = read(text).unwrap();
         let heights = scenario.grid.heights().unwrap();
@@ -174,16 +199,21 @@ fn sniffing_tells_scenario_from_session() {
 #[test]
 fn the_schema_accepts_what_is_written_and_refuses_what_is_refused() {
     let schema = load("scenario");
-    for text in [FULL, TERRAIN] {
+    for text in [FULL, TERRAIN, WEIGHTED] {
         assert_eq!(violations(&schema, &serde_json::from_str(text).unwrap()), Vec::<String>::new());
     }
-    let wrong: [fn(&mut Value); 6] = [
+    let wrong: [fn(&mut Value); 11] = [
         |v| v["colour"] = json!("red"),
         |v| v["format"] = json!("formicarium/scenario@2"),
         |v| v["movement"]["moves"] = json!(6),
         |v| v["map"]["rows"][1] = json!(".x."),
         |v| v["resolution"] = json!(0),
         |v| v["goals"] = json!([]),
+        |v| v["map"]["factors"] = json!([[1, 0.5, 1], [1, 1, 1]]),
+        |v| v["map"]["factors"] = json!([[1, null, 1], [1, 1, 1]]),
+        |v| v["robot"] = json!({"radius": -1}),
+        |v| v["robot"] = json!({"radius": 0, "inflation": {"radius": 1, "cost_scaling": 0}}),
+        |v| v["robot"] = json!({"radius": 0, "inflation": {"radius": 1, "cost_scaling": 3, "rule": "mine"}}),
     ];
     for edit in wrong {
         let text = edited(edit);
@@ -208,12 +238,18 @@ fn what_a_rule_of_driving_leaves_out_has_its_default() {
 #[test]
 fn the_schema_names_every_field() {
     let schema = load("scenario");
-    let full: Value = serde_json::from_str(TERRAIN).unwrap();
+    let mut full: Value = serde_json::from_str(TERRAIN).unwrap();
+    let weighted: Value = serde_json::from_str(WEIGHTED).unwrap();
+    full["robot"] = weighted["robot"].clone();
+    full["map"]["factors"] = weighted["map"]["factors"].clone();
     let keys = |v: &Value| v.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
     assert_eq!(keys(&schema["properties"]), keys(&full));
     assert_eq!(keys(&schema["properties"]["map"]["properties"]), keys(&full["map"]));
     let rules = &schema["properties"]["terrain"]["properties"]["slices"]["properties"];
     assert_eq!(keys(rules), keys(&full["terrain"]["slices"]));
+    let robot = &schema["properties"]["robot"]["properties"];
+    assert_eq!(keys(robot), keys(&full["robot"]));
+    assert_eq!(keys(&robot["inflation"]["properties"]), keys(&full["robot"]["inflation"]));
     assert_eq!(keys(&schema["properties"]["changes"]["items"]["properties"]), keys(&full["changes"][0]));
     let vehicle = &schema["properties"]["vehicle"]["properties"];
     assert_eq!(keys(vehicle), keys(&full["vehicle"]));

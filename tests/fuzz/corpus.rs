@@ -8,7 +8,7 @@ use formicarium::formats::journal::JournalLines;
 use formicarium::formats::{BinaryExport, Export, PathFormat, PlannedPath, comparison_json, export, export_binary};
 use formicarium::map::{Grid, Measure, Point};
 use formicarium::path::PathKind;
-use formicarium::scenario::{Goal, Scenario, ScenarioSpec, World};
+use formicarium::scenario::{Goal, Inflation, Robot, Scenario, ScenarioSpec, World};
 
 use crate::{common, terrains};
 
@@ -179,6 +179,9 @@ fn exported() -> Vec<(&'static str, Vec<u8>)> {
         ("plane.json", text(Export::Scenario)),
     ];
     let goals = vec![Goal { area: 0.3, ..Goal::new(Point::new(3, 2), "a") }, Goal::new(Point::new(3, 0), "b")];
+    let dear = grid.clone().with_factors((0..12u8).map(|i| 1.0 + f32::from(i % 5) / 4.0).collect()).expect("factors");
+    let robot = Some(Robot { radius: 0.25, inflation: Some(Inflation::NAV2) });
+    all.push(("weighted.json", export(&dear, &ScenarioSpec { robot, ..spec.clone() }, Export::Scenario).into_bytes()));
     all.push(("goals.json", export(&grid, &ScenarioSpec { goals, ..spec }, Export::Scenario).into_bytes()));
     let mut add = |names: [&'static str; 4], scenario: &Scenario| {
         let text = |format| export(&scenario.grid, &scenario.spec, format).into_bytes();

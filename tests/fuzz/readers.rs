@@ -41,6 +41,7 @@ const fn raster(name: &'static str, read: Read) -> Reader {
 pub const READERS: &[Reader] = &[
     raster("sniff", |file| done(formats::sniff(&file.bytes, &file.name))),
     raster("import", |file| typed(formats::import(&file.bytes, &file.name)).map(drop)),
+    raster("import with costs", |file| typed(formats::import_with(&file.bytes, &file.name, &as_costs(), None)).map(drop)),
     raster("round-trip", round_trip),
     raster("what is said of it", stated),
     raster("import_piece", import_piece),
@@ -86,7 +87,15 @@ fn ros_picture(file: &File) -> Result<(), Fault> {
     let yaml = b"image: a.pgm\nresolution: 0.05\norigin: [-1.0, 2.0, 0.5]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
     let beside = Companion { name: "a.pgm", bytes: &file.bytes };
     let options = ReadOptions { cells: Some(7), unknown: formats::ros::Unknown::Free, ..ReadOptions::default() };
-    typed(formats::import_with(yaml, "a.yaml", &options, Some(beside))).map(drop)
+    typed(formats::import_with(yaml, "a.yaml", &options, Some(beside)))?;
+    let scaled = [&yaml[..], b"mode: scale\n"].concat();
+    typed(formats::import_with(&scaled, "a.yaml", &as_costs(), Some(beside))).map(drop)
+}
+
+/// What ground costs is read where a file tells it.
+fn as_costs() -> ReadOptions {
+    let costs = formats::ros::Costs::by(formicarium::scenario::CostRule::Nav2Navfn);
+    ReadOptions { costs: Some(costs), swamp_factor: Some(3.5), ..ReadOptions::default() }
 }
 
 fn figure(file: &File) -> Result<(), Fault> {
@@ -216,6 +225,8 @@ fn round_trip(file: &File) -> Result<(), Fault> {
     }
     let in_metres = map.spec.terrain.is_none_or(|terrain| terrain.vertical_unit == 1.0);
     match map.grid.heights() {
+        // Only a scenario's file holds factors.
+        None if map.grid.factors().is_some() => Ok(()),
         // A single number is no matrix.
         None if map.grid.len() == 1 => again(&map, Export::MovingaiMap).map(drop),
         None => [Export::MovingaiMap, Export::Matrix].into_iter().try_for_each(|format| again(&map, format).map(drop)),

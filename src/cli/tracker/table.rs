@@ -76,7 +76,7 @@ fn row(tracked: &Tracked, entry: &Entry, file: &str) -> Result<String, CliError>
     let none = || String::from("–");
     let cells = [
         format!("`{}`", entry.planner),
-        entry.objective.words().into(),
+        text::objective(entry.objective, &tracked.scenario).into(),
         format!("{:.4}", entry.value),
         reference.value().map_or_else(none, optimum),
         reference.value().map_or_else(none, gap),

@@ -89,7 +89,8 @@ pub fn effects(samples: &Samples) -> Vec<Ablated> {
 
 fn on_map(samples: &Samples, instance: usize, full: usize, components: &[(usize, &'static Component)]) -> Ablated {
     let comparison = samples.comparison();
-    let measure = comparison.maps[instance].objective(full).map_or(RunMeasure::Length, RunMeasure::of);
+    let map = &comparison.maps[instance];
+    let measure = map.objective(full).map_or(map.measure(), |objective| map.measure_of(objective));
     let sample = |entry| Sample {
         values: samples.values(instance, entry, measure),
         found: samples.values(instance, entry, RunMeasure::Success),

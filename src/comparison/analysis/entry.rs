@@ -209,11 +209,12 @@ impl About<'_> {
     /// Why the course of the runs tells nothing of what the curves are about.
     fn why_no_curves(&self, entry: usize) -> Option<NoRunningTime> {
         let comparison = self.samples.comparison();
-        let objective = comparison.maps[self.map].objective(entry);
+        let map = &comparison.maps[self.map];
+        let objective = map.objective(entry);
         if self.samples.of(self.map, entry).is_empty() {
             return Some(NoRunningTime::NoRuns);
         }
-        if objective.is_none_or(|o| RunMeasure::of(o) != self.curve_measure) {
+        if objective.is_none_or(|o| map.measure_of(o) != self.curve_measure) {
             return Some(NoRunningTime::OtherObjective);
         }
         (self.axis == Axis::Iterations && comparison.needs_no_seed(entry)).then_some(NoRunningTime::NoIterations)

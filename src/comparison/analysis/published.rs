@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use crate::comparison::gap::is_below;
 use crate::comparison::maps::Map;
-use crate::comparison::measure::RunMeasure;
 use crate::comparison::printed_digits::half_unit;
 use crate::comparison::question::Published;
 use crate::exact::Reference;
@@ -54,7 +53,7 @@ fn optimum(map: &Map, entry: usize) -> Option<f64> {
         Reference::Proven { value } => Some(value),
         _ => None,
     };
-    if map.objective(entry).is_some_and(|o| RunMeasure::of(o) == map.measure()) {
+    if map.objective(entry).is_some_and(|o| map.measure_of(o) == map.measure()) {
         return proven(map.reference(entry));
     }
     let of_measure = map.yardsticks().iter().filter(|y| y.measure == map.measure());

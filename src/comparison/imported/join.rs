@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{ImportedEntry, ImportedResults, ImportedRun};
 use crate::comparison::Comparison;
+use crate::comparison::measure::RunMeasure;
 use crate::comparison::names::stem;
 use crate::comparison::question::{Entry, Role};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
@@ -13,7 +14,7 @@ use crate::error::QuestionError;
 /// it runs that name none are on the question's only map.
 ///
 /// # Errors
-/// [`QuestionError`] for a map that the question does not have, a seed that stands twice, and a length where a cost by slices is asked for.
+/// [`QuestionError`] for a map that the question does not have, a seed that stands twice, and a length where a cost is asked for.
 pub fn join(comparison: Comparison, results: &ImportedResults, instance: Option<usize>) -> Result<Comparison, QuestionError> {
     let places = Places::of(&comparison, results, instance)?;
     let (mut question, mut rows) = (comparison.question.clone(), comparison.imported.clone());
@@ -105,9 +106,9 @@ impl Places {
                 let allowed = format!("different for every run of {} on a map", imported.label);
                 return Err(QuestionError::field("results.seed", run.seed, allowed));
             }
-            let by_slices = comparison.maps[instance].scenario.by_slices().is_some();
-            row(run, task, by_slices).ok_or_else(|| {
-                let allowed = "a column `value` with the cost by slices, which is what counts on this terrain";
+            let by_cost = comparison.maps[instance].measure() == RunMeasure::Cost;
+            row(run, task, by_cost).ok_or_else(|| {
+                let allowed = "a column `value` with the cost, which is what counts by slices and on weighted ground";
                 QuestionError::field("results.value", "absent", allowed)
             })
         };
@@ -115,11 +116,11 @@ impl Places {
     }
 }
 
-/// The row of a run; none where a path has a length and no cost by slices.
-fn row(run: &ImportedRun, task: Task, by_slices: bool) -> Option<Row> {
+/// The row of a run; none where a path has a length and no cost, which is what counts.
+fn row(run: &ImportedRun, task: Task, by_cost: bool) -> Option<Row> {
     let (mut trace, mut found) = (Vec::new(), None::<Found>);
     for step in &run.steps {
-        let value = step.compared(by_slices)?;
+        let value = step.compared(by_cost)?;
         if found.is_some_and(|best| best.value <= value) {
             continue;
         }

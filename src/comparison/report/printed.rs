@@ -48,7 +48,7 @@ impl From<String> for Cell {
 /// The printed tables of all maps.
 pub(super) fn printed(words: &Words, comparison: &Comparison, analysis: &Analysis) -> Vec<Printed> {
     let table = |(map, of): (&Map, &MapAnalysis)| {
-        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(|e| cells(words, e, of.mixed_objectives)).collect();
+        let mut rows: Vec<Vec<Cell>> = of.entries.iter().map(|e| cells(words, e, of)).collect();
         mark(&mut rows, of);
         let objective = of.mixed_objectives.then_some(words.summary.makes_small);
         let head = words.summary.columns;
@@ -73,8 +73,8 @@ fn told(words: &Words, axis: Axis, map: &MapAnalysis) -> String {
     (words.summary.about)(measure, (words.names.axis)(axis), target, &impossible_note(words, map))
 }
 
-/// The fields of an entry; `mixed`: with what it makes small.
-fn cells(words: &Words, e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
+/// The fields of an entry on a map; where entries make different things small, with what it does.
+fn cells(words: &Words, e: &EntryAnalysis, of: &MapAnalysis) -> Vec<Cell> {
     let dash = || "–".to_owned();
     let number = |value: f64, text: String| Cell { text, value: Some(value), best: false };
     let measured = |of: Option<f64>, text: fn(&Summary) -> String| match (&e.summary, of) {
@@ -84,7 +84,8 @@ fn cells(words: &Words, e: &EntryAnalysis, mixed: bool) -> Vec<Cell> {
     let s = e.summary;
     let share = if e.runs > 0 { (words.signs.part_of)(e.with_path, e.runs) } else { dash() };
     let mut cells = vec![Cell::from(name(words, e).into_owned())];
-    cells.extend(mixed.then(|| e.objective.map_or_else(dash, |o| (words.names.objective)(o).into()).into()));
+    let small = || e.objective.map_or_else(dash, |o| (words.names.objective)(o, of.measure).into());
+    cells.extend(of.mixed_objectives.then(|| small().into()));
     cells.extend([
         share.into(),
         measured(s.map(|s| s.least), |s| length(s.least)),

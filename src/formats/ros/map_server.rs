@@ -1,6 +1,7 @@
 //! Maps of ROS's map_server: a description in YAML, and a picture whose grays say how occupied a cell is. As nav2 reads them
 //! (`nav2_map_server/src/map_io.cpp`): the thresholds are exclusive, alpha counts as a fourth colour in the mode `trinary`.
 
+use super::costs::of_published;
 use super::states::{self, FREE, OCCUPIED, States, UNKNOWN};
 use super::without_tabs;
 use super::yaml::{self, Value, required};
@@ -84,13 +85,23 @@ impl Description {
         })
     }
 
-    /// The cells of a picture, and what is worth saying.
-    pub fn states(&self, picture: &Picture) -> (States, Vec<Notice>) {
+    /// The cells of a picture, and what is worth saying; `as_costs`: values between free and occupied are costs.
+    pub fn states(&self, picture: &Picture, as_costs: bool) -> (States, Vec<Notice>) {
         let mut notices = picture.notices.clone();
         notices.extend(self.notices.iter().cloned());
-        let state = |(index, pixel): (usize, &[u8; 4])| self.state(self.shade(picture, index), pixel[3]);
+        let mut between = 0;
+        let state = |(index, pixel): (usize, &[u8; 4])| {
+            let shade = self.shade(picture, index);
+            match self.value(shade, pixel[3]) {
+                Some(value) if as_costs => return of_published(value),
+                Some(value) => between += usize::from((1.0..=99.0).contains(&value)),
+                None => {}
+            }
+            self.state(shade, pixel[3])
+        };
         let cells: Vec<u8> = picture.pixels.iter().enumerate().map(state).collect();
         let states = States { width: picture.width, height: picture.height, cells };
+        notices.extend(states::tell_of_values_between(between));
         notices.extend(self.trap(picture));
         (states, notices)
     }
@@ -121,6 +132,23 @@ impl Description {
             o if o > self.occupied => OCCUPIED,
             o if o < self.free => FREE,
             _ => UNKNOWN,
+        }
+    }
+
+    /// The value from 0 to 100 that map_server makes of a pixel; none where it is unknown, or in the mode `trinary`, which knows no values
+    /// between.
+    fn value(&self, shade: f64, alpha: u8) -> Option<f64> {
+        match self.mode {
+            Mode::Trinary => None,
+            Mode::Raw => Some(libm::round(shade * 255.0)).filter(|value| *value <= 100.0),
+            Mode::Scale if alpha < 255 => None,
+            Mode::Scale => Some(match self.occupancy(shade) {
+                o if o > self.occupied => 100.0,
+                o if o < self.free => 0.0,
+                // Where both thresholds are the same there is nothing between.
+                _ if self.free == self.occupied => 0.0,
+                o => libm::rint((o - self.free) / (self.occupied - self.free) * 100.0),
+            }),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Files of ROS: the description of a map (`map.yaml`) with its picture, OccupancyGrid and Path messages; and instances of multi-agent path
 //! finding, which are YAML as well.
 
+mod costs;
 mod map_server;
 mod mapf;
 mod occupancy_grid;
@@ -12,11 +13,13 @@ use std::borrow::Cow;
 
 use super::imported_map::Imported;
 use super::kind::Kind;
+use super::options::ReadOptions;
 use super::path_list::WorldPath;
 use super::picture;
 use super::text::{self, lines};
 use crate::error::{Error, FormatError, Notice};
 
+pub use costs::Costs;
 use map_server::Description;
 pub use states::Unknown;
 pub use write::{RosMap, write};
@@ -76,20 +79,20 @@ pub fn image_of(yaml: &[u8]) -> Result<String, Error> {
 ///
 /// # Errors
 /// [`FormatError`]: either cannot be read.
-pub(super) fn read_map(yaml: &[u8], image: &[u8], name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, Error> {
+pub(super) fn read_map(yaml: &[u8], image: &[u8], name: &str, options: &ReadOptions) -> Result<Imported, Error> {
     let description = Description::read(&text::decode(yaml)?)?;
-    let (states, notices) = description.states(&picture::decode(image)?);
+    let (states, notices) = description.states(&picture::decode(image)?, options.costs.is_some());
     let placed = Placed { kind: Kind::RosMap, states, resolution: description.resolution, world: description.world, notices };
-    Ok(placed.import(name, unknown, cells)?)
+    Ok(placed.import(name, options)?)
 }
 
 /// Reads an OccupancyGrid message.
 ///
 /// # Errors
 /// [`FormatError`] with the line or the field at fault.
-pub(super) fn read_message(text: &str, name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, FormatError> {
-    let occupancy_grid::Message { states, resolution, world, notices } = occupancy_grid::read(text)?;
-    Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices }.import(name, unknown, cells)
+pub(super) fn read_message(text: &str, name: &str, options: &ReadOptions) -> Result<Imported, FormatError> {
+    let occupancy_grid::Message { states, resolution, world, notices } = occupancy_grid::read(text, options.costs.is_some())?;
+    Placed { kind: Kind::OccupancyGrid, states, resolution, world, notices }.import(name, options)
 }
 
 /// Reads a Path message.
@@ -137,12 +140,12 @@ struct Placed {
 }
 
 impl Placed {
-    fn import(self, name: &str, unknown: Unknown, cells: Option<u32>) -> Result<Imported, FormatError> {
+    fn import(self, name: &str, options: &ReadOptions) -> Result<Imported, FormatError> {
         let rows = self.states.height;
-        let (states, grown, shrunk) = self.states.shrunk(cells)?;
-        let (grid, counted) = states.grid(unknown)?;
+        let (states, grown, shrunk) = self.states.shrunk(options.cells)?;
+        let (grid, counted) = states.grid(options.unknown, options.costs)?;
         let mut notices = self.notices;
-        notices.push(counted);
+        notices.extend(counted);
         notices.extend(shrunk);
         let mut imported = super::complete(self.kind, name, grid, None, None, notices)?;
         let resolution = self.resolution * f64::from(grown);

@@ -1,6 +1,8 @@
-//! `nav_msgs/OccupancyGrid` as `ros2 topic echo` prints it (YAML), or as JSON: rows from the south, −1 for unknown, 0 to 100 for occupancy.
+//! `nav_msgs/OccupancyGrid` as `ros2 topic echo` prints it (YAML), or as JSON: rows from the south, −1 for unknown, 0 to 100 for occupancy,
+//! or for the costs of a costmap.
 
-use super::states::{States, of_percent};
+use super::costs::of_published;
+use super::states::{States, of_percent, tell_of_values_between};
 use super::yaml::{self, Value, required};
 use crate::error::{FormatError, Notice};
 use crate::scenario::World;
@@ -16,11 +18,11 @@ pub(in crate::formats) struct Message {
     pub notices: Vec<Notice>,
 }
 
-/// Reads a message.
+/// Reads a message; `as_costs`: of a costmap.
 ///
 /// # Errors
 /// [`FormatError`] with the line of broken YAML, or the field at fault; also for a message that was cut short while printing.
-pub(in crate::formats) fn read(text: &str) -> Result<Message, FormatError> {
+pub(in crate::formats) fn read(text: &str, as_costs: bool) -> Result<Message, FormatError> {
     let message = yaml::read(text)?;
     let side = |field: &'static str| {
         let value = required(&message, &["info", field], field, "a number of cells")?;
@@ -56,10 +58,12 @@ pub(in crate::formats) fn read(text: &str) -> Result<Message, FormatError> {
         return Err(FormatError::field("data", format!("{wrong}"), "−1, or 0 to 100"));
     }
     let from_south = data.chunks(width as usize).rev().flatten();
-    let cells = from_south.map(|&value| of_percent(f64::from(value), THRESHOLDS.0, THRESHOLDS.1)).collect();
+    let state = |value: f64| if as_costs { of_published(value) } else { of_percent(value, THRESHOLDS.0, THRESHOLDS.1) };
+    let cells = from_south.map(|&value| state(f64::from(value))).collect();
     let more = yaml::holds_more(text)
         .then(|| Notice::new("ros-first-message", "the file holds more than one message: the first was read"));
-    let notices = more.into_iter().collect();
+    let between = data.iter().filter(|&&value| !as_costs && (1.0..=99.0).contains(&value)).count();
+    let notices = more.into_iter().chain(tell_of_values_between(between)).collect();
     Ok(Message { states: States { width, height, cells }, resolution, world: world(&message)?, notices })
 }
 

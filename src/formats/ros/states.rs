@@ -2,13 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::costs::Costs;
 use crate::error::{FormatError, Notice};
 use crate::map::{Grid, MAX_SIDE};
 
-/// States of a cell, the worse the larger: of several cells that become one the worst counts.
+/// States of a cell, the worse the larger: of several cells that become one the worst counts. 1 to 252 are free as well, at that cost.
 pub(super) const FREE: u8 = 0;
-pub(super) const UNKNOWN: u8 = 1;
-pub(super) const OCCUPIED: u8 = 2;
+pub(super) const UNKNOWN: u8 = 253;
+pub(super) const OCCUPIED: u8 = 254;
 
 /// How unknown cells count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -28,6 +29,14 @@ pub(in crate::formats) struct States {
     pub width: u32,
     pub height: u32,
     pub cells: Vec<u8>,
+}
+
+/// That values between free and occupied count by thresholds, though they may be costs; none where there are none.
+pub(super) fn tell_of_values_between(count: usize) -> Option<Notice> {
+    let message = format!(
+        "{count} cells have a value from 1 to 99 and count by the thresholds; of a costmap these are costs: read them with `costs` (--costs nav2-smac-2d)"
+    );
+    (count > 0).then(|| Notice::new("costs-unread", message).with("count", count))
 }
 
 /// The state of an occupancy of 0 to 100; anything else is unknown.
@@ -75,14 +84,15 @@ impl States {
     /// Free, unknown and occupied cells.
     pub fn counts(&self) -> [usize; 3] {
         let count = |state: u8| self.cells.iter().filter(|&&cell| cell == state).count();
-        [FREE, UNKNOWN, OCCUPIED].map(count)
+        let [unknown, occupied] = [UNKNOWN, OCCUPIED].map(count);
+        [self.cells.len() - unknown - occupied, unknown, occupied]
     }
 
-    /// The map, and how many cells were what.
+    /// The map, and how many cells were what; with `costs` weighted ground.
     ///
     /// # Errors
-    /// [`crate::error::ScenarioError::MapSize`].
-    pub fn grid(&self, unknown: Unknown) -> Result<(Grid, Notice), FormatError> {
+    /// [`crate::error::ScenarioError::MapSize`], or what [`Costs`] refuse.
+    pub fn grid(&self, unknown: Unknown, costs: Option<Costs>) -> Result<(Grid, Vec<Notice>), FormatError> {
         let blocked = |&state: &u8| u8::from(state == OCCUPIED || (state == UNKNOWN && unknown == Unknown::Blocked));
         let cells: Vec<u8> = self.cells.iter().map(blocked).collect();
         let grid = Grid::from_bytes(self.width, self.height, &cells)?;
@@ -90,6 +100,23 @@ impl States {
         let count_as = if unknown == Unknown::Free { "free" } else { "blocked" };
         let message = format!("{free} cells are free, {occupied} occupied, {unsure} unknown: unknown ones count as {count_as}");
         let notice = Notice::new("ros-cells", message).with("free", free).with("occupied", occupied);
-        Ok((grid, notice.with("unknown", unsure).with("as", count_as)))
+        let counted = notice.with("unknown", unsure).with("as", count_as);
+        let Some(costs) = costs else { return Ok((grid, vec![counted])) };
+        costs.check()?;
+        let grid = grid.with_factors(self.cells.iter().map(|&state| costs.factor(state)).collect())?;
+        Ok((grid, vec![counted, self.tell_of_costs(costs)]))
+    }
+
+    /// How many cells cost more than their length.
+    fn tell_of_costs(&self, costs: Costs) -> Notice {
+        let dear = || self.cells.iter().filter(|&&state| (1..UNKNOWN).contains(&state));
+        let (count, rule) = (dear().count(), costs.rule.id());
+        let most = costs.factor(dear().copied().max().unwrap_or(FREE));
+        let message = match count {
+            0 => "the file holds no costs: every free cell costs its length".to_owned(),
+            _ => format!("{count} cells hold a cost: by the rule {rule} their factors reach up to {most}"),
+        };
+        let kind = if count == 0 { "costs-none" } else { "costs-read" };
+        Notice::new(kind, message).with("count", count).with("rule", rule).with("most", most)
     }
 }

@@ -1,7 +1,7 @@
 //! A session as bytes, and back: the Rust of `www/src/share/codec.ts`.
 //!
 //! ```text
-//! u32 checksum · u8 version · varint n · n bytes of JSON (document.rs) · the map · on a terrain its heights (heights.rs)
+//! u32 checksum · u8 version · varint n · n bytes of JSON (document.rs) · the map · heights or factors (cell_numbers.rs)
 //! ```
 //!
 //! The checksum (FNV-1a, lowest byte first) covers all that follows. The map is 1 bit a cell, or, when the JSON's `map` says `edits`, the
@@ -9,17 +9,19 @@
 
 use super::bytes::{Reader, push_bits, push_varint};
 use super::document::{self, Described};
-use super::{Origin, Session, damaged, heights};
+use super::{Origin, Session, cell_numbers, damaged};
 use crate::error::{Error, FormatError};
 use crate::map::{Grid, MAX_SIDE, check_size};
 use crate::scenario::ScenarioSpec;
 
 const PLANE: u8 = 1;
 const TERRAIN: u8 = 2;
-/// A link carries as many heights as this, about 1000 × 1000; a file carries all.
-const MAX_HEIGHTS: usize = 1 << 20;
+/// With factors.
+const WEIGHTED: u8 = 3;
+/// A link carries as many heights or factors as this, about 1000 × 1000; a file carries all.
+const MAX_NUMBERS: usize = 1 << 20;
 /// No honest container is larger: a full map of bits, four bytes a height, and a generous document.
-pub(super) const MAX_CONTAINER: usize = (MAX_SIDE as usize).pow(2) / 8 + 4 * MAX_HEIGHTS + (1 << 18);
+pub(super) const MAX_CONTAINER: usize = (MAX_SIDE as usize).pow(2) / 8 + 4 * MAX_NUMBERS + (1 << 18);
 
 const BITS: &str = "bits";
 const EDITS: &str = "edits";
@@ -27,8 +29,8 @@ const EDITS: &str = "edits";
 pub(super) fn unpack(bytes: &[u8]) -> Result<Session, Error> {
     let mut reader = Reader::new(verified(bytes)?);
     let version = reader.byte()?;
-    if version > TERRAIN {
-        return Err(FormatError::Version { found: format!("container {version}"), expected: "containers 1 and 2" }.into());
+    if version > WEIGHTED {
+        return Err(FormatError::Version { found: format!("container {version}"), expected: "containers 1 to 3" }.into());
     }
     if version < PLANE {
         return Err(damaged("its first byte is no container version").into());
@@ -41,8 +43,9 @@ pub(super) fn unpack(bytes: &[u8]) -> Result<Session, Error> {
     if spec.terrain.is_some() != (version == TERRAIN) {
         return Err(document::wrong("scenario.terrain", "does not come with heights").into());
     }
+    described.check_factors(version == WEIGHTED)?;
     let grid = match fields.get("map").and_then(|map| map.as_str()) {
-        Some(BITS) => own(&mut reader, spec)?,
+        Some(BITS) => own(&mut reader, spec, version)?,
         Some(EDITS) => edited(&mut reader, spec, *origin)?,
         _ => return Err(document::wrong("map", "must be one of bits, edits").into()),
     };
@@ -63,14 +66,15 @@ fn checksum(bytes: &[u8]) -> u32 {
     bytes.iter().fold(0x811c_9dc5, |hash: u32, &byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
-fn own(reader: &mut Reader<'_>, spec: &ScenarioSpec) -> Result<Grid, Error> {
+fn own(reader: &mut Reader<'_>, spec: &ScenarioSpec, version: u8) -> Result<Grid, Error> {
     let count = spec.width as usize * spec.height as usize;
     let grid = Grid::from_bytes(spec.width, spec.height, &reader.bits(count)?)?;
-    if spec.terrain.is_none() {
+    if version == PLANE {
         return Ok(grid);
     }
-    check_heights(count)?;
-    Ok(grid.with_heights(heights::unpack(reader, count)?)?)
+    check_count(count)?;
+    let numbers = cell_numbers::unpack(reader, count)?;
+    Ok(if version == TERRAIN { grid.with_heights(numbers) } else { grid.with_factors(numbers) }?)
 }
 
 fn edited(reader: &mut Reader<'_>, spec: &ScenarioSpec, origin: Option<Origin>) -> Result<Grid, Error> {
@@ -94,26 +98,31 @@ fn edited(reader: &mut Reader<'_>, spec: &ScenarioSpec, origin: Option<Origin>) 
     }
 }
 
-fn check_heights(count: usize) -> Result<(), FormatError> {
-    if count <= MAX_HEIGHTS {
+fn check_count(count: usize) -> Result<(), FormatError> {
+    if count <= MAX_NUMBERS {
         return Ok(());
     }
-    Err(FormatError::TooLarge { what: format!("a terrain of {count} heights"), max: format!("{MAX_HEIGHTS} of a link") })
+    Err(FormatError::TooLarge { what: format!("a map of {count} heights or factors"), max: format!("{MAX_NUMBERS} of a link") })
 }
 
 pub(super) fn pack(session: &Session) -> Result<Vec<u8>, FormatError> {
     let is_made = session.origin.is_some_and(|origin| origin.make(&session.spec).as_ref() == Ok(&session.grid));
     let json = document::write(session, if is_made { EDITS } else { BITS });
-    let mut covered = vec![if session.spec.terrain.is_some() { TERRAIN } else { PLANE }];
+    let (heights, factors) = (session.grid.heights(), session.grid.factors());
+    let mut covered = vec![match (heights, factors) {
+        (Some(_), _) => TERRAIN,
+        (None, Some(_)) => WEIGHTED,
+        (None, None) => PLANE,
+    }];
     push_varint(&mut covered, json.len() as u32);
     covered.extend(json.as_bytes());
-    match session.grid.heights() {
+    match heights.or(factors) {
         _ if is_made => push_varint(&mut covered, 0),
         None => push_bits(&mut covered, session.grid.blocked()),
         Some(all) => {
-            check_heights(all.len())?;
+            check_count(all.len())?;
             push_bits(&mut covered, session.grid.blocked());
-            heights::push(&mut covered, all);
+            cell_numbers::push(&mut covered, all);
         }
     }
     Ok([&checksum(&covered).to_le_bytes()[..], &covered].concat())

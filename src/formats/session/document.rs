@@ -13,11 +13,15 @@ use crate::scenario::{Scenario, ScenarioSpec};
 const FORMAT: &str = "formicarium/experiment@1";
 /// With changes of walls, which a reader of version 1 would leave out.
 const CHANGING: &str = "formicarium/experiment@2";
+/// With factors of cells or a robot, with or without changes: to readers of the others every map is plain ground for a point.
+const WEIGHTED: &str = "formicarium/experiment@3";
 
 /// A session whose cells travel beside it.
 pub(super) struct Described {
     pub(super) spec: ScenarioSpec,
     pub(super) origin: Option<Origin>,
+    /// Whether the map may have factors.
+    weighted: bool,
     engine: String,
     changes: usize,
     panels: Vec<Panel>,
@@ -25,12 +29,17 @@ pub(super) struct Described {
 }
 
 impl Described {
+    /// Refuses factors that the document's version does not know.
+    pub(super) fn check_factors(&self, has_factors: bool) -> Result<(), FormatError> {
+        if has_factors && !self.weighted { Err(wrong("factors", format!("and {WEIGHTED} must come together"))) } else { Ok(()) }
+    }
+
     /// The session on its map.
     pub(super) fn on(self, grid: Grid) -> Result<Session, Error> {
-        let Self { spec, origin, engine, changes, panels, seed } = self;
+        let Self { spec, origin, engine, changes, panels, seed, .. } = self;
         // Validation takes both and gives them back.
-        let Scenario { grid, spec, .. } = Scenario::new(grid, spec)?;
-        Ok(Session { engine, grid, spec, origin, changes, panels, seed })
+        let Scenario { drawn, spec, .. } = Scenario::new(grid, spec)?;
+        Ok(Session { engine, grid: drawn, spec, origin, changes, panels, seed })
     }
 }
 
@@ -45,20 +54,26 @@ pub(super) fn read(json: &str) -> Result<(Described, Map<String, Json>), FormatE
         |e: serde_json::Error| FormatError::syntax(e.line(), format!("broken JSON: {e}"), "a session as the page saves it");
     let mut fields: Map<String, Json> = serde_json::from_str(json).map_err(syntax)?;
     let format = take::<String>(&mut fields, "format")?;
-    if format != FORMAT && format != CHANGING {
+    if ![FORMAT, CHANGING, WEIGHTED].contains(&format.as_str()) {
         return Err(FormatError::Version { found: quote(&format), expected: FORMAT });
     }
     let mut scenario = take::<Map<String, Json>>(&mut fields, "scenario")?;
     let origin = optional(&mut scenario, "origin")?;
     let changes = optional::<Vec<Json>>(&mut scenario, "changes")?;
-    if changes.is_some() != (format == CHANGING) {
+    let weighted = format == WEIGHTED;
+    if !weighted && changes.is_some() != (format == CHANGING) {
         return Err(wrong("scenario.changes", format!("and {CHANGING} must come together")));
     }
     let panels: Vec<Panel> = take(&mut fields, "panels")?;
     check(&panels)?;
+    let spec = read_spec(scenario)?;
+    if spec.robot.is_some() && !weighted {
+        return Err(wrong("scenario.robot", format!("and {WEIGHTED} must come together")));
+    }
     let described = Described {
-        spec: read_spec(scenario)?,
+        spec,
         origin,
+        weighted,
         engine: optional(&mut fields, "engine")?.unwrap_or_default(),
         changes: changes.map_or(0, |changes| changes.len()),
         panels,
@@ -92,8 +107,9 @@ pub(super) fn write(session: &Session, map: &str) -> String {
     if let (Some(origin), Some(fields)) = (session.origin, scenario.as_object_mut()) {
         fields.insert("origin".into(), json!(origin));
     }
+    let is_weighted = session.grid.factors().is_some() || session.spec.robot.is_some();
     json!({
-        "format": FORMAT,
+        "format": if is_weighted { WEIGHTED } else { FORMAT },
         "engine": session.engine,
         "scenario": scenario,
         "panels": session.panels,

@@ -1,11 +1,11 @@
-//! A session as the page saves it: a file (`formicarium/experiment@1` or `@2`), or the text of a link behind `#x=`. Read is what its runs
+//! A session as the page saves it: a file (`formicarium/experiment@1`, `@2` or `@3`), or the text of a link behind `#x=`. Read is what its runs
 //! depend on; how they were looked at is left to the page. docs/formats.md describes both.
 
 mod bytes;
+mod cell_numbers;
 mod container;
 mod document;
 mod envelope;
-mod heights;
 mod link_text;
 mod rows;
 mod told_length;
@@ -123,7 +123,7 @@ pub fn has_session_link(text: &str) -> bool {
 /// A session as the text of a link, from [`LINK_PREFIX`] on. The map is its generator call where that makes it, else all of its cells.
 ///
 /// # Errors
-/// [`FormatError::TooLarge`] for a terrain with more heights than a link carries.
+/// [`FormatError::TooLarge`] for a map with more heights or factors than a link carries.
 pub fn write_session_link(session: &Session) -> Result<String, FormatError> {
     Ok(format!("{LINK_PREFIX}{}", envelope::seal(&container::pack(session)?)))
 }

@@ -1,4 +1,4 @@
-//! The session's file: the document, with the map as rows of `.` and `@` and the heights as rows of numbers.
+//! The session's file: the document, with the map as rows of `.` and `@` and heights and factors as rows of numbers.
 
 use serde_json::{Value as Json, json};
 
@@ -13,10 +13,14 @@ pub(super) fn read(text: &str) -> Result<Session, Error> {
     if heights.is_some() != described.spec.terrain.is_some() {
         return Err(wrong("scenario.terrain", "and `heights` must come together").into());
     }
-    // A scenario's file has both in one field.
+    let factors = fields.remove("factors");
+    described.check_factors(factors.is_some())?;
+    // A scenario's file has them in one field.
     let mut map = json!({ "rows": fields.remove("map").unwrap_or(Json::Null) });
-    if let Some(heights) = heights {
-        map["heights"] = heights;
+    for (field, numbers) in [("heights", heights), ("factors", factors)] {
+        if let Some(numbers) = numbers {
+            map[field] = numbers;
+        }
     }
     let grid = read_map(&map, &described.spec)?;
     described.on(grid)

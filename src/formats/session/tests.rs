@@ -189,3 +189,35 @@ fn files_are_refused_by_field() {
         assert!(error.message.contains(said), "{said}: {error:?}");
     }
 }
+
+#[test]
+fn factors_and_a_robot_travel_in_a_version_of_their_own() {
+    let mut session = made(Generator::Random);
+    let factors = (0..600u16).map(|i| 1.0 + f32::from(i % 7) / 3.0).collect();
+    session.grid = session.grid.with_factors(factors).expect("factors");
+    let link = write_session_link(&session).expect("short");
+    assert_eq!(read_session_link(&link).as_ref(), Ok(&session));
+    let robot = crate::scenario::Robot { radius: 0.0, inflation: Some(crate::scenario::Inflation::NAV2) };
+    let with_robot = Session { spec: ScenarioSpec { robot: Some(robot), ..session.spec.clone() }, ..session.clone() };
+    // The map comes back as it was drawn, not as the robot feels it.
+    assert_eq!(read_session_link(&write_session_link(&with_robot).expect("short")).as_ref(), Ok(&with_robot));
+
+    let rows: Vec<String> = crate::formats::movingai::rows(&session.grid).collect();
+    let numbers: Vec<&[f32]> = session.grid.factors().expect("factors").chunks(30).collect();
+    let file = |format: &str, spec: &ScenarioSpec| {
+        serde_json::json!({
+            "format": format, "engine": "0.1.0", "scenario": spec, "panels": [], "seed": 7, "map": rows, "factors": numbers,
+        })
+        .to_string()
+    };
+    let read = read_session(&file("formicarium/experiment@3", &with_robot.spec)).expect("a session");
+    assert_eq!((read.grid, read.spec), (with_robot.grid.clone(), with_robot.spec.clone()));
+    for (format, spec, named) in [
+        ("formicarium/experiment@1", &session.spec, "factors"),
+        ("formicarium/experiment@1", &with_robot.spec, "scenario.robot"),
+        ("formicarium/experiment@4", &session.spec, "experiment@4"),
+    ] {
+        let error = read_session(&file(format, spec)).expect_err("another version").to_string();
+        assert!(error.contains(named), "{format}: {error}");
+    }
+}

@@ -22,7 +22,7 @@ pub(super) static WORDS: Words = Words {
     },
     names: Names {
         measure: RunMeasure::name,
-        objective: Objective::words,
+        objective,
         axis: Axis::words,
         role: |role| match role {
             Role::Baseline => "baseline",
@@ -45,6 +45,8 @@ pub(super) static WORDS: Words = Words {
         },
         moves: |moves| format!("{moves} moves"),
         on_surface: ", on the surface",
+        on_weighted: ", on weighted ground",
+        robot: |radius| format!(", robot of radius {radius} m"),
         by_slices: |[levels, level, aside, climb]| {
             format!("by slices, {levels} levels of {level} m, |Δy| ≤ {aside}, |Δh| ≤ {climb}")
         },
@@ -181,6 +183,10 @@ pub(super) static WORDS: Words = Words {
 
 /// How a setting begins.
 const ENGINE: &str = "engine version ";
+
+fn objective(objective: Objective, measure: RunMeasure) -> &'static str {
+    if measure == RunMeasure::Cost { objective.cost_words() } else { objective.words() }
+}
 
 fn setting([first, last]: [u32; 2], runs: RunCounts, budget: Option<Budget>) -> String {
     let seeds = format!("seeds {first} to {last} of every entry on every map, {}", runs.words());

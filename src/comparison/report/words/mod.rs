@@ -90,7 +90,8 @@ pub(super) struct Signs {
 /// What the engine's own terms are called.
 pub(super) struct Names {
     pub measure: fn(RunMeasure) -> &'static str,
-    pub objective: fn(Objective) -> &'static str,
+    /// By the measure of its values: on weighted ground a cost.
+    pub objective: fn(Objective, RunMeasure) -> &'static str,
     pub axis: fn(Axis) -> &'static str,
     pub role: fn(Role) -> &'static str,
     pub no_running_time: fn(NoRunningTime) -> &'static str,
@@ -104,6 +105,9 @@ pub(super) struct Names {
     pub impossible: With,
     pub moves: With,
     pub on_surface: &'static str,
+    pub on_weighted: &'static str,
+    /// A robot of a radius in metres.
+    pub robot: With,
     /// Levels, their height, and the farthest step aside and up.
     pub by_slices: fn([String; 4]) -> String,
     /// How the next one begins.

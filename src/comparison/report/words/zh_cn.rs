@@ -41,6 +41,8 @@ pub(super) static WORDS: Words = Words {
         impossible: |runs| format!("†：在此地图上不可能，优于已证明的最优值：{runs}；因此不参与排名和检验，也不用粗体"),
         moves: |moves| format!("{moves} 方向移动"),
         on_surface: "，沿地面",
+        on_weighted: "，加权地面",
+        robot: |radius| format!("，机器人半径 {radius} 米"),
         by_slices: |[levels, level, aside, climb]| {
             format!("按切片，{levels} 层，每层 {level} 米，|Δy| ≤ {aside}，|Δh| ≤ {climb}")
         },
@@ -205,8 +207,11 @@ fn measure(measure: RunMeasure) -> &'static str {
     }
 }
 
-fn objective(objective: Objective) -> &'static str {
+fn objective(objective: Objective, measure: RunMeasure) -> &'static str {
     match objective {
+        Objective::Length if measure == RunMeasure::Cost => "逐格路径代价",
+        Objective::PolylineLength if measure == RunMeasure::Cost => "折线代价",
+        Objective::TourLength if measure == RunMeasure::Cost => "巡回代价",
         Objective::Length => "逐格路径长度",
         Objective::PolylineLength => "折线长度",
         Objective::SliceCost => "切片代价",

@@ -56,8 +56,14 @@ export const zhCNRemarks = {
     mapf: '多智能体路径规划实例，共 {{count}} 个智能体：只采用第一个的起点与终点；此处 y 向下。',
     'map-corners': '{{columns}} × {{rows}} 个角点的高度已略去：只读取其间的格子。',
     'map-stations': '{{emitters}} 个发射器（E）与 {{stations}} 个站点（S）读作空闲。',
-    swamp: '{{count}} 格沼泽（S）读作空闲；从一种地面到另一种不受限制。',
-    water: '{{count}} 格水面（W）读作障碍；从一种地面到另一种不受限制。',
+    swamp: '{{count}} 格沼泽（S）读作空闲；若给出沼泽的系数，通过它的代价会更高。',
+    'swamp-factor': '{{count}} 格沼泽（S）的系数为 {{factor}}。',
+    water: '{{count}} 格水面（W）读作障碍：从地面不能进入。',
+    'costs-read': '{{count}} 格有代价：按规则 {{rule}}，其系数最大为 {{most}}。',
+    'costs-none': '文件中没有代价：每个空闲格的代价就是其长度。',
+    'costs-unread':
+      '{{count}} 格的值在 1 至 99 之间，按阈值判断；若这是代价地图，这些值就是代价：请选择按代价读取。',
+    'nav2-defaults': '采用 Nav2 的默认值：{{what}}。',
     'scen-version': '首行没有版本号：按版本 1 读取。',
     'scen-unlisted': '{{count}} 个场景的起点与终点不同而最优长度为 0：视为未知。',
     'scen-size': '第 {{line}} 行：所属地图为 {{size}} 格。',
@@ -239,6 +245,22 @@ export const zhCNRemarks = {
     },
     'heights-missing': { message: '地形没有高程', hint: '请重新打开地形' },
     'terrain-missing': { message: '有高程，但没有说明如何移动', hint: '请重新打开地形' },
+    factor: {
+      message: '格 ({{x}}, {{y}}) 的系数 {{value}} 不能使用',
+      hint: '普通地面为 1，代价更高的地面至多 {{max}}；不能进入的格请设为障碍',
+    },
+    'weighted-terrain': {
+      message: '有高程的地图不能有格子的系数，也不能有障碍物附近的代价',
+      hint: '请去掉高程，或去掉系数与障碍物附近的代价',
+    },
+    'start-too-narrow': {
+      message: '机器人在起点 ({{x}}, {{y}}) 放不下：障碍物不超过其半径 {{radius}} 米',
+      hint: '请移到离障碍物更远处，或减小半径',
+    },
+    'goal-too-narrow': {
+      message: '机器人在终点 ({{x}}, {{y}}) 放不下：障碍物不超过其半径 {{radius}} 米',
+      hint: '请移到离障碍物更远处，或减小半径',
+    },
     'start-below-ground': {
       message: '起点位于第 {{level}} 层，在地面之下',
       hint: '该处最低为第 {{lowest}} 层',

@@ -18,6 +18,7 @@ export const zhCNFileFaults: Phrases = {
 
   // What is too large.
   'a file of {} MiB': '{} MiB 的文件',
+  'a map of {} heights or factors': '含 {} 个高程或系数的地图',
   'an archive of {} files': '含 {} 个文件的压缩包',
   'a file with {} matrices': '含 {} 个矩阵的文件',
   'a document with so much in one line or before its runs': '一行之内或运行之前的内容过多的文档',
@@ -82,14 +83,18 @@ export const zhCNFileFaults: Phrases = {
   'there is no field `{}`': '没有字段 {}',
   '`map` is missing': '缺少 map',
   '`map.rows` is no list': 'map.rows 不是列表',
-  '`map.heights` is no list': 'map.heights 不是列表',
+  '`map.{}` is no list': 'map.{} 不是列表',
   '`map.rows` has {} rows where `height` is {}': 'map.rows 有 {} 行，而 height 为 {}',
-  '`map.heights` has {} rows where `height` is {}': 'map.heights 有 {} 行，而 height 为 {}',
+  '`map.{}` has {} rows where `height` is {}': 'map.{} 有 {} 行，而 height 为 {}',
   'row {} of the map is no text': '地图的第 {} 行不是文本',
   'row {} of the map has {} cells where `width` is {}': '地图的第 {} 行有 {} 格，而 width 为 {}',
   'row {} of the heights is no list of {} numbers': '高程的第 {} 行不是 {} 个数的列表',
+  'row {} of the factors is no list of {} numbers': '系数的第 {} 行不是 {} 个数的列表',
+  'row {} of the {} is no list of {} numbers': '{1} 的第 {0} 行不是 {2} 个数的列表',
   '`{}` at ({}, {}) is no cell': '({1}, {2}) 处的“{0}”不是格子',
   '{} at ({}, {}) is no height': '({1}, {2}) 处的 {0} 不是高程',
+  '{} at ({}, {}) is no factor': '({1}, {2}) 处的 {0} 不是系数',
+  '{} at ({}, {}) is no {}': '({1}, {2}) 处的 {0} 不是 {3}',
   '`maps` has {} maps where the question has {} instances': 'maps 有 {} 张地图，而问题有 {} 个实例',
   'this is the result of a single run, as `plan --format json` prints it':
     '这是单次运行的结果，由 plan --format json 写出',

@@ -75,6 +75,8 @@ export const zhCNFileRules: Phrases = {
     '{"rows": ["..@.", …]}，. 为空闲，@ 为障碍',
   '"heights": [[12.5, 13, null, …], …], one number for each cell, `null` for no data':
     '"heights": [[12.5, 13, null, …], …]，每格一个数，null 表示没有数据',
+  '"factors": [[1, 2.5, 1, …], …], one number for each cell, at least 1':
+    '"factors": [[1, 2.5, 1, …], …]，每格一个数，至少为 1',
   'one map for each instance': '每个实例一张地图',
   'a comparison as `compare` or the page writes it': '由 compare 或本页写出的比较',
   'the fields of docs/formats.md': 'docs/formats.md 所列的字段',
