@@ -1,10 +1,14 @@
 //! What is measured on a path: length, turns, V(d, r), clearance, arrival time; on a terrain what it climbs.
 
+mod weighted_sum;
+
 use serde::Serialize;
 
 use crate::map::{Cell, Grid, OFFSETS, PlaneLength, displacement};
 use crate::path::crossed;
 use crate::scenario::Scenario;
+
+pub use weighted_sum::{Terms, WeightedSum, angle};
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
 pub const TURN_WEIGHT: f64 = 1.2;

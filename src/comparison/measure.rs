@@ -39,7 +39,7 @@ impl RunMeasure {
     pub fn of(objective: Objective) -> Self {
         match objective {
             Objective::Length | Objective::PolylineLength | Objective::TourLength => Self::Length,
-            Objective::SliceCost => Self::Cost,
+            Objective::SliceCost | Objective::Weighted => Self::Cost,
             Objective::TurnIndex => Self::TurnIndex,
             Objective::TourWeight => Self::Weight,
         }

@@ -73,7 +73,7 @@ fn setting_of(words: &Words, comparison: &Comparison, analysis: &Analysis) -> St
 /// Which entries of a map, called by this, make what small.
 fn objectives(words: &Words, map: &MapAnalysis, called: fn(&str) -> String) -> String {
     let of = |yardstick: &Yardstick| {
-        let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+        let by = map.entries.iter().filter(|e| (e.objective, e.sum) == (Some(yardstick.objective), yardstick.sum));
         let by: Vec<_> = by.map(|e| called(&e.label)).collect();
         (words.signs.beside)((words.names.objective)(yardstick.objective), &by.join(words.signs.list))
     };
@@ -127,7 +127,7 @@ fn map_table(words: &Words, out: &mut String, comparison: &Comparison, map: &Map
 /// The best there is by an objective; where nothing is proven, the best of these runs stands in.
 fn reference(words: &Words, out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
     let (said, name) = (&words.page, (words.names.objective)(yardstick.objective));
-    let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+    let by = map.entries.iter().filter(|e| (e.objective, e.sum) == (Some(yardstick.objective), yardstick.sum));
     let best = by.filter_map(|e| e.best).reduce(f64::min);
     let (name, value) = match yardstick.reference {
         Reference::Proven { value } => ((said.exact_optimum)(name), length(value)),

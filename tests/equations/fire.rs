@@ -16,7 +16,7 @@ use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
 use formicarium::exact::{Reference, reference};
 use formicarium::map::{Grid, Movement, Point};
-use formicarium::metrics::Metrics;
+use formicarium::metrics::{Metrics, WeightedSum};
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Objective, Reading};
 use formicarium::rng::Streams;
@@ -199,7 +199,7 @@ fn eq_10_an_ants_v_by_hand() {
         let mut ant = Ant::new(3, 3, stream());
         ant.begin(3, s.start, stream());
         way.iter().for_each(|&d| ant.go(&walk, Some(d)));
-        [Criterion::Length, Criterion::TurnIndex].map(|c| c.of_ant(&s, &ant))
+        [Criterion::Length, Criterion::TurnIndex].map(|c| c.by(WeightedSum::default()).of_ant(&s, &ant))
     };
     let (south, d) = (6, 2.0 * SQRT2);
     assert_eq!(value(&[SE, SE]), [Some(d), Some(d)]);

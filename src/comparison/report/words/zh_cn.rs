@@ -207,6 +207,7 @@ fn objective(objective: Objective) -> &'static str {
         Objective::PolylineLength => "折线长度",
         Objective::SliceCost => "切片代价",
         Objective::TurnIndex => "转弯指数 V",
+        Objective::Weighted => "加权和 J",
         Objective::TourLength => "巡回长度",
         Objective::TourWeight => "巡回权重 R",
     }
