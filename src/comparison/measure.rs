@@ -20,6 +20,10 @@ pub enum RunMeasure {
     TurnIndex,
     /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
     Weight,
+    /// Smallest distance in cells from a cell that the path crosses to the nearest obstacle.
+    MinClearance,
+    /// Mean of the same distance over the cells that the path crosses.
+    MeanClearance,
     /// The iteration that found the best path.
     IterationOfBest,
     /// Constructed paths up to the end of that iteration.
@@ -53,6 +57,8 @@ impl RunMeasure {
             Self::Turns => "turns",
             Self::TurnIndex => "turn index V",
             Self::Weight => "weight R",
+            Self::MinClearance => "smallest clearance",
+            Self::MeanClearance => "mean clearance",
             Self::IterationOfBest => "iteration of best",
             Self::PathsToBest => "constructed paths to best",
             Self::AntMoves => "ant moves",
@@ -60,6 +66,30 @@ impl RunMeasure {
             Self::Optimal => "share of runs with the optimum",
             Self::RunningTime => "expected running time",
         }
+    }
+
+    /// Its id in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Cost => "cost",
+            Self::Turns => "turns",
+            Self::TurnIndex => "turn-index",
+            Self::Weight => "weight",
+            Self::MinClearance => "min-clearance",
+            Self::MeanClearance => "mean-clearance",
+            Self::IterationOfBest => "iteration-of-best",
+            Self::PathsToBest => "paths-to-best",
+            Self::AntMoves => "ant-moves",
+            Self::Success => "success",
+            Self::Optimal => "optimal",
+            Self::RunningTime => "running-time",
+        }
+    }
+
+    /// Whether the larger value of two is the better one.
+    pub fn more_is_better(self) -> bool {
+        matches!(self, Self::MinClearance | Self::MeanClearance | Self::Success | Self::Optimal)
     }
 
     /// Whether it is 1 or 0 for a run, and so a share of all runs.
@@ -72,7 +102,8 @@ impl RunMeasure {
     pub fn relevant(self) -> f64 {
         match self {
             Self::Length | Self::Cost | Self::TurnIndex | Self::Weight => 0.01,
-            Self::Turns | Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
+            Self::Turns | Self::MinClearance | Self::MeanClearance => 0.1,
+            Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
             Self::Success | Self::Optimal => 0.05,
         }
     }
@@ -86,7 +117,13 @@ impl RunMeasure {
             Self::TurnIndex => row.turn_index,
             Self::Weight => row.weight,
             Self::IterationOfBest => row.iterations,
-            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal | Self::RunningTime => None,
+            Self::MinClearance
+            | Self::MeanClearance
+            | Self::PathsToBest
+            | Self::AntMoves
+            | Self::Success
+            | Self::Optimal
+            | Self::RunningTime => None,
         }
     }
 }

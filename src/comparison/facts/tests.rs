@@ -35,7 +35,14 @@ fn rows(arriving: u32, runs: u32) -> Vec<Row> {
     let one = |instance: usize, seed: u32| Row {
         task: Task { instance, entry: 0, seed },
         status: Status::BudgetSpent,
-        found: (seed <= arriving).then_some(Found { length: 20.0, turns: Some(1), turn_index: None, weight: None, value: 20.0 }),
+        found: (seed <= arriving).then_some(Found {
+            length: 20.0,
+            turns: Some(1),
+            turn_index: None,
+            weight: None,
+            value: 20.0,
+            clearance: None,
+        }),
         effort: Spent::default(),
         trace: Vec::new(),
         digest: String::new(),

@@ -124,7 +124,8 @@ fn row(run: &ImportedRun, task: Task, by_slices: bool) -> Option<Row> {
             continue;
         }
         let length = step.length.unwrap_or(value);
-        found = Some(Found { length, turns: step.turns, turn_index: step.turn_index, weight: step.weight, value });
+        found =
+            Some(Found { length, turns: step.turns, turn_index: step.turn_index, weight: step.weight, value, clearance: None });
         if step.spent != Spent::default() {
             trace.push(Improvement { value, spent: step.spent });
         }

@@ -108,7 +108,12 @@ pub(super) fn amount(words: &Words, measure: RunMeasure, v: f64) -> String {
         return if is_time { words.claims.never } else { words.names.no_path }.into();
     }
     match measure {
-        RunMeasure::Length | RunMeasure::Cost | RunMeasure::TurnIndex | RunMeasure::Weight => length(v),
+        RunMeasure::Length
+        | RunMeasure::Cost
+        | RunMeasure::TurnIndex
+        | RunMeasure::Weight
+        | RunMeasure::MinClearance
+        | RunMeasure::MeanClearance => length(v),
         RunMeasure::Success | RunMeasure::Optimal => hundredths(words, v),
         RunMeasure::Turns
         | RunMeasure::IterationOfBest

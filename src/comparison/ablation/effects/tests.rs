@@ -29,7 +29,14 @@ fn rows(lengths: [Vec<f64>; 3]) -> Vec<Row> {
     let row = |entry, seed, length: f64| Row {
         task: Task { instance: 0, entry, seed },
         status: Status::BudgetSpent,
-        found: length.is_finite().then_some(Found { length, turns: None, turn_index: None, weight: None, value: length }),
+        found: length.is_finite().then_some(Found {
+            length,
+            turns: None,
+            turn_index: None,
+            weight: None,
+            value: length,
+            clearance: None,
+        }),
         effort: Spent::default(),
         trace: Vec::new(),
         digest: String::new(),

@@ -43,7 +43,7 @@ fn rows() -> Vec<Row> {
         Row {
             task: Task { instance, entry, seed },
             status: Status::BudgetSpent,
-            found: Some(Found { length, turns: Some(1), turn_index: None, weight: None, value: length }),
+            found: Some(Found { length, turns: Some(1), turn_index: None, weight: None, value: length, clearance: None }),
             effort: spent,
             trace: vec![Improvement { value: length, spent }],
             digest: String::new(),

@@ -192,6 +192,8 @@ fn measure(measure: RunMeasure) -> &'static str {
         RunMeasure::Turns => "转弯次数",
         RunMeasure::TurnIndex => "转弯指数 V",
         RunMeasure::Weight => "权重 R",
+        RunMeasure::MinClearance => "最小间距",
+        RunMeasure::MeanClearance => "平均间距",
         RunMeasure::IterationOfBest => "最优路径所在迭代",
         RunMeasure::PathsToBest => "找到最优前构造的路径数",
         RunMeasure::AntMoves => "蚂蚁步数",
