@@ -1,6 +1,6 @@
 //! Simplified Chinese, with the terms of docs/zh and of the page.
 
-use super::{Ablation, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
+use super::{Ablation, Fronts, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
@@ -159,6 +159,21 @@ pub(super) static WORDS: Words = Words {
         not_ranked: |entries| format!("不参与排名，因为有地图上没有运行：{entries}"),
         note: |map, note| format!("{map}：{note}"),
         objectives: |map, objectives| format!("{map}：各参评项的优化目标不同，差距以各自的为准：{objectives}"),
+    },
+    fronts: Fronts {
+        title: |title| format!("{title}：权衡"),
+        about: "每次运行是一个点；若没有别的运行在每项指标上都不差且至少一项更好，它就在前沿上；相同的点算一个点，并计入每个有它的参评项；\
+                超体积：在各指标最好值与参考点围成的方框中，被该参评项至少一次运行支配的部分",
+        side: |measure, more| format!("{measure}（越{}越好）", if more { "大" } else { "小" }),
+        measures: |measures, at| match at {
+            "" => format!("{measures}：没有运行是点"),
+            at => format!("{measures}；参考点：{at}"),
+        },
+        columns: ["", "成为点的运行", "自身前沿的点", "其中在联合前沿上（独有）", "占联合前沿的比例", "超体积"],
+        alone: |joint, alone| format!("{joint}（{alone}）"),
+        all: "全部参评项",
+        beyond: |points, entry| format!("{entry} 的前沿有 {points} 个点并非每项指标都优于参考点，不计入超体积"),
+        left_out: "其运行不作为点",
     },
     latex: Latex {
         made_by: "% !TEX program = xelatex\n% 由 ",
