@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
-use formicarium::aco::criterion::Criterion;
+use formicarium::aco::criterion::{Criterion, DepositBy};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fire::{Fire, FireParams, LegLength, Order, Rule};
 use formicarium::aco::tour::{OrderColony, TourSettings, choose, heuristic};
@@ -14,7 +14,7 @@ use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
-use formicarium::exact::{Reference, reference};
+use formicarium::exact::{Reference, reference, weighted_reference};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::metrics::{Metrics, WeightedSum};
 use formicarium::params::{Value, Values};
@@ -159,6 +159,41 @@ fn eq_10_as_the_criterion_divides_the_deposit() {
     let got = updated(FireParams { criterion: Criterion::TurnIndex, ..FireParams::default() });
     assert!(got.iter().zip([1.2, 1.021_412_2, 0.7]).all(|(&a, b)| near(a, b, 1e-6)), "{got:?}");
     assert_eq!(FireParams::default().criterion, Criterion::Length);
+}
+
+#[test]
+fn eq_5_as_printed_keeps_the_length_whatever_the_criterion_is() {
+    for criterion in [Criterion::TurnIndex, Criterion::Weighted] {
+        let got = updated(FireParams { criterion, deposit_by: DepositBy::Length, ..FireParams::default() });
+        assert_eq!(got, updated(FireParams::default()), "{criterion:?}");
+    }
+}
+
+#[test]
+fn the_weighted_sum_divides_the_deposit_and_is_proven() {
+    // L + 3·T: the straight way comes to 2, the other to 2√2 + 3.
+    let sum = WeightedSum { turn_weight: 3.0, clearance_weight: 0.0, ..WeightedSum::default() };
+    let got = updated(FireParams { criterion: Criterion::Weighted, sum, ..FireParams::default() });
+    assert!(got.iter().zip([1.2, 0.7 + 1.0 / (2.0 * SQRT2 + 3.0), 0.7]).all(|(&a, b)| near(a, b, 1e-6)), "{got:?}");
+    let s = Arc::new(
+        Scenario::on(Grid::open(9, 6).expect("a size"), Movement::default(), Point::new(0, 0), Point::new(8, 5)).expect("usable"),
+    );
+    let values: Values =
+        [("criterion", Value::from("weighted")), ("iterations", Value::from(30.0)), ("turn_weight", Value::from(2.0))]
+            .map(|(key, value)| (key.to_string(), value))
+            .into();
+    for (id, preset, more) in [("fire", None, None), ("custom", Some("fire"), None), ("turn-aware", None, Some("iterations"))] {
+        let mut values = values.clone();
+        more.iter().for_each(|key| drop(values.remove(*key)));
+        let mut planner = catalog::build(&s, id, preset, &values, 1).expect("valid");
+        planner.run();
+        let best = planner.best().expect("a path").path.clone();
+        let weighed = planner.weighed().expect("a weighted sum");
+        assert_eq!((planner.objective(), weighed.sum.turn_weight), (Objective::Weighted, 2.0), "{id}");
+        assert_eq!(planner.value(&Metrics::of(&s, &best)), Some(weighed.sum.of(&s, &best)), "{id}");
+        let least = weighted_reference(&s, weighed.sum).value().expect("proven on a plane");
+        assert!(weighed.value.is_some_and(|value| value >= least - 1e-9), "{id}");
+    }
 }
 
 #[test]
