@@ -327,7 +327,7 @@ fn the_weighted_search_has_the_least_sum_of_every_kind() {
 fn the_planner_of_the_weighted_search_tells_its_sum_and_what_it_comes_to() {
     let s = drawn(&["S.#.#.#.G", ".........", "........."], Movement { moves: Moves::Four, corner_rule: CornerRule::BothFree });
     let set = |pairs: &[(&str, Value)]| -> Values { pairs.iter().map(|(k, v)| ((*k).to_string(), v.clone())).collect() };
-    let values = set(&[("criterion", "weighted".into()), ("turn_weight", 5.0.into()), ("clearance_weight", 0.0.into())]);
+    let values = set(&[("criterion", "weighted-sum".into()), ("turn_weight", 5.0.into()), ("clearance_weight", 0.0.into())]);
     let mut planner = catalog::build(&s, "turn-aware", None, &values, 1).expect("usable");
     assert_eq!((planner.objective(), planner.run()), (Objective::Weighted, Status::Optimal));
     let best = planner.best().expect("a path").path.clone();

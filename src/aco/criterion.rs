@@ -16,7 +16,7 @@ param_choice! {
         /// V(d, r), its length in which a turning step counts 1.2 times: equation 10 of the fire-fighting paper
         TurnIndex = "turn-index",
         /// J, the weighted sum of length, turns, closeness to obstacles and energy: our addition
-        Weighted = "weighted",
+        Weighted = "weighted-sum",
     }
 }
 

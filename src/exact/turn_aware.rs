@@ -5,7 +5,7 @@
 //! Of the states of a cell the first expanded has the least V. Another one can save at most the surcharge of the next step, and only
 //! straight on: every other step costs the first state no more. So the others are followed straight on alone, while they save anything.
 //!
-//! With `criterion=weighted` it is the search of `weighted.rs`.
+//! With `criterion=weighted-sum` it is the search of `weighted.rs`.
 
 use std::sync::Arc;
 
@@ -28,7 +28,7 @@ param_choice! {
         /// V(d, r), the length in which a turning step counts 1.2 times: equation 10 of the fire-fighting paper
         TurnIndex = "turn-index",
         /// J, the weighted sum of length, turns, closeness to obstacles and energy: our addition
-        Weighted = "weighted",
+        Weighted = "weighted-sum",
     }
 }
 

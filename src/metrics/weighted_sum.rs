@@ -28,19 +28,19 @@ params! {
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub struct WeightedSum {
         /// in the weighted sum, weight of the path's length
-        length_weight: f64 = 1.0, "w_L", [0.001..=100.0], "", "our addition", when(criterion: "weighted");
+        length_weight: f64 = 1.0, "w_L", [0.001..=100.0], "", "our addition", when(criterion: "weighted-sum");
         /// in the weighted sum, what a turn costs
-        turn_weight: f64 = 1.0, "w_T", [0.0..=100.0], "cells", "our addition", when(criterion: "weighted");
+        turn_weight: f64 = 1.0, "w_T", [0.0..=100.0], "cells", "our addition", when(criterion: "weighted-sum");
         /// in the weighted sum, what a cell of way costs right beside an obstacle, before it is divided by how much is missing
-        clearance_weight: f64 = 1.0, "w_C", [0.0..=100.0], "", "our addition", when(criterion: "weighted");
+        clearance_weight: f64 = 1.0, "w_C", [0.0..=100.0], "", "our addition", when(criterion: "weighted-sum");
         /// in the weighted sum, weight of the energy
-        energy_weight: f64 = 0.0, "w_E", [0.0..=100.0], "", "our addition", when(criterion: "weighted");
+        energy_weight: f64 = 0.0, "w_E", [0.0..=100.0], "", "our addition", when(criterion: "weighted-sum");
         /// distance to obstacles from which on a cell costs nothing more
-        clearance_wanted: f64 = 3.0, "D", [1.0..=16.0], "cells", "our addition", when(criterion: "weighted");
+        clearance_wanted: f64 = 3.0, "D", [1.0..=16.0], "cells", "our addition", when(criterion: "weighted-sum");
         /// energy of turning by one radian on the spot; 0.5: two wheels one cell apart, each rolls half a cell
-        energy_turn: f64 = 0.5, "e_R", [0.0..=100.0], "cells", "our choice", when(criterion: "weighted");
+        energy_turn: f64 = 0.5, "e_R", [0.0..=100.0], "cells", "our choice", when(criterion: "weighted-sum");
         /// energy of climbing one cell; 10: gravity over a rolling resistance of 0.1
-        energy_climb: f64 = 10.0, "e_C", [0.0..=1000.0], "", "our choice; the form: Rowe and Ross 1990", when(criterion: "weighted");
+        energy_climb: f64 = 10.0, "e_C", [0.0..=1000.0], "", "our choice; the form: Rowe and Ross 1990", when(criterion: "weighted-sum");
     }
 }
 

@@ -11,8 +11,8 @@ use super::arguments::{self, Clock, Flag, Number, ParamValues, Seconds, Text, ar
 use super::{Answer, object, throw};
 use crate::comparison::report::{ReportLanguage, Reports, ResultFile};
 use crate::comparison::{
-    self, Ablated, AblationRole, Analysis, Axis, Entry, FrontQuestion, Intervals, MapFronts, Record, Recorded, Row, Samples,
-    Seen, Task, Timed, Verification, analyse, analysis,
+    self, Ablated, AblationRole, Analysis, Axis, Entry, FrontQuestion, Intervals, MapFronts, Record, Recorded, Row, RunMeasure,
+    Samples, Seen, Task, Timed, Verification, analyse, analysis,
 };
 use crate::error::FormatError;
 use crate::formats::comparison_json;
@@ -40,6 +40,10 @@ pub struct ComparisonOutline {
     pub ablation_roles: Vec<Option<AblationRole>>,
     /// Runs of each runnable entry on each map.
     pub seeds: u32,
+    /// The measures by which its runs can be traded off.
+    pub front_measures: Vec<RunMeasure>,
+    /// What is traded off where nobody says otherwise.
+    pub fronts: FrontQuestion,
 }
 
 /// What the documents that a page writes say under `format`.
@@ -128,6 +132,8 @@ impl Comparison {
             runnable: question.runnable(),
             ablation_roles: comparison::ablation::roles(question),
             seeds: question.seeds.count,
+            front_measures: FrontQuestion::measures_of(&self.inner),
+            fronts: FrontQuestion::default(),
         })
     }
 

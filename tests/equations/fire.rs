@@ -179,7 +179,7 @@ fn the_weighted_sum_divides_the_deposit_and_is_proven() {
         Scenario::on(Grid::open(9, 6).expect("a size"), Movement::default(), Point::new(0, 0), Point::new(8, 5)).expect("usable"),
     );
     let values: Values =
-        [("criterion", Value::from("weighted")), ("iterations", Value::from(30.0)), ("turn_weight", Value::from(2.0))]
+        [("criterion", Value::from("weighted-sum")), ("iterations", Value::from(30.0)), ("turn_weight", Value::from(2.0))]
             .map(|(key, value)| (key.to_string(), value))
             .into();
     for (id, preset, more) in [("fire", None, None), ("custom", Some("fire"), None), ("turn-aware", None, Some("iterations"))] {

@@ -29,11 +29,12 @@
 //!
 //! Eq. 10, V(d, r), evaluates "the whole path" in section 3.4; its conclusion takes it "as the criterion by which paths are good or bad".
 //! By default it is measured alone ([`crate::metrics::Metrics::turn_index`]). With `criterion=turn-index` (preset `second-reading`) the best
-//! path of a leg is the one of the least V, and an ant leaves Q/V instead of the Q/L of Eq. 5. Whether the criterion is the deposit's too the
-//! paper leaves open: `deposit_by=length` (preset `printed-deposit`) keeps Eq. 5 as it is printed. `criterion=weighted` is ours: J of
-//! [`crate::metrics::WeightedSum`]. The way into a leg's first cell is no part of
-//! its V, so a turn at a goal counts in none. V is then no component that could be taken out of the default, though it is the third of the
-//! paper's improvements. With one goal there is no order, and nothing to take out of it; then the exact V is the yardstick.
+//! path of a leg is the one of the least V, and an ant leaves Q/V instead of the Q/L of Eq. 5; the way into a leg's first cell is no part of
+//! its V, so a turn at a goal counts in none. Whether the deposit goes by the criterion as well the paper leaves open: `deposit_by=length`
+//! (preset `printed-deposit`) keeps Eq. 5 as it is printed. V is then no component that could be taken out of the default, though it is the
+//! third of the paper's improvements. With one goal there is no order, and nothing to take out of it; then the exact V is the yardstick.
+//!
+//! `criterion=weighted-sum` is ours: J of [`crate::metrics::WeightedSum`], proven by the turn-aware search on a plane.
 
 use std::sync::Arc;
 
@@ -102,7 +103,7 @@ params! {
         /// what makes one path of a leg better than another
         criterion: Criterion = Criterion::Length, "V", [], "", "eq. 5: length; section 5 takes V of eq. 10 as the criterion";
         /// what an ant's deposit on a leg is divided by: the criterion, or the length as eq. 5 has it
-        deposit_by: DepositBy = DepositBy::Criterion, "", [], "", "our reading; eq. 5 is printed with the length", when(criterion: "turn-index" | "weighted");
+        deposit_by: DepositBy = DepositBy::Criterion, "", [], "", "our reading; eq. 5 is printed with the length", when(criterion: "turn-index" | "weighted-sum");
         /// whether ρ of the paper leaves (repaired) or stays (printed)
         reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
         /// ants of each level and leg that build a path in each iteration

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::comparison::measure::RunMeasure;
+use crate::comparison::{Comparison, Map};
 use crate::error::QuestionError;
 
 /// Over which measures runs are compared, and with which reference point.
@@ -40,6 +41,23 @@ impl FrontQuestion {
         RunMeasure::PathsToBest,
         RunMeasure::AntMoves,
     ];
+
+    /// Those of [`FrontQuestion::MEASURES`] that runs of a comparison can differ by: a cost only where an entry makes one small, a weight only
+    /// of tours by several goals.
+    pub fn measures_of(comparison: &Comparison) -> Vec<RunMeasure> {
+        let entries = 0..comparison.question.entries.len();
+        let minimised = |measure| {
+            let by = |map: &Map| entries.clone().any(|e| map.objective(e).is_some_and(|o| RunMeasure::of(o) == measure));
+            comparison.maps.iter().any(by)
+        };
+        let has_tours = comparison.maps.iter().any(|map| map.scenario.goals.len() > 1);
+        let is_known = |measure: &RunMeasure| match measure {
+            RunMeasure::Cost => minimised(RunMeasure::Cost),
+            RunMeasure::Weight => has_tours,
+            _ => true,
+        };
+        Self::MEASURES.into_iter().filter(is_known).collect()
+    }
 
     /// Whether it can be asked.
     ///

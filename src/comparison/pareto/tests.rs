@@ -167,6 +167,14 @@ fn what_cannot_be_asked_is_refused() {
 }
 
 #[test]
+fn measures_are_offered_where_runs_can_differ_by_them() {
+    let offered = FrontQuestion::measures_of(&comparison());
+    assert!(!offered.contains(&RunMeasure::Cost) && !offered.contains(&RunMeasure::Weight));
+    assert!(FrontQuestion::default().measures.iter().all(|measure| offered.contains(measure)));
+    assert_eq!(offered.len(), FrontQuestion::MEASURES.len() - 2);
+}
+
+#[test]
 fn ids_are_those_of_files() {
     for measure in FrontQuestion::MEASURES {
         assert_eq!(serde_json::to_string(&measure).unwrap(), format!("\"{}\"", measure.id()));
