@@ -35,7 +35,8 @@ export const enLabFronts = {
       'Both plots show the same points. Large: on its entry’s front over all three measures; ringed: on the joint front of all.',
     referenceNote:
       'The reference point is worse than the worst run by a tenth of the way from the best, unless one of your own is given.',
-    without_one: '{{entry}}: {{count}} of {{runs}} runs is no point; it has no path, or does not tell a measure.',
+    without_one:
+      '{{entry}}: {{count}} of {{runs}} runs is no point; it has no path, or does not tell a measure.',
     without_other:
       '{{entry}}: {{count}} of {{runs}} runs are no points; they have no path, or do not tell a measure.',
     beyondNote: 'Points that are not better than the reference point in every measure add nothing.',

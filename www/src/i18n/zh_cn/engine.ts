@@ -120,7 +120,8 @@ export const zhCNEngine = {
     },
     'turn-aware': {
       name: '顾及转弯的 A*',
-      summary: '按进入格子的方向探索；总是转弯指数 V 最小的路径，转弯的步按 1.2 倍计；或加权和 J 最小的路径。',
+      summary:
+        '按进入格子的方向探索；总是转弯指数 V 最小的路径，转弯的步按 1.2 倍计；或加权和 J 最小的路径。',
     },
     'tour-exact': {
       name: '精确巡回',

@@ -32,7 +32,8 @@ export const fronts: Figure = {
   id: 'fronts',
   overall: false,
   suits: () => true,
-  missing: (scene) => (frontsOf(scene).some(({ front }) => front.told > 0) ? null : 'lab.fronts.none'),
+  missing: (scene) =>
+    frontsOf(scene).some(({ front }) => front.told > 0) ? null : 'lab.fronts.none',
   draw,
   words: (scene) =>
     inTurn(
@@ -142,12 +143,14 @@ function panel(plot: Plot, scene: Scene, told: MapFronts, shown: ShownFront[], u
       gridX(plot, scene, sideWords(told, 0)),
       gridY(plot, scene, { label: sideWords(told, upright) }),
       referenceMarks(plot, scene, told, upright),
-      flat && shown.map((one) => steps(plot, told, one)),
+      flat ? shown.map((one) => steps(plot, told, one)) : [],
       shown.map(({ index, front }) => {
         const { colour, symbol } = seriesOf(index, '')
         return [false, true].map((own) =>
           plot.dot(
-            front.points.filter((point) => point.own === own).map((point) => ({ ...point, ...at(point.values) })),
+            front.points
+              .filter((point) => point.own === own)
+              .map((point) => ({ ...point, ...at(point.values) })),
             {
               x: 'x',
               y: 'y',
