@@ -66,7 +66,8 @@ pub struct EntryFront {
     pub joint: usize,
     /// Of these the points that no other entry has.
     pub alone: usize,
-    /// The part of the joint front that it reaches, 0 to 1; those of all entries can come to more than 1. Null without a joint front.
+    /// The part of the joint front that it reaches, 0 to 1; those of all entries can come to more than 1. Null where nothing can
+    /// be told.
     pub share: Option<f64>,
     /// Part of the box that its front dominates, 0 to 1; 0 where all its runs are without a path. Null where nothing can be told.
     pub hypervolume: Option<f64>,
@@ -106,8 +107,11 @@ fn on_map(samples: &Samples, asked: &FrontQuestion, map: usize) -> MapFronts {
         told.runs = samples.of(map, entry).len();
         told.impossible = samples.impossible(map, entry);
         let failed = samples.of(map, entry).iter().filter(|seen| seen.row.found.is_none()).count();
-        // Who never arrives covers nothing.
-        told.hypervolume = told.hypervolume.or((told.runs > 0 && failed == told.runs).then_some(0.0));
+        // Who never arrives reaches nothing, and covers nothing.
+        if told.runs > 0 && failed == told.runs {
+            told.hypervolume = Some(0.0);
+            told.share = (!joint.is_empty()).then_some(0.0);
+        }
         told
     };
     let mut of_entries: Vec<EntryFront> = (0..entries).map(of_entry).collect();
@@ -152,7 +156,7 @@ fn entry_front(space: &Space, cloud: &[[f64; 3]], joint: &[[f64; 3]], span: Opti
         own: own.len(),
         joint: on_joint,
         alone: 0,
-        share: some.map(|()| on_joint as f64 / joint.len() as f64).or((!joint.is_empty()).then_some(0.0)),
+        share: some.map(|()| on_joint as f64 / joint.len() as f64),
         hypervolume: some.and_then(|()| span?.hypervolume(&own)),
         beyond: span.map_or(0, |span| span.beyond(&own)),
         points: points

@@ -5,6 +5,7 @@ export const enLabFronts = {
     first: 'Across',
     second: 'Upright',
     third: 'Third',
+    noThird: 'none',
     no: 'no',
     yes: 'yes',
     none: 'No run with a path tells these measures.',

@@ -8,6 +8,7 @@ export const zhCNLabFronts: DictionaryShape<typeof enLabFronts> = {
     first: '横轴',
     second: '纵轴',
     third: '第三项',
+    noThird: '无',
     no: '否',
     yes: '是',
     none: '没有找到路径的运行给出这些指标。',

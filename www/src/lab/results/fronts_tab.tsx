@@ -100,7 +100,7 @@ function Measures({ asked: { measures } }: { asked: FrontQuestion }) {
       label={t(`lab.fronts.${name}`)}
       value={measures[place] ?? NONE}
       options={[
-        ...(name === 'third' ? [{ value: NONE, label: t('lab.fronts.no') } as const] : []),
+        ...(name === 'third' ? [{ value: NONE, label: t('lab.fronts.noThird') } as const] : []),
         ...all.map((measure) => ({ value: measure, label: measureWords(measure) })),
       ]}
       onChange={(to) => choose(place, to)}

@@ -1,7 +1,7 @@
 /** What each entry's front comes to; it says in words what the picture shows. */
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
-import { listed, saying } from '../../i18n/lists'
+import { inTurn, listed, saying } from '../../i18n/lists'
 import type { EntryFront, MapAnalysis, MapFronts } from '../../model/analysis'
 import { sideWords, volume, writer } from '../figures/fronts'
 import { dash, labelOf, measureWords, share } from '../words/numbers'
@@ -64,7 +64,7 @@ const whole = (count: number) => numbers.value.whole.format(count)
 
 /** Over which measures, and against which point. */
 function about(fronts: MapFronts): string {
-  const sides = listed(fronts.measures.map((_, place) => sideWords(fronts, place)))
+  const sides = inTurn(fronts.measures.map((_, place) => sideWords(fronts, place)))
   if (fronts.reference.length === 0) return t('lab.fronts.over', { measures: sides })
   const at = fronts.reference.map((value, place) => {
     const measure = fronts.measures[place]
