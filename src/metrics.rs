@@ -3,6 +3,8 @@
 #[cfg(feature = "whole")]
 mod driving;
 
+mod weighted_sum;
+
 use serde::Serialize;
 
 use crate::map::{Cell, Grid, OFFSETS, PlaneLength, displacement};
@@ -11,6 +13,7 @@ use crate::scenario::Scenario;
 
 #[cfg(feature = "whole")]
 pub use driving::Driving;
+pub use weighted_sum::{Terms, WeightedSum, angle, energy_rates};
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
 pub const TURN_WEIGHT: f64 = 1.2;

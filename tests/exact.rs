@@ -8,10 +8,10 @@ use std::sync::Arc;
 use common::{drawn, length, movements, random, solve};
 use formicarium::catalog;
 use formicarium::error::ParamError;
-use formicarium::exact::{self, Reference, point_robot};
+use formicarium::exact::{self, Reference, point_robot, weighted_reference};
 use formicarium::map::{Cell, CornerRule, Direction, Grid, Movement, Moves, Point, step_length};
-use formicarium::metrics::{Metrics, TURN_WEIGHT};
-use formicarium::params::Values;
+use formicarium::metrics::{Metrics, TURN_WEIGHT, WeightedSum};
+use formicarium::params::{Value, Values};
 use formicarium::path::{PathKind, Refinement, audit, line_of_sight, points, refine};
 use formicarium::planner::{Objective, Status};
 use formicarium::scenario::Scenario;
@@ -273,4 +273,79 @@ fn the_turn_index_has_a_proven_yardstick_not_above_the_shortest_paths() {
             reference => assert_eq!((reference, astar.best()), (Reference::NoPath, None)),
         }
     }
+}
+
+/// The least weighted sum: states are cell · 8 + direction of the step that led there, every edge's cost is a difference of sums of two or three
+/// cells, measured as any path is.
+fn least_sum(s: &Scenario, sum: &WeightedSum) -> f64 {
+    let mut edges = Vec::new();
+    let cells = s.grid.len();
+    for c in 0..cells as Cell {
+        for d in s.moves.directions(c) {
+            let next = s.moves.step(c, d);
+            let (to, step) = (next as usize * 8 + usize::from(d), sum.of(s, &[c, next]));
+            if c == s.start {
+                edges.push((cells * 8, to, step));
+            }
+            for came in 0..8 as Direction {
+                // The cell before, where a step in this direction leads to c.
+                let before = (0..cells as Cell).find(|&b| s.moves.directions(b).any(|e| e == came && s.moves.step(b, e) == c));
+                if let Some(before) = before {
+                    let both = sum.of(s, &[before, c, next]);
+                    edges.push((c as usize * 8 + usize::from(came), to, both - sum.of(s, &[before, c])));
+                }
+            }
+        }
+    }
+    let cost = relax_all(&edges, cells * 8 + 1, &[cells * 8]);
+    if s.start == s.goal { 0.0 } else { (0..8).map(|d| cost[s.goal as usize * 8 + d]).fold(f64::INFINITY, f64::min) }
+}
+
+#[test]
+fn the_weighted_search_has_the_least_sum_of_every_kind() {
+    let none = WeightedSum { turn_weight: 0.0, clearance_weight: 0.0, ..WeightedSum::default() };
+    let sums = [
+        none,
+        WeightedSum::default(),
+        WeightedSum { turn_weight: 3.5, ..none },
+        WeightedSum { clearance_weight: 8.0, clearance_wanted: 2.5, ..none },
+        WeightedSum { energy_weight: 8.0, length_weight: 0.001, ..none },
+        WeightedSum { energy_weight: 0.5, turn_weight: 0.3, clearance_weight: 2.0, ..WeightedSum::default() },
+    ];
+    for (index, s) in small(12).enumerate() {
+        let sum = sums[index % sums.len()];
+        let least = least_sum(&s, &sum);
+        match weighted_reference(&s, sum) {
+            Reference::Proven { value } => assert!(same(value, least), "{:?} {sum:?}: {value}, {least}", s.spec),
+            Reference::NoPath => assert_eq!(least, f64::INFINITY),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn the_planner_of_the_weighted_search_tells_its_sum_and_what_it_comes_to() {
+    let s = drawn(&["S.#.#.#.G", ".........", "........."], Movement { moves: Moves::Four, corner_rule: CornerRule::BothFree });
+    let set = |pairs: &[(&str, Value)]| -> Values { pairs.iter().map(|(k, v)| ((*k).to_string(), v.clone())).collect() };
+    let values = set(&[("criterion", "weighted-sum".into()), ("turn_weight", 5.0.into()), ("clearance_weight", 0.0.into())]);
+    let mut planner = catalog::build(&s, "turn-aware", None, &values, 1).expect("usable");
+    assert_eq!((planner.objective(), planner.run()), (Objective::Weighted, Status::Optimal));
+    let best = planner.best().expect("a path").path.clone();
+    // 10 steps and two turns, as by the turn index.
+    let value = planner.value(&Metrics::of(&s, &best)).expect("a value");
+    assert!(same(value, 20.0), "{value}");
+    let sum = planner.weighed().expect("a weighted sum").sum;
+    assert_eq!((sum.turn_weight, exact::reference(&s, Objective::Weighted)), (5.0, Reference::Unknown));
+    let of_v = catalog::build(&s, "turn-aware", None, &Values::new(), 1).expect("usable");
+    assert_eq!((of_v.objective(), of_v.weighed()), (Objective::TurnIndex, None));
+}
+
+#[test]
+fn closeness_keeps_away_from_walls() {
+    // Straight along the wall, or a row below it.
+    let s = drawn(&["#########", "S.......G", ".........", ".........", "#########"], Movement::default());
+    let sum = WeightedSum { clearance_weight: 5.0, clearance_wanted: 2.0, turn_weight: 0.0, ..WeightedSum::default() };
+    let along: Vec<Cell> = (9..18).collect();
+    let Reference::Proven { value } = weighted_reference(&s, sum) else { panic!("a plane") };
+    assert!(value < sum.of(&s, &along) - 1.0, "{value}");
 }

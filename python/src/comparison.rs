@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use formicarium::cli::shared::{self, heard};
 use formicarium::comparison::report::{ReportLanguage, Reports, ResultFile, TRACE_HEADER, trace_lines};
-use formicarium::comparison::{self, Budget, Intervals, Question, Row, Samples, Seen, analysis};
+use formicarium::comparison::{self, Budget, FrontQuestion, Intervals, Question, Row, Samples, Seen, analysis};
 use formicarium::formats::comparison_json;
 use pyo3::prelude::*;
 
@@ -127,8 +127,9 @@ impl Comparison {
         let rows = comparison.all_rows(&self.done);
         let analysis = analysis::whole(&Samples::new(comparison, rows.iter().map(Seen::from)), &mut Intervals::default());
         let document = |with_rows| comparison_json::write(comparison, &self.done, with_rows);
-        let command = &self.command;
-        let reports = Reports { comparison, rows: &rows, analysis: &analysis, command, language, document: &document };
+        let (command, fronts) = (&self.command, &FrontQuestion::default());
+        let (rows, analysis, document) = (&rows, &analysis, &document);
+        let reports = Reports { comparison, rows, analysis, command, language, fronts, document };
         kinds.iter().map(|&kind| reports.contents(kind)).collect()
     }
 }

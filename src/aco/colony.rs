@@ -17,7 +17,7 @@ use crate::metrics::SAME_LENGTH;
 use crate::path::{Refinement, refine};
 use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
-    Walked, advance,
+    Walked, Weighed, advance,
 };
 use crate::rng::{Stream, Streams};
 #[cfg(feature = "whole")]
@@ -25,7 +25,7 @@ use crate::scenario::Change;
 use crate::scenario::Scenario;
 
 use super::ant::{Ant, Walk};
-use super::criterion::{Criterion, way};
+use super::criterion::{Judge, way};
 use super::lane_rules::{Maximal, Proportional, PseudoProportional};
 use super::lanes;
 use super::selection::left;
@@ -231,8 +231,8 @@ fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &
 
 /// The arrived ant with the best way and its length; the first of equals.
 #[inline(always)]
-fn leader<'a>(iteration: &Iteration<'a>, criterion: Criterion) -> Option<(&'a Ant, f64)> {
-    if criterion == Criterion::Length {
+fn leader<'a>(iteration: &Iteration<'a>, criterion: Judge) -> Option<(&'a Ant, f64)> {
+    if criterion == Judge::Length {
         return iteration.iteration_best();
     }
     let judged = iteration.arrived().filter_map(|a| Some((a, criterion.of_ant(iteration.scenario, a.0)?)));
@@ -241,11 +241,11 @@ fn leader<'a>(iteration: &Iteration<'a>, criterion: Criterion) -> Option<(&'a An
 
 /// Whether an arrived ant's way, of this length, is better than the best so far.
 #[inline(always)]
-fn better(scenario: &Scenario, criterion: Criterion, (ant, length): (&Ant, f64), best: &Solution) -> bool {
+fn better(scenario: &Scenario, criterion: Judge, (ant, length): (&Ant, f64), best: &Solution) -> bool {
     match criterion {
-        Criterion::Length => length < best.length,
+        Judge::Length => length < best.length,
         // Equal ones may differ by what rounding leaves of adding.
-        Criterion::TurnIndex => {
+        Judge::TurnIndex | Judge::Weighted(_) => {
             let found = criterion.of_ant(scenario, ant).unwrap_or(f64::INFINITY);
             found < criterion.of_solution(scenario, best) - SAME_LENGTH
         }
@@ -324,6 +324,10 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         objective(&self.variant)
     }
 
+    fn weighed(&self) -> Option<Weighed> {
+        weighed(&self.variant, &self.scenario, self.best())
+    }
+
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {
         self.show(kind, out)
     }
@@ -353,8 +357,15 @@ fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refine
 /// What the result of a colony of this variant is measured by: a refined path by its length, whatever it was chosen by.
 pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
     match (variant.refinement(), variant.criterion()) {
-        (Refinement::None, Criterion::Length) => Objective::Length,
-        (Refinement::None, Criterion::TurnIndex) => Objective::TurnIndex,
+        (Refinement::None, Judge::Length) => Objective::Length,
+        (Refinement::None, Judge::TurnIndex) => Objective::TurnIndex,
+        (Refinement::None, Judge::Weighted(_)) => Objective::Weighted,
         _ => Objective::PolylineLength,
     }
+}
+
+/// What a result of a colony of this variant comes to where the weighted sum is its objective.
+pub(super) fn weighed<V: Variant>(variant: &V, scenario: &Scenario, best: Option<&Solution>) -> Option<Weighed> {
+    let is_one = objective(variant) == Objective::Weighted;
+    is_one.then(|| variant.criterion().weighed(scenario, best)).flatten()
 }

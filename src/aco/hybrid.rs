@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::map::Cell;
 use crate::planner::{
-    Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked,
+    Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, Weighed,
 };
 use crate::scenario::Scenario;
 
@@ -136,6 +136,10 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
 
     fn objective(&self) -> Objective {
         colony::objective(&self.second)
+    }
+
+    fn weighed(&self) -> Option<Weighed> {
+        colony::weighed(&self.second, &self.scenario, self.best())
     }
 
     fn budget(&self) -> Option<u32> {

@@ -7,7 +7,7 @@ use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
 use super::ant::Ant;
-use super::criterion::Criterion;
+use super::criterion::Judge;
 use super::dead_end::DeadEnd;
 use super::deposit;
 use super::odds;
@@ -175,8 +175,8 @@ pub trait Variant: Clone + Send + Sync {
     }
 
     /// What makes one finished path better than another.
-    fn criterion(&self) -> Criterion {
-        Criterion::Length
+    fn criterion(&self) -> Judge {
+        Judge::Length
     }
 
     /// How the best path is refined by line of sight; a refined path is measured as a polyline.

@@ -26,6 +26,7 @@ pub use args::Args;
 
 /// Runs what the arguments ask, writes its files and says what came out; or prints the document alone.
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
+    args.fronts().check().map_err(|error| args.wrong(error))?;
     let Asked { comparison, before, inputs } = question::load(args)?;
     if args.document {
         return Ok(Outcome::fine(comparison_json::write(&comparison, &[], false)));
@@ -96,8 +97,9 @@ fn report(args: &Args, comparison: &Comparison, done: &[Row], place: &Place) -> 
     said += &report::verdicts(comparison, &analysis);
     said += &report::components(comparison, &effects(&samples));
     let (command, document) = (args.command(), |with_rows| comparison_json::write(comparison, done, with_rows));
-    let language = args.language;
-    let reports = Reports { comparison, rows: &rows, analysis: &analysis, command: &command, language, document: &document };
+    let (language, fronts) = (args.language, &args.fronts());
+    let (rows, analysis, command, document) = (&rows, &analysis, &command, &document);
+    let reports = Reports { comparison, rows, analysis, command, language, fronts, document };
     for (ending, file) in &args.files {
         let path = place.file(ending);
         place.write(&path, &reports.contents(*file))?;

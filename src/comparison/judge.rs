@@ -272,8 +272,8 @@ fn rank_test(of: &TwoSamples<f64>) -> Option<f64> {
 /// the shortest path of steps, and the path of the smallest V need not be the shortest one.
 fn is_bound(map: &Map, measure: RunMeasure, entries: [usize; 2]) -> bool {
     let best = |entry: usize| {
-        let objective = map.objective(entry).filter(|o| map.measure_of(*o) == measure)?;
-        map.yardsticks().iter().find(|y| y.objective == objective)?.reference.value()
+        map.objective(entry).filter(|o| map.measure_of(*o) == measure)?;
+        map.reference(entry).value()
     };
     let [improved, baseline] = entries.map(best);
     improved.zip(baseline).is_some_and(|(improved, baseline)| !is_below(improved, baseline))

@@ -28,6 +28,10 @@ pub enum RunMeasure {
     Energy,
     /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
     Weight,
+    /// Smallest distance in cells from a cell that the path crosses to the nearest obstacle.
+    MinClearance,
+    /// Mean of the same distance over the cells that the path crosses.
+    MeanClearance,
     /// The iteration that found the best path.
     IterationOfBest,
     /// Constructed paths up to the end of that iteration.
@@ -48,7 +52,7 @@ impl RunMeasure {
         match objective {
             Objective::Length | Objective::PolylineLength | Objective::TourLength if weighted => Self::Cost,
             Objective::Length | Objective::PolylineLength | Objective::TourLength => Self::Length,
-            Objective::SliceCost => Self::Cost,
+            Objective::SliceCost | Objective::Weighted => Self::Cost,
             Objective::TurnIndex => Self::TurnIndex,
             Objective::TourWeight => Self::Weight,
         }
@@ -66,6 +70,8 @@ impl RunMeasure {
             Self::Smoothness => "smoothness",
             Self::Energy => "energy",
             Self::Weight => "weight R",
+            Self::MinClearance => "smallest clearance",
+            Self::MeanClearance => "mean clearance",
             Self::IterationOfBest => "iteration of best",
             Self::PathsToBest => "constructed paths to best",
             Self::AntMoves => "ant moves",
@@ -80,6 +86,34 @@ impl RunMeasure {
         matches!(self, Self::Turning | Self::LargestCurvature | Self::Smoothness | Self::Energy)
     }
 
+    /// Its id in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Cost => "cost",
+            Self::Turns => "turns",
+            Self::TurnIndex => "turn-index",
+            Self::Turning => "turning",
+            Self::LargestCurvature => "largest-curvature",
+            Self::Smoothness => "smoothness",
+            Self::Energy => "energy",
+            Self::Weight => "weight",
+            Self::MinClearance => "min-clearance",
+            Self::MeanClearance => "mean-clearance",
+            Self::IterationOfBest => "iteration-of-best",
+            Self::PathsToBest => "paths-to-best",
+            Self::AntMoves => "ant-moves",
+            Self::Success => "success",
+            Self::Optimal => "optimal",
+            Self::RunningTime => "running-time",
+        }
+    }
+
+    /// Whether the larger value of two is the better one.
+    pub fn more_is_better(self) -> bool {
+        matches!(self, Self::MinClearance | Self::MeanClearance | Self::Success | Self::Optimal)
+    }
+
     /// Whether it is 1 or 0 for a run, and so a share of all runs.
     pub fn is_share(self) -> bool {
         matches!(self, Self::Success | Self::Optimal)
@@ -90,7 +124,12 @@ impl RunMeasure {
     pub fn relevant(self) -> f64 {
         match self {
             Self::Length | Self::Cost | Self::TurnIndex | Self::Energy | Self::Weight => 0.01,
-            Self::Turns | Self::Turning | Self::LargestCurvature | Self::Smoothness => 0.1,
+            Self::Turns
+            | Self::Turning
+            | Self::LargestCurvature
+            | Self::Smoothness
+            | Self::MinClearance
+            | Self::MeanClearance => 0.1,
             Self::IterationOfBest | Self::PathsToBest | Self::AntMoves | Self::RunningTime => 0.1,
             Self::Success | Self::Optimal => 0.05,
         }
@@ -106,7 +145,13 @@ impl RunMeasure {
             Self::Weight => row.weight,
             Self::IterationOfBest => row.iterations,
             Self::Turning | Self::LargestCurvature | Self::Smoothness | Self::Energy => None,
-            Self::PathsToBest | Self::AntMoves | Self::Success | Self::Optimal | Self::RunningTime => None,
+            Self::MinClearance
+            | Self::MeanClearance
+            | Self::PathsToBest
+            | Self::AntMoves
+            | Self::Success
+            | Self::Optimal
+            | Self::RunningTime => None,
         }
     }
 }

@@ -3,7 +3,8 @@
 //! A [`Question`] asks what a publication claims: which entries (planner, preset, values), on which instances (maps), over which seeds.
 //! A [`Comparison`] is a question with its maps. Each of its [`Task`]s is one run and gives one [`Row`], whether or not a path was found; the
 //! row tells every improvement on the way. [`imported`] joins runs from elsewhere. [`analysis`] makes the numbers, [`judge`] gives a verdict
-//! on each claim by the rule of docs/methodology.md, [`ablation`] tells what each component of a planner does, and [`report`] prints.
+//! on each claim by the rule of docs/methodology.md, [`ablation`] tells what each component of a planner does, [`pareto`] what runs trade off,
+//! and [`report`] prints.
 //! [`best_known`] judges claims to have a better value than any before.
 //!
 //! No clock, no threads, no files: the caller decides where the tasks run, so that the browser can do it too.
@@ -29,6 +30,7 @@ mod measure;
 pub mod names;
 mod order;
 mod over_maps;
+pub mod pareto;
 mod printed_digits;
 pub mod question;
 pub mod report;
@@ -62,8 +64,9 @@ pub use judge::JudgedClaim;
 pub use maps::{Map, Yardstick};
 pub use measure::RunMeasure;
 pub use over_maps::{OverMaps, OverallVerdict, VerdictCounts};
+pub use pareto::{EntryFront, FrontPoint, FrontQuestion, MapFronts, fronts};
 pub use question::{Entry, Instance, Published, Question, Role, Seeds};
-pub use row::{Found, Improvement, MAX_COUNT, Row, Spent, Task};
+pub use row::{Clearance, Found, Improvement, MAX_COUNT, Row, Spent, Task};
 pub use run::{Clock, Timed};
 pub use samples::{Samples, Seen};
 pub use shard::{MAX_SHARDS, Shard};

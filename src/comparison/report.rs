@@ -6,6 +6,7 @@ mod claims;
 mod csv;
 mod escape;
 mod file;
+mod fronts;
 mod latex;
 mod matrix;
 mod names;
@@ -38,6 +39,7 @@ use crate::scenario::Scenario;
 pub use ablation::components;
 pub use csv::{HEADER, line};
 pub use file::{Reports, ResultFile};
+pub use fronts::FRONTS_BEGIN;
 pub use traces::{TRACE_HEADER, trace_lines};
 pub use verdicts::verdicts;
 pub use words::ReportLanguage;
@@ -73,7 +75,7 @@ fn setting_of(words: &Words, comparison: &Comparison, analysis: &Analysis) -> St
 /// Which entries of a map, called by this, make what small.
 fn objectives(words: &Words, map: &MapAnalysis, called: fn(&str) -> String) -> String {
     let of = |yardstick: &Yardstick| {
-        let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+        let by = map.entries.iter().filter(|e| (e.objective, e.sum) == (Some(yardstick.objective), yardstick.sum));
         let by: Vec<_> = by.map(|e| called(&e.label)).collect();
         (words.signs.beside)((words.names.objective)(yardstick.objective, yardstick.measure), &by.join(words.signs.list))
     };
@@ -127,7 +129,7 @@ fn map_table(words: &Words, out: &mut String, comparison: &Comparison, map: &Map
 /// The best there is by an objective; where nothing is proven, the best of these runs stands in.
 fn reference(words: &Words, out: &mut String, map: &MapAnalysis, yardstick: &Yardstick) {
     let (said, name) = (&words.page, (words.names.objective)(yardstick.objective, yardstick.measure));
-    let by = map.entries.iter().filter(|e| e.objective == Some(yardstick.objective));
+    let by = map.entries.iter().filter(|e| (e.objective, e.sum) == (Some(yardstick.objective), yardstick.sum));
     let best = by.filter_map(|e| e.best).reduce(f64::min);
     let (name, value) = match yardstick.reference {
         Reference::Proven { value } => ((said.exact_optimum)(name), length(value)),

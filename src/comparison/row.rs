@@ -69,6 +69,19 @@ pub struct Found {
     /// How it is to drive, where the question or the map's vehicle asks for it; files of before have none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub driving: Option<Driving>,
+    /// How far it keeps from obstacles; none of a run from elsewhere, or of one that was recorded before this was told.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<Clearance>,
+}
+
+/// How far a path keeps from obstacles, in cells: as [`crate::metrics::Metrics`] measures it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Clearance {
+    /// The smallest distance of a cell that it crosses.
+    pub least: f64,
+    /// The mean over these cells.
+    pub mean: f64,
 }
 
 /// A better path than before, by what the planner searches for: of one that refines its best path, the length after refinement may rise. In JSON `[value, iterations, constructed paths, ant moves, cell expansions]`.
@@ -232,6 +245,8 @@ impl Row {
             RunMeasure::Smoothness => of_driving(|d| d.smoothness),
             RunMeasure::Energy => of_driving(|d| d.energy),
             RunMeasure::Weight => of_path(|f| Some(f.weight.unwrap_or(f64::INFINITY))),
+            RunMeasure::MinClearance => of_path(|f| f.clearance.map(|c| c.least)),
+            RunMeasure::MeanClearance => of_path(|f| f.clearance.map(|c| c.mean)),
             RunMeasure::IterationOfBest => to_best(Axis::Iterations),
             RunMeasure::PathsToBest => to_best(Axis::ConstructedPaths),
             RunMeasure::AntMoves => self.effort.on(Axis::AntMoves),
@@ -248,7 +263,8 @@ mod tests {
     #[test]
     fn a_row_is_itself_again_after_json() {
         let spent = Spent { iterations: Some(3), constructed_paths: Some(60), ant_moves: None, cell_expansions: Some(0) };
-        let found = Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6, driving: None };
+        let found =
+            Found { length: 27.6, turns: Some(4), turn_index: None, weight: None, value: 27.6, clearance: None, driving: None };
         let task = Task { instance: 0, entry: 2, seed: 7 };
         let trace = vec![Improvement { value: 0.1 + 0.2, spent }];
         let row = Row {

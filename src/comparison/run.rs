@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::budget::Budget;
 use super::question::Entry;
-use super::row::{Found, Improvement, Row, Spent, Task};
+use super::row::{Clearance, Found, Improvement, Row, Spent, Task};
 use crate::catalog;
 use crate::error::QuestionError;
 use crate::metrics::Metrics;
@@ -96,6 +96,7 @@ impl Log {
             weight: planner.tour().and_then(|t| t.walked_weight),
             value,
             driving: metrics.driving.filter(|_| self.drives),
+            clearance: Some(Clearance { least: metrics.min_clearance, mean: metrics.mean_clearance }),
         });
     }
 }

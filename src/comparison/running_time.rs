@@ -22,12 +22,12 @@ pub(super) fn spendings(
     entries: [usize; 2],
 ) -> Result<TwoSamples<Spending>, WhyNot> {
     let map = &samples.comparison().maps[instance];
-    let objectives = entries.map(|entry| map.objective(entry));
-    let measures = objectives.map(|objective| objective.map(|objective| map.measure_of(objective)));
-    let measure = measures[0].filter(|_| measures[0] == measures[1]).ok_or(WhyNot::OtherObjective)?;
+    let aims = entries.map(|entry| map.aim(entry));
+    let measures = aims.map(|aim| aim.map(|aim| (map.measure_of(aim.objective), aim.sum)));
+    let (measure, _) = measures[0].filter(|_| measures[0] == measures[1]).ok_or(WhyNot::OtherObjective)?;
     // Two colonies that go by steps need not come near to what polylines can reach.
-    let best = match objectives {
-        [Some(one), Some(other)] if one == other => samples.best_by(instance, one),
+    let best = match aims {
+        [Some(one), Some(other)] if one == other => samples.best_like(instance, entries[0]),
         _ => samples.best_known(instance, measure),
     };
     let target = best.ok_or(WhyNot::NoTarget)? * (1.0 + claim.target());

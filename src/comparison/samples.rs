@@ -1,11 +1,10 @@
 //! The runs of a comparison by map and entry, each sample in the order of its seeds.
 
 use super::Comparison;
-use super::maps::Yardstick;
 use super::measure::RunMeasure;
 use super::row::Row;
 use super::run::Timed;
-use crate::planner::Objective;
+use crate::exact::Reference;
 
 /// A run, and when its improvements came.
 #[derive(Debug, Clone, Copy)]
@@ -79,26 +78,34 @@ impl<'a> Samples<'a> {
         a.is_some() && a == b
     }
 
-    /// The best value on a map by a measure: the reference, and where some of it is not proven, the best of the runs if they are better.
+    /// The best value on a map by a measure: the reference, and where some of it is not proven, the best of the runs if they are better. None
+    /// where entries weigh the same terms differently: their sums are no one measure.
     pub fn best_known(&self, instance: usize, measure: RunMeasure) -> Option<f64> {
         let map = &self.comparison.maps[instance];
-        self.best(instance, |objective| map.measure_of(objective) == measure)
+        let meant = self.entries(|entry| map.objective(entry).is_some_and(|o| map.measure_of(o) == measure));
+        let sum = |&entry: &usize| map.aim(entry).and_then(|aim| aim.sum);
+        if meant.windows(2).any(|two| sum(&two[0]) != sum(&two[1])) { None } else { self.best(instance, &meant) }
     }
 
-    /// The same by an objective alone: of steps, not of polylines.
-    pub fn best_by(&self, instance: usize, objective: Objective) -> Option<f64> {
-        self.best(instance, |other| other == objective)
-    }
-
-    fn best(&self, instance: usize, is_meant: impl Fn(Objective) -> bool) -> Option<f64> {
+    /// The same of the entries that make the same small as this one: of steps, not of polylines.
+    pub fn best_like(&self, instance: usize, entry: usize) -> Option<f64> {
         let map = &self.comparison.maps[instance];
-        let about: Vec<&Yardstick> = map.yardsticks().iter().filter(|y| is_meant(y.objective)).collect();
-        let known = about.iter().filter_map(|y| y.reference.value()).reduce(f64::min);
-        if !about.is_empty() && about.iter().all(|y| y.reference.is_proven()) {
+        let meant = self.entries(|other| map.aim(other).is_some() && map.aim(other) == map.aim(entry));
+        self.best(instance, &meant)
+    }
+
+    /// The entries of which something holds.
+    fn entries(&self, is_meant: impl Fn(usize) -> bool) -> Vec<usize> {
+        (0..self.comparison.question.entries.len()).filter(|&entry| is_meant(entry)).collect()
+    }
+
+    fn best(&self, instance: usize, meant: &[usize]) -> Option<f64> {
+        let references = || meant.iter().map(|&entry| self.comparison.maps[instance].reference(entry));
+        let known = references().filter_map(Reference::value).reduce(f64::min);
+        if !meant.is_empty() && references().all(Reference::is_proven) {
             return known;
         }
-        let entries = (0..self.comparison.question.entries.len()).filter(|&entry| map.objective(entry).is_some_and(&is_meant));
-        let values = entries.flat_map(|entry| self.of(instance, entry)).filter_map(|seen| Some(seen.row.found?.value));
+        let values = meant.iter().flat_map(|&entry| self.of(instance, entry)).filter_map(|seen| Some(seen.row.found?.value));
         values.chain(known).reduce(f64::min)
     }
 }

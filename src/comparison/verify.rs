@@ -19,7 +19,7 @@ use super::row::{Row, Task};
 use crate::params::Values;
 
 pub use deviation::Deviation;
-use recorded::{ByTask, by_task, digest, parameters};
+use recorded::{ByTask, by_task, digest, is_same, parameters};
 pub use recorded::{Recorded, Runs};
 
 /// How far a result has been verified.
@@ -142,7 +142,7 @@ impl Verification {
 
     fn by_row(&mut self, comparison: &Comparison, now: &ByTask, pair: (usize, usize), then: &[&Row]) {
         let done: Vec<(&Row, &Row)> = then.iter().filter_map(|then| Some((*then, *now.get(&then.task)?))).collect();
-        let different: Vec<_> = done.iter().filter(|(then, now)| then != now).collect();
+        let different: Vec<_> = done.iter().filter(|(then, now)| !is_same(then, now)).collect();
         self.runs += (done.len() - different.len()) as u32;
         match different.first() {
             Some((then, now)) => {

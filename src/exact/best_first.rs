@@ -12,8 +12,8 @@ use super::contours::{self, Contours};
 use super::frontier::Frontier;
 use super::search::contour;
 use crate::map::Cell;
-use crate::metrics::SAME_LENGTH;
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, held};
+use crate::metrics::{SAME_LENGTH, WeightedSum};
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed, held};
 use crate::scenario::Scenario;
 
 /// A cell, or a cell and what else the cost of the next step depends on.
@@ -36,6 +36,10 @@ pub(super) trait Rules: Clone + Send {
     /// The state in which the search begins.
     fn start(&self, scenario: &Scenario) -> State {
         scenario.start * Self::STATES_PER_CELL
+    }
+    /// The weights, where its objective is the weighted sum.
+    fn sum(&self) -> Option<WeightedSum> {
+        None
     }
     /// What its tables hold, in bytes.
     fn bytes(&self) -> usize {
@@ -314,6 +318,11 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
 
     fn objective(&self) -> Objective {
         R::OBJECTIVE
+    }
+
+    fn weighed(&self) -> Option<Weighed> {
+        let sum = self.rules.sum()?;
+        Some(Weighed { sum, value: self.best().map(|best| sum.of(&self.scenario, &best.path)) })
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {

@@ -19,6 +19,7 @@ pub mod theta_star;
 pub mod tour;
 pub mod turn_aware;
 mod ways;
+mod weighted;
 
 pub use astar::Distance;
 pub use optima::Optima;
@@ -31,10 +32,10 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::map::Cell;
-use crate::metrics::Metrics;
+use crate::metrics::{Metrics, WeightedSum};
 use crate::params::Values;
 use crate::path::Path;
-use crate::planner::{Family, Ground, Layer, Objective, PlannerEntry};
+use crate::planner::{Family, Ground, Layer, Objective, Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
 /// What the entries of searches have in common: exact, from cell to cell, without parameters. Each gives its id, texts and `build`.
@@ -122,8 +123,33 @@ pub fn reference(scenario: &Arc<Scenario>, objective: Objective) -> Reference {
         Objective::TourWeight => best_tour(scenario, true),
         Objective::TurnIndex => solved(scenario, &turn_aware::ENTRY).map(|path| Metrics::of(scenario, &path).turn_index),
         Objective::PolylineLength => return polyline(scenario),
+        // Which weights, the objective does not tell.
+        Objective::Weighted => None,
     };
     proven.map_or(Reference::Unknown, |value| Reference::Proven { value })
+}
+
+/// The yardstick of the weighted sum by these weights, of a path to the first goal: proven on a plane with 4 or 8 moves. On a terrain, where
+/// climbs are no sum over cells and directions, and with 16 moves nothing is known.
+pub fn weighted_reference(scenario: &Arc<Scenario>, sum: WeightedSum) -> Reference {
+    if !scenario.reachable() {
+        return Reference::NoPath;
+    }
+    if !cfg!(feature = "whole") || Ground::of(scenario) != Ground::Plane {
+        return Reference::Unknown;
+    }
+    let mut search = weighted::search(scenario, sum);
+    search.run();
+    let value = search.weighed().and_then(|weighed| weighed.value);
+    value.map_or(Reference::Unknown, |value| Reference::Proven { value })
+}
+
+/// The yardstick of what a planner makes small on its scenario.
+pub fn reference_of(scenario: &Arc<Scenario>, objective: Objective, sum: Option<WeightedSum>) -> Reference {
+    match sum.filter(|_| objective == Objective::Weighted) {
+        Some(sum) => weighted_reference(scenario, sum),
+        None => reference(scenario, objective),
+    }
 }
 
 /// Length in cells of the shortest path of steps from cell to cell; `None` when there is none. [`Optima`] answers many questions about one

@@ -4,6 +4,8 @@
 //!
 //! Of the states of a cell the first expanded has the least V. Another one can save at most the surcharge of the next step, and only
 //! straight on: every other step costs the first state no more. So the others are followed straight on alone, while they save anything.
+//!
+//! With `criterion=weighted-sum` it is the search of `weighted.rs`.
 
 use std::sync::Arc;
 
@@ -11,12 +13,33 @@ use super::SEARCH;
 use super::astar::Distance;
 use super::best_first::{BestFirst, Rules, State, Tree};
 use super::search::Estimate;
+use super::weighted;
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction};
-use crate::metrics::{SAME_LENGTH, TURN_WEIGHT};
-use crate::params::{Values, check_keys};
+use crate::metrics::{SAME_LENGTH, TURN_WEIGHT, WeightedSum};
+use crate::params::{Params, Values};
 use crate::planner::{Ground, Objective, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
+use crate::{param_choice, params};
+
+param_choice! {
+    /// What is made small.
+    pub enum Criterion {
+        /// V(d, r), the length in which a turning step counts 1.2 times: equation 10 of the fire-fighting paper
+        TurnIndex = "turn-index",
+        /// J, the weighted sum of length, turns, closeness to obstacles and energy: our addition
+        Weighted = "weighted-sum",
+    }
+}
+
+params! {
+    /// Parameters of the turn-aware search.
+    pub struct TurnAwareParams {
+        /// what makes one path better than another
+        criterion: Criterion = Criterion::TurnIndex, "", [], "", "our addition";
+        ..sum: WeightedSum;
+    }
+}
 
 /// A cell's state at the start, which no step led to.
 const NO_DIRECTION: Direction = DIRECTIONS as Direction;
@@ -83,7 +106,10 @@ impl Rules for TurnAware {
 }
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
-    check_keys(ENTRY.id, &[], values)?;
+    let params = TurnAwareParams::read(ENTRY.id, values)?;
+    if params.criterion == Criterion::Weighted {
+        return Ok(Box::new(weighted::search(scenario, params.sum)));
+    }
     let rules = TurnAware { distance: Distance::of(scenario), first: Vec::new() };
     Ok(Box::new(BestFirst::new(Arc::clone(scenario), rules)))
 }
@@ -92,9 +118,10 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "turn-aware",
     name: "Turn-aware A*",
-    summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times.",
+    summary: "Explores cells by the direction in which they are entered; always the path with the smallest turn index V, in which a turning step counts 1.2 times, or with the smallest weighted sum J.",
     source: "V(d, r): the fire-fighting paper, equation (10); the search is ours: A* (Hart, Nilsson, Raphael 1968) on (cell, direction)",
     grounds: Ground::WEIGHTED_PLANE,
+    specs: TurnAwareParams::specs,
     build,
     ..SEARCH
 };

@@ -102,6 +102,6 @@ fn reference(scenario: &Arc<Scenario>, planner: &dyn Planner, status: Status, va
     match (status, value) {
         (Status::Optimal, Some(value)) => Reference::Proven { value },
         (Status::NoPath, _) => Reference::NoPath,
-        _ => exact::reference(scenario, planner.objective()),
+        _ => exact::reference_of(scenario, planner.objective(), planner.weighed().map(|weighed| weighed.sum)),
     }
 }

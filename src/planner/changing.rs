@@ -12,7 +12,8 @@ use std::num::NonZero;
 use std::sync::Arc;
 
 use super::{
-    Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, held,
+    Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, Weighed,
+    held,
 };
 use crate::error::{ParamError, ScenarioError};
 use crate::map::{Cell, Grid};
@@ -244,6 +245,10 @@ impl Planner for Changing {
 
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         self.planner.value(metrics)
+    }
+
+    fn weighed(&self) -> Option<Weighed> {
+        self.planner.weighed()
     }
 
     fn walk_on(&mut self, threads: NonZero<usize>) -> bool {

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use crate::digest::Digest;
 use crate::error::ParamError;
 use crate::map::Cell;
-use crate::metrics::Metrics;
+use crate::metrics::{Metrics, WeightedSum};
 use crate::params::{ParamSpec, Value, Values};
 use crate::path::PathKind;
 #[cfg(feature = "whole")]
@@ -90,6 +90,8 @@ pub enum Objective {
     SliceCost,
     /// V(d, r) of a path of steps to the goal.
     TurnIndex,
+    /// A weighted sum of length, turns, closeness to obstacles and energy of a path of steps to the goal; [`Planner::weighed`] has the weights.
+    Weighted,
     /// Length of a path of steps by all goals.
     TourLength,
     /// Σ R of a path of steps by all goals: the length of each leg times the weight of the goal that it leads to.
@@ -98,8 +100,15 @@ pub enum Objective {
 
 impl Objective {
     /// Every objective.
-    pub const ALL: [Self; 6] =
-        [Self::Length, Self::PolylineLength, Self::SliceCost, Self::TurnIndex, Self::TourLength, Self::TourWeight];
+    pub const ALL: [Self; 7] = [
+        Self::Length,
+        Self::PolylineLength,
+        Self::SliceCost,
+        Self::TurnIndex,
+        Self::Weighted,
+        Self::TourLength,
+        Self::TourWeight,
+    ];
 
     /// Its id in files.
     pub const fn id(self) -> &'static str {
@@ -108,6 +117,7 @@ impl Objective {
             Self::PolylineLength => "polyline-length",
             Self::SliceCost => "slice-cost",
             Self::TurnIndex => "turn-index",
+            Self::Weighted => "weighted",
             Self::TourLength => "tour-length",
             Self::TourWeight => "tour-weight",
         }
@@ -120,6 +130,7 @@ impl Objective {
             Self::PolylineLength => "length of a polyline",
             Self::SliceCost => "cost by slices",
             Self::TurnIndex => "turn index V",
+            Self::Weighted => "weighted sum J",
             Self::TourLength => "length by all goals",
             Self::TourWeight => "weight R by all goals",
         }
@@ -132,7 +143,7 @@ impl Objective {
             Self::Length => "cost by steps",
             Self::PolylineLength => "cost of a polyline",
             Self::TourLength => "cost by all goals",
-            Self::SliceCost | Self::TurnIndex | Self::TourWeight => self.words(),
+            Self::SliceCost | Self::TurnIndex | Self::Weighted | Self::TourWeight => self.words(),
         }
     }
 
@@ -141,7 +152,7 @@ impl Objective {
         match self {
             Self::Length | Self::PolylineLength | Self::TourLength => Some(metrics.cost.unwrap_or(metrics.length)),
             Self::TurnIndex => Some(metrics.turn_index),
-            Self::SliceCost | Self::TourWeight => None,
+            Self::SliceCost | Self::Weighted | Self::TourWeight => None,
         }
     }
 
@@ -149,6 +160,15 @@ impl Objective {
     pub fn path_kind(self) -> PathKind {
         if self == Self::PolylineLength { PathKind::Polyline } else { PathKind::Steps }
     }
+}
+
+/// A result by a weighted sum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weighed {
+    /// The weights.
+    pub sum: WeightedSum,
+    /// The value in cells; none while there is no result.
+    pub value: Option<f64>,
 }
 
 /// A planner at work on one scenario.
@@ -244,6 +264,11 @@ pub trait Planner: Snapshot + Send {
         Objective::Length
     }
 
+    /// By which weights, and to what its result comes by them; only where its objective is [`Objective::Weighted`].
+    fn weighed(&self) -> Option<Weighed> {
+        None
+    }
+
     /// Its result's value by its own objective, in cells, given the metrics of that result; none while there is none.
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         match self.objective() {
@@ -251,6 +276,7 @@ pub trait Planner: Snapshot + Send {
                 self.best().map(|b| b.result().1)
             }
             Objective::TurnIndex => Some(metrics.turn_index),
+            Objective::Weighted => self.weighed().and_then(|weighed| weighed.value),
             Objective::TourWeight => self.tour().and_then(|t| t.walked_weight),
         }
     }

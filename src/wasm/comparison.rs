@@ -11,8 +11,8 @@ use super::arguments::{self, Clock, Flag, Number, ParamValues, Seconds, Text, ar
 use super::{Answer, object, throw};
 use crate::comparison::report::{ReportLanguage, Reports, ResultFile};
 use crate::comparison::{
-    self, Ablated, AblationRole, Analysis, Axis, Entry, Intervals, Record, Recorded, Row, Samples, Seen, Task, Timed,
-    Verification, analyse, analysis,
+    self, Ablated, AblationRole, Analysis, Axis, Entry, FrontQuestion, Intervals, MapFronts, Record, Recorded, Row, RunMeasure,
+    Samples, Seen, Task, Timed, Verification, analyse, analysis,
 };
 use crate::error::FormatError;
 use crate::formats::comparison_json;
@@ -40,6 +40,10 @@ pub struct ComparisonOutline {
     pub ablation_roles: Vec<Option<AblationRole>>,
     /// Runs of each runnable entry on each map.
     pub seeds: u32,
+    /// The measures by which its runs can be traded off.
+    pub front_measures: Vec<RunMeasure>,
+    /// What is traded off where nobody says otherwise.
+    pub fronts: FrontQuestion,
 }
 
 /// What the documents that a page writes say under `format`.
@@ -128,6 +132,8 @@ impl Comparison {
             runnable: question.runnable(),
             ablation_roles: comparison::ablation::roles(question),
             seeds: question.seeds.count,
+            front_measures: FrontQuestion::measures_of(&self.inner),
+            fronts: FrontQuestion::default(),
         })
     }
 
@@ -196,8 +202,15 @@ impl Comparison {
     }
 
     /// One of the result files; the same bytes as the command line writes. `command` is how Markdown says that it was made; `language` is what
-    /// Markdown and LaTeX are written in.
-    pub fn file(&mut self, file: Ts<ResultFile>, command: &Text, language: Ts<ReportLanguage>) -> Answer<String> {
+    /// Markdown and LaTeX are written in; `fronts` is what those of fronts trade off, length and turns where it is left out.
+    pub fn file(
+        &mut self,
+        file: Ts<ResultFile>,
+        command: &Text,
+        language: Ts<ReportLanguage>,
+        fronts: Option<Ts<FrontQuestion>>,
+    ) -> Answer<String> {
+        let fronts = fronts.map_or_else(|| Ok(FrontQuestion::default()), |asked| front_question(&asked))?;
         let (file, command) = (arguments::word(&file.js_value(), "file")?, command.read("command")?);
         let language: ReportLanguage = arguments::word(&language.js_value(), "language")?;
         let done = self.done_rows();
@@ -206,8 +219,16 @@ impl Comparison {
         let recorded = self.recorded_now(&done);
         let document = |with_rows| comparison_json::write_as(&self.inner, &done, with_rows, recorded.as_ref());
         let (comparison, rows, analysis, command, document) = (&self.inner, &*rows, &analysis, &*command, &document);
-        let reports = Reports { comparison, rows, analysis, command, language, document };
+        let reports = Reports { comparison, rows, analysis, command, language, fronts: &fronts, document };
         Ok(reports.contents(file))
+    }
+
+    /// What the kept runs trade off on each map. Throws what cannot be asked: fewer than two or more than three measures, one that a run has no
+    /// value of, a reference point of another size.
+    pub fn fronts(&self, asked: Ts<FrontQuestion>) -> Answer<Vec<Ts<MapFronts>>> {
+        let asked = front_question(&asked)?;
+        let runs = self.done.values().map(Seen::from).chain(self.inner.imported.iter().map(Seen::from));
+        Ok(comparison::fronts(&Samples::new(&self.inner, runs), &asked).iter().map(object).collect())
     }
 
     /// What each component does, on each map, by the kept runs; empty where the question is no ablation. Infinite: half of the runs or more
@@ -258,4 +279,11 @@ impl Comparison {
     fn done_rows(&self) -> Vec<Row> {
         self.done.values().map(|timed| timed.row.clone()).collect()
     }
+}
+
+/// What fronts are asked over.
+fn front_question(given: &Ts<FrontQuestion>) -> Answer<FrontQuestion> {
+    let asked = arguments::value(given, "fronts")?;
+    asked.check().map_err(throw)?;
+    Ok(asked)
 }

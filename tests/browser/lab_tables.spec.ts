@@ -203,6 +203,8 @@ test.describe('tables of results', () => {
       'summary-markdown',
       'latex',
       'matrix-latex',
+      'fronts-markdown',
+      'fronts-latex',
     ] as const) {
       const chinese = await text(kind)
       expect(chinese, kind).toMatch(/种子/)
@@ -270,7 +272,15 @@ test.describe('tables of results', () => {
       await page.emulateMedia({ colorScheme: scheme })
       const results = new ResultsPage(page)
       await results.show()
-      for (const id of ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const) {
+      for (const id of [
+        'matrix',
+        'summary',
+        'figures',
+        'fronts',
+        'tests',
+        'reported',
+        'files',
+      ] as const) {
         await results.tab(id)
         if (id === 'figures') await expect(results.picture('ranks')).toBeVisible()
         const { violations } = await new AxeBuilder({ page })
@@ -297,7 +307,15 @@ test.describe('tables of results', () => {
     const before = await name.boundingBox()
     await table.evaluate((one) => one.scrollTo({ left: 200 }))
     expect((await name.boundingBox())?.x).toBeCloseTo(before?.x ?? 0, 0)
-    for (const id of ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const) {
+    for (const id of [
+      'matrix',
+      'summary',
+      'figures',
+      'fronts',
+      'tests',
+      'reported',
+      'files',
+    ] as const) {
       await results.tab(id)
       if (id === 'figures') await expect(results.picture('ranks')).toBeVisible()
       const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)

@@ -136,7 +136,9 @@ export class ResultsPage {
     await expect(table).not.toContainText('…')
   }
 
-  async tab(id: 'matrix' | 'summary' | 'figures' | 'tests' | 'reported' | 'files'): Promise<void> {
+  async tab(
+    id: 'matrix' | 'summary' | 'figures' | 'fronts' | 'tests' | 'reported' | 'files',
+  ): Promise<void> {
     await this.page.getByTestId(`results-tab-${id}`).click()
     await expect(this.page.getByTestId(`results-tab-${id}`)).toHaveAttribute(
       'aria-selected',

@@ -77,19 +77,20 @@ fn the_summary_has_a_line_an_entry_and_map() {
 
 #[test]
 fn what_people_read_is_in_their_language_and_what_programs_read_in_none() {
-    const FOR_PEOPLE: [&str; 6] = ["md", "tests.md", "summary.md", "matrix.md", "tex", "matrix.tex"];
+    const FOR_PEOPLE: [&str; 8] = ["md", "tests.md", "summary.md", "matrix.md", "fronts.md", "tex", "matrix.tex", "fronts.tex"];
     let folder = Folder::with_question("chinese");
-    let files = "csv,tests-csv,summary-csv,summary-json,claims-csv,matrix-csv,json,markdown,tests,summary-markdown,matrix-markdown,latex,matrix-latex";
+    let files = "csv,tests-csv,summary-csv,summary-json,claims-csv,matrix-csv,json,markdown,tests,summary-markdown,matrix-markdown,latex,matrix-latex,\
+                 fronts-csv,fronts-markdown,fronts-latex";
     let compare = |out: &str, language: &str| folder.compare(&["q.toml", "--out", out, "--files", files, "--language", language]);
     assert_eq!((compare("en", "en").0, compare("zh", "zh-CN").0), (0, 0));
-    for ending in ["csv", "tests.csv", "summary.csv", "summary.json", "claims.csv", "matrix.csv", "json"] {
+    for ending in ["csv", "tests.csv", "summary.csv", "summary.json", "claims.csv", "matrix.csv", "fronts.csv", "json"] {
         assert_eq!(folder.read(&format!("en/q.{ending}")), folder.read(&format!("zh/q.{ending}")), "{ending}");
     }
     // Every word is Chinese but those of the question, names, and what is typed.
     let kept = "formicarium compare toml out dir language zh cn planner set docs methodology md both free iqr wilcoxon mann whitney holm \
                 friedman tex program xelatex usepackage booktabs graphicx ctex lualatex begin end table tabular centering caption label tab \
                 linewidth width textbf shortstack toprule midrule bottomrule resizebox ifdim else fi setlength tabcolsep pt times pm leq \
-                matrix lrrrrrrrrrr lrrr ant system astar over maps lrrrrr";
+                matrix fronts lrrrrrrrrrr lrrr ant system astar over maps lrrrrr";
     let known = format!("{kept} {}", QUESTION.to_lowercase());
     let is_known = |word: &str| known.split(|c: char| !c.is_ascii_alphabetic()).any(|known| known == word);
     for ending in FOR_PEOPLE {

@@ -180,3 +180,49 @@ fn the_files_of_the_overview_agree() {
     // Files of an earlier run are replaced.
     assert_eq!(folder.compare(&args).0, 0);
 }
+
+#[test]
+fn the_files_of_fronts_agree() {
+    let folder = Folder::with_question("fronts");
+    let files = "fronts-csv,fronts-markdown,fronts-latex";
+    let compare = |more: &[&str]| folder.compare(&[&["q.toml", "--out", "out", "--files", files], more].concat());
+    assert_eq!(compare(&[]).0, 0);
+    let csv = folder.read("out/q.fronts.csv");
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| lines[0].iter().position(|column| *column == name).unwrap();
+    let of = |line: &[&str], name: &str| line[column(name)].to_owned();
+    // Every entry of both maps has a line, with points or without.
+    let mut seen: Vec<(String, String)> = lines[1..].iter().map(|line| (of(line, "instance"), of(line, "entry"))).collect();
+    seen.dedup();
+    assert_eq!(seen.len(), 6, "{csv}");
+    for line in &lines[1..] {
+        assert_eq!(
+            (of(line, "first_measure"), of(line, "second_measure"), of(line, "third_measure")),
+            ("length".into(), "turns".into(), String::new())
+        );
+        let is_point = !of(line, "first").is_empty();
+        assert_eq!(is_point, of(line, "points") != "0", "{line:?}");
+        // What is on the joint front is on its own as well.
+        assert!(of(line, "on_joint") != "true" || of(line, "on_own") == "true", "{line:?}");
+    }
+    let page = folder.read("out/q.fronts.md");
+    assert!(page.contains("Length (less is better), turns (less is better); reference point: length "), "{page}");
+    assert!(folder.read("out/q.fronts.tex").contains("\\label{tab:fronts:"));
+    // Other measures, and a point that is given: it stands in the command.
+    let given = ["--fronts", "length,mean-clearance,turns", "--fronts-reference", "99,0,-1"];
+    assert_eq!(compare(&given).0, 0, "an earlier file is replaced");
+    let page = folder.read("out/q.fronts.md");
+    assert!(
+        page.contains("mean clearance (more is better)")
+            && page.contains("reference point: length 99, mean clearance 0, turns -1"),
+        "{page}"
+    );
+    let tex = folder.read("out/q.fronts.tex");
+    assert!(tex.contains("--fronts length,mean-clearance,turns --fronts-reference 99,0,-1"), "{tex}");
+    let (code, said) = compare(&["--fronts", "length,success"]);
+    assert!(code == 2 && said.contains("choose from length, cost, turns"), "{said}");
+    let (code, said) = compare(&["--fronts", "length"]);
+    assert!(code == 2 && said.contains("two or three measures"), "{said}");
+    let (code, said) = compare(&["--fronts-reference", "1"]);
+    assert!(code == 2 && said.contains("2 finite numbers"), "{said}");
+}

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use formicarium::aco::ant::{Ant, Walk};
-use formicarium::aco::criterion::Criterion;
+use formicarium::aco::criterion::{Criterion, DepositBy};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::fire::{Fire, FireParams, LegLength, Order, Rule};
 use formicarium::aco::tour::{OrderColony, TourSettings, choose, heuristic};
@@ -14,9 +14,9 @@ use formicarium::aco::weights::WeightTable;
 use formicarium::catalog;
 use formicarium::error::ScenarioError;
 use formicarium::exact::order::{Costs, Shape, held_karp};
-use formicarium::exact::{Reference, reference};
+use formicarium::exact::{Reference, reference, weighted_reference};
 use formicarium::map::{Grid, Movement, Point};
-use formicarium::metrics::Metrics;
+use formicarium::metrics::{Metrics, WeightedSum};
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Objective, Reading};
 use formicarium::rng::Streams;
@@ -162,6 +162,41 @@ fn eq_10_as_the_criterion_divides_the_deposit() {
 }
 
 #[test]
+fn eq_5_as_printed_keeps_the_length_whatever_the_criterion_is() {
+    for criterion in [Criterion::TurnIndex, Criterion::Weighted] {
+        let got = updated(FireParams { criterion, deposit_by: DepositBy::Length, ..FireParams::default() });
+        assert_eq!(got, updated(FireParams::default()), "{criterion:?}");
+    }
+}
+
+#[test]
+fn the_weighted_sum_divides_the_deposit_and_is_proven() {
+    // L + 3·T: the straight way comes to 2, the other to 2√2 + 3.
+    let sum = WeightedSum { turn_weight: 3.0, clearance_weight: 0.0, ..WeightedSum::default() };
+    let got = updated(FireParams { criterion: Criterion::Weighted, sum, ..FireParams::default() });
+    assert!(got.iter().zip([1.2, 0.7 + 1.0 / (2.0 * SQRT2 + 3.0), 0.7]).all(|(&a, b)| near(a, b, 1e-6)), "{got:?}");
+    let s = Arc::new(
+        Scenario::on(Grid::open(9, 6).expect("a size"), Movement::default(), Point::new(0, 0), Point::new(8, 5)).expect("usable"),
+    );
+    let values: Values =
+        [("criterion", Value::from("weighted-sum")), ("iterations", Value::from(30.0)), ("turn_weight", Value::from(2.0))]
+            .map(|(key, value)| (key.to_string(), value))
+            .into();
+    for (id, preset, more) in [("fire", None, None), ("custom", Some("fire"), None), ("turn-aware", None, Some("iterations"))] {
+        let mut values = values.clone();
+        more.iter().for_each(|key| drop(values.remove(*key)));
+        let mut planner = catalog::build(&s, id, preset, &values, 1).expect("valid");
+        planner.run();
+        let best = planner.best().expect("a path").path.clone();
+        let weighed = planner.weighed().expect("a weighted sum");
+        assert_eq!((planner.objective(), weighed.sum.turn_weight), (Objective::Weighted, 2.0), "{id}");
+        assert_eq!(planner.value(&Metrics::of(&s, &best)), Some(weighed.sum.of(&s, &best)), "{id}");
+        let least = weighted_reference(&s, weighed.sum).value().expect("proven on a plane");
+        assert!(weighed.value.is_some_and(|value| value >= least - 1e-9), "{id}");
+    }
+}
+
+#[test]
 fn eq_10_as_the_criterion_decides_which_path_is_best() {
     // From (0, 0) to (3, 1) three paths are shortest, 2 + √2 = 3.4142136: E E SE has V = 2 + 1.2·√2 = 3.6970563, E SE E turns twice,
     // SE E E has V = √2 + 1.2 + 1 = 3.6142136, the least there is.
@@ -199,7 +234,7 @@ fn eq_10_an_ants_v_by_hand() {
         let mut ant = Ant::new(3, 3, stream());
         ant.begin(3, s.start, stream());
         way.iter().for_each(|&d| ant.go(&walk, Some(d)));
-        [Criterion::Length, Criterion::TurnIndex].map(|c| c.of_ant(&s, &ant))
+        [Criterion::Length, Criterion::TurnIndex].map(|c| c.by(WeightedSum::default()).of_ant(&s, &ant))
     };
     let (south, d) = (6, 2.0 * SQRT2);
     assert_eq!(value(&[SE, SE]), [Some(d), Some(d)]);

@@ -159,7 +159,7 @@ donors! { $
           daemon_of: [mutation_probability, mutation_strength, restart_below] }
     /// multi-fire ACO (Zhang et al. 2020)
     Fire: fire::{ENTRY, Fire::new(FireParams)}
-        { selection_of: [legs], update_of: [criterion] }
+        { selection_of: [legs], update_of: [criterion, deposit_by] and all of [sum] }
     /// engine-room ACO (Fan et al. 2026)
     Ship: ship::{ENTRY, Ship::new(ShipParams)}
         { heuristic_of: [direction, growing_pull, goal_pull, omega_min, omega_max, obstacle_push],

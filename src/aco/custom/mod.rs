@@ -24,7 +24,7 @@ mod rows;
 
 use std::sync::Arc;
 
-use super::criterion::Criterion;
+use super::criterion::Judge;
 use super::hybrid::Hybrid;
 use super::legs::{self, OrderLevel};
 use super::papers::fire::FireParams;
@@ -122,7 +122,7 @@ impl<const LOCK_STEP: bool, const TIMED: bool> Variant for Custom<LOCK_STEP, TIM
         lent!(self, update_of, update_trails(trails, iteration));
     }
 
-    fn criterion(&self) -> Criterion {
+    fn criterion(&self) -> Judge {
         lent!(self, update_of, criterion())
     }
 

@@ -30,12 +30,15 @@
 //! Eq. 10, V(d, r), evaluates "the whole path" in section 3.4; its conclusion takes it "as the criterion by which paths are good or bad".
 //! By default it is measured alone ([`crate::metrics::Metrics::turn_index`]). With `criterion=turn-index` (preset `second-reading`) the best
 //! path of a leg is the one of the least V, and an ant leaves Q/V instead of the Q/L of Eq. 5; the way into a leg's first cell is no part of
-//! its V, so a turn at a goal counts in none. V is then no component that could be taken out of the default, though it is the third of the
-//! paper's improvements. With one goal there is no order, and nothing to take out of it; then the exact V is the yardstick.
+//! its V, so a turn at a goal counts in none. Whether the deposit goes by the criterion as well the paper leaves open: `deposit_by=length`
+//! (preset `printed-deposit`) keeps Eq. 5 as it is printed. V is then no component that could be taken out of the default, though it is the
+//! third of the paper's improvements. With one goal there is no order, and nothing to take out of it; then the exact V is the yardstick.
+//!
+//! `criterion=weighted-sum` is ours: J of [`crate::metrics::WeightedSum`], proven by the turn-aware search on a plane.
 
 use std::sync::Arc;
 
-use crate::aco::criterion::Criterion;
+use crate::aco::criterion::{Criterion, DepositBy, Judge};
 use crate::aco::deposit;
 use crate::aco::heuristic::{AT_GOAL, goal_distance, per_factor};
 use crate::aco::legs::{self, OrderLevel};
@@ -47,6 +50,7 @@ use crate::aco::trails::{Row, Trails};
 use crate::aco::variant::{Abreast, Iteration, Settings, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, Direction};
+use crate::metrics::WeightedSum;
 use crate::params::{Params, Values};
 use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset, Reading};
 use crate::rng::Stream;
@@ -96,8 +100,10 @@ params! {
         order_iterations: u32 = 100, "K", [1..=10_000], "iterations", "section 4";
         /// how an ant selects the next step of a leg
         legs: Rule = Rule::Improved, "", [], "", "eq. 9";
-        /// what makes one path of a leg better than another, and what an ant's deposit is divided by
+        /// what makes one path of a leg better than another
         criterion: Criterion = Criterion::Length, "V", [], "", "eq. 5: length; section 5 takes V of eq. 10 as the criterion";
+        /// what an ant's deposit on a leg is divided by: the criterion, or the length as eq. 5 has it
+        deposit_by: DepositBy = DepositBy::Criterion, "", [], "", "our reading; eq. 5 is printed with the length", when(criterion: "turn-index" | "weighted-sum");
         /// whether ρ of the paper leaves (repaired) or stays (printed)
         reading: Reading = Reading::Repaired, "", [], "", "ours: see the paper card";
         /// ants of each level and leg that build a path in each iteration
@@ -109,13 +115,14 @@ params! {
         };
         /// ρ of the paper: the part of every trail that leaves in each iteration; as printed, the part that stays
         rho: f64 = 0.3, "ρ", [0.0..=1.0], "", "section 4, eq. 4";
-        /// an ant leaves Q / length (by the criterion, Q / V) of its path or tour on each step of it
+        /// an ant leaves Q / length (by another criterion, Q / its value) of its path or tour on each step of it
         deposit: f64 = 1.0, "Q", [1e-6..=1e6], "cells", "eq. 5; our choice: not given";
         /// by the improved rule, the probability of taking the best step or goal instead of drawing one
         r0: f64 = 0.7, "r0", [0.0..=1.0], "", "eq. 9: 0.6 to 0.8";
         /// trail on every step and edge before the first iteration
         initial_trail: f64 = 1.0, "τ0", [1e-6..=1e6], "", "our choice: not given";
         ..walk: WalkParams;
+        ..sum: WeightedSum;
     }
 }
 
@@ -189,16 +196,17 @@ impl Variant for Fire {
         }
     }
 
-    fn criterion(&self) -> Criterion {
-        self.params.criterion
+    fn criterion(&self) -> Judge {
+        self.params.criterion.by(self.params.sum)
     }
 
-    /// Eq. 4–5, with V of Eq. 10 in the place of L where it is the criterion.
+    /// Eq. 4–5, with the criterion's value in the place of L unless `deposit_by` says otherwise.
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let p = &self.params;
+        let by = if p.deposit_by == DepositBy::Criterion { self.criterion() } else { Judge::Length };
         trails.evaporate(p.evaporation());
         for (ant, _) in iteration.arrived() {
-            if let Some(value) = p.criterion.of_ant(iteration.scenario, ant) {
+            if let Some(value) = by.of_ant(iteration.scenario, ant) {
                 deposit::along(trails, iteration.scenario, ant, p.deposit / value);
             }
         }
@@ -243,6 +251,14 @@ const PRESETS: &[Preset] = &[
         numbers: &[],
         choices: &[("leg_length", "euclidean"), ("criterion", "turn-index")],
         reading: Some(PaperReading::SecondReading),
+    },
+    Preset {
+        name: "printed-deposit",
+        source: SOURCE,
+        meaning: "as second-reading, but an ant leaves Q/L as eq. 5 is printed: V decides which path is the best, and nothing else",
+        numbers: &[],
+        choices: &[("leg_length", "euclidean"), ("criterion", "turn-index"), ("deposit_by", "length")],
+        reading: None,
     },
     Preset {
         name: "printed",

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::comparison::report::{ReportLanguage, ResultFile};
-use crate::comparison::{Budget, MAX_SHARDS, Shard};
+use crate::comparison::{Budget, FrontQuestion, MAX_SHARDS, RunMeasure, Shard};
 use crate::error::QuestionError;
 use crate::params::Value;
 
@@ -90,10 +90,18 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["out", "document"])]
     pub results_template: bool,
     /// Which files: csv, markdown, tests, tests-csv, summary-csv, summary-json, summary-markdown, latex,
-    /// claims-csv (NAME.claims.csv), matrix-csv, matrix-markdown, matrix-latex (NAME.matrix.csv, .md, .tex: maps × entries), json [default: those above]
+    /// claims-csv (NAME.claims.csv), matrix-csv, matrix-markdown, matrix-latex (NAME.matrix.csv, .md, .tex: maps × entries), fronts-csv, fronts-markdown,
+    /// fronts-latex (NAME.fronts.csv, .md, .tex: what runs trade off), json [default: those above]
     #[arg(long, value_name = "KIND,…", value_delimiter = ',', hide_default_value = true, value_parser = result_file,
           default_value = "csv,markdown,tests,summary-csv,summary-json,latex,json")]
     pub files: Vec<(&'static str, ResultFile)>,
+    /// What the files fronts-… trade off: two or three of length, cost, turns, turn-index, min-clearance, mean-clearance, weight,
+    /// iteration-of-best, paths-to-best, ant-moves [default: length,turns]
+    #[arg(long, value_name = "MEASURE,…", value_delimiter = ',', value_parser = front_measure)]
+    pub fronts: Vec<RunMeasure>,
+    /// Their reference point, a value for each measure [default: the worst value on the map, and a tenth of the range more]
+    #[arg(long, value_name = "VALUE,…", value_delimiter = ',', allow_hyphen_values = true)]
+    pub fronts_reference: Vec<f64>,
     /// What Markdown and LaTeX are written in: en or zh-CN; CSV and JSON, which programs read, are the same in each
     #[arg(long, value_name = "LANGUAGE", default_value = "en", hide_default_value = true, value_parser = language)]
     pub language: ReportLanguage,
@@ -128,6 +136,13 @@ impl Args {
     /// Where a shard's journal goes. It is one of a kind: by name, question and shard.
     pub fn place_of(&self, shard: Shard, digest: &str) -> Place {
         Place::new(self.folder(), format!("{}.{digest}.shard-{}of{}", self.name(), shard.index(), shard.of()))
+    }
+
+    /// What runs are traded off by.
+    pub fn fronts(&self) -> FrontQuestion {
+        let asked = FrontQuestion::default();
+        let measures = if self.fronts.is_empty() { asked.measures } else { self.fronts.clone() };
+        FrontQuestion { measures, reference: (!self.fronts_reference.is_empty()).then(|| self.fronts_reference.clone()) }
     }
 
     /// The folder for the files.
@@ -181,6 +196,15 @@ impl Args {
         let id = |id: &Option<String>| id.as_ref().map_or_else(String::new, |id| format!("{id}="));
         self.map.iter().for_each(|(of, file)| said += &format!(" --map {}{}", id(of), named(file)));
         self.results.iter().for_each(|(of, file)| said += &format!(" --results {}{}", id(of), named(file)));
+        if !self.fronts.is_empty() {
+            said += &format!(" --fronts {}", self.fronts.iter().map(|m| m.id()).collect::<Vec<_>>().join(","));
+        }
+        if !self.fronts_reference.is_empty() {
+            said += &format!(
+                " --fronts-reference {}",
+                self.fronts_reference.iter().map(f64::to_string).collect::<Vec<_>>().join(",")
+            );
+        }
         if self.language != ReportLanguage::default() {
             said += &format!(" --language {}", self.language.code());
         }
@@ -208,6 +232,12 @@ fn result_file(text: &str) -> Result<(&'static str, ResultFile), String> {
     let named = ResultFile::NAMED.iter().find(|(id, ..)| *id == text);
     let all = || ResultFile::NAMED.map(|(id, ..)| id).join(", ");
     named.map(|&(_, ending, file)| (ending, file)).ok_or_else(|| format!("choose from {}", all()))
+}
+
+/// A measure of `--fronts`.
+fn front_measure(text: &str) -> Result<RunMeasure, String> {
+    let named = FrontQuestion::MEASURES.into_iter().find(|measure| measure.id() == text);
+    named.ok_or_else(|| format!("choose from {}", FrontQuestion::MEASURES.map(RunMeasure::id).join(", ")))
 }
 
 /// A language of `--language`.

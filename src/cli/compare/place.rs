@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use crate::comparison::report::{HEADER, ReportLanguage, ResultFile};
+use crate::comparison::report::{FRONTS_BEGIN, HEADER, ReportLanguage, ResultFile};
 use crate::digest::Digest;
 
 use crate::cli::error::CliError;
@@ -113,6 +113,7 @@ fn begins_as(file: ResultFile, text: &str) -> bool {
         ResultFile::SummaryCsv => text.starts_with("instance,entry,label,role,origin,measure,"),
         ResultFile::ClaimsCsv => text.starts_with("instance,claim,improved,baseline,measure,direction,"),
         ResultFile::MatrixCsv => text.starts_with("instance,entry,measure,objective,runs,"),
+        ResultFile::FrontsCsv => text.starts_with(FRONTS_BEGIN),
         ResultFile::Json | ResultFile::Link => is_json_of(text, "formicarium/comparison@"),
         ResultFile::SummaryJson => is_json_of(text, "formicarium/summary@"),
         for_people => ReportLanguage::NAMED.iter().any(|(_, language)| for_people.is_begun_by(*language, text)),

@@ -13,6 +13,7 @@ use crate::comparison::measure::RunMeasure;
 use crate::comparison::question::{Entry, Role};
 use crate::comparison::samples::{Samples, Seen};
 use crate::comparison::statistics::{Summary, quantile, sorted, wilson};
+use crate::metrics::WeightedSum;
 use crate::planner::Objective;
 
 /// Where an entry's runs come from.
@@ -77,6 +78,9 @@ pub struct EntryAnalysis {
     pub origin: Origin,
     /// What its planner makes small here; null where nothing can be run.
     pub objective: Option<Objective>,
+    /// The weights, where that is the weighted sum.
+    #[serde(skip)]
+    pub sum: Option<WeightedSum>,
     /// Whether it is a search that needs no seeds: all its runs on a map are the same, and it has no iterations.
     pub needs_no_seed: bool,
     /// Runs that are done.
@@ -177,6 +181,7 @@ impl About<'_> {
             ablation_role: self.roles.get(entry).cloned().flatten(),
             origin: origin(asked),
             objective: map.objective(entry),
+            sum: map.aim(entry).and_then(|aim| aim.sum),
             needs_no_seed: comparison.needs_no_seed(entry),
             runs: runs.len(),
             expected: if asked.planner.is_some() { comparison.question.seeds.count as usize } else { runs.len() },

@@ -41,7 +41,15 @@ fn row(instance: usize, entry: usize, seed: u32, length: f64) -> Row {
     Row {
         task: Task { instance, entry, seed },
         status: Status::BudgetSpent,
-        found: found.then_some(Found { length, turns: Some(2), turn_index: None, weight: None, value: length, driving: None }),
+        found: found.then_some(Found {
+            length,
+            turns: Some(2),
+            turn_index: None,
+            weight: None,
+            value: length,
+            clearance: None,
+            driving: None,
+        }),
         effort: spent(9),
         trace: if found { vec![Improvement { value: length, spent: spent(3) }] } else { Vec::new() },
         digest: String::new(),

@@ -41,6 +41,7 @@ fn rows(arriving: u32, runs: u32) -> Vec<Row> {
             turn_index: None,
             weight: None,
             value: 20.0,
+            clearance: None,
             driving: None,
         }),
         effort: Spent::default(),

@@ -125,7 +125,15 @@ fn row(run: &ImportedRun, task: Task, by_cost: bool) -> Option<Row> {
             continue;
         }
         let length = step.length.unwrap_or(value);
-        found = Some(Found { length, turns: step.turns, turn_index: step.turn_index, weight: step.weight, value, driving: None });
+        found = Some(Found {
+            length,
+            turns: step.turns,
+            turn_index: step.turn_index,
+            weight: step.weight,
+            value,
+            clearance: None,
+            driving: None,
+        });
         if step.spent != Spent::default() {
             trace.push(Improvement { value, spent: step.spent });
         }

@@ -160,7 +160,15 @@ fn row(entry: usize, seed: u32, length: f64, paths: u64) -> Row {
     Row {
         task: Task { instance: 0, entry, seed },
         status: Status::BudgetSpent,
-        found: found.then_some(Found { length, turns: Some(2), turn_index: None, weight: None, value: length, driving: None }),
+        found: found.then_some(Found {
+            length,
+            turns: Some(2),
+            turn_index: None,
+            weight: None,
+            value: length,
+            clearance: None,
+            driving: None,
+        }),
         effort: spent(100),
         trace: if found { vec![Improvement { value: length, spent: spent(paths) }] } else { Vec::new() },
         digest: String::new(),

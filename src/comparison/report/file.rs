@@ -3,10 +3,11 @@
 use serde::Deserialize;
 
 use super::words::ReportLanguage;
-use super::{claims, csv, latex, matrix, printed, table, tests};
-use crate::comparison::Comparison;
+use super::{claims, csv, fronts, latex, matrix, printed, table, tests};
 use crate::comparison::analysis::Analysis;
+use crate::comparison::pareto::{self, FrontQuestion, MapFronts};
 use crate::comparison::row::Row;
+use crate::comparison::{Comparison, Samples, Seen};
 
 /// One of them; in kebab case on the command line and in the browser.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -37,6 +38,12 @@ pub enum ResultFile {
     MatrixMarkdown,
     /// The same as LaTeX.
     MatrixLatex,
+    /// What runs trade off: one line a point of an entry on a map.
+    FrontsCsv,
+    /// Fronts and hypervolumes, a table a map, as Markdown.
+    FrontsMarkdown,
+    /// The same as LaTeX.
+    FrontsLatex,
     /// Question, maps and all runs: opens again.
     Json,
     /// Question, maps and digests of the runs, for a link.
@@ -45,7 +52,7 @@ pub enum ResultFile {
 
 impl ResultFile {
     /// All that the command line can write, with their ids and the endings of their names.
-    pub const NAMED: [(&'static str, &'static str, Self); 13] = [
+    pub const NAMED: [(&'static str, &'static str, Self); 16] = [
         ("csv", "csv", Self::Csv),
         ("markdown", "md", Self::Markdown),
         ("tests", "tests.md", Self::Tests),
@@ -58,6 +65,9 @@ impl ResultFile {
         ("matrix-csv", "matrix.csv", Self::MatrixCsv),
         ("matrix-markdown", "matrix.md", Self::MatrixMarkdown),
         ("matrix-latex", "matrix.tex", Self::MatrixLatex),
+        ("fronts-csv", "fronts.csv", Self::FrontsCsv),
+        ("fronts-markdown", "fronts.md", Self::FrontsMarkdown),
+        ("fronts-latex", "fronts.tex", Self::FrontsLatex),
         ("json", "json", Self::Json),
     ];
 }
@@ -73,7 +83,8 @@ impl ResultFile {
             Self::Tests => page(&format!("\n\n{}", words.tests.about)),
             Self::SummaryMarkdown => page(&format!("\n\n{setting}")),
             Self::MatrixMarkdown => page(&format!("{}\n\n{setting}", (words.matrix.title)(""))),
-            Self::Latex | Self::MatrixLatex => text.starts_with(&format!("{}`", words.latex.made_by)),
+            Self::FrontsMarkdown => page(&format!("{}\n\n{setting}", (words.fronts.title)(""))),
+            Self::Latex | Self::MatrixLatex | Self::FrontsLatex => text.starts_with(&format!("{}`", words.latex.made_by)),
             _ => false,
         }
     }
@@ -91,6 +102,8 @@ pub struct Reports<'a> {
     pub command: &'a str,
     /// What those for people are written in.
     pub language: ReportLanguage,
+    /// Over which measures runs are traded off.
+    pub fronts: &'a FrontQuestion,
     /// The document, with its runs or without.
     pub document: &'a dyn Fn(bool) -> String,
 }
@@ -98,7 +111,7 @@ pub struct Reports<'a> {
 impl Reports<'_> {
     /// The contents of a file: the same bytes wherever it is made.
     pub fn contents(&self, file: ResultFile) -> String {
-        let Self { comparison, rows, analysis, command, language, document } = self;
+        let Self { comparison, rows, analysis, command, language, document, .. } = self;
         let words = language.words();
         match file {
             ResultFile::Csv => csv::csv(comparison, rows),
@@ -113,8 +126,14 @@ impl Reports<'_> {
             ResultFile::MatrixCsv => matrix::csv(comparison, analysis),
             ResultFile::MatrixMarkdown => matrix::markdown(words, comparison, analysis),
             ResultFile::MatrixLatex => matrix::latex(words, comparison, analysis, command),
+            ResultFile::FrontsCsv => fronts::csv(comparison, &self.traded_off()),
+            ResultFile::FrontsMarkdown => fronts::markdown(words, comparison, analysis, &self.traded_off()),
+            ResultFile::FrontsLatex => fronts::latex(words, comparison, analysis, &self.traded_off(), command),
             ResultFile::Json => document(true),
             ResultFile::Link => document(false),
         }
+    }
+    fn traded_off(&self) -> Vec<MapFronts> {
+        pareto::fronts(&Samples::new(self.comparison, self.rows.iter().map(Seen::from)), self.fronts)
     }
 }

@@ -112,7 +112,12 @@ pub(super) fn amount(words: &Words, measure: RunMeasure, v: f64) -> String {
         };
     }
     match measure {
-        RunMeasure::Length | RunMeasure::Cost | RunMeasure::TurnIndex | RunMeasure::Weight => length(v),
+        RunMeasure::Length
+        | RunMeasure::Cost
+        | RunMeasure::TurnIndex
+        | RunMeasure::Weight
+        | RunMeasure::MinClearance
+        | RunMeasure::MeanClearance => length(v),
         RunMeasure::Turning | RunMeasure::LargestCurvature | RunMeasure::Smoothness | RunMeasure::Energy => length(v),
         RunMeasure::Success | RunMeasure::Optimal => hundredths(words, v),
         RunMeasure::Turns

@@ -125,3 +125,20 @@ fn runs_of_several_engines_are_said_to_be() {
     other.engine = mine(&other);
     assert_eq!(mine(&other), format!("0.0.1 and {now}"));
 }
+
+#[test]
+fn rows_that_tell_no_clearance_are_those_that_do() {
+    let rows = run_all(&comparison());
+    let mut before = rows.clone();
+    before.iter_mut().flat_map(|row| &mut row.found).for_each(|found| found.clearance = None);
+    for with_rows in [true, false] {
+        assert_eq!(
+            (verified(&before, with_rows, &rows).same, verified(&rows, with_rows, &before).runs),
+            (2, if with_rows { 0 } else { 8 })
+        );
+    }
+    // What is told is compared.
+    let mut other = rows.clone();
+    other[0].found.as_mut().and_then(|found| found.clearance.as_mut()).expect("told").mean += 1.0;
+    assert!(verified(&other, true, &rows).refuted);
+}

@@ -4,6 +4,7 @@ import { type ColumnKey, t as tOfPage } from './column'
 import { enLab } from './en/lab'
 import { enLabClaims } from './en/lab_claims'
 import { enLabClass } from './en/lab_class'
+import { enLabFronts } from './en/lab_fronts'
 import { enLabMatrix } from './en/lab_matrix'
 import { enLabRecorded } from './en/lab_recorded'
 import { enLabResults } from './en/lab_results'
@@ -14,6 +15,7 @@ const english = {
     ...enLab,
     ...enLabClaims,
     ...enLabClass,
+    ...enLabFronts,
     ...enLabMatrix,
     ...enLabRecorded,
     ...enLabResults,
@@ -33,6 +35,7 @@ async function fetchChinese(): Promise<object> {
     { zhCNLab },
     { zhCNLabClaims },
     { zhCNLabClass },
+    { zhCNLabFronts },
     { zhCNLabMatrix },
     { zhCNLabRecorded },
     { zhCNLabResults },
@@ -42,6 +45,7 @@ async function fetchChinese(): Promise<object> {
     import('./zh_cn/lab'),
     import('./zh_cn/lab_claims'),
     import('./zh_cn/lab_class'),
+    import('./zh_cn/lab_fronts'),
     import('./zh_cn/lab_matrix'),
     import('./zh_cn/lab_recorded'),
     import('./zh_cn/lab_results'),
@@ -53,6 +57,7 @@ async function fetchChinese(): Promise<object> {
       ...zhCNLab,
       ...zhCNLabClaims,
       ...zhCNLabClass,
+      ...zhCNLabFronts,
       ...zhCNLabMatrix,
       ...zhCNLabRecorded,
       ...zhCNLabResults,

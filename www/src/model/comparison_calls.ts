@@ -3,6 +3,8 @@ import type {
   Axis,
   ComparisonOutline,
   DoneRun,
+  FrontQuestion,
+  MapFronts,
   ReportLanguage,
   ResultFile,
   TakenJournal,
@@ -39,8 +41,10 @@ export interface AnalystCalls {
   check(runs: KeptRun[]): void
   /** Intervals take longer: for runs at rest. */
   analysis(axis: Axis, intervals: boolean): Analysis
-  /** `language`: of what people read. */
-  file(kind: ResultFile, command: string, language: ReportLanguage): string
+  /** What the runs trade off, on each map. */
+  fronts(asked: FrontQuestion): MapFronts[]
+  /** `language`: of what people read; `fronts`: what files of fronts trade off. */
+  file(kind: ResultFile, command: string, language: ReportLanguage, fronts?: FrontQuestion): string
   verify(): Verification | null
   /** The places of the tasks of a share, `I/N`. */
   dealt(share: string): Uint32Array

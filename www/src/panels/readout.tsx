@@ -35,6 +35,7 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
 /** Short names of objectives that are no length. */
 export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
   'turn-index': 'metrics.turnIndex',
+  weighted: 'metrics.weighted',
   'tour-weight': 'metrics.weightShort',
   'slice-cost': 'metrics.costShort',
 }

@@ -31,6 +31,7 @@ const EVERY_OBJECTIVE: Record<Objective, true> = {
   'polyline-length': true,
   'slice-cost': true,
   'turn-index': true,
+  weighted: true,
   'tour-length': true,
   'tour-weight': true,
 }

@@ -25,10 +25,13 @@ type Known = Partial<Record<Objective, Reference>>
 /** References found so far, by map, then by question: undo and another planner need not ask again. */
 const known = new WeakMap<Uint8Array, Map<string, Known>>()
 
-/** The panels' objectives in order, as text, so that the signal changes only when they do. */
+/** Whose reference depends on weights that a panel's planner alone knows. */
+const WEIGHTED: Objective = 'weighted'
+
+/** The panels' objectives that have one reference in order, as text, so that the signal changes only when they do. */
 const wanted = computed(() => {
   const used = panels.value.flatMap(({ live }) => live.value.objective ?? [])
-  return [...new Set(used)].join()
+  return [...new Set(used)].filter((objective) => objective !== WEIGHTED).join()
 })
 
 /** The objectives on show; without a panel that can run, the plainest there is. */
@@ -44,6 +47,7 @@ export function referenceOf(panel: Panel): Reference | null {
   const { objective, summary } = shownOf(panel)
   // What is shown may be of the map before a change.
   if (!objective || (summary?.changes ?? 0) !== (walls.made?.() ?? 0)) return null
+  if (objective === WEIGHTED) return { kind: 'unknown' }
   const reference = references.value[objective] ?? null
   return reference?.kind === 'unknown' ? (bestOfPanels(objective) ?? reference) : reference
 }

@@ -34,7 +34,8 @@ const calls: AnalystCalls = {
     const said = comparison().analysis(axis, intervals)
     return { ...said, ablation: intervals ? comparison().effects() : [] }
   },
-  file: (kind, command, language) => comparison().file(kind, command, language),
+  fronts: (asked) => comparison().fronts(asked),
+  file: (kind, command, language, fronts) => comparison().file(kind, command, language, fronts),
   verify: () => comparison().verify() ?? null,
   dealt: (share) => comparison().dealt(share),
   shares(of) {

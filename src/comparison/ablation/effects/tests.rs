@@ -35,6 +35,7 @@ fn rows(lengths: [Vec<f64>; 3]) -> Vec<Row> {
             turn_index: None,
             weight: None,
             value: length,
+            clearance: None,
             driving: None,
         }),
         effort: Spent::default(),

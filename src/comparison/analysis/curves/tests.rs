@@ -8,7 +8,15 @@ use crate::planner::Status;
 /// A run with improvements (constructed paths, value) that ends after some paths.
 fn run(steps: &[(u64, f64)], end: u64) -> Row {
     let spent = |paths| Spent { constructed_paths: Some(paths), ..Spent::default() };
-    let found = |&(_, v): &(u64, f64)| Found { length: v, turns: None, turn_index: None, weight: None, value: v, driving: None };
+    let found = |&(_, v): &(u64, f64)| Found {
+        length: v,
+        turns: None,
+        turn_index: None,
+        weight: None,
+        value: v,
+        clearance: None,
+        driving: None,
+    };
     Row {
         task: Task { instance: 0, entry: 0, seed: 1 },
         status: Status::BudgetSpent,

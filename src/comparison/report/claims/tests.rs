@@ -6,7 +6,7 @@ use super::*;
 use crate::comparison::analysis::whole;
 use crate::comparison::report::{ReportLanguage, Reports, ResultFile, verdicts};
 use crate::comparison::row::{Found, Improvement, Row, Spent, Task};
-use crate::comparison::{Claim, Intervals, Question, Samples, Seen};
+use crate::comparison::{Claim, FrontQuestion, Intervals, Question, Samples, Seen};
 use crate::map::{Grid, Movement, Point};
 use crate::planner::Status;
 use crate::scenario::Scenario;
@@ -43,7 +43,15 @@ fn rows() -> Vec<Row> {
         Row {
             task: Task { instance, entry, seed },
             status: Status::BudgetSpent,
-            found: Some(Found { length, turns: Some(1), turn_index: None, weight: None, value: length, driving: None }),
+            found: Some(Found {
+                length,
+                turns: Some(1),
+                turn_index: None,
+                weight: None,
+                value: length,
+                clearance: None,
+                driving: None,
+            }),
             effort: spent,
             trace: vec![Improvement { value: length, spent }],
             digest: String::new(),
@@ -62,7 +70,8 @@ fn files_of(comparison: Comparison, kinds: &[ResultFile], language: ReportLangua
     let analysis = whole(&Samples::new(&comparison, rows.iter().map(Seen::from)), &mut Intervals::default());
     let document = |_| String::new();
     let (comparison, analysis) = (&comparison, &analysis);
-    let reports = Reports { comparison, rows: &rows, analysis, command: "c", language, document: &document };
+    let fronts = &FrontQuestion::default();
+    let reports = Reports { comparison, rows: &rows, analysis, command: "c", language, fronts, document: &document };
     kinds.iter().map(|kind| reports.contents(*kind)).collect()
 }
 

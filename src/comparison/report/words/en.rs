@@ -1,6 +1,6 @@
 //! English.
 
-use super::{Ablation, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
+use super::{Ablation, Fronts, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
@@ -173,6 +173,33 @@ pub(super) static WORDS: Words = Words {
         objectives: |map, objectives| {
             format!("{map}, the entries make different things small, by which their gaps go: {objectives}")
         },
+    },
+    fronts: Fronts {
+        title: |title| format!("{title}: trade-offs"),
+        about: "a run is a point, and on a front where no other run is at least as good in every measure and better in one; equal points \
+                are one, and count for every entry that has it; hypervolume: the part of the box between the best value of each measure and the \
+                reference point that at least one run of the entry dominates",
+        side: |measure, more| format!("{measure} ({} is better)", if more { "more" } else { "less" }),
+        measures: |measures, at| match at {
+            "" => format!("{measures}: no run is a point"),
+            at => format!("{measures}; reference point: {at}"),
+        },
+        columns: [
+            "",
+            "runs that are points",
+            "points of its front",
+            "of these on the joint front (alone)",
+            "share of the joint front",
+            "hypervolume",
+        ],
+        alone: |joint, alone| format!("{joint} ({alone})"),
+        all: "all together",
+        beyond: |points, entry| {
+            format!(
+                "{points} points of the front of {entry} are not better than the reference point in every measure, and add nothing"
+            )
+        },
+        left_out: "and its runs are no points",
     },
     latex: Latex {
         made_by: "% Made by ",

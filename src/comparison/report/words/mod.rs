@@ -62,6 +62,7 @@ pub(super) struct Words {
     pub tests: Tests,
     pub summary: Summary,
     pub matrix: Matrix,
+    pub fronts: Fronts,
     pub latex: Latex,
 }
 
@@ -208,6 +209,24 @@ pub(super) struct Matrix {
     pub note: WithTwo,
     /// A map, and what its entries make small.
     pub objectives: WithTwo,
+}
+
+/// What runs trade off.
+pub(super) struct Fronts {
+    pub title: With,
+    pub about: &'static str,
+    /// A measure, and whether more of it is better.
+    pub side: fn(&str, bool) -> String,
+    /// The measures with their sides, and the reference point, which may be empty.
+    pub measures: WithTwo,
+    pub columns: [&'static str; 6],
+    /// Points of the joint front, and of these those that nobody else has.
+    pub alone: fn(usize, usize) -> String,
+    pub all: &'static str,
+    /// How many points of which entry are not better than the reference.
+    pub beyond: fn(usize, &str) -> String,
+    /// Behind what is impossible.
+    pub left_out: &'static str,
 }
 
 /// What stands around the tables of LaTeX.

@@ -1,6 +1,6 @@
 //! Simplified Chinese, with the terms of docs/zh and of the page.
 
-use super::{Ablation, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
+use super::{Ablation, Fronts, Latex, Matrix, Names, Page, Signs, Summary, Tests, Words, claims};
 use crate::comparison::analysis::{NoRunningTime, RunCounts};
 use crate::comparison::budget::{Axis, Budget};
 use crate::comparison::claim::Statistic;
@@ -162,6 +162,21 @@ pub(super) static WORDS: Words = Words {
         note: |map, note| format!("{map}：{note}"),
         objectives: |map, objectives| format!("{map}：各参评项的优化目标不同，差距以各自的为准：{objectives}"),
     },
+    fronts: Fronts {
+        title: |title| format!("{title}：权衡"),
+        about: "每次运行是一个点；若没有别的运行在每项指标上都不差且至少一项更好，它就在前沿上；相同的点算一个点，并计入每个有它的参评项；\
+                超体积：在各指标最好值与参考点围成的方框中，被该参评项至少一次运行支配的部分",
+        side: |measure, more| format!("{measure}（越{}越好）", if more { "大" } else { "小" }),
+        measures: |measures, at| match at {
+            "" => format!("{measures}：没有运行是点"),
+            at => format!("{measures}；参考点：{at}"),
+        },
+        columns: ["", "成为点的运行", "自身前沿的点", "其中在联合前沿上（独有）", "占联合前沿的比例", "超体积"],
+        alone: |joint, alone| format!("{joint}（{alone}）"),
+        all: "全部参评项",
+        beyond: |points, entry| format!("{entry} 的前沿有 {points} 个点并非每项指标都优于参考点，不计入超体积"),
+        left_out: "其运行不作为点",
+    },
     latex: Latex {
         made_by: "% !TEX program = xelatex\n% 由 ",
         needs: " 生成。\n% 需要 \\usepackage{booktabs,graphicx} 与 \\usepackage{ctex}，并以 XeLaTeX 或 LuaLaTeX 编译。\n",
@@ -198,6 +213,8 @@ fn measure(measure: RunMeasure) -> &'static str {
         RunMeasure::Smoothness => "平滑度",
         RunMeasure::Energy => "能耗",
         RunMeasure::Weight => "权重 R",
+        RunMeasure::MinClearance => "最小间距",
+        RunMeasure::MeanClearance => "平均间距",
         RunMeasure::IterationOfBest => "最优路径所在迭代",
         RunMeasure::PathsToBest => "找到最优前构造的路径数",
         RunMeasure::AntMoves => "蚂蚁步数",
@@ -216,6 +233,7 @@ fn objective(objective: Objective, measure: RunMeasure) -> &'static str {
         Objective::PolylineLength => "折线长度",
         Objective::SliceCost => "切片代价",
         Objective::TurnIndex => "转弯指数 V",
+        Objective::Weighted => "加权和 J",
         Objective::TourLength => "巡回长度",
         Objective::TourWeight => "巡回权重 R",
     }

@@ -30,6 +30,7 @@ export const en = {
       'slice-cost': 'Least cost by slices',
       'slice-length': 'Shortest path by slices',
       'turn-index': 'Smallest turn index',
+      weighted: 'Smallest weighted sum',
       'tour-length': 'Shortest tour',
       'tour-weight': 'Lightest tour',
     },
@@ -189,6 +190,7 @@ export const en = {
     'slice-cost': 'least cost by slices',
     'slice-length': 'shortest path by slices',
     'turn-index': 'smallest turn index',
+    weighted: 'smallest weighted sum',
     'tour-length': 'shortest tour',
     'tour-weight': 'lightest tour',
   },
@@ -218,6 +220,7 @@ export const en = {
   metrics: {
     length: 'Length',
     turnIndex: 'Turn index',
+    weighted: 'Weighted sum',
     weightShort: 'ΣR',
     costShort: 'Cost',
     expandedShort: 'Cells expanded',

@@ -120,7 +120,8 @@ export const zhCNEngine = {
     },
     'turn-aware': {
       name: '顾及转弯的 A*',
-      summary: '按进入格子的方向探索；总是转弯指数 V 最小的路径，转弯的步按 1.2 倍计。',
+      summary:
+        '按进入格子的方向探索；总是转弯指数 V 最小的路径，转弯的步按 1.2 倍计；或加权和 J 最小的路径。',
     },
     'tour-exact': {
       name: '精确巡回',
@@ -144,6 +145,7 @@ export const zhCNEngine = {
     basic: '论文的基本算法',
     printed: '按印刷公式',
     'second-reading': '第二种读法',
+    'printed-deposit': '按式 5 留信息素',
     uniform: '均匀交叉',
     fire: '多火源论文',
     'fire-printed': '多火源论文（按印刷）',
@@ -251,7 +253,13 @@ export const zhCNEngine = {
     rho_shrink: '挥发的部分每次迭代乘以此数',
     rho_min: '挥发部分的下限；若一开始就更小，则保持更小',
     count_ants: '一条路径的 Q / 长度是否按本次迭代中走过它的蚂蚁数计算多次',
-    criterion: '路段上路径优劣的标准，也是蚂蚁留下信息素时的除数',
+    criterion: '路段上路径优劣的标准',
+    deposit_by: '路段上蚂蚁留下信息素时的除数：优劣标准的值，或如式 5 所印的长度',
+    length_weight: '加权和中路径长度的权重',
+    turn_weight: '加权和中一次转弯的代价',
+    clearance_weight: '加权和中紧靠障碍走一格的代价，再乘以所缺间距的比例',
+    energy_weight: '加权和中能量的权重',
+    clearance_wanted: '与障碍的距离达到此值后，格子不再另加代价',
     samples: '每次迭代的采样数',
     goal_bias: '采样直接取终点的概率',
     step: '树每次向采样点伸出多远；0 表示直到采样点',
@@ -337,6 +345,8 @@ export const zhCNEngine = {
     shrinking: '逐次减小',
     'by-lengths': '按长度差',
     'turn-index': '转弯指数 V',
+    'weighted-sum': '加权和 J',
+    criterion: '优劣标准',
     weighed: '照常权衡',
     enter: '直接进入',
     'iteration-best': '本次迭代最优',
@@ -409,6 +419,11 @@ export const zhCNEngine = {
     criterion: {
       length: '路径的长度',
       'turn-index': 'V(d, r)，转弯的步按 1.2 倍计的长度：灭火机器人论文式 10',
+      'weighted-sum': 'J，长度、转弯、与障碍的接近程度和能量的加权和：我们的补充',
+    },
+    deposit_by: {
+      criterion: '优劣标准的值',
+      length: '长度，如式 5 所印',
     },
     refinement: {
       farthest: '视线内最远的后续点',

@@ -114,6 +114,8 @@ export const zhCNSources: Record<string, string> = {
   'eq. 5: length; section 5 takes V of eq. 10 as the criterion':
     '式 5：长度；第 5 节以式 10 的 V 为标准',
   'eq. 6–8': '式 6–8',
+  'our reading; eq. 5 is printed with the length': '我们的理解；式 5 印作长度',
+  'our choice; the form: Rowe and Ross 1990': '我们的选择；形式：Rowe 与 Ross 1990',
   'eq. 9': '式 9',
   'eq. 9: 0.6 to 0.8': '式 9：0.6 至 0.8',
   'fire-fighting paper, eq. 6–7': '灭火机器人论文，式 6–7',
@@ -193,6 +195,8 @@ export const zhCNSources: Record<string, string> = {
   // What presets mean.
   'its improved algorithm with V of eq. 10 as the criterion of a path, as its section 5 says; the order by straight lines':
     '其改进算法，并按第 5 节以式 10 的 V 为路径的标准；按直线距离确定次序',
+  'as second-reading, but an ant leaves Q/L as eq. 5 is printed: V decides which path is the best, and nothing else':
+    '同第二种读法，但蚂蚁按式 5 所印留下 Q/L：V 只决定哪条路径最好',
   'its ρ = 0.8 as the part of every trail that stays, as papers of its kind print it; all else as we read it':
     'ρ = 0.8 取为信息素保留的部分，同印作如此的同类论文；其余同我们的读法',
   'an ant beside the goal enters it: eq. 4 is undefined there, not a reason to bar the step':

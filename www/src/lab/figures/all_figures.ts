@@ -4,6 +4,7 @@ import { ablation } from './ablation'
 import { convergence } from './convergence'
 import { effort } from './effort'
 import type { Figure, FigureId, Scene } from './figure'
+import { fronts } from './fronts'
 import { gaps } from './gaps'
 import { ranks } from './ranks'
 import { targets } from './targets'
@@ -32,6 +33,9 @@ function withMarkNote(figure: Figure): Figure {
 }
 
 const NOTED = Object.values(ALL).map(withMarkNote)
+
+/** On a tab of its own. */
+export const frontsFigure = withMarkNote(fronts)
 
 /** In an ablation the figure of its effects comes first. */
 export function figuresOf(analysis: Scene['analysis']): Figure[] {

@@ -3,7 +3,7 @@
 import type { Drawing } from '../../figures/frame'
 import type { Look, Series } from '../../figures/look'
 import type { LabKey } from '../../i18n/lab'
-import type { Analysis, EntryAnalysis, MapAnalysis } from '../../model/analysis'
+import type { Analysis, EntryAnalysis, MapAnalysis, MapFronts } from '../../model/analysis'
 import { labelOf } from '../words/numbers'
 import { seriesOf } from './figure_style'
 
@@ -29,6 +29,8 @@ export interface Scene {
   look: Look
   /** Whether effort is on a logarithmic scale. */
   logarithmic: boolean
+  /** What the runs on the map trade off, for the figure that shows it. */
+  fronts?: MapFronts | undefined
 }
 
 export interface FigureTable {
@@ -37,7 +39,7 @@ export interface FigureTable {
 }
 
 export interface Figure {
-  id: FigureId
+  id: FigureId | 'fronts'
   /** About all maps together rather than one of them. */
   overall: boolean
   /** Whether the figure makes sense for such a comparison. */

@@ -8,7 +8,7 @@ import { downloadSvg } from '../../figures/picture_files'
 import { language } from '../../i18n'
 import { t } from '../../i18n/lab'
 import { inSentences } from '../../i18n/lists'
-import type { Analysis, MapAnalysis } from '../../model/analysis'
+import type { Analysis, MapAnalysis, MapFronts } from '../../model/analysis'
 import { notifyError, theme } from '../../state'
 import { Button } from '../../ui/buttons'
 import { fileStem } from '../store/names'
@@ -26,16 +26,17 @@ interface FigureCardProps {
   logarithmic: boolean
   /** Of downloads. */
   ground: Ground
+  fronts?: MapFronts
 }
 
 export function FigureCard(props: FigureCardProps) {
-  const { figure, analysis, map, logarithmic } = props
+  const { figure, analysis, map, logarithmic, fronts } = props
   const asTable = useSignal(false)
   const width = useSignal(0)
   const host = useRef<HTMLDivElement>(null)
   useEffect(() => watchWidth(host.current, (now) => (width.value = now)), [])
   const look = LOOKS[theme.value]
-  const scene: Scene = { analysis, map, logarithmic, look, width: width.value }
+  const scene: Scene = { analysis, map, logarithmic, look, width: width.value, fronts }
   const missing = figure.missing(scene)
   const title = titleOf(figure, scene)
   return (
@@ -69,7 +70,7 @@ const REST = 20
 function Picture({ figure, plot, scene }: FigureCardProps & { scene: Scene }) {
   const frame = useRef<HTMLDivElement>(null)
   const notBefore = useRef(0)
-  const { analysis, map, width, look, logarithmic } = scene
+  const { analysis, map, width, look, logarithmic, fronts } = scene
   useLayoutEffect(() => {
     const draw = () => {
       const began = performance.now()
@@ -86,7 +87,7 @@ function Picture({ figure, plot, scene }: FigureCardProps & { scene: Scene }) {
     if (wait <= 0) return draw()
     const timer = setTimeout(draw, wait)
     return () => clearTimeout(timer)
-  }, [figure, plot, analysis, map, width, look, logarithmic, language.value])
+  }, [figure, plot, analysis, map, width, look, logarithmic, fronts, language.value])
   return <div ref={frame} class="figure-picture" />
 }
 

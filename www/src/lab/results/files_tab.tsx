@@ -7,6 +7,7 @@ import { announce, notify, notifyError } from '../../state'
 import { download } from '../../state/export_files'
 import { Button } from '../../ui/buttons'
 import { openComparison, resultFile, timesFile } from '../run/actions'
+import { frontsAsked } from '../store/fronts_asked'
 import { fileStem } from '../store/names'
 
 interface FileKind {
@@ -28,6 +29,9 @@ const FILES: FileKind[] = [
   { kind: 'summary-markdown', ending: 'summary.md', type: 'text/markdown', copied: true },
   { kind: 'markdown', ending: 'md', type: 'text/markdown', copied: true },
   { kind: 'latex', ending: 'tex', type: 'application/x-tex', copied: true },
+  { kind: 'fronts-csv', ending: 'fronts.csv', type: 'text/csv' },
+  { kind: 'fronts-markdown', ending: 'fronts.md', type: 'text/markdown', copied: true },
+  { kind: 'fronts-latex', ending: 'fronts.tex', type: 'application/x-tex', copied: true },
   { kind: 'tests', ending: 'tests.md', type: 'text/markdown', copied: true },
   { kind: 'tests-csv', ending: 'tests.csv', type: 'text/csv' },
   { kind: 'claims-csv', ending: 'claims.csv', type: 'text/csv' },
@@ -81,18 +85,27 @@ function FileRow({ file }: { file: FileKind }) {
 }
 
 type OfMatrix = Extract<FileKind['kind'], `matrix-${string}`>
+type OfFronts = Extract<FileKind['kind'], `fronts-${string}`>
 
 const isOfMatrix = (kind: FileKind['kind']): kind is OfMatrix => kind.startsWith('matrix-')
+const isOfFronts = (kind: FileKind['kind']): kind is OfFronts => kind.startsWith('fronts-')
 
-const nameOf = (kind: FileKind['kind']) =>
-  isOfMatrix(kind) ? t(`lab.matrix.files.${kind}`) : t(`lab.results.files.${kind}`)
+function nameOf(kind: FileKind['kind']): string {
+  if (isOfMatrix(kind)) return t(`lab.matrix.files.${kind}`)
+  return isOfFronts(kind) ? t(`lab.fronts.files.${kind}`) : t(`lab.results.files.${kind}`)
+}
 
-const aboutOf = (kind: FileKind['kind']) =>
-  isOfMatrix(kind) ? t(`lab.matrix.filesAbout.${kind}`) : t(`lab.results.filesAbout.${kind}`)
+function aboutOf(kind: FileKind['kind']): string {
+  if (isOfMatrix(kind)) return t(`lab.matrix.filesAbout.${kind}`)
+  return isOfFronts(kind) ? t(`lab.fronts.filesAbout.${kind}`) : t(`lab.results.filesAbout.${kind}`)
+}
 
-/** What people read is in the page's language. */
-const contents = async (kind: FileKind['kind']) =>
-  kind === 'times' ? timesFile() : resultFile(kind, { language: language.peek() })
+/** What people read is in the page's language; fronts are those that are shown. */
+async function contents(kind: FileKind['kind']): Promise<string> {
+  if (kind === 'times') return timesFile()
+  const fronts = isOfFronts(kind) ? frontsAsked.peek() : null
+  return resultFile(kind, { language: language.peek(), ...(fronts && { fronts }) })
+}
 
 async function copy(kind: FileKind['kind']): Promise<void> {
   try {

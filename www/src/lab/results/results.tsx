@@ -11,13 +11,14 @@ import { shownTab } from '../store/shown_tab'
 import { analysisError, openComparison, progress } from '../store/signals'
 import { FiguresTab } from './figures_tab'
 import { FilesTab } from './files_tab'
+import { FrontsTab } from './fronts_tab'
 import { MatrixTab } from './matrix_tab'
 import { hasReported, ReportedTab } from './reported_tab'
 import { SummaryTab } from './summary_tab'
 import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
 
-const TABS = ['matrix', 'summary', 'figures', 'tests', 'reported', 'files'] as const
+const TABS = ['matrix', 'summary', 'figures', 'fronts', 'tests', 'reported', 'files'] as const
 type Tab = (typeof TABS)[number]
 
 /** Whether there is a tab of this name. */
@@ -34,6 +35,7 @@ const BODIES = {
   ),
   summary: SummaryTab,
   figures: FiguresTab,
+  fronts: FrontsTab,
   tests: TestsTab,
   reported: ReportedTab,
   files: FilesTab,
@@ -79,7 +81,7 @@ function PartOfAll() {
 
 /** What a tab is called. */
 export const nameOf = (tab: Tab) =>
-  tab === 'matrix' ? t('lab.matrix.tab') : t(`lab.results.tabs.${tab}`)
+  tab === 'matrix' || tab === 'fronts' ? t(`lab.${tab}.tab`) : t(`lab.results.tabs.${tab}`)
 
 /** Whether any run is done. The number of them changes more often than anything here should be drawn. */
 const begun = computed(() => progress.value.done > 0)

@@ -4,7 +4,7 @@ import { batch } from '@preact/signals'
 import { tools } from '../../engine/tools'
 import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
-import type { Analysis } from '../../model/analysis'
+import type { Analysis, FrontQuestion, MapFronts } from '../../model/analysis'
 import type { KeptRun } from '../../model/comparison_calls'
 import { canKeep } from '../../model/storage'
 import type { ToldByLink } from '../../share/comparison_link'
@@ -45,6 +45,8 @@ export { closeComparison, openKeptComparison } from './open_comparison'
 export interface HowWritten {
   /** Of what people read; CSV and JSON are the same in each. */
   language?: ReportLanguage
+  /** What files of fronts trade off; length and turns, if nothing is said. */
+  fronts?: FrontQuestion
   /** How the file says that it was made. */
   command?: string
 }
@@ -175,9 +177,14 @@ export async function removeComparison(id: string): Promise<void> {
 /** A result file of the runs that are done, as the command line writes it; in English unless another language is asked for. */
 export function resultFile(
   kind: ResultFile,
-  { language = 'en', command = commandOf(language) }: HowWritten = {},
+  { language = 'en', fronts, command = commandOf(language, fronts) }: HowWritten = {},
 ): Promise<string> {
-  return openParts()?.analyst.file(kind, command, language) ?? Promise.resolve('')
+  return openParts()?.analyst.file(kind, command, language, fronts) ?? Promise.resolve('')
+}
+
+/** What the runs that are done trade off; null where nothing is open. Rejects with the engine's typed error. */
+export async function frontsNow(asked: FrontQuestion): Promise<MapFronts[] | null> {
+  return (await openParts()?.analyst.fronts(asked)) ?? null
 }
 
 /** What the runs that are done say now, without intervals; null where nothing is open. */
@@ -215,7 +222,9 @@ export async function reopenInTab(): Promise<void> {
 }
 
 /** The command that makes the same files. */
-function commandOf(language: ReportLanguage): string {
+function commandOf(language: ReportLanguage, fronts?: FrontQuestion): string {
   const command = `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
-  return language === 'en' ? command : `${command} --language ${language}`
+  const measures = fronts ? ` --fronts ${fronts.measures.join(',')}` : ''
+  const reference = fronts?.reference ? ` --fronts-reference ${fronts.reference.join(',')}` : ''
+  return `${command}${measures}${reference}${language === 'en' ? '' : ` --language ${language}`}`
 }

@@ -1,6 +1,8 @@
 /** The page's side of the analyst, the worker that analyses runs. Asks often enough to watch, and leaves the worker time for runs. */
 import type {
   EngineError,
+  FrontQuestion,
+  MapFronts,
   ReportLanguage,
   ResultFile,
   TakenJournal,
@@ -114,8 +116,17 @@ export class AnalystClient {
     return this.call((analyst) => analyst.call('verify'))
   }
 
-  file(kind: ResultFile, command: string, language: ReportLanguage): Promise<string> {
-    return this.call((analyst) => analyst.call('file', kind, command, language))
+  file(
+    kind: ResultFile,
+    command: string,
+    language: ReportLanguage,
+    fronts?: FrontQuestion,
+  ): Promise<string> {
+    return this.call((analyst) => analyst.call('file', kind, command, language, fronts))
+  }
+
+  fronts(asked: FrontQuestion): Promise<MapFronts[]> {
+    return this.call((analyst) => analyst.call('fronts', asked))
   }
 
   /** The places of a share's tasks. Throws where there is no such share. */
