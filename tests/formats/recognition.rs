@@ -14,6 +14,11 @@ fn nothing_is_taken_for_something_else() {
         ("[(0, 0), (1, 0)]", Kind::Path),
         ("row,col\n0,0\n1,0\n", Kind::Path),
         ("header:\n  frame_id: map\nposes:\n- pose:\n    position:\n      x: 1\n      y: 2\n", Kind::Path),
+        ("x,y,x_m,y_m\n0,0,0.5,1.5\n", Kind::Path),
+        ("{\"format\": \"formicarium/path@1\", \"cells\": [[0,0]]}", Kind::Path),
+        ("{\"type\": \"LineString\", \"coordinates\": [[1.5, 2], [3, 4]]}", Kind::Path),
+        ("<svg xmlns='x' data-format=\"formicarium/path@1\"><polyline points=\"0,0\"/></svg>", Kind::Path),
+        ("{\"type\": \"Polygon\", \"coordinates\": [[[1, 2], [3, 4], [1, 2]]]}", Kind::Unknown),
         ("..#.\n.#..\n", Kind::Drawing),
         (
             "% function evaluation | noise-free fitness - Fopt (7.9e+01) | best noise-free fitness - Fopt | x1\n1 +2.0e+01 +2.0e+01 +1.0e+00\n",
