@@ -146,7 +146,7 @@ fn a_straight_path_stays_as_it_is() {
 #[test]
 fn bounds_are_met_where_there_is_room() {
     let corner: &[(u32, u32)] = &[(2, 2), (27, 2), (27, 27)];
-    let stairs: Vec<(u32, u32)> = (0..28).map(|k| (k.div_ceil(2) + 1, k / 2 + 1)).collect();
+    let stairs: Vec<(u32, u32)> = (0u32..28).map(|k| (k.div_ceil(2) + 1, k / 2 + 1)).collect();
     let around: &[(u32, u32)] = &[(2, 15), (15, 2), (28, 15), (15, 28)];
     for (name, through) in [("a corner", corner), ("stairs", &stairs), ("almost around", around)] {
         let (mut scenario, path) = open(30, through);

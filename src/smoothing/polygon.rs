@@ -10,9 +10,9 @@ const SHORTEST: f64 = 0.24;
 /// Moves of a control point that are shorter are not made, in cells.
 const STILL: f64 = 1e-3;
 
-/// Most rounds of relaxation, and most spans that are looked at in all of them.
-const ROUNDS: usize = 400;
-const MOST_LOOKS: usize = 400_000;
+/// Most rounds of relaxation, and most parts of spans that are looked at in all of them.
+const ROUNDS: u32 = 400;
+const MOST_LOOKS: u64 = 3_000_000;
 
 /// Curvatures that exceed the bound by this part meet it: what is left of rounding.
 const SAME_CURVATURE: f64 = 1e-9;
@@ -135,8 +135,8 @@ impl<'a> Polygon<'a> {
             if best.meets(bound) || looks > MOST_LOOKS {
                 break;
             }
+            looks += self.looks(bound);
             let moved = (1..self.controls.len() - 1).filter(|&i| self.is_tight_at(i, bound) && self.pull(i)).count();
-            looks += self.spans() + 4 * moved;
             if moved == 0 && !self.loosen(bound) {
                 break;
             }
@@ -145,6 +145,13 @@ impl<'a> Polygon<'a> {
             }
         }
         *self = best;
+    }
+
+    /// How many parts of spans are looked at when each control point of what is too tight moves once.
+    fn looks(&self, bound: f64) -> u64 {
+        let parts: Vec<u64> = (0..self.spans()).map(|s| self.span(s).parts().into()).collect();
+        let tight = (1..self.controls.len() - 1).filter(|&i| self.is_tight_at(i, bound));
+        tight.flat_map(|i| &parts[self.shaped_by(i)]).sum()
     }
 
     /// Whether no curvature is above a bound per cell.
