@@ -8,6 +8,7 @@ mod grid;
 mod movement;
 mod plane_length;
 mod relief;
+#[cfg(feature = "whole")]
 pub mod resample;
 mod shading;
 mod slices;
@@ -25,6 +26,7 @@ pub use movement::{
 pub(crate) use plane_length::{PlaneLength, displacement};
 pub use plane_length::{counted_length, length_on_plane};
 pub use relief::{Relief, Stretch};
+#[cfg(feature = "whole")]
 pub use resample::Window;
 pub use shading::{LEVEL_LIGHT, Shading};
 pub use slices::{MAX_LEVELS, MAX_REACH, Measure, SliceRules, Slices, Way};

@@ -91,7 +91,6 @@ pub fn nearest<T: Copy>(cells: &[T], from: (u32, u32), to: (u32, u32)) -> Vec<T>
     rows.0.iter().flat_map(|row| near(row.3)).collect()
 }
 
-#[cfg(feature = "whole")]
 impl Grid {
     /// The cells of a window, with their heights or factors.
     ///
