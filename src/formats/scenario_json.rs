@@ -1,5 +1,6 @@
 //! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`,
-//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; with `"changes"` where walls change.
+//! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; with `"changes"` where walls change,
+//! `"drive"` where a robot drives.
 //!
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
 
@@ -199,6 +200,8 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
         world,
         #[cfg(feature = "whole")]
         changes,
+        #[cfg(feature = "whole")]
+        drive,
     } = spec;
     let fields = [
         ("format", text(&FORMAT)),
@@ -216,6 +219,8 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     let fields = fields.into_iter().chain(terrain).chain(world);
     #[cfg(feature = "whole")]
     let fields = fields.chain((!changes.is_empty()).then(|| ("changes", text(changes))));
+    #[cfg(feature = "whole")]
+    let fields = fields.chain(drive.iter().map(|drive| ("drive", text(drive))));
     let fields: String = fields.map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
     format!("{{\n{fields}  \"map\": {{\"rows\": [\n{}\n  ]{}}}\n}}\n", rows.join(",\n"), write_heights(grid))

@@ -215,6 +215,13 @@ impl Progress {
         };
     }
 
+    /// Searches on, on a map that has changed: effort and history stay, and what the search knows besides.
+    #[cfg(feature = "whole")]
+    pub(crate) fn search_on(&mut self, change: &Change) {
+        self.note(change);
+        (self.status, self.best) = (Status::Running, None);
+    }
+
     /// Begins anew on a map that has changed: effort and history stay.
     #[cfg(feature = "whole")]
     pub(super) fn begin_anew(&mut self, change: &Change) {

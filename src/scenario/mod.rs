@@ -2,7 +2,11 @@
 
 #[cfg(feature = "whole")]
 mod changes;
+#[cfg(feature = "whole")]
+mod drive;
 mod terrain;
+#[cfg(feature = "whole")]
+mod track;
 mod world;
 
 use std::sync::Arc;
@@ -14,8 +18,12 @@ use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices
 
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
+#[cfg(feature = "whole")]
+pub use drive::{DriveChange, DriveSpec, MAX_DRIVE_CHANGES, MAX_STEP, MAX_TRACKS};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
+#[cfg(feature = "whole")]
+pub use track::{MAX_OBSTACLE, MAX_STEPS_PER_CELL, MAX_TRACK_CELLS, Then, Track};
 pub use world::World;
 
 /// Largest number of goals of a scenario.
@@ -114,6 +122,11 @@ pub struct ScenarioSpec {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub changes: Vec<Change>,
+    /// What moves while a robot drives over the map; none where nothing does. Planners alone see the map before its first step.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub drive: Option<DriveSpec>,
 }
 
 impl Generated {
@@ -141,10 +154,12 @@ impl ScenarioSpec {
             world: None,
             #[cfg(feature = "whole")]
             changes: Vec::new(),
+            #[cfg(feature = "whole")]
+            drive: None,
         }
     }
 
-    /// Checks all but start and goals: sizes, quantities, the terrain, the changes of the walls.
+    /// Checks all but start and goals: sizes, quantities, the terrain, the changes of the walls, the drive.
     ///
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.
@@ -159,8 +174,15 @@ impl ScenarioSpec {
         self.world.as_ref().map_or(Ok(()), World::check)?;
         check_terrain(grid, self)?;
         #[cfg(feature = "whole")]
-        changes::check_changes(grid, self)?;
+        self.check_what_moves(grid)?;
         Ok(())
+    }
+
+    /// Checks the changes of the walls, and the drive.
+    #[cfg(feature = "whole")]
+    fn check_what_moves(&self, grid: &Grid) -> Result<(), ScenarioError> {
+        changes::check_changes(grid, self)?;
+        self.drive.as_ref().map_or(Ok(()), |drive| drive.check(grid, self))
     }
 
     /// The allowed steps on a map.
@@ -226,7 +248,7 @@ impl Scenario {
     }
 
     /// The same map, rules and changes with another start and other goals. What depends on the map alone is shared with this scenario, so
-    /// it costs next to nothing, but by slices, whose places depend on their ends, and with changes, which must spare them.
+    /// it costs next to nothing, but by slices, whose places depend on their ends, and with changes or a drive, which must spare them.
     ///
     /// ```
     /// use formicarium::map::{Grid, Movement, Point};
@@ -244,7 +266,7 @@ impl Scenario {
     pub fn with_ends(&self, start: Point, goals: Vec<Goal>) -> Result<Self, ScenarioError> {
         let spec = ScenarioSpec { start, goals, ..self.spec.clone() };
         #[cfg(feature = "whole")]
-        changes::check_changes(&self.grid, &spec)?;
+        spec.check_what_moves(&self.grid)?;
         Self::asked(self.grid.clone(), spec, |_, _| self.moves.clone())
     }
 

@@ -11,17 +11,13 @@
 //!
 //! The publications know no changing maps: all of this is ours.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::tables::Tables;
 use super::{Colony, Variant, refined};
-use crate::map::{Cell, Grid};
+use crate::map::Cell;
 use crate::path::Path;
 use crate::scenario::{Change, Scenario};
-
-/// How far, in cells, a wall is felt: a step from beside it, and what an ant sees at that step's end (eight cells around).
-const FELT: u32 = 2;
 
 impl<V: Variant + 'static> Colony<V> {
     /// Goes on from the map that a change has led to.
@@ -33,7 +29,7 @@ impl<V: Variant + 'static> Colony<V> {
         }
         if let Some(tables) = &mut self.tables {
             self.variant.prepare(to);
-            tables.look_again::<V>(&around(&to.grid, change));
+            tables.look_again::<V>(&change.felt(&to.grid));
         }
         self.progress.go_on(change, to, self.settings.iterations);
     }
@@ -49,18 +45,6 @@ impl Tables {
         }
         cells.iter().for_each(|&c| self.trails.look_again(c));
     }
-}
-
-/// The cells whose steps, or what is seen of them, a change concerns.
-fn around(grid: &Grid, change: &Change) -> Vec<Cell> {
-    let mut cells = BTreeSet::new();
-    for p in change.cells() {
-        for y in p.y.saturating_sub(FELT)..=(p.y + FELT).min(grid.height() - 1) {
-            let row = y * grid.width();
-            cells.extend(row + p.x.saturating_sub(FELT)..=row + (p.x + FELT).min(grid.width() - 1));
-        }
-    }
-    cells.into_iter().collect()
 }
 
 /// Whether every step of a path is still allowed.
