@@ -78,6 +78,11 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let values: Values = args.set.iter().cloned().collect();
     let entry = catalog::find(&args.planner)?;
     let scenario = args.scenario.load()?;
+    if scenario.spec.drive.is_some() {
+        say(
+            "note: things move in this scenario while a robot drives; this is a plan before its first step, `drive` has it drive",
+        );
+    }
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
         say(format!(
@@ -228,7 +233,8 @@ fn from_to(spec: &ScenarioSpec) -> String {
     }
 }
 
-fn effort_text(effort: &Effort) -> String {
+/// What was spent, in words.
+pub fn effort_text(effort: &Effort) -> String {
     let parts = [
         (effort.constructed_paths, "constructed path", "constructed paths"),
         (effort.ant_moves, "ant move", "ant moves"),

@@ -113,7 +113,8 @@ impl Track {
     pub fn clear_of(&self, step: u32, robot: Point) -> Option<Point> {
         let now = self.passed(step)?;
         let first = now.saturating_sub(self.cycle());
-        let clear = (first..=now).rev().map(|passed| self.place(passed)).find(|place| place.is_none_or(|c| !self.covers(c, robot)));
+        let clear =
+            (first..=now).rev().map(|passed| self.place(passed)).find(|place| place.is_none_or(|c| !self.covers(c, robot)));
         clear.flatten()
     }
 
@@ -162,7 +163,8 @@ impl Track {
         if !(1..=MAX_TRACK_CELLS).contains(&self.cells.len()) {
             return Err(wrong("cells", self.cells.len().to_string(), "a list of 1 to 10000 cells"));
         }
-        let number = |field: &str, value, within, allowed| check_number(&format!("tracks[{index}].{field}"), value, within, allowed);
+        let number =
+            |field: &str, value, within, allowed| check_number(&format!("tracks[{index}].{field}"), value, within, allowed);
         number("size", self.size, 1..=MAX_OBSTACLE, "1 to 64 cells a side")?;
         number("from_step", self.from_step, 0..=MAX_STEP, "a step up to 1000000")?;
         number("steps_per_cell", self.steps_per_cell, 1..=MAX_STEPS_PER_CELL, "1 to 1000 steps")?;
@@ -212,7 +214,8 @@ mod tests {
     #[test]
     fn squares_are_cut_off_at_the_border() {
         let grid = Grid::open(9, 9).expect("a map");
-        let cells = |size, x, y| track(3, size, Then::Stay).covered(Point::new(x, y), &grid).map(|p| (p.x, p.y)).collect::<Vec<_>>();
+        let cells =
+            |size, x, y| track(3, size, Then::Stay).covered(Point::new(x, y), &grid).map(|p| (p.x, p.y)).collect::<Vec<_>>();
         assert_eq!(cells(1, 4, 4), [(4, 4)]);
         assert_eq!(cells(2, 4, 4), [(4, 4), (5, 4), (4, 5), (5, 5)]);
         assert_eq!(cells(3, 0, 8), [(0, 7), (1, 7), (0, 8), (1, 8)]);
@@ -233,7 +236,11 @@ mod tests {
         // Of three cells a side it covers column 2 from its second cell on.
         let wide = track(4, 3, Then::Stay);
         assert_eq!([2, 3, 4, 9].map(|step| wide.clear_of(step, robot).map(|p| p.x)), [Some(0); 4]);
-        assert_eq!(wide.clear_of(9, Point::new(1, 0)), None, "it would cover the robot from the first cell on: it does not appear");
+        assert_eq!(
+            wide.clear_of(9, Point::new(1, 0)),
+            None,
+            "it would cover the robot from the first cell on: it does not appear"
+        );
         assert_eq!(clear(Then::Leave, 6), None);
     }
 

@@ -7,6 +7,7 @@
 //! | what a paper derives from the map | anew ([`Variant::prepare`]): avg of MAX–MIN Ant System; τ0 of Ant Colony System, which an open map decides and walls do not |
 //! | limits of MAX–MIN Ant System | with the next best path, as ever |
 //! | best path so far | stays where it is still allowed, and is refined again; otherwise there is none until the next ants arrive |
+//! | the start, where a robot has moved on | the next ants begin there; of the best path the rest from there stays |
 //! | stagnation | counts from the change |
 //!
 //! The publications know no changing maps: all of this is ours.
@@ -17,13 +18,14 @@ use super::tables::Tables;
 use super::{Colony, Variant, refined};
 use crate::map::Cell;
 use crate::path::Path;
+use crate::planner::Solution;
 use crate::scenario::{Change, Scenario};
 
 impl<V: Variant + 'static> Colony<V> {
     /// Goes on from the map that a change has led to.
     pub(super) fn go_on(&mut self, change: &Change, to: &Arc<Scenario>) {
         self.scenario = Arc::clone(to);
-        self.progress.best.take_if(|best| !is_allowed(to, &best.path));
+        self.progress.best = self.progress.best.take().and_then(|best| rest_of(best, to));
         if let Some(best) = &mut self.progress.best {
             best.refined = refined(to, &best.path, self.variant.refinement());
         }
@@ -45,6 +47,14 @@ impl Tables {
         }
         cells.iter().for_each(|&c| self.trails.look_again(c));
     }
+}
+
+/// What of a path leads from the start on, if that is still allowed.
+fn rest_of(best: Solution, to: &Scenario) -> Option<Solution> {
+    let from = best.path.iter().position(|&cell| cell == to.start)?;
+    let path = best.path[from..].to_vec();
+    let length = if from == 0 { best.length } else { to.path_length(&path) };
+    is_allowed(to, &path).then_some(Solution { path, length, ..best })
 }
 
 /// Whether every step of a path is still allowed.
