@@ -217,7 +217,11 @@ impl Report<'_> {
             row(out, "found in", format!("iteration {} of {}", best.iteration, effort.iterations));
         }
         if let Some(changing) = self.planner.changing() {
-            let how = if changing.adapts() { "trails were kept" } else { "it began anew each time" };
+            let how = match (changing.adapts(), changing.budget()) {
+                (true, Some(_)) => "trails were kept",
+                (true, None) => "it repaired its search",
+                (false, _) => "it began anew each time",
+            };
             row(out, "walls", format!("{}; {how}", text::count(changing.made().into(), "change", "changes")));
         }
         row(out, "effort", effort_text(&effort));

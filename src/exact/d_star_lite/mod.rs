@@ -212,6 +212,7 @@ impl DStarLite {
         while at != self.scenario.goal
             && let Some((_, next)) = self.onwards(at)
         {
+            debug_assert!(path.len() < self.g.len(), "a shortest path visits no cell twice");
             path.push(next);
             at = next;
         }
