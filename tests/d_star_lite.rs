@@ -3,7 +3,6 @@
 
 mod common;
 #[path = "common/terrains.rs"]
-#[allow(dead_code, reason = "one of its terrains is used here")]
 mod terrains;
 
 use std::sync::Arc;

@@ -17,19 +17,19 @@ use crate::exact::Reference;
 use crate::formats::MAX_TEXT_BYTES;
 use crate::map::Point;
 use crate::params::{Params, Value, Values};
-use crate::scenario::{DriveSpec, Scenario, ScenarioSpec, Then, Track};
+use crate::scenario::{AtEnd, DriveSpec, Scenario, ScenarioSpec, Track};
 
 /// Has a robot drive where walls change and obstacles move, planning again on its way
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
   formicarium drive maze.csv --planner d-star-lite --from 0,0 --to 19,19 --obstacle 10,3:10,15
-  formicarium drive maze.csv --planner ant-system --from 0,0 --to 19,19 --obstacle 4,4:12,4,then=leave,from=3 --iterations 10
+  formicarium drive maze.csv --planner ant-system --from 0,0 --to 19,19 --obstacle 4,4:12,4,end=leave,from=3 --iterations 10
   formicarium drive site.json --planner astar --sight 5 --hold 3 --format json
   formicarium drive arena.map --scen arena.map.scen:200 --planner d-star-lite --drive traffic.json
 
 An obstacle goes in straight lines from cell to cell: X,Y:X,Y:…, then size=N, from=STEP, each=STEPS on a cell,
-then=stay|back-and-forth|loop|leave. --drive is a JSON object as `drive` in a scenario; docs/formats.md has its fields.
+end=stay|back-and-forth|loop|leave. --drive is a JSON object as `drive` in a scenario; docs/formats.md has its fields.
 Exit code 1 when the robot gave up.")]
 pub struct Args {
     #[command(flatten)]
@@ -49,7 +49,7 @@ pub struct Args {
     /// What moves, in place of the scenario's `drive`
     #[arg(long, value_name = "F.json")]
     drive: Option<PathBuf>,
-    /// One more obstacle that moves, there and back unless `then` says otherwise; may be repeated
+    /// One more obstacle that moves, there and back unless `end` says otherwise; may be repeated
     #[arg(long, value_name = "X,Y:X,Y…[,KEY=VALUE…]", value_parser = obstacle)]
     obstacle: Vec<Track>,
     /// From how far the robot sees a change, in cells [default: the scenario's, else it knows at once]
@@ -116,12 +116,12 @@ fn read(path: &Path) -> Result<DriveSpec, CliError> {
 
 /// Reads `X,Y:X,Y:…` and what follows by name.
 fn obstacle(text: &str) -> Result<Track, String> {
-    let wrong = || format!("`{text}` is no obstacle: write cells such as 10,3:10,15 and then size=2,from=4,each=3,then=leave");
+    let wrong = || format!("`{text}` is no obstacle: write cells such as 10,3:10,15 and then size=2,from=4,each=3,end=leave");
     let (cells, named) = match text.split_once('=') {
         Some((before, _)) => text.split_at(before.rfind(',').ok_or_else(wrong)?),
         None => (text, ""),
     };
-    let mut track = Track { cells: Vec::new(), size: 1, from_step: 0, steps_per_cell: 1, then: Then::BackAndForth };
+    let mut track = Track { cells: Vec::new(), size: 1, from_step: 0, steps_per_cell: 1, at_end: AtEnd::BackAndForth };
     for corner in cells.split(':') {
         go_straight(&mut track.cells, input::point(corner)?).ok_or_else(wrong)?;
     }
@@ -132,17 +132,17 @@ fn obstacle(text: &str) -> Result<Track, String> {
             "size" => track.size = number()?,
             "from" => track.from_step = number()?,
             "each" => track.steps_per_cell = number()?,
-            "then" => track.then = then(value).ok_or_else(wrong)?,
+            "end" => track.at_end = at_end(value).ok_or_else(wrong)?,
             _ => return Err(wrong()),
         }
     }
     Ok(track)
 }
 
-fn then(id: &str) -> Option<Then> {
-    [("stay", Then::Stay), ("back-and-forth", Then::BackAndForth), ("loop", Then::Loop), ("leave", Then::Leave)]
+fn at_end(id: &str) -> Option<AtEnd> {
+    [("stay", AtEnd::Stay), ("back-and-forth", AtEnd::BackAndForth), ("loop", AtEnd::Loop), ("leave", AtEnd::Leave)]
         .into_iter()
-        .find_map(|(name, then)| (name == id).then_some(then))
+        .find_map(|(name, end)| (name == id).then_some(end))
 }
 
 /// Goes on to a cell along a row, a column or a diagonal; none where it lies on none of them, or beyond any map.
@@ -267,9 +267,9 @@ mod tests {
         assert_eq!(cells("3,4"), Ok(vec![(3, 4)]));
         assert_eq!(cells("3,4:5,4:5,3"), Ok(vec![(3, 4), (4, 4), (5, 4), (5, 3)]));
         assert_eq!(cells("3,4:1,2"), Ok(vec![(3, 4), (2, 3), (1, 2)]));
-        let full = obstacle("3,4:5,4,size=2,from=7,each=3,then=loop").expect("an obstacle");
-        assert_eq!((full.cells.len(), full.size, full.from_step, full.steps_per_cell, full.then), (3, 2, 7, 3, Then::Loop));
-        for wrong in ["", "3", "3,4:5,5:9,9", "3,4,size", "3,4,width=2", "3,4,size=x", "3,4,then=go", "0,0:99999,0", "size=2"] {
+        let full = obstacle("3,4:5,4,size=2,from=7,each=3,end=loop").expect("an obstacle");
+        assert_eq!((full.cells.len(), full.size, full.from_step, full.steps_per_cell, full.at_end), (3, 2, 7, 3, AtEnd::Loop));
+        for wrong in ["", "3", "3,4:5,5:9,9", "3,4,size", "3,4,width=2", "3,4,size=x", "3,4,end=go", "0,0:99999,0", "size=2"] {
             assert!(obstacle(wrong).is_err(), "{wrong}");
         }
     }

@@ -23,7 +23,7 @@ pub use drive::{DriveChange, DriveSpec, MAX_DRIVE_CHANGES, MAX_STEP, MAX_TRACKS}
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
 #[cfg(feature = "whole")]
-pub use track::{MAX_OBSTACLE, MAX_STEPS_PER_CELL, MAX_TRACK_CELLS, Then, Track};
+pub use track::{AtEnd, MAX_OBSTACLE, MAX_STEPS_PER_CELL, MAX_TRACK_CELLS, Track};
 pub use world::World;
 
 /// Largest number of goals of a scenario.

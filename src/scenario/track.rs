@@ -18,7 +18,7 @@ pub const MAX_STEPS_PER_CELL: u32 = 1000;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Then {
+pub enum AtEnd {
     /// It stays on the last cell.
     #[default]
     Stay,
@@ -36,10 +36,10 @@ pub enum Then {
 ///
 /// ```
 /// use formicarium::map::Point;
-/// use formicarium::scenario::{Then, Track};
+/// use formicarium::scenario::{AtEnd, Track};
 ///
 /// let cells = (0..4).map(|x| Point::new(x, 2)).collect();
-/// let track = Track { cells, size: 1, from_step: 10, steps_per_cell: 2, then: Then::BackAndForth };
+/// let track = Track { cells, size: 1, from_step: 10, steps_per_cell: 2, at_end: AtEnd::BackAndForth };
 /// let at = |step| track.at(step).map(|p| p.x);
 /// assert_eq!((at(9), at(10), at(11), at(12), at(16), at(18)), (None, Some(0), Some(0), Some(1), Some(3), Some(2)));
 /// assert_eq!(track.clear_of(12, Point::new(1, 2)), Some(Point::new(0, 2)), "the robot is in its way");
@@ -62,7 +62,7 @@ pub struct Track {
     pub steps_per_cell: u32,
     /// What it does at the end.
     #[serde(default)]
-    pub then: Then,
+    pub at_end: AtEnd,
 }
 
 fn one() -> u32 {
@@ -73,12 +73,12 @@ impl Track {
     /// After how many cells it begins from the front; those of its track where it does not.
     fn cycle(&self) -> u32 {
         let cells = self.cells.len() as u32;
-        if self.then == Then::BackAndForth { (2 * cells).saturating_sub(2).max(1) } else { cells }
+        if self.at_end == AtEnd::BackAndForth { (2 * cells).saturating_sub(2).max(1) } else { cells }
     }
 
     /// After how many steps it begins from the front; none where it ends.
     pub fn period(&self) -> Option<u32> {
-        matches!(self.then, Then::BackAndForth | Then::Loop).then(|| self.cycle() * self.steps_per_cell)
+        matches!(self.at_end, AtEnd::BackAndForth | AtEnd::Loop).then(|| self.cycle() * self.steps_per_cell)
     }
 
     /// The step from which on it does what it will always do: it stands or is gone, or has gone through its track once.
@@ -89,16 +89,16 @@ impl Track {
     /// How many cells it has left behind at a step; none before it is there.
     fn passed(&self, step: u32) -> Option<u32> {
         let passed = step.checked_sub(self.from_step)? / self.steps_per_cell;
-        Some(if self.then == Then::Stay { passed.min(self.cycle() - 1) } else { passed })
+        Some(if self.at_end == AtEnd::Stay { passed.min(self.cycle() - 1) } else { passed })
     }
 
     /// Its centre after so many cells; none where it has left.
     fn place(&self, passed: u32) -> Option<Point> {
         let cycle = self.cycle();
-        let k = match self.then {
-            Then::Stay | Then::Leave => passed,
-            Then::Loop => passed % cycle,
-            Then::BackAndForth => (passed % cycle).min(cycle - passed % cycle),
+        let k = match self.at_end {
+            AtEnd::Stay | AtEnd::Leave => passed,
+            AtEnd::Loop => passed % cycle,
+            AtEnd::BackAndForth => (passed % cycle).min(cycle - passed % cycle),
         };
         self.cells.get(k as usize).copied()
     }
@@ -134,17 +134,17 @@ impl Track {
 
     /// Whether from some step on it always stands on a cell.
     fn rests_on(&self, cell: Point) -> bool {
-        match self.then {
-            Then::Leave => false,
-            Then::Stay => self.cells.last().is_some_and(|&last| self.covers(last, cell)),
-            Then::BackAndForth | Then::Loop => self.cells.iter().all(|&centre| self.covers(centre, cell)),
+        match self.at_end {
+            AtEnd::Leave => false,
+            AtEnd::Stay => self.cells.last().is_some_and(|&last| self.covers(last, cell)),
+            AtEnd::BackAndForth | AtEnd::Loop => self.cells.iter().all(|&centre| self.covers(centre, cell)),
         }
     }
 
     /// What is allowed in the place of a cell that cannot be on the track; none where it can.
     fn unfit(&self, i: usize, grid: &Grid) -> Option<&'static str> {
         let before = match i {
-            0 if self.then == Then::Loop => self.cells.last(),
+            0 if self.at_end == AtEnd::Loop => self.cells.last(),
             0 => None,
             _ => self.cells.get(i - 1),
         };
@@ -190,9 +190,9 @@ mod tests {
     use super::*;
 
     /// Along row 1, from the left.
-    fn track(cells: u32, size: u32, then: Then) -> Track {
+    fn track(cells: u32, size: u32, at_end: AtEnd) -> Track {
         let cells = (0..cells).map(|x| Point::new(x, 1)).collect();
-        Track { cells, size, from_step: 2, steps_per_cell: 1, then }
+        Track { cells, size, from_step: 2, steps_per_cell: 1, at_end }
     }
 
     fn columns(track: &Track, steps: u32) -> Vec<Option<u32>> {
@@ -202,25 +202,25 @@ mod tests {
     #[test]
     fn timetables_by_hand() {
         let [a, b, c] = [Some(0), Some(1), Some(2)];
-        assert_eq!(columns(&track(3, 1, Then::Stay), 8), [None, None, a, b, c, c, c, c]);
-        assert_eq!(columns(&track(3, 1, Then::Leave), 8), [None, None, a, b, c, None, None, None]);
-        assert_eq!(columns(&track(3, 1, Then::Loop), 8), [None, None, a, b, c, a, b, c]);
-        assert_eq!(columns(&track(3, 1, Then::BackAndForth), 8), [None, None, a, b, c, b, a, b]);
-        assert_eq!(columns(&track(1, 1, Then::BackAndForth), 4), [None, None, a, a]);
-        assert_eq!(track(3, 1, Then::BackAndForth).period(), Some(4));
-        assert_eq!((track(3, 1, Then::Stay).period(), track(3, 1, Then::Stay).settled()), (None, 5));
+        assert_eq!(columns(&track(3, 1, AtEnd::Stay), 8), [None, None, a, b, c, c, c, c]);
+        assert_eq!(columns(&track(3, 1, AtEnd::Leave), 8), [None, None, a, b, c, None, None, None]);
+        assert_eq!(columns(&track(3, 1, AtEnd::Loop), 8), [None, None, a, b, c, a, b, c]);
+        assert_eq!(columns(&track(3, 1, AtEnd::BackAndForth), 8), [None, None, a, b, c, b, a, b]);
+        assert_eq!(columns(&track(1, 1, AtEnd::BackAndForth), 4), [None, None, a, a]);
+        assert_eq!(track(3, 1, AtEnd::BackAndForth).period(), Some(4));
+        assert_eq!((track(3, 1, AtEnd::Stay).period(), track(3, 1, AtEnd::Stay).settled()), (None, 5));
     }
 
     #[test]
     fn squares_are_cut_off_at_the_border() {
         let grid = Grid::open(9, 9).expect("a map");
         let cells =
-            |size, x, y| track(3, size, Then::Stay).covered(Point::new(x, y), &grid).map(|p| (p.x, p.y)).collect::<Vec<_>>();
+            |size, x, y| track(3, size, AtEnd::Stay).covered(Point::new(x, y), &grid).map(|p| (p.x, p.y)).collect::<Vec<_>>();
         assert_eq!(cells(1, 4, 4), [(4, 4)]);
         assert_eq!(cells(2, 4, 4), [(4, 4), (5, 4), (4, 5), (5, 5)]);
         assert_eq!(cells(3, 0, 8), [(0, 7), (1, 7), (0, 8), (1, 8)]);
         for size in 1..5 {
-            let (track, centre) = (track(3, size, Then::Stay), Point::new(3, 5));
+            let (track, centre) = (track(3, size, AtEnd::Stay), Point::new(3, 5));
             let covered: Vec<Point> = track.covered(centre, &grid).collect();
             let all = (0..81).map(|c| Point::new(c % 9, c / 9));
             assert_eq!(all.filter(|&p| track.covers(centre, p)).collect::<Vec<_>>(), covered, "{size}");
@@ -230,18 +230,18 @@ mod tests {
     #[test]
     fn it_gives_way_and_catches_up() {
         let robot = Point::new(2, 1);
-        let clear = |then, step| track(4, 1, then).clear_of(step, robot).map(|p| p.x);
+        let clear = |at_end, step| track(4, 1, at_end).clear_of(step, robot).map(|p| p.x);
         // Its timetable is 0, 1, 2, 3 from step 2 on.
-        assert_eq!([3, 4, 5].map(|step| clear(Then::Stay, step)), [Some(1), Some(1), Some(3)]);
+        assert_eq!([3, 4, 5].map(|step| clear(AtEnd::Stay, step)), [Some(1), Some(1), Some(3)]);
         // Of three cells a side it covers column 2 from its second cell on.
-        let wide = track(4, 3, Then::Stay);
+        let wide = track(4, 3, AtEnd::Stay);
         assert_eq!([2, 3, 4, 9].map(|step| wide.clear_of(step, robot).map(|p| p.x)), [Some(0); 4]);
         assert_eq!(
             wide.clear_of(9, Point::new(1, 0)),
             None,
             "it would cover the robot from the first cell on: it does not appear"
         );
-        assert_eq!(clear(Then::Leave, 6), None);
+        assert_eq!(clear(AtEnd::Leave, 6), None);
     }
 
     #[test]
@@ -252,20 +252,20 @@ mod tests {
             Err(ScenarioError::Drive { field, .. }) => field,
             other => format!("{other:?}"),
         };
-        let row = || track(4, 1, Then::Stay);
+        let row = || track(4, 1, AtEnd::Stay);
         assert_eq!(row().check(&grid, &spec, 7), Ok(()));
         assert_eq!(field(Track { cells: Vec::new(), ..row() }), "drive.tracks[7].cells");
         assert_eq!(field(Track { size: 0, ..row() }), "drive.tracks[7].size");
         assert_eq!(field(Track { size: 65, ..row() }), "drive.tracks[7].size");
         assert_eq!(field(Track { from_step: 1_000_001, ..row() }), "drive.tracks[7].from_step");
         assert_eq!(field(Track { steps_per_cell: 0, ..row() }), "drive.tracks[7].steps_per_cell");
-        assert_eq!(field(track(7, 1, Then::Stay)), "drive.tracks[7].cells[6]");
+        assert_eq!(field(track(7, 1, AtEnd::Stay)), "drive.tracks[7].cells[6]");
         assert_eq!(field(Track { cells: vec![Point::new(0, 0), Point::new(2, 0)], ..row() }), "drive.tracks[7].cells[1]");
-        assert_eq!(field(track(4, 1, Then::Loop)), "drive.tracks[7].cells[0]");
+        assert_eq!(field(track(4, 1, AtEnd::Loop)), "drive.tracks[7].cells[0]");
         // On the goal (5, 2) it may pass and turn, but not stay.
-        let to_goal = |then| Track { cells: vec![Point::new(4, 1), Point::new(5, 2)], then, ..row() };
-        assert_eq!(field(to_goal(Then::Stay)), "drive.tracks[7].cells");
-        assert_eq!([Then::Leave, Then::Loop, Then::BackAndForth].map(|then| field(to_goal(then))), ["Ok(())"; 3]);
-        assert_eq!(field(Track { size: 3, ..to_goal(Then::Loop) }), "drive.tracks[7].cells");
+        let to_goal = |at_end| Track { cells: vec![Point::new(4, 1), Point::new(5, 2)], at_end, ..row() };
+        assert_eq!(field(to_goal(AtEnd::Stay)), "drive.tracks[7].cells");
+        assert_eq!([AtEnd::Leave, AtEnd::Loop, AtEnd::BackAndForth].map(|at_end| field(to_goal(at_end))), ["Ok(())"; 3]);
+        assert_eq!(field(Track { size: 3, ..to_goal(AtEnd::Loop) }), "drive.tracks[7].cells");
     }
 }

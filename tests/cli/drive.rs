@@ -27,13 +27,13 @@ fn a_robot_waits_for_what_is_in_its_way() {
     ];
     drive(&["astar"]).ends(0).says(&said);
     // It comes through the door, stays for three steps on each cell, and goes.
-    let visit = ["--obstacle", "2,1:2,0,each=3,then=leave"];
+    let visit = ["--obstacle", "2,1:2,0,each=3,end=leave"];
     let said = ["1 obstacle", "4 moves, 3 waits", "(0, 1) · · · (1, 1) (2, 1) (3, 1) (4, 1)", "planned again"];
     drive(&[&["d-star-lite"], &visit[..]].concat()).ends(0).says(&said);
     drive(&[&["ant-system", "--iterations", "3", "--set", "ants=5"], &visit[..]].concat())
         .ends(0)
         .says(&["ant moves", "arrived"]);
-    let stays = ["d-star-lite", "--obstacle", "2,1,then=stay", "--patience", "4"];
+    let stays = ["d-star-lite", "--obstacle", "2,1,end=stay", "--patience", "4"];
     let said = ["gave up at (0, 1) after 4 steps: no path leads to the goal", "no drive arrives", "it sees 1.5 cells far"];
     drive(&[&stays[..], &["--sight", "1.5"]].concat()).ends(1).says(&said);
     drive(&stays).ends(1).says(&said[..2]);
@@ -67,7 +67,7 @@ fn json_has_every_step() {
 fn what_moves_may_stand_in_a_file_of_its_own() {
     let folder = Folder::with_map("drive-file");
     folder.write("still.json", &scenario("{}"));
-    folder.write("traffic.json", r#"{"tracks":[{"cells":[[2,1],[2,0]],"steps_per_cell":3,"then":"leave"}],"sight":4}"#);
+    folder.write("traffic.json", r#"{"tracks":[{"cells":[[2,1],[2,0]],"steps_per_cell":3,"at_end":"leave"}],"sight":4}"#);
     let drive = |more: &[&str]| folder.run(&[&["drive", "still.json", "--planner", "astar"], more].concat());
     drive(&["--drive", "traffic.json"]).ends(0).says(&["1 obstacle; it sees 4 cells far", "3 waits"]);
     drive(&["--drive", "traffic.json", "--sight", "2", "--obstacle", "2,0"]).ends(0).says(&["2 obstacles; it sees 2 cells far"]);
@@ -90,7 +90,7 @@ fn drive_refuses_by_name() {
     refused(&["astar", "--replan", "never"], &["changed", "blocked"]);
     refused(&["astar", "--obstacle", "2,1:4,0"], &["`2,1:4,0` is no obstacle"]);
     refused(&["astar", "--obstacle", "2,1:7,1"], &["drive.tracks[0].cells[3] = (5, 1)", "a cell of the map"]);
-    refused(&["astar", "--obstacle", "3,1:4,1,then=stay"], &["drive.tracks[0].cells = (4, 1)", "does not end on a goal"]);
+    refused(&["astar", "--obstacle", "3,1:4,1,end=stay"], &["drive.tracks[0].cells = (4, 1)", "does not end on a goal"]);
     refused(&["astar", "--sight", "-2"], &["drive.sight = -2"]);
     refused(&["astar", "--drive", "broken.json"], &["broken.json", "speed"]);
     refused(&["astar", "--to", "4,1", "--to", "2,0"], &["goals = 2", "one goal"]);

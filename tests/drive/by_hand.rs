@@ -5,7 +5,7 @@ use std::sync::Arc;
 use formicarium::drive::{Did, Drive, DriveParams, Driver, End, Replan, Stuck};
 use formicarium::map::{CornerRule, Movement, Moves, Point};
 use formicarium::params::Values;
-use formicarium::scenario::{DriveChange, DriveSpec, Scenario, Then, Track};
+use formicarium::scenario::{AtEnd, DriveChange, DriveSpec, Scenario, Track};
 
 use super::common::drawn;
 use super::moving::{track, with};
@@ -31,13 +31,12 @@ fn patient(patience: u32) -> DriveParams {
     DriveParams { patience, ..DriveParams::default() }
 }
 
-fn walls(scenario: &Scenario, changes: &[(u32, &[(u32, u32)], &[(u32, u32)])], sight: Option<f64>) -> Arc<Scenario> {
+/// A step, cells that get a wall then, and cells that lose theirs.
+type Walls<'a> = (u32, &'a [(u32, u32)], &'a [(u32, u32)]);
+
+fn walls(scenario: &Scenario, changes: &[Walls], sight: Option<f64>) -> Arc<Scenario> {
     let points = |cells: &[(u32, u32)]| cells.iter().map(|&(x, y)| Point::new(x, y)).collect();
-    let change = |&(at_step, blocked, freed): &(u32, &[(u32, u32)], &[(u32, u32)])| DriveChange {
-        at_step,
-        blocked: points(blocked),
-        freed: points(freed),
-    };
+    let change = |&(at_step, blocked, freed): &Walls| DriveChange { at_step, blocked: points(blocked), freed: points(freed) };
     with(scenario, DriveSpec { changes: changes.iter().map(change).collect(), tracks: Vec::new(), sight })
 }
 
@@ -61,7 +60,7 @@ fn it_waits_until_a_door_opens_or_gives_up() {
 #[test]
 fn on_the_goal_nobody_stays_for_ever() {
     let corridor = drawn(&["S..G"], FOUR);
-    let visitor = |steps| tracks(&corridor, vec![track(&[(3, 0)], 0, steps, Then::Leave)]);
+    let visitor = |steps| tracks(&corridor, vec![track(&[(3, 0)], 0, steps, AtEnd::Leave)]);
     let (drive, steps) = driven(&visitor(4), DriveParams::default());
     assert_eq!((drive.end, &*steps), (Some(End::Arrived), "Swwwwmmm"));
     // Who knows in advance waits beside the goal, and is there sooner: the length is the same.
@@ -88,7 +87,7 @@ fn a_wall_waits_until_the_robot_has_left_its_cell() {
 fn an_obstacle_waits_before_the_robot_and_the_robot_before_it() {
     // They meet in a corridor: the obstacle comes from the goal and cannot pass; it waits at (3, 0), and so does the robot, at (2, 0).
     let corridor = drawn(&["S....G"], FOUR);
-    let meeting = tracks(&corridor, vec![track(&[(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)], 0, 1, Then::Leave)]);
+    let meeting = tracks(&corridor, vec![track(&[(4, 0), (3, 0), (2, 0), (1, 0), (0, 0)], 0, 1, AtEnd::Leave)]);
     let mut robot = Driver::new(&meeting, "astar", None, &Values::new(), 1, patient(50)).expect("it can drive");
     let mut stood = Vec::new();
     loop {
@@ -106,7 +105,7 @@ fn an_obstacle_waits_before_the_robot_and_the_robot_before_it() {
 #[test]
 fn it_goes_around_or_holds_until_the_way_is_free() {
     let room = drawn(&[".....", "S...G", "....."], FOUR);
-    let passing = tracks(&room, vec![track(&[(2, 1)], 1, 3, Then::Leave)]);
+    let passing = tracks(&room, vec![track(&[(2, 1)], 1, 3, AtEnd::Leave)]);
     let (around, steps) = driven(&passing, DriveParams::default());
     assert_eq!((around.length, &*steps), (6.0, "Smmmmmm"));
     assert_eq!(around.ratio, Some(1.5));
@@ -114,7 +113,7 @@ fn it_goes_around_or_holds_until_the_way_is_free() {
     assert_eq!((held.length, &*steps, held.replans, held.ratio), (4.0, "Smwwwmmm", 0, Some(1.0)));
     let (held, _) = driven(&passing, DriveParams { hold: 2, replan: Replan::Blocked, ..DriveParams::default() });
     assert_eq!((held.length, held.waits, held.replans), (6.0, 2, 1), "after two waits it goes around");
-    let stays = tracks(&room, vec![track(&[(2, 1)], 1, 1, Then::Stay)]);
+    let stays = tracks(&room, vec![track(&[(2, 1)], 1, 1, AtEnd::Stay)]);
     let hopeful = DriveParams { hold: 1000, patience: 7, ..DriveParams::default() };
     assert_eq!(driven(&stays, hopeful).0.end, Some(End::Stuck(Stuck::Held)));
 }
@@ -145,7 +144,7 @@ fn what_is_out_of_sight_is_not_known() {
     assert_eq!(length(Some(0.0)), 20.0, "what its next step can touch it always sees");
     // A visitor stands on (4, 0) for two steps: who sees three cells far waits for it to go, who sees two never knew of it.
     let visit = |sight| {
-        let tracks = vec![track(&[(4, 0)], 0, 2, Then::Leave)];
+        let tracks = vec![track(&[(4, 0)], 0, 2, AtEnd::Leave)];
         with(&drawn(&["S....G"], FOUR), DriveSpec { tracks, sight: Some(sight), ..DriveSpec::default() })
     };
     assert_eq!(driven(&visit(3.0), patient(9)).1, "Smwmmmm");
@@ -157,7 +156,7 @@ fn what_it_has_seen_it_believes_until_it_sees_it_again() {
     // An obstacle shuts the upper way while the robot is near and is gone once the robot has turned its back: it drives all the way around.
     let rows = drawn(&["S....G", ".####.", ".####.", "......"], FOUR);
     let drive =
-        |steps| DriveSpec { tracks: vec![track(&[(3, 0)], 0, steps, Then::Leave)], sight: Some(2.0), ..DriveSpec::default() };
+        |steps| DriveSpec { tracks: vec![track(&[(3, 0)], 0, steps, AtEnd::Leave)], sight: Some(2.0), ..DriveSpec::default() };
     let (seen, steps) = driven(&with(&rows, drive(2)), DriveParams::default());
     // It plans again where it sees the obstacle, and at the far end where it sees that there is none.
     assert_eq!((seen.length, &*steps, seen.replans), (13.0, "Smmmmmmmmmmmmm", 2));

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
-use formicarium::scenario::{DriveChange, DriveSpec, Scenario, ScenarioSpec, Then, Track};
+use formicarium::scenario::{AtEnd, DriveChange, DriveSpec, Scenario, ScenarioSpec, Track};
 
 use super::common;
 
@@ -28,23 +28,23 @@ pub fn with(scenario: &Scenario, drive: DriveSpec) -> Arc<Scenario> {
 }
 
 /// A track through these cells.
-pub fn track(cells: &[(u32, u32)], from_step: u32, steps_per_cell: u32, then: Then) -> Track {
-    Track { cells: cells.iter().map(|&(x, y)| Point::new(x, y)).collect(), size: 1, from_step, steps_per_cell, then }
+pub fn track(cells: &[(u32, u32)], from_step: u32, steps_per_cell: u32, at_end: AtEnd) -> Track {
+    Track { cells: cells.iter().map(|&(x, y)| Point::new(x, y)).collect(), size: 1, from_step, steps_per_cell, at_end }
 }
 
 /// Where an obstacle was by its timetable at each step so far, the last one at the end.
 fn timetable(track: &Track, step: u32) -> Vec<Option<Point>> {
     let cells = track.cells.len();
     let mut way: Vec<usize> = (0..cells).collect();
-    if track.then == Then::BackAndForth {
+    if track.at_end == AtEnd::BackAndForth {
         way.extend((1..cells.saturating_sub(1)).rev());
     }
     let place = |step: u32| {
         let k = (step.checked_sub(track.from_step)? / track.steps_per_cell) as usize;
-        match track.then {
-            Then::Stay => Some(track.cells[k.min(cells - 1)]),
-            Then::Leave => track.cells.get(k).copied(),
-            Then::Loop | Then::BackAndForth => Some(track.cells[way[k % way.len()]]),
+        match track.at_end {
+            AtEnd::Stay => Some(track.cells[k.min(cells - 1)]),
+            AtEnd::Leave => track.cells.get(k).copied(),
+            AtEnd::Loop | AtEnd::BackAndForth => Some(track.cells[way[k % way.len()]]),
         }
     };
     (0..=step).map(place).collect()
@@ -100,8 +100,8 @@ fn wandering(draws: &mut Draws, grid: &Grid) -> Track {
         cells.push(at);
     }
     let size = draws.one_of(&[1, 1, 2, 3]);
-    let then = draws.one_of(&[Then::Stay, Then::BackAndForth, Then::Loop, Then::Leave]);
-    Track { cells, size, from_step: draws.below(8), steps_per_cell: 1 + draws.below(3), then }
+    let at_end = draws.one_of(&[AtEnd::Stay, AtEnd::BackAndForth, AtEnd::Loop, AtEnd::Leave]);
+    Track { cells, size, from_step: draws.below(8), steps_per_cell: 1 + draws.below(3), at_end }
 }
 
 /// A random map of this side on which walls change and obstacles wander.

@@ -6,7 +6,7 @@ use formicarium::drive::{DriveParams, Driver, End};
 use formicarium::map::Movement;
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Layer, Planner};
-use formicarium::scenario::{DriveSpec, Scenario, Then};
+use formicarium::scenario::{AtEnd, DriveSpec, Scenario};
 
 use super::common::{drawn, random, with_goals};
 use super::moving::{track, with};
@@ -39,7 +39,7 @@ fn what_cannot_drive_is_refused_by_name() {
 fn twice_planned(keep: bool) -> (Driver, f32) {
     let scenario = random(16, 0.0, 5, Movement::default());
     let row: Vec<(u32, u32)> = (4..12).map(|x| (x, 15 - x)).collect();
-    let scenario = with(&scenario, DriveSpec { tracks: vec![track(&row, 3, 50, Then::Stay)], ..DriveSpec::default() });
+    let scenario = with(&scenario, DriveSpec { tracks: vec![track(&row, 3, 50, AtEnd::Stay)], ..DriveSpec::default() });
     let mut robot = drive(&scenario, "ant-system", DriveParams { keep, iterations: 8, ..DriveParams::default() });
     while robot.drive().replans == 0 {
         robot.step().expect("it goes on");
@@ -71,7 +71,7 @@ fn trails_are_kept_from_a_start_that_has_moved_or_are_not() {
 fn a_colony_that_has_spent_all_its_iterations_begins_anew() {
     // Each wait plans once more: 3 plannings of 40,000 iterations are more than a colony counts.
     let scenario = drawn(&["S.#.G"], Movement::default());
-    let shut = track(&[(1, 0)], 0, 1, Then::Stay);
+    let shut = track(&[(1, 0)], 0, 1, AtEnd::Stay);
     let scenario = with(&scenario, DriveSpec { tracks: vec![shut], ..DriveSpec::default() });
     let params = DriveParams { iterations: 40_000, patience: 3, ..DriveParams::default() };
     let end = drive(&scenario, "ant-system", params).run().end;
@@ -82,7 +82,7 @@ fn a_colony_that_has_spent_all_its_iterations_begins_anew() {
 fn d_star_lite_repairs_where_astar_begins_anew() {
     let scenario = random(60, 0.25, 8, Movement::default());
     let patrol = |y| (20..40).map(|x| (x, y)).collect::<Vec<_>>();
-    let tracks = [14, 28, 42].map(|y| track(&patrol(y), 0, 1, Then::BackAndForth)).to_vec();
+    let tracks = [14, 28, 42].map(|y| track(&patrol(y), 0, 1, AtEnd::BackAndForth)).to_vec();
     let scenario = with(&scenario, DriveSpec { tracks, ..DriveSpec::default() });
     let [repaired, anew, without] = [("d-star-lite", true), ("astar", true), ("d-star-lite", false)].map(|(planner, keep)| {
         let drive = drive(&scenario, planner, DriveParams { keep, ..DriveParams::default() }).run();

@@ -2,7 +2,7 @@
 
 use formicarium::formats::{Export, Kind, export, sniff};
 use formicarium::map::{CornerRule, Moves, Point};
-use formicarium::scenario::Then;
+use formicarium::scenario::AtEnd;
 use serde_json::{Value, json};
 
 use super::schema::{load, violations};
@@ -39,7 +39,7 @@ const TERRAIN: &str = r#"{
   "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
   "world": {"x":-10.0,"y":2.5,"yaw":0.5,"frame":"map"},
   "changes": [{"at":12,"blocked":[[1,0]],"freed":[]}],
-  "drive": {"changes":[{"at_step":3,"blocked":[[1,1]],"freed":[]}],"tracks":[{"cells":[[1,0],[1,1]],"size":1,"from_step":2,"steps_per_cell":3,"then":"loop"}],"sight":4.5},
+  "drive": {"changes":[{"at_step":3,"blocked":[[1,1]],"freed":[]}],"tracks":[{"cells":[[1,0],[1,1]],"size":1,"from_step":2,"steps_per_cell":3,"at_end":"loop"}],"sight":4.5},
   "map": {"rows": [
     "...",
     "@.."
@@ -212,11 +212,11 @@ fn what_moves_may_leave_out_what_is_usual_and_is_refused_by_name() {
     let spec = read(&driving(r#"{"tracks":[{"cells":[[1,1]]}],"changes":[{"at_step":4,"blocked":[[0,1]]}]}"#)).unwrap().spec;
     let drive = spec.drive.expect("things move");
     let track = &drive.tracks[0];
-    assert_eq!((track.size, track.from_step, track.steps_per_cell, track.then, drive.sight), (1, 0, 1, Then::Stay, None));
+    assert_eq!((track.size, track.from_step, track.steps_per_cell, track.at_end, drive.sight), (1, 0, 1, AtEnd::Stay, None));
     assert!(drive.changes[0].freed.is_empty());
     for (drive, said) in [
         (r#"{"speed":1}"#, "speed"),
-        (r#"{"tracks":[{"cells":[[1,1]],"then":"turn"}]}"#, "turn"),
+        (r#"{"tracks":[{"cells":[[1,1]],"at_end":"turn"}]}"#, "turn"),
         (r#"{"tracks":[{"cells":[[0,0],[2,0]]}]}"#, "drive.tracks[0].cells[1]"),
         (r#"{"tracks":[{"size":2}]}"#, "cells"),
         (r#"{"changes":[{"at_step":4,"blocked":[[2,1]]}]}"#, "drive.changes"),

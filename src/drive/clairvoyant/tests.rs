@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::map::{Movement, Point};
-use crate::scenario::{DriveChange, ScenarioSpec, Then, Track};
+use crate::scenario::{AtEnd, DriveChange, ScenarioSpec, Track};
 
-fn track(cells: u32, from_step: u32, steps_per_cell: u32, then: Then) -> Track {
+fn track(cells: u32, from_step: u32, steps_per_cell: u32, at_end: AtEnd) -> Track {
     let cells = (0..cells).map(|x| Point::new(x, 0)).collect();
-    Track { cells, size: 1, from_step, steps_per_cell, then }
+    Track { cells, size: 1, from_step, steps_per_cell, at_end }
 }
 
 #[test]
@@ -18,11 +18,11 @@ fn the_span_of_a_drive_by_hand() {
     let of = |settled, period| Some(Time { settled, period });
     assert_eq!(time(Vec::new(), &[]), of(0, 1));
     assert_eq!(time(Vec::new(), &[3, 8]), of(8, 1));
-    assert_eq!(time(vec![track(4, 10, 2, Then::Stay)], &[3]), of(18, 1));
+    assert_eq!(time(vec![track(4, 10, 2, AtEnd::Stay)], &[3]), of(18, 1));
     // To and fro over four cells are six.
-    let (there, round) = (track(4, 0, 2, Then::BackAndForth), track(2, 5, 4, Then::Loop));
+    let (there, round) = (track(4, 0, 2, AtEnd::BackAndForth), track(2, 5, 4, AtEnd::Loop));
     assert_eq!(time(vec![there.clone(), round], &[]), of(13, 24));
-    let primes = [997, 991, 983].map(|steps| track(2, 0, steps, Then::Loop)).to_vec();
+    let primes = [997, 991, 983].map(|steps| track(2, 0, steps, AtEnd::Loop)).to_vec();
     assert_eq!(time(primes, &[]), None, "two thousand million steps");
     let (time, steps) = (Time { settled: 13, period: 24 }, [0, 12, 35, 36]);
     assert_eq!(steps.map(|step| time.after(step)), [1, 13, 36, 13]);

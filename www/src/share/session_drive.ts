@@ -1,17 +1,17 @@
 /** What moves while a robot drives, in a session document: its fields and cells. How many there may be, and where, the engine judges. */
-import type { DriveSpec, ScenarioSpec, Then } from '@pkg/formicarium'
+import type { AtEnd, DriveSpec, ScenarioSpec } from '@pkg/formicarium'
 import { cell, fieldsOf, integer, invalid, list, oneOf, real } from './field_checks'
 
 /** More than the engine takes of anything. */
 const MOST_ENTRIES = 1e6
 const MOST_STEPS = 2 ** 32 - 1
 /** Every value, by the type check. */
-const THEN = Object.keys({
+const AT_END = Object.keys({
   stay: true,
   'back-and-forth': true,
   loop: true,
   leave: true,
-} satisfies Record<Then, true>) as Then[]
+} satisfies Record<AtEnd, true>) as AtEnd[]
 
 type Sides = Pick<ScenarioSpec, 'width' | 'height'>
 
@@ -43,7 +43,7 @@ function readChange(value: unknown, field: string, sides: Sides): DriveSpec['cha
 
 function readTrack(value: unknown, field: string, sides: Sides): DriveSpec['tracks'][number] {
   const fields = fieldsOf(value, field)
-  const { size = 1, from_step = 0, steps_per_cell = 1, then = 'stay', ...rest } = fields
+  const { size = 1, from_step = 0, steps_per_cell = 1, at_end = 'stay', ...rest } = fields
   const { cells: way, ...others } = rest
   refuse(others, field)
   return {
@@ -51,7 +51,7 @@ function readTrack(value: unknown, field: string, sides: Sides): DriveSpec['trac
     size: integer(size, `${field}.size`, 1, MOST_STEPS),
     from_step: integer(from_step, `${field}.from_step`, 0, MOST_STEPS),
     steps_per_cell: integer(steps_per_cell, `${field}.steps_per_cell`, 1, MOST_STEPS),
-    then: oneOf(then, `${field}.then`, THEN),
+    at_end: oneOf(at_end, `${field}.at_end`, AT_END),
   }
 }
 
