@@ -39,6 +39,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &aco::best_worst_ant_system::ENTRY),
     (OPENING, &exact::dijkstra::ENTRY),
     (OPENING, &exact::astar::ENTRY),
+    (MORE, &exact::d_star_lite::ENTRY),
     (MORE, &exact::theta_star::ENTRY),
     (MORE, &exact::any_angle::ENTRY),
     (MORE, &exact::turn_aware::ENTRY),

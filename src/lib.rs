@@ -6,7 +6,7 @@
 //! turns a planner's id, its [`params`] and a seed into a [`planner::Planner`], which advances by moves or iterations and tells
 //! its best path, history, effort and layers. [`metrics`] measures a path, [`path::audit`] checks it, [`findings`] tells all that is wrong with it, [`digest`] sums a run up in
 //! 64 bits. [`aco`] holds the colonies, [`swarm`] fireworks and particles, [`exact`] the searches with a proof, [`formats`] the files.
-//! [`comparison`] runs many seeds and judges what a publication claims.
+//! [`drive`] has a robot drive where things move; [`comparison`] runs many seeds and judges what a publication claims.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -28,7 +28,7 @@
 //! ```
 //!
 //! Layers, from the bottom: [`error`], [`rng`], [`digest`] and [`params`]; [`map`]; [`scenario`]; [`path`]; [`metrics`], [`drawn`] and [`smoothing`]; [`planner`] and [`findings`]; [`exact`]
-//! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]. A module knows none above it (`tests/layers.rs`).
+//! and [`swarm`]; [`aco`], whose hybrids use both; [`catalog`]; [`drive`]. A module knows none above it (`tests/layers.rs`).
 //!
 //! The engine knows no screen, no clock and no randomness of the operating system; only `libm` computes powers, so that results
 //! agree natively and in every browser. `wasm/` is the whole browser boundary, `cli/` the command line, which
@@ -46,6 +46,8 @@ pub mod cli;
 pub mod comparison;
 pub mod digest;
 pub mod drawn;
+#[cfg(feature = "whole")]
+pub mod drive;
 pub mod error;
 pub mod exact;
 #[cfg(feature = "whole")]

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The top-level modules from the lowest to the highest. Modules of one line are neighbours: either may know the other, but not both.
-const LAYERS: [&[&str]; 13] = [
+const LAYERS: [&[&str]; 14] = [
     // What knows nothing of maps: everybody may use it.
     &["error", "params", "rng", "digest", "listed"],
     &["map"],
@@ -16,6 +16,7 @@ const LAYERS: [&[&str]; 13] = [
     &["exact", "swarm", "sampling"],
     &["aco"],
     &["catalog"],
+    &["drive"],
     &["comparison"],
     &["formats"],
     &["wasm", "cli"],

@@ -220,6 +220,9 @@ pub fn tell_of_losses(format: Format, map: &Imported) {
     if !map.spec.changes.is_empty() && format != Format::Scenario {
         say("note: this format holds the map before its walls change; a .json keeps the changes");
     }
+    if map.spec.drive.is_some() && format != Format::Scenario {
+        say("note: this format does not hold what moves while a robot drives; a .json does");
+    }
     let is_impossible = |h: &f32| f64::from(h.abs()) > formats::FARTHEST;
     let impossible = || map.grid.heights().is_some_and(|heights| heights.iter().any(is_impossible));
     if format.is_raster() && impossible() {

@@ -5,6 +5,7 @@ mod catalog;
 mod check;
 mod compare;
 mod convert;
+mod drive;
 mod driving;
 mod error;
 mod generate;
@@ -49,6 +50,7 @@ Examples:
   formicarium compare experiments/ship.toml --out results
   formicarium check path.csv --map arena2.map
   formicarium bench-scen arena2.map.scen
+  formicarium drive cave.json --planner d-star-lite --obstacle 10,3:10,15
   formicarium order berlin52.tsp --runs 10
   formicarium page race.experiment.json > lesson.html
   formicarium submit race.experiment.json --by Ada
@@ -66,6 +68,7 @@ enum Command {
     Generate(generate::Args),
     BenchScen(bench_scen::Args),
     Order(order::Args),
+    Drive(drive::Args),
     Page(page::Args),
     Submit(submit::Args),
     Tracker(tracker::Args),
@@ -101,6 +104,7 @@ impl Command {
             Self::Generate(args) => generate::run(args),
             Self::BenchScen(args) => bench_scen::run(args),
             Self::Order(args) => order::run(args),
+            Self::Drive(args) => drive::run(args),
             Self::Page(args) => page::run(args),
             Self::Submit(args) => submit::run(args),
             Self::Tracker(args) => tracker::run(args),
@@ -115,6 +119,7 @@ impl Command {
             Self::Check(args) => args.wants_json(),
             Self::BenchScen(args) => args.wants_json(),
             Self::Order(args) => args.wants_json(),
+            Self::Drive(args) => args.wants_json(),
             Self::Compare(_) | Self::Convert(_) | Self::Generate(_) | Self::Page(_) | Self::Submit(_) | Self::Tracker(_) => false,
         }
     }

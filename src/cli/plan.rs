@@ -75,6 +75,11 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let entry = catalog::find(&args.planner)?;
     let scenario = args.scenario.load()?;
     args.format.check(&scenario.spec)?;
+    if scenario.spec.drive.is_some() {
+        say(
+            "note: things move in this scenario while a robot drives; this is a plan before its first step, `drive` has it drive",
+        );
+    }
     let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
     if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
         say(format!(
@@ -215,7 +220,11 @@ impl Report<'_> {
             row(out, "found in", format!("iteration {} of {}", best.iteration, effort.iterations));
         }
         if let Some(changing) = self.planner.changing() {
-            let how = if changing.adapts() { "trails were kept" } else { "it began anew each time" };
+            let how = match (changing.adapts(), changing.budget()) {
+                (true, Some(_)) => "trails were kept",
+                (true, None) => "it repaired its search",
+                (false, _) => "it began anew each time",
+            };
             row(out, "walls", format!("{}; {how}", text::count(changing.made().into(), "change", "changes")));
         }
         row(out, "effort", effort_text(&effort));
@@ -231,7 +240,8 @@ fn from_to(spec: &ScenarioSpec) -> String {
     }
 }
 
-fn effort_text(effort: &Effort) -> String {
+/// What was spent, in words.
+pub fn effort_text(effort: &Effort) -> String {
     let parts = [
         (effort.constructed_paths, "constructed path", "constructed paths"),
         (effort.ant_moves, "ant move", "ant moves"),

@@ -124,6 +124,17 @@ pub enum ScenarioError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// What moves while a robot drives cannot do so, or nobody can drive so.
+    #[cfg(feature = "whole")]
+    #[error("{field} = {value} cannot be used: it must be {allowed}")]
+    Drive {
+        /// The field, such as `drive.tracks[2].cells[0]`.
+        field: String,
+        /// The refused value.
+        value: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A physical quantity is not a positive, finite number (or not in its set).
     #[error("{field} = {value} cannot be used: it must be {allowed}")]
     Quantity {
@@ -211,6 +222,10 @@ impl ScenarioError {
             #[cfg(feature = "whole")]
             Self::Change { field, value, allowed } => {
                 ErrorReport::new("change", field, message, format!("give {allowed}")).with("value", value)
+            }
+            #[cfg(feature = "whole")]
+            Self::Drive { field, value, allowed } => {
+                ErrorReport::new("drive", field, message, format!("give {allowed}")).with("value", value)
             }
             Self::Quantity { field, value, allowed } => {
                 ErrorReport::new("quantity", *field, message, format!("give {allowed}")).with("value", value)

@@ -4,6 +4,7 @@ pub mod any_angle;
 pub mod astar;
 mod best_first;
 mod contours;
+pub mod d_star_lite;
 pub mod dijkstra;
 mod frontier;
 mod jump_map;

@@ -1,6 +1,6 @@
 //! A scenario as JSON: `"format": "formicarium/scenario@1"`, the fields of [`ScenarioSpec`], and the map as rows of `.` and `@`,
 //! on a terrain with `"terrain"` and `map.heights`, rows of numbers, `null` where there is no data; on weighted ground with `map.factors`,
-//! rows of numbers; with `"robot"` where it is no point, with `"changes"` where walls change.
+//! rows of numbers; with `"robot"` where it is no point, with `"changes"` where walls change, `"drive"` where a robot drives.
 //!
 //! Nothing is guessed: other versions, unknown fields and unusable values are refused by name. docs/schema has the schema.
 
@@ -240,6 +240,8 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
         robot,
         #[cfg(feature = "whole")]
         changes,
+        #[cfg(feature = "whole")]
+        drive,
     } = spec;
     let fields = [
         ("format", text(&FORMAT)),
@@ -259,6 +261,8 @@ pub(super) fn write(grid: &Grid, spec: &ScenarioSpec) -> String {
     let fields = fields.chain(robot.iter().map(|robot| ("robot", text(robot))));
     #[cfg(feature = "whole")]
     let fields = fields.chain((!changes.is_empty()).then(|| ("changes", text(changes))));
+    #[cfg(feature = "whole")]
+    let fields = fields.chain(drive.iter().map(|drive| ("drive", text(drive))));
     let fields: String = fields.map(|(key, value)| format!("  \"{key}\": {value},\n")).collect();
     let rows: Vec<String> = movingai::rows(grid).map(|row| format!("    \"{row}\"")).collect();
     format!(

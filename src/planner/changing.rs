@@ -5,8 +5,8 @@
 //! each change with the iteration that it follows; without changes it is the planner's own.
 //!
 //! A change is noted with the number of an iteration, so that a run is repeated exactly, whatever its pace: the change is made at the end of
-//! that iteration, or when the planner ends before. A search is no wiser in the middle of a contour than at its end: it begins anew at once,
-//! and the contours that it has closed count.
+//! that iteration, or when the planner ends before. A search that begins anew is no wiser in the middle of a contour than at its end: it does
+//! so at once, and the contours that it has closed count.
 
 use std::num::NonZero;
 use std::sync::Arc;
@@ -187,9 +187,9 @@ impl Planner for Changing {
     fn advance(&mut self, by: Granularity) -> Status {
         let before = self.planner.effort().iterations;
         let status = self.planner.advance(by);
-        let is_search = self.planner.budget().is_none();
+        let forgets = self.planner.budget().is_none() && !self.planner.adapts();
         let ended = self.planner.effort().iterations > before || status.is_finished();
-        self.between = ended || is_search || by == Granularity::Iteration;
+        self.between = ended || forgets || by == Granularity::Iteration;
         self.take_in();
         self.make_due();
         self.status()

@@ -27,7 +27,7 @@ listed! {
         SeedPath,
         /// The numbers by which a decoded path is chosen, one a cell: a firework's or a particle's position.
         Priority,
-        /// A search's cost from the start, in cells; infinite where none is known.
+        /// A search's cost from the start, in cells, of D* Lite to the goal; infinite where none is known.
         Cost,
     }
 }

@@ -287,7 +287,8 @@ pub trait Planner: Snapshot + Send {
         false
     }
 
-    /// Goes on from the map that `change` has led to, between two iterations; only where it [adapts](Planner::adapts).
+    /// Goes on from the map that `change` has led to, between two iterations; only where it [adapts](Planner::adapts). `to` may have another
+    /// start: then a robot has moved on.
     #[cfg(feature = "whole")]
     fn adapt(&mut self, _change: &Change, _to: &Arc<Scenario>) {}
 

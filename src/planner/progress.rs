@@ -35,6 +35,18 @@ impl Effort {
             cell_expansions: self.cell_expansions + other.cell_expansions,
         }
     }
+
+    /// What of it was spent after it was `before`.
+    #[cfg(feature = "whole")]
+    #[must_use]
+    pub fn since(self, before: Self) -> Self {
+        Self {
+            iterations: self.iterations - before.iterations,
+            constructed_paths: self.constructed_paths - before.constructed_paths,
+            ant_moves: self.ant_moves - before.ant_moves,
+            cell_expansions: self.cell_expansions - before.cell_expansions,
+        }
+    }
 }
 
 /// One finished iteration. Lengths in cells; `None` where no ant has arrived.
@@ -213,6 +225,13 @@ impl Progress {
             _ if self.effort.iterations >= budget => Status::BudgetSpent,
             _ => Status::Running,
         };
+    }
+
+    /// Searches on, on a map that has changed: effort and history stay, and what the search knows besides.
+    #[cfg(feature = "whole")]
+    pub(crate) fn search_on(&mut self, change: &Change) {
+        self.note(change);
+        (self.status, self.best) = (Status::Running, None);
     }
 
     /// Begins anew on a map that has changed: effort and history stay.

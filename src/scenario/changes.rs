@@ -6,10 +6,13 @@ use serde::{Deserialize, Serialize};
 
 use super::{Scenario, ScenarioSpec};
 use crate::error::ScenarioError;
-use crate::map::{Grid, Point};
+use crate::map::{Cell, Grid, Point};
 
 /// Most changes of one scenario.
 pub const MAX_CHANGES: usize = 1000;
+
+/// How far, in cells, a wall is felt: a step from beside it, and what an ant sees at that step's end (eight cells around).
+const FELT: u32 = 2;
 
 /// Cells that are blocked or freed between two iterations. Start and goals stay free.
 ///
@@ -47,6 +50,19 @@ impl Change {
         self.blocked.iter().chain(&self.freed).copied()
     }
 
+    /// The cells of a map whose steps it concerns, or what is seen of them, in the map's order: around its own cells and, where the robot
+    /// needs room, around all that it has made narrow or wide, dear or cheap.
+    pub fn felt(&self, before: &Grid, now: &Grid) -> Vec<Cell> {
+        let mut cells = BTreeSet::new();
+        for p in self.cells().chain(differing(before, now)) {
+            for y in p.y.saturating_sub(FELT)..=(p.y + FELT).min(now.height() - 1) {
+                let row = y * now.width();
+                cells.extend(row + p.x.saturating_sub(FELT)..=row + (p.x + FELT).min(now.width() - 1));
+            }
+        }
+        cells.into_iter().collect()
+    }
+
     /// Makes it on a map, after a check; `index` is its number in errors.
     ///
     /// # Errors
@@ -77,13 +93,25 @@ impl Change {
     }
 }
 
+/// The cells that two maps of one size differ in.
+fn differing<'a>(before: &'a Grid, now: &'a Grid) -> impl Iterator<Item = Point> + use<'a> {
+    let factor = |grid: &Grid, cell: usize| grid.factors().map_or(1.0, |factors| factors[cell]);
+    let differs = move |&cell: &usize| before.blocked()[cell] != now.blocked()[cell] || factor(before, cell) != factor(now, cell);
+    (0..now.len()).filter(differs).map(|cell| now.point(cell as Cell))
+}
+
 /// What is allowed in the place of a cell that cannot be blocked, or freed; none where it can.
 fn refusal(grid: &Grid, spec: &ScenarioSpec, cell: Point, block: bool) -> Option<&'static str> {
+    if grid.contains(cell) && (cell == spec.start || spec.goals.iter().any(|goal| goal.at == cell)) {
+        return Some("neither the start nor a goal");
+    }
+    unfit_for_change(grid, cell, block)
+}
+
+/// The same whatever stands on the cell.
+pub(super) fn unfit_for_change(grid: &Grid, cell: Point, block: bool) -> Option<&'static str> {
     if !grid.contains(cell) {
         return Some("a cell of the map");
-    }
-    if cell == spec.start || spec.goals.iter().any(|goal| goal.at == cell) {
-        return Some("neither the start nor a goal");
     }
     let index = grid.cell(cell);
     match (block, grid.is_blocked(index)) {

@@ -3,10 +3,14 @@
 #[cfg(feature = "whole")]
 mod changes;
 #[cfg(feature = "whole")]
+mod drive;
+#[cfg(feature = "whole")]
 mod driving;
 #[cfg(feature = "whole")]
 mod robot;
 mod terrain;
+#[cfg(feature = "whole")]
+mod track;
 mod world;
 
 use std::sync::Arc;
@@ -19,11 +23,15 @@ use crate::map::{Cell, Charge, Generated, Grid, MoveSet, Movement, Point, Relief
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
 #[cfg(feature = "whole")]
+pub use drive::{DriveChange, DriveSpec, MAX_DRIVE_CHANGES, MAX_STEP, MAX_TRACKS};
+#[cfg(feature = "whole")]
 pub use driving::{EnergyRule, SmoothingRule};
 #[cfg(feature = "whole")]
 pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, MAX_MULTIPLIER, NAV2_RADIUS, Robot};
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
 use terrain::{check_terrain, rise_over_run, slices};
+#[cfg(feature = "whole")]
+pub use track::{AtEnd, MAX_OBSTACLE, MAX_STEPS_PER_CELL, MAX_TRACK_CELLS, Track};
 pub use world::World;
 
 /// Largest number of goals of a scenario.
@@ -144,6 +152,11 @@ pub struct ScenarioSpec {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
     pub changes: Vec<Change>,
+    /// What moves while a robot drives over the map; none where nothing does. Planners alone see the map before its first step.
+    #[cfg(feature = "whole")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub drive: Option<DriveSpec>,
 }
 
 impl Generated {
@@ -173,10 +186,12 @@ impl ScenarioSpec {
             robot: None,
             #[cfg(feature = "whole")]
             changes: Vec::new(),
+            #[cfg(feature = "whole")]
+            drive: None,
         }
     }
 
-    /// Checks all but start and goals: sizes, quantities, the terrain, the changes of the walls.
+    /// Checks all but start and goals: sizes, quantities, the terrain, the changes of the walls, the drive.
     ///
     /// # Errors
     /// [`ScenarioError`] names the field, the value and what is allowed.
@@ -195,8 +210,15 @@ impl ScenarioSpec {
         #[cfg(feature = "whole")]
         robot::check(grid, self)?;
         #[cfg(feature = "whole")]
-        changes::check_changes(grid, self)?;
+        self.check_what_moves(grid)?;
         Ok(())
+    }
+
+    /// Checks the changes of the walls, and the drive.
+    #[cfg(feature = "whole")]
+    fn check_what_moves(&self, grid: &Grid) -> Result<(), ScenarioError> {
+        changes::check_changes(grid, self)?;
+        self.drive.as_ref().map_or(Ok(()), |drive| drive.check(grid, self))
     }
 
     /// The allowed steps on a map, and what they cost.
@@ -211,8 +233,14 @@ impl ScenarioSpec {
         }
     }
 
+    /// Whether the robot touches an obstacle so far away, by the squared distance in cells: a point only one in its own cell.
+    #[cfg(feature = "whole")]
+    pub(crate) fn touches(&self, squared: u32) -> bool {
+        self.robot.map_or(squared == 0, |robot| robot.touches(squared, self.resolution))
+    }
+
     /// The map as the robot feels it: blocked where it does not fit, dearer where an obstacle is near.
-    fn felt(&self, drawn: &Grid) -> Grid {
+    pub(crate) fn felt(&self, drawn: &Grid) -> Grid {
         #[cfg(feature = "whole")]
         if let Some(robot) = &self.robot {
             return robot.feels(drawn, self.resolution);
@@ -277,7 +305,7 @@ impl Scenario {
     }
 
     /// The same map, rules and changes with another start and other goals. What depends on the map alone is shared with this scenario, so
-    /// it costs next to nothing, but by slices, whose places depend on their ends, and with changes, which must spare them.
+    /// it costs next to nothing, but by slices, whose places depend on their ends, and with changes or a drive, which must spare them.
     ///
     /// ```
     /// use formicarium::map::{Grid, Movement, Point};
@@ -295,7 +323,7 @@ impl Scenario {
     pub fn with_ends(&self, start: Point, goals: Vec<Goal>) -> Result<Self, ScenarioError> {
         let spec = ScenarioSpec { start, goals, ..self.spec.clone() };
         #[cfg(feature = "whole")]
-        changes::check_changes(&self.drawn, &spec)?;
+        spec.check_what_moves(&self.drawn)?;
         Self::asked([self.drawn.clone(), self.grid.clone()], spec, |_, _| self.moves.clone())
     }
 

@@ -118,7 +118,7 @@ impl Robot {
             let distance = cells * resolution;
             match self.inflation {
                 _ if squared == 0 => LETHAL_COST,
-                _ if distance <= self.radius => INSCRIBED_COST,
+                _ if self.touches(squared, resolution) => INSCRIBED_COST,
                 Some(inflation) if cells <= farthest => {
                     (252.0 * libm::exp(-inflation.cost_scaling * (distance - self.radius))) as u8
                 }
@@ -126,6 +126,11 @@ impl Robot {
             }
         };
         squared_distances(grid).into_iter().map(|squared| if squared == u32::MAX { FREE_COST } else { cost(squared) }).collect()
+    }
+
+    /// Whether it touches an obstacle whose centre is so far from its own, by the squared distance in cells of so many metres.
+    pub fn touches(&self, squared: u32, resolution: f64) -> bool {
+        squared == 0 || libm::sqrt(f64::from(squared)) * resolution <= self.radius
     }
 
     /// A drawn map as the robot feels it: blocked where it does not fit; of a cell's own factor and that of inflation the larger one counts,

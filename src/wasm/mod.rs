@@ -16,6 +16,8 @@ mod comparison;
 #[cfg(feature = "whole")]
 mod drawn;
 #[cfg(feature = "whole")]
+mod drive;
+#[cfg(feature = "whole")]
 mod figure;
 #[cfg(feature = "whole")]
 mod ground;
@@ -56,6 +58,8 @@ pub use colours::map_colors;
 pub use comparison::{Comparison, ablation, formats};
 #[cfg(feature = "whole")]
 pub use drawn::HandPath;
+#[cfg(feature = "whole")]
+pub use drive::{DriveRun, drive_params};
 #[cfg(feature = "whole")]
 pub use figure::{figure_map, find_figure, read_figure, show_picture};
 #[cfg(feature = "whole")]

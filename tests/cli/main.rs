@@ -11,6 +11,7 @@ mod again;
 mod check;
 mod compare;
 mod devices;
+mod drive;
 mod driving;
 mod figure;
 mod files;

@@ -2,7 +2,7 @@
 
 use formicarium::formats::{Export, Kind, export, sniff};
 use formicarium::map::{CornerRule, Moves, Point};
-use formicarium::scenario::{EnergyRule, SmoothingRule};
+use formicarium::scenario::{AtEnd, EnergyRule, SmoothingRule};
 use serde_json::{Value, json};
 
 use super::schema::{load, violations};
@@ -39,6 +39,7 @@ const TERRAIN: &str = r#"{
   "terrain": {"vertical_unit":0.5,"slices":{"level":10.0,"levels":4,"max_aside":2,"max_climb":1,"start_level":1,"goal_level":3,"measure":"cost"}},
   "world": {"x":-10.0,"y":2.5,"yaw":0.5,"frame":"map"},
   "changes": [{"at":12,"blocked":[[1,0]],"freed":[]}],
+  "drive": {"changes":[{"at_step":3,"blocked":[[1,1]],"freed":[]}],"tracks":[{"cells":[[1,0],[1,1]],"size":1,"from_step":2,"steps_per_cell":3,"at_end":"loop"}],"sight":4.5},
   "map": {"rows": [
     "...",
     "@.."
@@ -255,5 +256,33 @@ fn the_schema_names_every_field() {
     assert_eq!(keys(vehicle), keys(&full["vehicle"]));
     for rule in ["energy", "smoothing"] {
         assert_eq!(keys(&vehicle[rule]["properties"]), keys(&full["vehicle"][rule]));
+    }
+    let drive = &schema["properties"]["drive"]["properties"];
+    assert_eq!(keys(drive), keys(&full["drive"]));
+    for list in ["changes", "tracks"] {
+        assert_eq!(keys(&drive[list]["items"]["properties"]), keys(&full["drive"][list][0]));
+    }
+}
+
+#[test]
+fn what_moves_may_leave_out_what_is_usual_and_is_refused_by_name() {
+    let driving = |drive: &str| edited(|v| v["drive"] = serde_json::from_str(drive).unwrap());
+    let spec = read(&driving(r#"{"tracks":[{"cells":[[1,1]]}],"changes":[{"at_step":4,"blocked":[[0,1]]}]}"#)).unwrap().spec;
+    let drive = spec.drive.expect("things move");
+    let track = &drive.tracks[0];
+    assert_eq!((track.size, track.from_step, track.steps_per_cell, track.at_end, drive.sight), (1, 0, 1, AtEnd::Stay, None));
+    assert!(drive.changes[0].freed.is_empty());
+    for (drive, said) in [
+        (r#"{"speed":1}"#, "speed"),
+        (r#"{"tracks":[{"cells":[[1,1]],"at_end":"turn"}]}"#, "turn"),
+        (r#"{"tracks":[{"cells":[[0,0],[2,0]]}]}"#, "drive.tracks[0].cells[1]"),
+        (r#"{"tracks":[{"size":2}]}"#, "cells"),
+        (r#"{"changes":[{"at_step":4,"blocked":[[2,1]]}]}"#, "drive.changes"),
+        (r#"{"changes":[{"at_step":4,"freed":[[1,1]]}]}"#, "drive.changes[0].freed[0]"),
+        (r#"{"changes":[{"at_step":4,"blocked":[[1,1]]},{"at_step":3,"freed":[[1,1]]}]}"#, "drive.changes[1].at_step"),
+        (r#"{"sight":-1}"#, "drive.sight"),
+    ] {
+        let message = refused(&driving(drive)).message;
+        assert!(message.contains(said), "{drive}: {message}");
     }
 }

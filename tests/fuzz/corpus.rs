@@ -107,6 +107,13 @@ EDGE_WEIGHT_SECTION\n9999 1 2\n3 9999 4\n5 6 9999\nEOF\n",
             "NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: LOWER_DIAG_ROW\n\
 DISPLAY_DATA_TYPE: TWOD_DISPLAY\nEDGE_WEIGHT_SECTION\n0 1 0 2 3 0 4 5 6 0\nDISPLAY_DATA_SECTION\n1 0 0\n2 1 0\n3 1 1\n4 0 1\nEOF\n",
         ),
+        (
+            "driven.json",
+            r#"{"format": "formicarium/scenario@1", "width": 4, "height": 2, "start": [0,0], "goals": [{"at": [3,1]}],
+"drive": {"changes": [{"at_step": 2, "blocked": [[1,1]]}, {"at_step": 5, "freed": [[1,1]]}],
+"tracks": [{"cells": [[1,0],[2,0],[2,1]], "size": 2, "from_step": 1, "steps_per_cell": 3, "at_end": "back-and-forth"}], "sight": 2.5},
+"map": {"rows": ["....", "...."]}}"#,
+        ),
         ("five.opt.tour", "NAME: five.opt.tour\nTYPE: TOUR\nDIMENSION: 5\nTOUR_SECTION\n1\n2\n3\n4\n5\n-1\nEOF\n"),
         ("a.m", "G = [0 1 0; ... first\n 1 0 2; % second\n 3 0 0;];\nx = size(G);\n"),
         ("a.py", "import numpy as np\ng = np.array([[0, 1],\n [1, 0]])\n"),

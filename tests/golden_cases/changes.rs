@@ -18,6 +18,7 @@ const FROZEN: &[(&str, &str, &str)] = &[
     ("pso-aco", "iterations=30", "b447255d076955db"),
     ("pso", "iterations=20", "10d03b9177aaf9a9"),
     ("astar", "", "b36c64a20ab5b441"),
+    ("d-star-lite", "", "2bc13bd386999d59"),
 ];
 
 /// A cave in which a wall of seven cells appears after iteration 12, where it is free, and goes again after iteration 30.

@@ -71,6 +71,14 @@ pub const GOLDENS: &[Golden] = &[
         digest: "b274e6f013e9e267",
     },
     Golden {
+        map: (Generator::Random, 128, 128, 5, 0.3),
+        movement: eight(CornerRule::BothFree),
+        planner: "d-star-lite",
+        values: &[],
+        seed: 1,
+        digest: "3ca442f54771dc4e",
+    },
+    Golden {
         map: (Generator::Cave, 100, 80, 6, 0.0),
         movement: eight(CornerRule::OneFree),
         planner: "dijkstra",

@@ -7,27 +7,25 @@
 //! | what a paper derives from the map | anew ([`Variant::prepare`]): avg of MAX–MIN Ant System; τ0 of Ant Colony System, which an open map decides and walls do not |
 //! | limits of MAX–MIN Ant System | with the next best path, as ever |
 //! | best path so far | stays where it is still allowed, and is refined again; otherwise there is none until the next ants arrive |
+//! | the start, where a robot has moved on | the next ants begin there; of the best path the rest from there stays |
 //! | stagnation | counts from the change |
 //!
 //! The publications know no changing maps: all of this is ours.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::tables::Tables;
 use super::{Colony, Variant, refined};
-use crate::map::{Cell, Grid, Point};
+use crate::map::Cell;
 use crate::path::Path;
+use crate::planner::Solution;
 use crate::scenario::{Change, Scenario};
-
-/// How far, in cells, a wall is felt: a step from beside it, and what an ant sees at that step's end (eight cells around).
-const FELT: u32 = 2;
 
 impl<V: Variant + 'static> Colony<V> {
     /// Goes on from the map that a change has led to.
     pub(super) fn go_on(&mut self, change: &Change, to: &Arc<Scenario>) {
         let before = std::mem::replace(&mut self.scenario, Arc::clone(to));
-        self.progress.best.take_if(|best| !is_allowed(to, &best.path));
+        self.progress.best = self.progress.best.take().and_then(|best| rest_of(best, to));
         if let Some(best) = &mut self.progress.best {
             if !to.moves.is_plain() {
                 best.length = to.path_length(&best.path);
@@ -36,7 +34,7 @@ impl<V: Variant + 'static> Colony<V> {
         }
         if let Some(tables) = &mut self.tables {
             self.variant.prepare(to);
-            tables.look_again::<V>(&around(&before.grid, &to.grid, change));
+            tables.look_again::<V>(&change.felt(&before.grid, &to.grid));
         }
         self.progress.go_on(change, to, self.settings.iterations);
     }
@@ -54,24 +52,12 @@ impl Tables {
     }
 }
 
-/// The cells whose steps, or what is seen of them, a change concerns: around its own cells and, where the robot needs room, around all that
-/// it has made narrow or wide, dear or cheap.
-fn around(before: &Grid, now: &Grid, change: &Change) -> Vec<Cell> {
-    let mut cells = BTreeSet::new();
-    for p in change.cells().chain(differing(before, now)) {
-        for y in p.y.saturating_sub(FELT)..=(p.y + FELT).min(now.height() - 1) {
-            let row = y * now.width();
-            cells.extend(row + p.x.saturating_sub(FELT)..=row + (p.x + FELT).min(now.width() - 1));
-        }
-    }
-    cells.into_iter().collect()
-}
-
-/// The cells that two maps of one size differ in.
-fn differing<'a>(before: &'a Grid, now: &'a Grid) -> impl Iterator<Item = Point> + use<'a> {
-    let factor = |grid: &Grid, cell: usize| grid.factors().map_or(1.0, |factors| factors[cell]);
-    let differs = move |&cell: &usize| before.blocked()[cell] != now.blocked()[cell] || factor(before, cell) != factor(now, cell);
-    (0..now.len()).filter(differs).map(|cell| now.point(cell as Cell))
+/// What of a path leads from the start on, if that is still allowed.
+fn rest_of(best: Solution, to: &Scenario) -> Option<Solution> {
+    let from = best.path.iter().position(|&cell| cell == to.start)?;
+    let path = best.path[from..].to_vec();
+    let length = if from == 0 { best.length } else { to.path_length(&path) };
+    is_allowed(to, &path).then_some(Solution { path, length, ..best })
 }
 
 /// Whether every step of a path is still allowed.

@@ -1,6 +1,8 @@
 use std::path::Path;
 
 use super::*;
+use crate::map::Point;
+use crate::scenario::{AtEnd, DriveSpec, Track};
 
 fn sample(path: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/links");
@@ -42,6 +44,16 @@ fn made(generator: Generator) -> Session {
         panels: Vec::new(),
         seed: 7,
     }
+}
+
+#[test]
+fn what_moves_while_a_robot_drives_travels_along() {
+    let cells = [(3, 3), (4, 3), (4, 4)].map(|(x, y)| Point::new(x, y)).to_vec();
+    let track = Track { cells, size: 2, from_step: 1, steps_per_cell: 3, at_end: AtEnd::BackAndForth };
+    let mut session = made(Generator::Random);
+    session.spec.drive = Some(DriveSpec { changes: Vec::new(), tracks: vec![track], sight: Some(4.5) });
+    let link = write_session_link(&session).expect("short");
+    assert_eq!(read_session_link(&link), Ok(session));
 }
 
 #[test]

@@ -60,6 +60,8 @@ function valid(): Record<string, unknown[]> {
     'Comparison.take_journal': ['{}'],
     'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
     'OrderRun.advance': [1],
+    'DriveRun.constructor': [on, cells, heights, 'd-star-lite', {}, 7, { hold: 2 }],
+    'DriveRun.step': [1],
     'HandPath.constructor': [on, cells, heights],
     'HandPath.measure': [
       [

@@ -39,6 +39,7 @@ import {
 import { readLesson } from './lesson_fields'
 import { LinkError } from './link_error'
 import { readChanges } from './session_changes'
+import { readDrive } from './session_drive'
 import {
   MOST_ITERATIONS,
   panelFields,
@@ -186,6 +187,7 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
       terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain'), limits),
     }),
     ...(fields.world != null && { world: readWorld(fieldsOf(fields.world, 'scenario.world')) }),
+    ...(fields.drive != null && { drive: readDrive(fields.drive, { width, height }) }),
   }
 }
 

@@ -109,6 +109,10 @@ export const zhCNEngine = {
       name: '组装自己的蚁群',
       summary: '蚁群的每条规则都按其来源规划器的名称选取：可自由组合，或替换一条规则看它的作用。',
     },
+    'd-star-lite': {
+      name: 'D* Lite',
+      summary: '从终点开始搜索；墙体改变或机器人移动后只修补已知的部分。路径总是最短。',
+    },
     'theta-star': {
       name: 'Theta*',
       summary: '线段可取任意角度的 A*：若祖父格看得见某格，就直接相连。折线短，但没有证明。',

@@ -297,6 +297,10 @@ export const zhCNRemarks = {
       message: '不能按 {{field}} = {{value}} 改动墙体',
       hint: '请检查格子与迭代次数',
     },
+    drive: {
+      message: '不能按 {{field}} = {{value}} 行驶',
+      hint: '请检查障碍的格子与步数；只能有一个目标，规划器须逐格前进',
+    },
     memory: {
       message: '需要 {{megabytes}} MB 内存，超过可用的 {{max}} MB',
       hint: '请减少数量，或裁剪、缩小地图',

@@ -46,6 +46,7 @@ export const zhCNSources: Record<string, string> = {
   'Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*':
     'Held、Karp 1962，J. SIAM 10，196–210，doi:10.1137/0110015；路段由 A* 求得',
   'Karaman and Frazzoli 2011, theorem 38: above 1': 'Karaman 与 Frazzoli 2011，定理 38：大于 1',
+  'Koenig, Likhachev 2002, AAAI-02, 476–483': 'Koenig、Likhachev 2002，AAAI-02，476–483',
   'Lai, Guo 2014': '赖智铭、郭躬德 2014',
   'Lai, Guo 2014, Ant Colony Optimization Based on Self-Adaption Threshold for Path Planning':
     '赖智铭、郭躬德 2014，基于自适应阈值蚁群算法的路径规划算法',
