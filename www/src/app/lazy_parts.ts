@@ -19,7 +19,8 @@ nameLazyParts({
 
 // The first map that has a scale brings what tells metres.
 effect(() => {
-  if (scenario.value && scaleOf(scenario.value.spec)) void import('../words/metres').catch(notifyError)
+  if (scenario.value && scaleOf(scenario.value.spec))
+    void import('../words/metres').catch(notifyError)
 })
 
 // Who has chosen to keep the trails finds it so.

@@ -7,6 +7,7 @@ import { announce, notify, notifyError } from '../../state'
 import { download } from '../../state/export_files'
 import { Button } from '../../ui/buttons'
 import { openComparison, resultFile, timesFile } from '../run/actions'
+import { metresOfMaps } from '../store/metres'
 import { fileStem } from '../store/names'
 
 interface FileKind {
@@ -38,6 +39,7 @@ export function FilesTab() {
   return (
     <>
       <p class="hint">{t('lab.results.filesHint')}</p>
+      {metresOfMaps.value && <p class="hint">{t('lab.results.unit.files')}</p>}
       <ul class="result-files">
         {FILES.map((file) => (
           <FileRow key={file.kind} file={file} />

@@ -1,0 +1,52 @@
+/** Checks how large cells are and how fast one moves, as the engine does. */
+import type { ScenarioSpec } from '@pkg/formicarium'
+import { tools } from '../engine/tools'
+import { numbers } from '../i18n'
+import { t } from '../i18n/dialogs'
+import { errorText } from '../i18n/errors'
+import { goalAt } from '../model/session'
+import type { Rules } from '../state/movement_rules'
+import { useLatest } from './latest_answer'
+
+/** As large as a link may hold. */
+const MOST = 1e6
+
+export type Quantity = 'resolution' | 'speed' | 'seconds_per_turn'
+
+/** A quantity that cannot be used, and why. */
+export interface WrongQuantity {
+  field: Quantity | null
+  why: string
+}
+
+/** What is wrong with the quantities as they stand; null where nothing is, or not yet known. */
+export function useWrongQuantity(spec: ScenarioSpec, rules: Rules): WrongQuantity | null {
+  const { resolution, vehicle } = rules
+  return useLatest(JSON.stringify([resolution, vehicle]), () => wrongQuantity(spec, rules)).answer
+}
+
+/** The first quantity that cannot be used; null where all can. */
+export async function wrongQuantity(
+  spec: ScenarioSpec,
+  { resolution, vehicle }: Rules,
+): Promise<WrongQuantity | null> {
+  const all = { resolution, ...vehicle }
+  const large = (Object.keys(all) as Quantity[]).find((field) => all[field] > MOST)
+  if (large) {
+    const most = numbers.peek().whole.format(MOST)
+    return { field: large, why: t('scale.most', { most }) }
+  }
+  return tools.check(smallest({ ...spec, resolution, vehicle })).then(() => null, refusal)
+}
+
+function refusal(error: unknown): WrongQuantity {
+  const { field = null } = error as { field?: Quantity }
+  return { field, why: errorText(error) }
+}
+
+/** The engine checks quantities alike on any map. */
+function smallest({ name, movement, resolution, vehicle }: ScenarioSpec) {
+  const ends = { start: [0, 0] as [number, number], goals: [goalAt([1, 1], '')] }
+  const spec = { name, movement, resolution, vehicle, ...ends, width: 2, height: 2 }
+  return { spec, cells: new Uint8Array(4), heights: null, origin: null }
+}
