@@ -22,7 +22,8 @@ export interface WrongQuantity {
 /** What is wrong with the quantities as they stand; null where nothing is, or not yet known. */
 export function useWrongQuantity(spec: ScenarioSpec, rules: Rules): WrongQuantity | null {
   const { resolution, vehicle } = rules
-  return useLatest(JSON.stringify([resolution, vehicle]), () => wrongQuantity(spec, rules)).answer
+  const ask = async () => ({ wrong: await wrongQuantity(spec, rules) })
+  return useLatest(JSON.stringify([resolution, vehicle]), ask).answer?.wrong ?? null
 }
 
 /** The first quantity that cannot be used; null where all can. */

@@ -1,5 +1,5 @@
 /** Below a map in a picture: what its colours mean, and how long a kilometre is. */
-import { roundLength } from '../model/round_length'
+import { roundLength } from '../model/metres'
 import { stopsOf } from '../stage/layer_colours'
 import { barWords } from '../words/metres'
 import { px } from './axes'

@@ -1,7 +1,7 @@
 /** How long things are on a panel's map that has a scale: a line of a round length, which follows the zoom. */
 import { t } from '../i18n/reading'
 import type { LegendSide } from '../model/legend_place'
-import { roundLength } from '../model/round_length'
+import { roundLength } from '../model/metres'
 import { barScale, barWords } from '../words/metres'
 import { LONGEST_BAR } from './legend_room'
 import { type CanvasSize, place } from './panel_view'

@@ -2,6 +2,7 @@
 import { computed, effect, signal } from '@preact/signals'
 import { language, numbers } from '../i18n'
 import { addReadingWords, t } from '../i18n/reading'
+import { decimalsFor } from '../model/metres'
 import { scaleOf } from '../model/world'
 import { scenario } from '../state'
 import { lengthUnit } from '../state/length_unit'
@@ -9,8 +10,6 @@ import { heightWords } from './height_words'
 import { metreWords } from './lengths'
 import { placeWords } from './place_words'
 
-/** Decimals of metres: down to centimetres at least, to micrometres at most. */
-const [FEWEST, MOST] = [2, 6]
 const KILOMETRE = 1000
 
 const isReady = signal(false)
@@ -34,10 +33,6 @@ export const barScale = computed(() =>
 /** How long a scale bar is, by what it counts. */
 export const barWords = (length: number): string =>
   lengthUnit.value === 'cells' ? t('lengths.cells', { count: length }) : distanceWords(length)
-
-/** How many decimals tell lengths apart on a map of so many metres a cell. */
-export const decimalsFor = (resolution: number): number =>
-  Math.min(MOST, Math.max(FEWEST, Math.ceil(-Math.log10(resolution))))
 
 /** Metres, as precise as a map of so many metres a cell is. */
 export function metresFormat(resolution: number): Intl.NumberFormat {
