@@ -207,7 +207,8 @@ impl Report<'_> {
     }
 
     fn tour_sums(&self, length: f64, weight: f64) -> String {
-        format!("length {}, weight R {}", self.length(length), self.length(weight))
+        let metres = |scale: f64| format!(" = {:.4}, {:.4} m", scale * length, scale * weight);
+        format!("length {length:.4}, weight R {weight:.4} cells{}", self.scenario.spec.scale().map_or_else(String::new, metres))
     }
 
     fn status_text(&self) -> String {
