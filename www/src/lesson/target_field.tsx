@@ -43,7 +43,7 @@ export function TargetField() {
         {target && target.beat !== 'optimum' && (
           <NumberField
             label={withUnit(t('lesson.target.value'))}
-            value={Number((target.beat * scale).toPrecision(DIGITS))}
+            value={scale === 1 ? target.beat : Number((target.beat * scale).toPrecision(DIGITS))}
             min={0}
             max={1e9}
             invalid={wrong}

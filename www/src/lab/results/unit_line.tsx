@@ -13,7 +13,7 @@ export function UnitLine() {
       </p>
     )
   return (
-    <div class="results-unit" data-testid="lengths-unit">
+    <div class="result-choices results-unit" data-testid="lengths-unit">
       <Labelled label={t('lab.results.unit.label')}>
         <Segmented
           label={t('lab.results.unit.label')}
