@@ -200,6 +200,11 @@ test('quantities that cannot be used are refused at their fields, in the engine�
     await expect(wrong).toHaveCount(0)
     await expect(apply).toBeEnabled()
   }
+  await race.leaveDialog()
+  await race.menu('language', 'language-zh-CN')
+  await race.menu('map-menu', 'open-resize')
+  await page.getByTestId('speed-metres').fill('0')
+  await expect(wrong).toContainText('不能使用 速度（米/秒） = 0')
 })
 
 test.describe('a comparison', () => {

@@ -1,5 +1,5 @@
 /** Checks how large cells are and how fast one moves, as the engine does. */
-import type { ScenarioSpec } from '@pkg/formicarium'
+import type { EngineError, ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
@@ -40,9 +40,16 @@ export async function wrongQuantity(
   return tools.check(smallest({ ...spec, resolution, vehicle })).then(() => null, refusal)
 }
 
-function refusal(error: unknown): WrongQuantity {
-  const { field = null } = error as { field?: Quantity }
-  return { field, why: errorText(error) }
+const LABELS = {
+  resolution: 'scale.cell',
+  speed: 'scale.speed',
+  seconds_per_turn: 'scale.turn',
+} as const
+
+/** In Chinese it names the field as the form does. */
+function refusal(error: EngineError): WrongQuantity {
+  const field = error.field in LABELS ? (error.field as Quantity) : null
+  return { field, why: errorText(field ? { ...error, field: t(LABELS[field]) } : error) }
 }
 
 /** The engine checks quantities alike on any map. */

@@ -126,9 +126,4 @@ export const zhCNParamNames = {
   update_of: '全局更新来源',
   daemon_of: '后台动作来源',
   refinement_of: '路径拉直来源',
-
-  // Quantities of scenarios.
-  resolution: '格边长',
-  speed: '速度',
-  seconds_per_turn: '每次转弯用时',
 }
