@@ -16,7 +16,7 @@ const pkg = path('../pkg')
 
 /** With all that they import: words, and what of the stage and of lazy parts the opening page has. */
 const NEEDED =
-  /src.(words.(gap|planner|height|place|objective)_words|ui.lazily|stage.(stage|keyboard|pointer)\.)/
+  /src.(words.((gap|planner|objective)_words|lengths)\.|ui.lazily|stage.(stage|keyboard|pointer)\.)/
 
 /** What begins before the rest has been read. */
 const EARLY = /src.engine.(early|load|files_of_page|fetch_part|new_worker)\.|src.model.errors\./

@@ -133,9 +133,9 @@ export const LESSONS = [
     id: 'terrain',
     race: { entries: ['colony', 'field', 'search'], sync: 'iterations', speed: 'moves-4' },
     lesson: { target: { ...LENGTH, beat: 'optimum' } },
-    measured: ({ line }) => ({
-      limited: length(line('search', 'limited').median),
-      any: length(line('search', 'any').median),
+    measured: ({ line, metres }) => ({
+      limited: length(line('search', 'limited').median * metres),
+      any: length(line('search', 'any').median * metres),
       longer: excess(line('search', 'limited').median, line('search', 'any').median),
       colony: percent(line('colony', 'limited').median_gap),
       field: percent(line('field', 'limited').median_gap),

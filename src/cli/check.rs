@@ -178,7 +178,7 @@ fn whole_text(Checked { findings, price }: &Checked, map: &Imported, points: usi
     }
     if let Some(metrics) = findings.metrics {
         // Its price tells the cost, with what it is compared with.
-        text::metrics(&mut out, &Metrics { cost: metrics.cost.filter(|_| price.is_none()), ..metrics });
+        text::metrics(&mut out, &Metrics { cost: metrics.cost.filter(|_| price.is_none()), ..metrics }, map.spec.scale());
     }
     if let Some(price) = price {
         price.text(&mut out);
@@ -211,7 +211,6 @@ fn counts(findings: &Findings, out: &mut String, map: &Imported) {
 
 /// Audits a path by slices.
 fn by_slices(args: &Args, mut map: Imported, path: &[(Point, Option<u32>)]) -> Result<Outcome, CliError> {
-    let name = map.spec.name.clone();
     let places: Option<Vec<(Point, u32)>> = path.iter().map(|&(at, level)| Some((at, level?))).collect();
     let places = places.ok_or_else(|| {
         CliError::usage("the path has no levels, and the map is one by slices", "write x,y,level, or add --model surface")
@@ -220,7 +219,7 @@ fn by_slices(args: &Args, mut map: Imported, path: &[(Point, Option<u32>)]) -> R
     let scenario = Scenario::new(map.grid, map.spec)?;
     let findings = SliceFindings::of(&scenario, &places);
     let text = match args.format {
-        TextOrJson::Text => slices_text(&findings, &name, places.len()),
+        TextOrJson::Text => slices_text(&findings, &scenario.spec, places.len()),
         TextOrJson::Json => text::json(&findings, 2),
     };
     Ok(Outcome { text, fine: findings.ok })
@@ -242,14 +241,14 @@ impl Args {
 }
 
 /// The same of a path by slices.
-fn slices_text(findings: &SliceFindings, name: &str, places: usize) -> String {
-    let mut out = format!("{} on {name} (by slices)\n\n", text::count(places as u64, "place", "places"));
+fn slices_text(findings: &SliceFindings, spec: &ScenarioSpec, places: usize) -> String {
+    let mut out = format!("{} on {} (by slices)\n\n", text::count(places as u64, "place", "places"), spec.name);
     row(&mut out, "verdict", if findings.ok { "a valid path" } else { "not a valid path" });
     if let Some(flaw) = &findings.flaw {
         row(&mut out, "flaw", flaw);
     }
     if let Some(metrics) = &findings.metrics {
-        text::metrics(&mut out, metrics);
+        text::metrics(&mut out, metrics, spec.scale());
     }
     out
 }

@@ -129,13 +129,13 @@ impl Report<'_> {
             Some(metrics) => {
                 self.gap_text(&mut out);
                 self.polyline_text(&mut out);
-                text::metrics(&mut out, metrics);
+                text::metrics(&mut out, metrics, spec.scale());
                 driving::smoothed(&mut out, &spec.vehicle, self.result.smoothed.as_ref());
             }
             None => {
                 if let Some(value) = self.result.reference.value() {
                     let label = if self.result.optimum.is_some() { "optimum" } else { "reference" };
-                    row(&mut out, label, format!("{value:.4} {}: a path exists, none was found", self.unit()));
+                    row(&mut out, label, format!("{}: a path exists, none was found", self.amount(value)));
                 }
             }
         }
@@ -144,9 +144,17 @@ impl Report<'_> {
         out
     }
 
-    /// What the planner's objective counts.
-    fn unit(&self) -> &'static str {
-        if self.planner.objective() == Objective::SliceCost { "cells and levels" } else { "cells" }
+    /// A value of the planner's objective.
+    fn amount(&self, value: f64) -> String {
+        match self.planner.objective() {
+            Objective::SliceCost => format!("{value:.4} cells and levels"),
+            _ => self.length(value),
+        }
+    }
+
+    /// A length in cells, and in metres where the map has a scale.
+    fn length(&self, cells: f64) -> String {
+        text::length(cells, self.scenario.spec.scale())
     }
 
     fn gap_text(&self, out: &mut String) {
@@ -155,8 +163,8 @@ impl Report<'_> {
         }
         let (Some(gap), Some(value)) = (self.result.gap, self.result.reference.value()) else { return };
         let of = match self.result.reference {
-            Reference::Proven { .. } => format!("the optimum of {value:.4} {}", self.unit()),
-            _ => format!("{value:.4} {}, a good result without a proof", self.unit()),
+            Reference::Proven { .. } => format!("the optimum of {}", self.amount(value)),
+            _ => format!("{}, a good result without a proof", self.amount(value)),
         };
         row(
             out,
@@ -169,12 +177,12 @@ impl Report<'_> {
     fn polyline_text(&self, out: &mut String) {
         let Some(best) = self.planner.best().filter(|_| self.planner.objective() == Objective::PolylineLength) else { return };
         if best.refined.is_some() {
-            row(out, "unrefined", format!("{:.4} cells by steps", best.length));
+            row(out, "unrefined", format!("{} by steps", self.length(best.length)));
         }
         match exact::point_robot(self.scenario) {
             Ok(Some(bound)) => {
                 let than = if self.scenario.moves.weights().is_some() { "costs less" } else { "is shorter" };
-                row(out, "point robot", format!("{bound:.4} cells: no polyline through centres {than}"));
+                row(out, "point robot", format!("{}: no polyline through centres {than}", self.length(bound)));
             }
             Ok(None) => {}
             Err(limit) => row(out, "point robot", limit),
@@ -184,21 +192,31 @@ impl Report<'_> {
     /// The order of the goals, what it costs, and each leg.
     fn tour_text(&self, out: &mut String) {
         let Some(tour) = self.planner.tour() else { return };
-        let goals = &self.scenario.spec.goals;
+        let (goals, scale) = (&self.scenario.spec.goals, self.scenario.spec.scale());
         let name = |goal: &Goal| if goal.name.is_empty() { text::cell(goal.at) } else { goal.name.clone() };
         let visited: Vec<&Goal> = tour.order.iter().map(|&i| &goals[i as usize]).collect();
         row(out, "order", visited.iter().map(|g| name(g)).collect::<Vec<_>>().join(" → "));
-        row(out, "planned", format!("length {:.4}, weight R {:.4} cells", tour.planned_length, tour.planned_weight));
+        row(out, "planned", self.tour_sums(tour.planned_length, tour.planned_weight));
         if let Some(weight) = tour.walked_weight {
-            row(out, "walked", format!("length {:.4}, weight R {weight:.4} cells", tour.walked.iter().sum::<f64>()));
+            row(out, "walked", self.tour_sums(tour.walked.iter().sum(), weight));
         }
-        row(out, "legs", format!("{:<14}{:>10}{:>10}{:>10}{:>10}", "to", "planned", "walked", "b", "R walked"));
+        let metres = if scale.is_some() { format!("{:>12}{:>12}", "planned m", "walked m") } else { String::new() };
+        row(out, "legs", format!("{:<14}{:>10}{:>10}{:>10}{:>10}{metres}", "to", "planned", "walked", "b", "R walked"));
         for (leg, goal) in visited.iter().enumerate() {
             let walked = tour.walked.get(leg);
             let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| format!("{v:.4}"));
-            let cells = [tour.planned.get(leg).copied(), walked.copied(), Some(goal.weight()), walked.map(|w| w * goal.weight())];
-            row(out, "", format!("{:<14}{}", name(goal), cells.map(|v| format!("{:>10}", number(v))).concat()));
+            let lengths = [tour.planned.get(leg).copied(), walked.copied()];
+            let [planned, on_foot] = lengths;
+            let cells = [planned, on_foot, Some(goal.weight()), walked.map(|w| w * goal.weight())];
+            let cells = cells.map(|v| format!("{:>10}", number(v))).concat();
+            let metres = scale.map(|metres| lengths.map(|v| format!("{:>12}", number(v.map(|v| metres * v)))).concat());
+            row(out, "", format!("{:<14}{cells}{}", name(goal), metres.unwrap_or_default()));
         }
+    }
+
+    fn tour_sums(&self, length: f64, weight: f64) -> String {
+        let metres = |scale: f64| format!(" = {:.4}, {:.4} m", scale * length, scale * weight);
+        format!("length {length:.4}, weight R {weight:.4} cells{}", self.scenario.spec.scale().map_or_else(String::new, metres))
     }
 
     fn status_text(&self) -> String {

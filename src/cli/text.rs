@@ -136,15 +136,21 @@ pub fn objective(objective: Objective, scenario: &Scenario) -> &'static str {
     if scenario.moves.weights().is_some() { objective.cost_words() } else { objective.words() }
 }
 
-/// The lines about a path.
-pub fn metrics(out: &mut String, m: &Metrics) {
+/// A length in cells, and where the map has a scale in metres.
+pub fn length(cells: f64, scale: Option<f64>) -> String {
+    format!("{cells:.4} cells{}", scale.map_or_else(String::new, |metres| format!(" = {:.4} m", metres * cells)))
+}
+
+/// The lines about a path, on a map of this scale (see `ScenarioSpec::scale`).
+pub fn metrics(out: &mut String, m: &Metrics, scale: Option<f64>) {
     let by_slices = m.terrain.as_ref().and_then(|terrain| terrain.level_cost);
     let unit = match (&m.terrain, by_slices) {
         (_, Some(_)) => "cells and levels",
         (Some(_), None) => "cells along the ground",
         (None, None) => "cells",
     };
-    row(out, "length", format!("{:.4} {unit} = {:.4} m", m.length, m.length_metres));
+    let metres = scale.map_or_else(String::new, |_| format!(" = {:.4} m", m.length_metres));
+    row(out, "length", format!("{:.4} {unit}{metres}", m.length));
     if let Some(cost) = m.cost {
         row(out, "cost", format!("{cost:.4} cells: every stretch counts its length times the factor of its cell"));
     }
@@ -155,12 +161,19 @@ pub fn metrics(out: &mut String, m: &Metrics) {
         row(out, "climb", format!("{:.1} m up, {:.1} m down, at most {:.1}°", terrain.climb, terrain.descent, terrain.steepest));
     }
     row(out, "steps", grouped(m.steps.into()));
-    row(out, "turns", format!("{}, turn index V = {:.4} cells", m.turns, m.turn_index));
-    row(out, "clearance", format!("at least {:.2}, on average {:.2} cells", m.min_clearance, m.mean_clearance));
+    row(out, "turns", format!("{}, turn index V = {}", m.turns, length(m.turn_index, scale.filter(|_| by_slices.is_none()))));
+    row(out, "clearance", clearance(m, scale));
     row(out, "arrival time", seconds(m.travel_time));
     if let Some(driving) = &m.driving {
         super::driving::metrics(out, driving);
     }
+}
+
+/// How near the path comes to walls.
+fn clearance(m: &Metrics, scale: Option<f64>) -> String {
+    let gaps = |metres: f64| format!("at least {:.2}, on average {:.2}", metres * m.min_clearance, metres * m.mean_clearance);
+    let metres = scale.map_or_else(String::new, |metres| format!(" = {} m", gaps(metres)));
+    format!("{} cells{metres}", gaps(1.0))
 }
 
 /// Remarks on one of several files.
@@ -185,6 +198,12 @@ mod tests {
     fn numbers_are_grouped() {
         assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
         assert_eq!(percent(0.0251), "2.51 %");
+    }
+
+    #[test]
+    fn lengths_have_metres_where_the_map_has_a_scale() {
+        assert_eq!(length(12.5, None), "12.5000 cells");
+        assert_eq!(length(12.5, Some(0.05)), "12.5000 cells = 0.6250 m");
     }
 
     #[test]

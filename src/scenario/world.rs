@@ -60,6 +60,12 @@ impl World {
 }
 
 impl ScenarioSpec {
+    /// Metres a cell, of a map that has a scale: on a terrain, whose heights are metres, where its place in the world is known, or where a
+    /// cell is not one metre, which is what a map says that knows none.
+    pub fn scale(&self) -> Option<f64> {
+        (self.terrain.is_some() || self.world.is_some() || self.resolution != 1.0).then_some(self.resolution)
+    }
+
     /// The middle of a cell in the world, in metres; none for a map whose place is not known.
     pub fn to_world(&self, at: Point) -> Option<[f64; 2]> {
         let world = self.world.as_ref()?;

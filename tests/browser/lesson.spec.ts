@@ -328,7 +328,9 @@ test('a target is set in the share dialog, and the page says who has beaten it',
   const race = await open(page)
   await page.getByTestId('share').click()
   await page.getByTestId('target-number').click()
-  await page.getByTestId('target-value').fill('60')
+  // The map's cells are half a metre long.
+  await expect(page.getByLabel('Number (m)')).toBeVisible()
+  await page.getByTestId('target-value').fill('30')
   await page.getByTestId('target-value').press('Tab')
   await expectClean(page, 'the share dialog with a target')
   const field = page.getByTestId('share-link')

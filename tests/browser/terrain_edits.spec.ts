@@ -172,8 +172,16 @@ test.describe('on a terrain', () => {
     const value = async (id: string) =>
       Number(await page.getByTestId(`metric-${id}-2`).getAttribute('data-value'))
     await expect.poll(() => value('climb')).toBeGreaterThan(0)
-    expect(await value('lengthMetres')).toBeCloseTo(10 * (await value('length')), 6)
-    const { heights, spec } = await scenarioOf(new RacePage(page))
+    const length = await value('length')
+    await expect(page.getByTestId('metric-length-2')).toHaveText((10 * length).toFixed(2))
+    await expect(page.getByTestId('metric-lengthMetres-2')).toBeHidden()
+    const race = new RacePage(page)
+    await race.menu('map-menu', 'open-resize')
+    await page.getByTestId('lengths-cells').click()
+    await page.getByTestId('resize').click()
+    await expect(page.getByTestId('metric-length-2')).toHaveText(length.toFixed(2))
+    expect(await value('lengthMetres')).toBeCloseTo(10 * length, 6)
+    const { heights, spec } = await scenarioOf(race)
     const at = ([x, y]: [number, number]) => heights?.[y * spec.width + x] ?? Number.NaN
     const rise = at(spec.goals[0]?.at ?? spec.start) - at(spec.start)
     expect((await value('climb')) - (await value('descent'))).toBeCloseTo(rise, 6)

@@ -29,6 +29,27 @@ fn check_audits_and_measures() {
 }
 
 #[test]
+fn lengths_are_in_metres_too_where_the_map_has_a_scale() {
+    let folder = Folder::with_map("check-metres");
+    folder.write("good.csv", "x,y\n0,0\n1,0\n2,0\n3,0\n4,0\n4,1\n4,2\n4,3\n");
+    folder.run(&["convert", "small.map", "small.json"]).ends(0);
+    let scaled = folder
+        .read("small.json")
+        .replace("\"resolution\": 1.0", "\"resolution\": 0.5")
+        .replace("\"speed\":1.0", "\"speed\":0.25");
+    folder.write("scaled.json", &scaled);
+    folder.run(&["check", "good.csv", "--map", "scaled.json"]).ends(0).says(&[
+        "length        7.0000 cells = 3.5000 m\n",
+        "turn index V = 7.2000 cells = 3.6000 m\n",
+        "clearance     at least 1.00, on average 1.00 cells = at least 0.50, on average 0.50 m\n",
+        "arrival time  14.00 s\n",
+    ]);
+    folder.run(&["check", "good.csv", "--map", "small.json"]).ends(0).says(&["7.0000 cells\n", "on average 1.00 cells\n"]);
+    let plan = folder.run(&["plan", "scaled.json", "--moves", "4", "--planner", "astar"]).ends(0);
+    plan.says(&["the optimum of 7.0000 cells = 3.5000 m (length by steps)"]);
+}
+
+#[test]
 fn names_in_the_file_are_not_turned() {
     let folder = Folder::with_map("check-named");
     for (name, path) in [

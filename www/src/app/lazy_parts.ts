@@ -1,5 +1,7 @@
 /** Where the parts of the page are that lower layers ask for (state/lazy_parts.ts). */
-import { notifyError, recall } from '../state'
+import { effect } from '@preact/signals'
+import { scaleOf } from '../model/world'
+import { notifyError, recall, scenario } from '../state'
 import { lazyParts, nameLazyParts } from '../state/lazy_parts'
 import { whenAntsWalk } from './when_ants_walk'
 
@@ -13,6 +15,12 @@ nameLazyParts({
   editor: async () => (await import('../editor')).fetchEditor(),
   lesson: async (piece) => (await import('../lesson')).fetchPiece(piece),
   inspector: async () => (await import('../playback')).fetchInspector(),
+})
+
+// The first map that has a scale brings what tells metres.
+effect(() => {
+  if (scenario.value && scaleOf(scenario.value.spec))
+    void import('../words/metres').catch(notifyError)
 })
 
 // Who has chosen to keep the trails finds it so.

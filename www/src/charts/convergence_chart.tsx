@@ -6,6 +6,8 @@ import { numbers } from '../i18n'
 import { addReadingWords, t } from '../i18n/reading'
 import { lastIteration, lookTo } from '../playback/look_back'
 import { liveTick, lookedAt, panels, slotColour, theme } from '../state'
+import { lengthShown } from '../words/lengths'
+import { metresPerCell, withUnit } from '../words/metres'
 import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
 import { ChartCursor } from './chart_cursor'
@@ -104,8 +106,7 @@ function References() {
   )
 }
 
-const written = (value: number | null) =>
-  value === null ? '–' : numbers.value.length.format(value)
+const written = (value: number | null) => (value === null ? '–' : lengthShown(value))
 
 function inWords(planner: string, { best, iterationBest, mean }: Reached): string {
   const values = { planner, best: written(best) }
@@ -164,7 +165,11 @@ function plotStyle(): PlotStyle {
     showIterationBest: showIterationBest.value,
     showMean: showMean.value,
     levels: levels(),
-    axisLabels: { x: t('chart.iteration'), y: t(showsCost() ? 'chart.cost' : 'chart.length') },
+    scale: metresPerCell.value ?? 1,
+    axisLabels: {
+      x: t('chart.iteration'),
+      y: withUnit(t(showsCost() ? 'chart.cost' : 'chart.length')),
+    },
     marker: () => lookedAt.peek(),
   }
 }

@@ -3,7 +3,7 @@ import 'uplot/dist/uPlot.min.css'
 import uPlot from 'uplot'
 import type { ChartCursor } from './chart_cursor'
 import { chartLook } from './chart_style'
-import type { Curves } from './convergence_data'
+import type { Curve, Curves } from './convergence_data'
 
 const WHOLE_STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000]
 
@@ -11,6 +11,8 @@ export interface PlotStyle {
   colours: string[]
   showIterationBest: boolean
   showMean: boolean
+  /** What values are multiplied by: metres a cell, or 1. */
+  scale: number
   /** References, drawn as lines from an iteration on. */
   levels: { length: number; from: number }[]
   axisLabels: { x: string; y: string }
@@ -22,15 +24,14 @@ export function makePlot(host: HTMLElement, style: PlotStyle, cursor: ChartCurso
   return new uPlot(options(host, style, cursor), [[]], host)
 }
 
-export function plotData(curves: Curves, style: PlotStyle): uPlot.AlignedData {
-  const levels = style.levels.map(({ length, from }) =>
-    curves.iterations.map((iteration) => (iteration < from ? null : length)),
+export function plotData(curves: Curves, { levels: of, scale }: PlotStyle): uPlot.AlignedData {
+  const levels = of.map(({ length, from }) =>
+    curves.iterations.map((iteration) => (iteration < from ? null : length * scale)),
   )
-  const panels = curves.panels.flatMap(({ best, iterationBest, mean }) => [
-    mean,
-    iterationBest,
-    best,
-  ])
+  const scaled = (curve: Curve) => curve.map((value) => value && value * scale)
+  const panels = curves.panels.flatMap(({ best, iterationBest, mean }) =>
+    [mean, iterationBest, best].map(scaled),
+  )
   return [curves.iterations, ...levels, ...panels]
 }
 
@@ -40,7 +41,7 @@ function options(host: HTMLElement, style: PlotStyle, cursor: ChartCursor): uPlo
     ...frame,
     padding: [10, 12, 0, 0],
     plugins: [cursor.plugin],
-    scales: { x: { time: false, range: cursor.range }, y: { range: yRange } },
+    scales: { x: { time: false, range: cursor.range }, y: { range: yRange(style.scale) } },
     axes: [
       { ...axis, label: style.axisLabels.x, size: 22, incrs: WHOLE_STEPS },
       { ...axis, label: style.axisLabels.y, size: 40 },
@@ -96,8 +97,10 @@ const isLone: uPlot.Series.Points.Show = (plot, series) => {
 }
 
 /** Room above and below, so that the lines to compare with never lie on the frame. */
-const yRange: uPlot.Range.Function = (_, min, max) => {
-  if (min == null || max == null) return [0, 1]
-  const room = Math.max((max - min) * 0.08, max * 0.01, 0.5)
-  return [min - room, max + room]
-}
+const yRange =
+  (scale: number): uPlot.Range.Function =>
+  (_, min, max) => {
+    if (min == null || max == null) return [0, scale]
+    const room = Math.max((max - min) * 0.08, max * 0.01, 0.5 * scale)
+    return [min - room, max + room]
+  }

@@ -26,7 +26,7 @@ interface OfPanel {
   point: Point | null
 }
 
-const metres = (value: number) => t('cursor.metres', { value: numbers.value.metres.format(value) })
+const metres = (value: number) => t('lengths.metres', { value: numbers.value.metres.format(value) })
 
 export function pointInWords({ panelId, point }: OfPanel): string {
   const planner = panelTitle(panelId)

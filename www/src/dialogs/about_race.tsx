@@ -23,6 +23,7 @@ import {
 import { closeDialog, show } from '../state/dialogs'
 import { held } from '../state/memory'
 import { gapOf, gapShown } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { mapName } from '../words/map_names'
 import { isSearch, labelsOf } from '../words/planner_words'
 import { Citation, Facts, Offer, Section } from './about_parts'
@@ -127,7 +128,7 @@ function Run({ panel, name }: { panel: Panel; name: string }) {
 }
 
 function lengthWords({ length, status }: RecordedResult): string {
-  if (length !== null) return numbers.value.length.format(length)
+  if (length !== null) return lengthShown(length)
   return t(status === 'running' ? 'about.runs.noPathYet' : 'about.runs.noPath')
 }
 
@@ -163,9 +164,7 @@ function HowGood() {
   const known = words === 'proven' || words === 'unproven' ? words : 'unknown'
   return (
     <Section title={t('about.gap.title')}>
-      <p data-testid="about-best">
-        {t(`about.gap.${known}`, { value: numbers.value.length.format(value ?? 0) })}
-      </p>
+      <p data-testid="about-best">{t(`about.gap.${known}`, { value: lengthShown(value ?? 0) })}</p>
       <p class="hint">{t('about.gap.how')}</p>
     </Section>
   )

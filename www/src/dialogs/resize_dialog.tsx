@@ -1,21 +1,29 @@
 import { useState } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
 import { limits } from '../model/facts'
+import type { Scenario } from '../model/session'
 import { scenario } from '../state'
 import { closeDialog } from '../state/dialogs'
+import { lengthUnit, setLengthUnit } from '../state/length_unit'
 import { type Rules, setRules } from '../state/movement_rules'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Select } from '../ui/fields'
 import { MOVEMENTS, movementId, toMovement } from '../words/movement_words'
+import { useWrongQuantity, wrongQuantity } from './quantities'
+import { ScaleFields } from './scale_fields'
 import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
 
 /** Size of the map and the moves allowed on it; on a terrain, all rules of moving. */
 export function ResizeDialog() {
-  const now = scenario.value
-  const [rules, setAll] = useState<Rules | null>(() => now && rulesOf(now.spec))
+  return scenario.value && <Form now={scenario.value} />
+}
+
+function Form({ now }: { now: Scenario }) {
+  const [rules, setAll] = useState<Rules>(() => rulesOf(now.spec))
+  const [unit, setUnit] = useState(lengthUnit.value)
   const [placeless, setPlaceless] = useState(false)
-  if (!now || !rules) return null
+  const wrong = useWrongQuantity(now.spec, rules)
   const { width, height, movement, terrain } = rules
   const set = (change: Partial<Rules>) => {
     setPlaceless(false)
@@ -24,13 +32,11 @@ export function ResizeDialog() {
   const sizeFits = [width, height].every(
     (n) => Number.isInteger(n) && n >= 2 && n <= limits.max_side,
   )
-  const fits =
-    sizeFits &&
-    rules.resolution > 0 &&
-    rules.resolution <= 1e6 &&
-    (!terrain || terrainFits(terrain))
-  const apply = () => {
-    if (!fits) return
+  const fits = sizeFits && !wrong && (!terrain || terrainFits(terrain))
+  const apply = async () => {
+    // What was typed last may not have been looked at.
+    if (!fits || (await wrongQuantity(now.spec, rules))) return
+    setLengthUnit(unit)
     if (setRules(rules)) closeDialog()
     else setPlaceless(true)
   }
@@ -66,7 +72,6 @@ export function ResizeDialog() {
             onChange={(value) => set({ [side]: value })}
           />
         ))}
-        <Scale rules={rules} onChange={set} />
       </div>
       <p class="hint">
         {t(terrain ? 'maps.resizeTerrainHint' : 'maps.resizeHint', { most: limits.max_side })}
@@ -98,6 +103,14 @@ export function ResizeDialog() {
           )}
         </>
       )}
+      <ScaleFields
+        spec={now.spec}
+        rules={rules}
+        unit={unit}
+        wrong={wrong}
+        onChange={set}
+        onUnit={setUnit}
+      />
       {placeless && (
         <p class="field-error" role="alert" data-testid="no-place">
           {t('terrain.noPlace')}
@@ -107,36 +120,6 @@ export function ResizeDialog() {
   )
 }
 
-function rulesOf({ width, height, movement, resolution, terrain }: Rules): Rules {
-  return { width, height, movement, resolution, ...(terrain && { terrain }) }
-}
-
-/** How long a cell and a unit of height are. Not shown on a plane, where only tables would use it. */
-function Scale({ rules, onChange }: { rules: Rules; onChange: (change: Partial<Rules>) => void }) {
-  const { resolution, terrain } = rules
-  if (!terrain) return null
-  return (
-    <>
-      <NumberField
-        label={t('terrain.resolution')}
-        value={Number(resolution.toPrecision(6))}
-        min={0}
-        max={1e6}
-        invalid={!(resolution > 0)}
-        live
-        testId="resolution"
-        onChange={(value) => onChange({ resolution: value })}
-      />
-      <NumberField
-        label={t('terrain.verticalUnit')}
-        value={terrain.vertical_unit}
-        min={0}
-        max={1e6}
-        invalid={!(terrain.vertical_unit > 0)}
-        live
-        testId="vertical-unit"
-        onChange={(vertical_unit) => onChange({ terrain: { ...terrain, vertical_unit } })}
-      />
-    </>
-  )
+function rulesOf({ width, height, movement, resolution, vehicle, terrain }: Rules): Rules {
+  return { width, height, movement, resolution, vehicle, ...(terrain && { terrain }) }
 }

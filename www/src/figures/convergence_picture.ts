@@ -4,6 +4,8 @@ import { levels, showIterationBest, showMean, showsCost } from '../charts/shown_
 import { numbers } from '../i18n'
 import { t } from '../i18n/pictures'
 import { lookedAt, panels } from '../state'
+import { lengthShown } from '../words/lengths'
+import { metresPerCell, withUnit } from '../words/metres'
 import { objectiveWord } from '../words/objective_words'
 import { type Axes, axes, type Box, type Ends, px } from './axes'
 import type { LegendItem } from './frame'
@@ -33,20 +35,22 @@ const LINES = {
 export function convergencePicture(ground: Ground): Picture {
   const look = lookOf(ground)
   const { iterations, panels: curves } = curvesOf(panels.peek())
+  const scale = metresPerCell.peek() ?? 1
   const all = runners()
   const lines = curves.flatMap(({ best, iterationBest, mean }, i): Line[] => {
     const colour = all[i]?.colour ?? look.text
+    const scaled = (curve: Curve) => curve.map((value) => value && value * scale)
     return [
-      ...(showMean.peek() ? [{ curve: mean, colour, kind: 'mean' as const }] : []),
+      ...(showMean.peek() ? [{ curve: scaled(mean), colour, kind: 'mean' as const }] : []),
       ...(showIterationBest.peek()
-        ? [{ curve: iterationBest, colour, kind: 'iterationBest' as const }]
+        ? [{ curve: scaled(iterationBest), colour, kind: 'iterationBest' as const }]
         : []),
-      { curve: best, colour, kind: 'best' as const },
+      { curve: scaled(best), colour, kind: 'best' as const },
     ]
   })
-  const references = levels()
+  const references = levels().map(({ length, from }) => ({ length: length * scale, from }))
   const values = lines.flatMap(({ curve }) => curve.filter((value) => value !== null))
-  const up = endsOf([...values, ...references.map(({ length }) => length)])
+  const up = endsOf([...values, ...references.map(({ length }) => length)], scale)
   const across: Ends = [iterations[0] ?? 0, iterations.at(-1) ?? 1]
   const { whole, metres } = numbers.peek()
   const made = axes(
@@ -54,7 +58,7 @@ export function convergencePicture(ground: Ground): Picture {
     { ends: across, label: t('chart.iteration'), write: (value) => whole.format(value) },
     {
       ends: up,
-      label: t(showsCost() ? 'chart.cost' : 'chart.length'),
+      label: withUnit(t(showsCost() ? 'chart.cost' : 'chart.length')),
       write: (value) => metres.format(value),
     },
     look,
@@ -74,11 +78,11 @@ export function convergencePicture(ground: Ground): Picture {
   }
 }
 
-function endsOf(values: number[]): Ends {
+function endsOf(values: number[], scale: number): Ends {
   let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]
   for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)]
-  if (low > high) return [0, 1]
-  const room = Math.max((high - low) * ROOM, high * 0.01, 0.5)
+  if (low > high) return [0, scale]
+  const room = Math.max((high - low) * ROOM, high * 0.01, 0.5 * scale)
   return [low - room, high + room]
 }
 
@@ -131,7 +135,7 @@ function legendOf(look: Look): LegendItem[] {
     ...(showIterationBest.peek() ? [line(t('chart.iterationBest'), look.muted, 1)] : []),
     ...(showMean.peek() ? [line(t('chart.mean'), look.muted, 1, MEAN_DASH)] : []),
     ...levels().map(({ objective, length }) => {
-      const words = { length: numbers.peek().length.format(length) }
+      const words = { length: lengthShown(length) }
       return line(t(`chart.levels.${objectiveWord(objective)}`, words), look.text, 1.5, LEVEL_DASH)
     }),
   ]

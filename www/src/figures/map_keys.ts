@@ -1,8 +1,8 @@
 /** Below a map in a picture: what its colours mean, and how long a kilometre is. */
-import { numbers } from '../i18n'
-import { t } from '../i18n/pictures'
+import { roundLength } from '../model/metres'
 import { stopsOf } from '../stage/layer_colours'
-import { px, ticks } from './axes'
+import { barWords } from '../words/metres'
+import { px } from './axes'
 import type { Look } from './look'
 import { element } from './svg'
 
@@ -19,14 +19,10 @@ export interface Ramp {
   colours: Uint8Array
 }
 
-/** Ramps side by side and, on a map that has metres, a bar; null where there is none of them. */
-export function keysOf(
-  ramps: Ramp[],
-  metresPerPixel: number | null,
-  look: Look,
-): SVGElement | null {
+/** Ramps side by side and, on a map that has a scale, a bar, of which a pixel is so much; null where there is none of them. */
+export function keysOf(ramps: Ramp[], perPixel: number | null, look: Look): SVGElement | null {
   const blocks = ramps.map((ramp) => rampOf(ramp, look))
-  if (metresPerPixel !== null) blocks.push(barOf(metresPerPixel, look))
+  if (perPixel !== null) blocks.push(barOf(perPixel, look))
   if (blocks.length === 0) return null
   const group = element('g', { class: 'keys' })
   blocks.forEach((block, i) => {
@@ -52,19 +48,13 @@ function rampOf({ id, title, low, high, colours }: Ramp, look: Look): SVGElement
   )
 }
 
-/** As long as a round number of metres. */
-function barOf(metresPerPixel: number, look: Look): SVGElement {
-  const metres = ticks([0, RAMP.width * metresPerPixel], 3).at(-1) ?? metresPerPixel
-  const length = px(metres / metresPerPixel)
-  const { metres: format } = numbers.peek()
-  const words =
-    metres < 1000
-      ? t('pictures.metres', { value: format.format(metres) })
-      : t('pictures.kilometres', { value: format.format(metres / 1000) })
+function barOf(perPixel: number, look: Look): SVGElement {
+  const long = roundLength(perPixel, RAMP.width)
+  const length = px(long / perPixel)
   return element(
     'g',
     { class: 'scale-bar' },
     element('path', { d: `M0.5 18v6H${length}v-6`, fill: 'none', stroke: look.text }),
-    element('text', { y: 42, fill: look.muted, 'font-size': 11.5 }, words),
+    element('text', { y: 42, fill: look.muted, 'font-size': 11.5 }, barWords(long)),
   )
 }

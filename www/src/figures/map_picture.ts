@@ -8,7 +8,8 @@ import { heightRange } from '../model/relief_ground'
 import type { Scenario } from '../model/session'
 import { BLOCKED, FREE } from '../stage/layer_colours'
 import { layer, layerEnds, panels, scenario, shownOf } from '../state'
-import { layerTitle, scaleNumber } from '../words/layer_words'
+import { layerNumber, layerTitle } from '../words/layer_words'
+import { barScale } from '../words/metres'
 import { type CellPaths, cellPaths } from './map_cells'
 import { KEYS_HEIGHT, keysOf, type Ramp } from './map_keys'
 import { endsOf, pathOf } from './map_marks'
@@ -76,7 +77,8 @@ async function pictureOf(
   const ground = [under, cells, contours?.lines ?? null].filter((each) => each !== null)
   const plot = element('g', {}, ...ground, element('rect', frame), paths)
   plot.append(...endsOf(now, scale, theme, order ?? []))
-  const keys = keysOf(ramps, hasMetres(now) ? now.spec.resolution / scale : null, look)
+  const counted = barScale.peek()
+  const keys = keysOf(ramps, counted === null ? null : counted / scale, look)
   const tall = Math.ceil(height * scale) + 12
   if (keys) plot.append(element('g', { transform: `translate(0 ${tall})` }, keys))
   const what = t('pictures.kinds.map')
@@ -96,7 +98,7 @@ async function pictureOf(
 function notesOf(isVectors: boolean, interval: number | null, hasHoles: boolean): string[] {
   const notes = isVectors ? [] : [t('pictures.cellsArePicture')]
   const value = interval === null ? '' : numbers.peek().metres.format(interval)
-  if (value) notes.push(t('pictures.contours', { interval: t('pictures.metres', { value }) }))
+  if (value) notes.push(t('pictures.contours', { interval: t('lengths.metres', { value }) }))
   if (hasHoles) notes.push(t('pictures.noData'))
   return notes
 }
@@ -141,21 +143,17 @@ async function rampsOf(
   const ramps: Ramp[] = []
   const ends = shown === 'none' ? null : (layerEnds.peek()[shown] ?? own)
   if (shown !== 'none' && ends) {
-    const [low = '', high = ''] = ends.map(scaleNumber)
+    const [low = '', high = ''] = ends.map(layerNumber(shown))
     const colours = await tools.mapColours(shown, theme)
     ramps.push({ id: 'layer', title: layerTitle(shown), low, high, colours })
   }
   const heights = heightRange(now)
   if (heights) {
     const metres = (value: number) =>
-      t('pictures.metres', { value: numbers.peek().metres.format(value) })
+      t('lengths.metres', { value: numbers.peek().metres.format(value) })
     const [low = '', high = ''] = heights.map(metres)
     const colours = await tools.mapColours('none', theme)
     ramps.push({ id: 'heights', title: t('legend.heights'), low, high, colours })
   }
   return ramps
 }
-
-/** Whether its cells have a size: on a terrain, in the world, or where one was given. */
-const hasMetres = ({ spec }: Scenario) =>
-  spec.terrain !== undefined || spec.world !== undefined || spec.resolution !== 1

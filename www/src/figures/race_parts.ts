@@ -3,6 +3,7 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/pictures'
 import { lookedAt, type Panel, panels, scenario, seed, shownOf, slotColour, theme } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { panelTitle } from '../words/planner_words'
 import type { Drawing, Heading } from './frame'
 import { LOOKS, type Look } from './look'
@@ -47,7 +48,7 @@ export function runners(): Runner[] {
         ? t(summary?.status === 'no-path' ? 'pictures.noPath' : 'pictures.noPathYet', { name })
         : t(gap === null ? 'pictures.withLength' : 'pictures.withGap', {
             name,
-            length: numbers.peek().length.format(length),
+            length: lengthShown(length),
             gap: gap === null ? '' : gapShown(gap),
           })
     return { panel, colour: slotColour(panel.slot), name, path, altitudes: bestAltitudes, label }

@@ -3,12 +3,13 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/film'
 import { caption } from '../state'
 import { gapShown } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import type { CopiedRun } from './copied_race'
 import type { RaceLink } from './link_of_race'
 
 /** Moves since the beginning, where they are what is counted. */
 export function reachedWords(run: CopiedRun, moves: number | null): string {
-  const { whole, length } = numbers.peek()
+  const { whole } = numbers.peek()
   const { summary, gap, isSearch } = run
   const reached = summary.metrics?.length
   const when =
@@ -20,7 +21,7 @@ export function reachedWords(run: CopiedRun, moves: number | null): string {
   const what =
     reached === undefined
       ? t(summary.status === 'no-path' ? 'film.never' : 'film.noPath')
-      : length.format(reached)
+      : lengthShown(reached)
   return [when, what, gap === null ? null : gapShown(gap)]
     .filter((part) => part !== null)
     .join(' · ')

@@ -9,6 +9,7 @@ import { handUndoing, lesson, objectives, references, type Undoing } from '../st
 import { Button, IconButton } from '../ui/buttons'
 import { UndoButtons } from '../ui/undo_buttons'
 import { gapOf } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { Card } from './card'
 import { drawKey } from './draw_input'
 import {
@@ -112,7 +113,7 @@ function standingWords(): string {
   const now = measured.value
   if (!now) return ''
   const { found, refused, drawn } = now
-  const { length, whole } = numbers.value
+  const { whole } = numbers.value
   if (!found) return t('lesson.draw.notHere', { why: refused })
   if (found.flaw) return t('lesson.draw.flaw', { why: describeNotice(found.flaw) })
   const { metrics, missing } = found
@@ -122,9 +123,9 @@ function standingWords(): string {
     return `${steps}. ${t('lesson.draw.missing', { x, y })}`
   }
   const told = t('lesson.draw.complete', {
-    length: length.format(metrics.length),
+    length: lengthShown(metrics.length),
     turns: whole.format(metrics.turns),
-    clearance: length.format(metrics.min_clearance),
+    clearance: lengthShown(metrics.min_clearance),
   })
   return `${told} ${gapWords()}`
 }

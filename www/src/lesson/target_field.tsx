@@ -6,9 +6,13 @@ import type { Target } from '../model/lesson'
 import { lesson, objectives, references } from '../state'
 import { NumberField, Segmented, Select } from '../ui/fields'
 import { referenceValue } from '../words/gap_words'
+import { metresPerCell, withUnit } from '../words/metres'
 import { objectiveWord } from '../words/objective_words'
 import { changeLesson } from './change_lesson'
 import { stopWords } from './stop_words'
+
+/** Of a target in metres. */
+const DIGITS = 6
 
 const KINDS = ['none', 'number', 'optimum'] as const
 type Kind = (typeof KINDS)[number]
@@ -18,6 +22,7 @@ export function TargetField() {
   const [wrong, setWrong] = useState(false)
   const objective = target?.objective ?? objectives.value[0] ?? 'length'
   const kind = kindOf(target)
+  const scale = metresPerCell.value ?? 1
   return (
     <fieldset class="target-field">
       <legend>{t('lesson.target.field')}</legend>
@@ -37,15 +42,16 @@ export function TargetField() {
         />
         {target && target.beat !== 'optimum' && (
           <NumberField
-            label={t('lesson.target.value')}
-            value={target.beat}
+            label={withUnit(t('lesson.target.value'))}
+            value={scale === 1 ? target.beat : Number((target.beat * scale).toPrecision(DIGITS))}
             min={0}
             max={1e9}
             invalid={wrong}
             describedBy={wrong ? 'target-wrong' : undefined}
             testId="target-value"
             live
-            onChange={(beat) => {
+            onChange={(typed) => {
+              const beat = typed / scale
               setWrong(!(beat > 0 && beat <= 1e9))
               if (beat > 0 && beat <= 1e9) changeLesson({ target: { objective, beat } })
             }}

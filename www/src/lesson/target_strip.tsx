@@ -1,7 +1,7 @@
 /** The target in one line, and who has beaten it. */
-import { numbers } from '../i18n'
 import { t } from '../i18n/lesson'
 import { lesson } from '../state'
+import { lengthShown } from '../words/lengths'
 import { objectiveWord } from '../words/objective_words'
 import { type Standing, standing, targetValue } from './target'
 
@@ -11,7 +11,7 @@ export function TargetStrip() {
   if (!target || !now) return null
   const what = t(`objective.${objectiveWord(target.objective)}`)
   const value = targetValue.value
-  const number = value === null ? '' : numbers.value.length.format(value)
+  const number = value === null ? '' : lengthShown(value)
   const optimum = value === null ? 'lesson.target.optimum' : 'lesson.target.optimumAt'
   const key = target.beat === 'optimum' ? optimum : 'lesson.target.number'
   return (
@@ -29,10 +29,9 @@ export function TargetStrip() {
 
 function standingWords(now: Standing): string {
   if (!('who' in now)) return t(`lesson.target.${now.kind}`)
-  const { length } = numbers.value
   return t(`lesson.target.${now.kind}`, {
     who: now.who,
-    value: length.format(now.value),
-    by: length.format(now.by),
+    value: lengthShown(now.value),
+    by: lengthShown(now.by),
   })
 }

@@ -30,6 +30,9 @@ const WORTH_MOVING = 0.25
 
 const SIDES: LegendSide[] = ['right-bottom', 'left-bottom', 'right-top', 'left-top']
 
+/** In the order in which a scale bar takes them. */
+const BAR_SIDES: LegendSide[] = ['left-bottom', 'right-bottom', 'left-top', 'right-top']
+
 interface Box {
   left: number
   top: number
@@ -62,6 +65,32 @@ export function legendPlace(
   const stays = ranked.find(({ place }) => place.side === before?.side && shape === before.shape)
   return stays && stays.covered * (1 - WORTH_MOVING) <= best.covered ? stays.place : best.place
 }
+
+/**
+ * Where a scale bar stands: beside the legend, never over a marker, and where it covers the fewest free cells; it stays where it stood
+ * as long as it may. Null where there is no such corner.
+ */
+export function barSide(
+  stage: Size,
+  map: LaidMap,
+  now: Scenario,
+  size: Size,
+  legend: { side: LegendSide; size: Size } | null,
+  before: LegendSide | null,
+): LegendSide | null {
+  const taken = legend && boxAt(legend.side, legend.size, stage)
+  const covered = (side: LegendSide) => {
+    const box = boxAt(side, size, stage)
+    return taken && !areApart(box, taken) ? Number.POSITIVE_INFINITY : coveredBy(box, map, now)
+  }
+  const ranked = BAR_SIDES.map((side) => ({ side, covered: covered(side) }))
+    .filter(({ covered }) => Number.isFinite(covered))
+    .sort((a, b) => a.covered - b.covered)
+  return ranked.find(({ side }) => side === before)?.side ?? ranked[0]?.side ?? null
+}
+
+const areApart = (a: Box, b: Box) =>
+  a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top
 
 function boxAt(side: LegendSide, { width, height }: Size, stage: Size): Box {
   const left = side.startsWith('left') ? EDGE : stage.width - EDGE - width

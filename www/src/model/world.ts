@@ -2,12 +2,20 @@
 import type { ScenarioSpec, World } from '@pkg/formicarium'
 import type { Cell } from './cell'
 
-/** The middle of a cell in metres; null where the map's place is not known. The origin is the lower left corner, about which the map is turned. */
-export function placeOf(
-  { world, height, resolution }: ScenarioSpec,
+/** Metres a cell, of a map that has a scale, by the engine's rule (`ScenarioSpec::scale`); null elsewhere. */
+export function scaleOf({ terrain, world, resolution }: ScenarioSpec): number | null {
+  return terrain || world || resolution !== 1 ? resolution : null
+}
+
+/** The middle of a cell in metres, from the map's lower left corner. */
+export const fromCorner = (
+  { height, resolution }: ScenarioSpec,
   [x, y]: Cell,
-): [number, number] | null {
-  return world ? pointOf(world, (x + 0.5) * resolution, (height - y - 0.5) * resolution) : null
+): [number, number] => [(x + 0.5) * resolution, (height - y - 0.5) * resolution]
+
+/** The middle of a cell in metres; null where the map's place is not known. The origin is the lower left corner, about which the map is turned. */
+export function placeOf(spec: ScenarioSpec, cell: Cell): [number, number] | null {
+  return spec.world ? pointOf(spec.world, ...fromCorner(spec, cell)) : null
 }
 
 /** The origin of a map whose last rows were cut off, or that got more of them. */

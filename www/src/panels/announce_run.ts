@@ -1,8 +1,9 @@
 /** Tells screen readers how a race goes: its start, first and better paths, its end. */
 import { effect, untracked } from '@preact/signals'
-import { numbers, t } from '../i18n'
+import { t } from '../i18n'
 import { announce, liveTick, type Panel, panels, phase } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { panelTitle } from '../words/planner_words'
 
 /** Better paths come faster than anybody can hear of them: one in so many milliseconds is told. */
@@ -41,7 +42,7 @@ function tellPath({ id }: Panel, length: number): void {
   if (last !== undefined && (length >= last || now - toldAt < PAUSE_MS)) return
   told.set(id, length)
   toldAt = now
-  const words = { planner: panelTitle(id), length: numbers.peek().length.format(length) }
+  const words = { planner: panelTitle(id), length: lengthShown(length) }
   announce(t(last === undefined ? 'notices.firstPath' : 'notices.betterPath', words))
 }
 
@@ -57,5 +58,5 @@ function outcome(panel: Panel): string {
   const gap = panelGap(panel)
   if (gap !== null) return gapShown(gap)
   const length = panel.live.peek().summary?.metrics?.length
-  return length === undefined ? t('gap.noPathYet') : numbers.peek().length.format(length)
+  return length === undefined ? t('gap.noPathYet') : lengthShown(length)
 }

@@ -11,6 +11,7 @@ import { goalName, goalWeight } from '../model/goals'
 import { activeGoal, applyEdit, goalsShown, scenario, soughtPart, tool } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button, CloseButton, IconButton } from '../ui/buttons'
+import { placeShown } from '../words/lengths'
 import { placeError, quantityError, readPlace } from './goal_input'
 import { GOALS_ID } from './goals_shown'
 
@@ -159,6 +160,7 @@ function Row({ goal, index, refuse }: RowProps) {
             return error === null
           }}
         />
+        <Where goal={goal} />
       </td>
       <td>
         <IconButton
@@ -173,6 +175,13 @@ function Row({ goal, index, refuse }: RowProps) {
       </td>
     </tr>
   )
+}
+
+/** In metres, on a map that has a scale. */
+function Where({ goal }: { goal: Goal }) {
+  const now = scenario.value
+  const words = now ? placeShown(now, goal.at) : []
+  return words.length > 0 && <span class="goal-where">{words.join(' · ')}</span>
 }
 
 /** The goal tool moves the goal that is being worked on. */

@@ -3,19 +3,19 @@ import { numbers } from '../i18n'
 import { t } from '../i18n/column'
 import { goalName, goalWeight } from '../model/goals'
 import { type Panel, panelById, scenario, shownOf } from '../state'
+import { lengthNumber, withUnit } from '../words/metres'
 
 export default function Legs({ panel }: { panel: Panel }) {
   const now = panelById(panel.id)
   const tour = now && shownOf(now).summary?.tour
   const spec = scenario.value?.spec
   if (!tour || !spec) return null
-  const { length } = numbers.value
   const stops = [t('stage.start'), ...tour.order.map((goal) => goalName(spec, goal))]
   const weightOf = (leg: number) => {
     const goal = spec.goals[tour.order[leg] ?? -1]
     return goal ? goalWeight(goal) : Number.NaN
   }
-  const shown = (value: number | null | undefined) => (value == null ? '–' : length.format(value))
+  const shown = (value: number | null | undefined) => (value == null ? '–' : lengthNumber(value))
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
     <section class="legs" tabIndex={0} aria-label={t('legs.title')} data-testid="legs">
@@ -23,13 +23,13 @@ export default function Legs({ panel }: { panel: Panel }) {
         <thead>
           <tr>
             <th scope="col">{t('legs.leg')}</th>
-            <th scope="col">{t('legs.planned')}</th>
-            <th scope="col">{t('legs.walked')}</th>
+            <th scope="col">{withUnit(t('legs.planned'))}</th>
+            <th scope="col">{withUnit(t('legs.walked'))}</th>
             <th scope="col">
               <i>b</i>
             </th>
             <th scope="col" title={t('legs.weightHint')}>
-              <i>R</i>
+              {withUnit('R')}
             </th>
           </tr>
         </thead>

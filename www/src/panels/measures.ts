@@ -1,8 +1,9 @@
 /** What the comparison says of every panel: one measure after the other, each with its words for all panels. */
-import { numbers, t } from '../i18n'
+import { t } from '../i18n'
 import { goalName } from '../model/goals'
 import { type Panel, plannerEntry, referenceOf, scenario, shownOf } from '../state'
 import { panelGap } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { bestOf, GAP_ROW, METRIC_ROWS, type MetricId, type MetricRow } from '../words/metric_rows'
 import { objectiveWord } from '../words/objective_words'
 
@@ -12,7 +13,7 @@ export interface MeasureCell {
   note?: string
   /** Why there is only a dash. */
   why?: string
-  /** The number that is written; null where it has none. */
+  /** The number behind the text, lengths in cells; null where it has none. */
   value?: number | null
   better?: boolean
 }
@@ -21,6 +22,8 @@ export interface Measure {
   id: MetricId | 'comparedWith' | 'order' | 'digest'
   /** Words rather than numbers: they want more room. */
   wordy: boolean
+  /** Whether it is a length (see `MetricRow`). */
+  isLength?: true | undefined
   /** One of each panel, in their order. */
   cells: MeasureCell[]
 }
@@ -60,7 +63,7 @@ function numeric(row: MetricRow, all: Panel[]): Measure {
     value,
     better: best.has(index),
   }))
-  return { id: row.id, wordy: false, cells }
+  return { id: row.id, wordy: false, isLength: row.isLength, cells }
 }
 
 /** What a panel's gap is taken from. */
@@ -74,7 +77,7 @@ function comparedWith(panel: Panel): MeasureCell | null {
     case 'unknown':
       return { text: '–', why: t('gap.unknownWhy') }
     default: {
-      const value = numbers.value.length.format(reference.value)
+      const value = lengthShown(reference.value)
       const note = reference.kind === 'unproven' ? { note: t('gap.notProven') } : {}
       return { text: `${t(`objective.${objectiveWord(objective)}`)} ${value}`, ...note }
     }

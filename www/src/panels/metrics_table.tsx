@@ -8,6 +8,7 @@ import type { ComponentChildren } from 'preact'
 import { t } from '../i18n/column'
 import { byHand, type Panel, panels, slotColour } from '../state'
 import { Icon } from '../ui/icon'
+import { unitName, withUnit } from '../words/metres'
 import { panelTitle } from '../words/planner_words'
 import { type Measure, measuresOf } from './measures'
 
@@ -97,7 +98,7 @@ function ByMeasure({ all, measures }: TableProps) {
       <tbody>
         {measures.map((measure) => (
           <tr key={measure.id} class={measure.id === 'gap' ? 'leading' : undefined}>
-            <MeasureHead id={measure.id} scope="row" />
+            <MeasureHead of={measure} scope="row" />
             {all.map((panel, index) => (
               <Cell key={panel.id} measure={measure} index={index} />
             ))}
@@ -115,8 +116,8 @@ function ByPanel({ all, measures }: TableProps) {
       <thead>
         <tr>
           <td />
-          {measures.map(({ id }) => (
-            <MeasureHead key={id} id={id} scope="col" />
+          {measures.map((measure) => (
+            <MeasureHead key={measure.id} of={measure} scope="col" />
           ))}
         </tr>
       </thead>
@@ -145,9 +146,9 @@ function PanelHead({ panel, scope }: { panel: Panel; scope: 'row' | 'col' }) {
   )
 }
 
-const MeasureHead = ({ id, scope }: { id: Measure['id']; scope: 'row' | 'col' }) => (
-  <th scope={scope} title={t(`metrics.hints.${id}`)}>
-    {t(`metrics.${id}`)}
+const MeasureHead = ({ of: { id, isLength }, scope }: { of: Measure; scope: 'row' | 'col' }) => (
+  <th scope={scope} title={t(`metrics.hints.${id}`, { unit: unitName() })}>
+    {isLength ? withUnit(t(`metrics.${id}`)) : t(`metrics.${id}`)}
   </th>
 )
 

@@ -6,6 +6,7 @@ import { objectives, referenceRefusal, references, scenario, scenarioNotices } f
 import { show } from '../state/dialogs'
 import { Icon } from '../ui/icon'
 import { referenceValue } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { objectiveWord } from '../words/objective_words'
 import { showGoals } from './goals_shown'
 
@@ -101,7 +102,7 @@ function Best({ objective, testId }: { objective: Objective; testId: string }) {
   return (
     <span class="target" data-testid={testId} data-objective={objective} data-value={value ?? ''}>
       {value !== null
-        ? t('race.target', { what, value: numbers.value.length.format(value) })
+        ? t('race.target', { what, value: lengthShown(value) })
         : t(reference === null ? open : 'race.unknown', { what })}
       {reference?.kind === 'unproven' && <span class="unproven"> {t('gap.notProven')}</span>}
     </span>

@@ -2,6 +2,7 @@ import type { Reference, RunSummary } from '@pkg/formicarium'
 import { numbers, type TextKey, t } from '../i18n'
 import { type Panel, referenceOf, referenceRefusal, shownOf } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
+import { lengthShown } from '../words/lengths'
 import { type ObjectiveWord, objectiveWord } from '../words/objective_words'
 import { isSearch, panelTitle } from '../words/planner_words'
 
@@ -22,7 +23,7 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
       </div>
       <dl class="readout-facts">
         <Fact label={t('metrics.length')} testId={`readout-length-${place}`}>
-          {length === null ? '–' : numbers.value.length.format(length)}
+          {length === null ? '–' : lengthShown(length)}
         </Fact>
         <ObjectiveFact summary={summary} place={place} />
         <ProgressFacts panel={panel} place={place} />
@@ -48,7 +49,7 @@ function ObjectiveFact({ summary, place }: { summary: RunSummary | null; place: 
   if (!label) return null
   return (
     <Fact label={t(label)} testId={`readout-value-${place}`} leading>
-      {value === null ? '–' : numbers.value.length.format(value)}
+      {value === null ? '–' : lengthShown(value)}
     </Fact>
   )
 }

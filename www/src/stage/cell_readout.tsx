@@ -5,15 +5,14 @@
 import type { ReadonlySignal } from '@preact/signals'
 import { t } from '../i18n'
 import { scenario } from '../state'
-import { heightWords } from '../words/height_words'
-import { placeWords } from '../words/place_words'
+import { placeShown } from '../words/lengths'
 import type { Cursor } from './panel_view'
 
 export function CellReadout({ cursor }: { cursor: ReadonlySignal<Cursor | null> }) {
   const now = scenario.value
   const cell = cursor.value?.cell
   if (!now || !cell) return null
-  const words = [heightWords(now, cell), placeWords(now, cell)].filter((said) => said !== null)
+  const words = placeShown(now, cell)
   if (words.length === 0) return null
   return (
     <p class="cell-readout" aria-hidden="true" data-testid="cell-readout">

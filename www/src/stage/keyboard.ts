@@ -20,8 +20,7 @@ import {
   tool,
 } from '../state'
 import { mapIsFixed } from '../state/embedding'
-import { heightWords } from '../words/height_words'
-import { placeWords } from '../words/place_words'
+import { placeShown } from '../words/lengths'
 import { brushFor, newGesture, stroke } from './brush'
 import type { Cursor } from './panel_view'
 
@@ -189,8 +188,8 @@ function lift(cell: Cell | null, now: Scenario, delta: number): boolean {
 
 function describe(cell: Cell, now: Scenario): string {
   const told = t('stage.cell', { x: cell[0], y: cell[1], what: contentOf(cell, now) })
-  return [heightWords(now, cell), placeWords(now, cell)].reduce<string>(
-    (words, height) => (height === null ? words : t('relief.withHeight', { words, height })),
+  return placeShown(now, cell).reduce(
+    (words, height) => t('relief.withHeight', { words, height }),
     told,
   )
 }

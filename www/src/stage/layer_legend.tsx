@@ -1,19 +1,21 @@
-/** What the colours of a panel's map mean, where it is least in the way: a ramp with its least and greatest value, or swatches. */
+/** What the colours of a panel's map mean, where it is least in the way: a ramp with its least and greatest value, or swatches. Beside it how long things are. */
 import '../styles/legend.css'
 import { computed, useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { addReadingWords, t } from '../i18n/reading'
-import type { LegendPlace } from '../model/legend_place'
+import type { LegendPlace, LegendSide } from '../model/legend_place'
 import type { LayerEnds, LayerScale } from '../model/messages'
 import { heightRange } from '../model/relief_ground'
 import { inRelief, layerEnds, panelById, sameScale, scenario, theme } from '../state'
-import { categoriesOf, layerTitle, scaleNumber } from '../words/layer_words'
+import { categoriesOf, layerNumber, layerTitle } from '../words/layer_words'
+import { barScale } from '../words/metres'
 import { watchSize } from './element_size'
 import { colourAt, coloursOf, gradient, LEAST, MOST } from './layer_colours'
 import { followScale, scales } from './layer_scales'
-import { hasRoomForBoth, held, placeLegend } from './legend_room'
+import { hasRoomForBoth, held, placeBar, placeLegend } from './legend_room'
 import type { CanvasSize } from './panel_view'
+import { ScaleBar } from './scale_bar'
 
 const ready = addReadingWords()
 export const fetchLegend = () => ready.then(() => LayerLegend)
@@ -24,7 +26,7 @@ export function LayerLegend({ panelId }: { panelId: number }) {
   useEffect(() => followScale(panelId), [panelId])
   const scale = scales.value.get(panelId)
   const range = heights.value
-  if (!scale || (scale.layer === 'none' && !range)) return null
+  if (!scale || (scale.layer === 'none' && !range && barScale.value === null)) return null
   return <Placed panelId={panelId} scale={scale} range={range} />
 }
 
@@ -35,11 +37,12 @@ interface PlacedProps {
   range: LayerEnds | null
 }
 
-/** It stays where it is while the map is pressed, whatever the press changes. */
+/** Legend and scale bar stay where they are while the map is pressed, whatever the press changes. */
 function Placed({ panelId, scale, range }: PlacedProps) {
   const space = useRef<HTMLDivElement>(null)
   const size = useSignal<CanvasSize>({ width: 1, height: 1, dpr: 1 })
   const before = useRef<LegendPlace | null>(null)
+  const barBefore = useRef<LegendSide | null>(null)
   useLayoutEffect(() => {
     if (!space.current) return
     return watchSize(space.current, (measured) => {
@@ -48,8 +51,13 @@ function Placed({ panelId, scale, range }: PlacedProps) {
   }, [])
   const coloured = scale.layer !== 'none'
   const both = coloured && range !== null && hasRoomForBoth(size.value)
-  if (!held.value) before.current = placeLegend(size.value, both ? 2 : 1, before.current)
-  const place = inRelief.value ? IN_RELIEF : before.current
+  const hasLegend = coloured || range !== null
+  if (!held.value) {
+    const rows = both ? 2 : 1
+    before.current = hasLegend ? placeLegend(size.value, rows, before.current) : null
+    barBefore.current = placeBar(size.value, before.current, rows, barBefore.current)
+  }
+  const place = inRelief.value && hasLegend ? IN_RELIEF : before.current
   return (
     <div class="legend-space" ref={space}>
       {place && (
@@ -62,6 +70,9 @@ function Placed({ panelId, scale, range }: PlacedProps) {
           {coloured && <OfLayer panelId={panelId} scale={scale} />}
           {range && (both || !coloured) && <OfHeights range={range} />}
         </div>
+      )}
+      {barBefore.current && !inRelief.value && (
+        <ScaleBar panelId={panelId} size={size.value} side={barBefore.current} />
       )}
     </div>
   )
@@ -80,16 +91,18 @@ function OfLayer({ panelId, scale: { layer, own } }: { panelId: number; scale: L
   const shared = sameScale.value ? layerEnds.value[layer] : undefined
   const note = shared ? t('legend.same') : undefined
   const ends = shared ?? own
+  const write = layerNumber(layer)
   if (ends[0] === ends[1])
-    return <Row title={title} note={t('legend.constant', { value: scaleNumber(ends[0]) })} />
-  return <Ramp title={title} note={note} ends={ends} colours={colours} write={scaleNumber} />
+    return <Row title={title} note={t('legend.constant', { value: write(ends[0]) })} />
+  return <Ramp title={title} note={note} ends={ends} colours={colours} write={write} />
 }
 
 /** Of the ground, whose tints go from its lowest cell to its highest. */
 function OfHeights({ range }: { range: LayerEnds }) {
   const colours = coloursOf('none', theme.value)
   if (!colours) return null
-  const write = (value: number) => t('legend.metres', { value: numbers.value.metres.format(value) })
+  const write = (value: number) =>
+    t('lengths.metres', { value: numbers.value.metres.format(value) })
   return <Ramp title={t('legend.heights')} ends={range} colours={colours} write={write} />
 }
 

@@ -1,6 +1,12 @@
 /** The room that a legend takes, and when it may move: not while anything is pressed. Read inside a component. */
 import { signal } from '@preact/signals'
-import { type LegendPlace, type LegendShape, legendPlace } from '../model/legend_place'
+import {
+  barSide,
+  type LegendPlace,
+  type LegendShape,
+  type LegendSide,
+  legendPlace,
+} from '../model/legend_place'
 import type { CanvasSize, Size } from '../model/viewpoint'
 import { scenario } from '../state'
 import { place } from './panel_view'
@@ -21,6 +27,10 @@ const ROW: Record<LegendShape, Size> = {
   bar: { width: 160, height: 20 },
 }
 
+/** Of a scale bar with its words (legend.css), and of its line alone. */
+const BAR: Size = { width: 152, height: 20 }
+export const LONGEST_BAR = 80
+
 /** A small stage has room for one ramp: the one that was chosen. */
 export const hasRoomForBoth = ({ width, height, dpr }: CanvasSize) =>
   width >= 420 * dpr && height >= 260 * dpr
@@ -32,11 +42,36 @@ export function placeLegend(
 ): LegendPlace | null {
   const now = scenario.value
   if (!now) return null
+  const sizes = { full: high('full', rows), line: high('line', rows), bar: high('bar', rows) }
+  const { stage, map } = laid(size)
+  return legendPlace(stage, map, now, sizes, before)
+}
+
+/** Where a scale bar stands beside a legend of so many rows; null where it has no place. */
+export function placeBar(
+  size: CanvasSize,
+  legend: LegendPlace | null,
+  rows: 1 | 2,
+  before: LegendSide | null,
+): LegendSide | null {
+  const now = scenario.value
+  if (!now) return null
+  const taken = legend && { side: legend.side, size: high(legend.shape, rows) }
+  const { stage, map } = laid(size)
+  return barSide(stage, map, now, BAR, taken, before)
+}
+
+const high = (shape: LegendShape, rows: number) => ({
+  ...ROW[shape],
+  height: rows * ROW[shape].height,
+})
+
+/** The stage, and the map on it, in CSS pixels. */
+function laid(size: CanvasSize) {
   const { dpr } = size
   const { scale, originX, originY } = place(size)
-  const map = { left: originX / dpr, top: originY / dpr, cell: scale / dpr }
-  const stage = { width: size.width / dpr, height: size.height / dpr }
-  const high = (shape: LegendShape) => ({ ...ROW[shape], height: rows * ROW[shape].height })
-  const sizes = { full: high('full'), line: high('line'), bar: high('bar') }
-  return legendPlace(stage, map, now, sizes, before)
+  return {
+    stage: { width: size.width / dpr, height: size.height / dpr },
+    map: { left: originX / dpr, top: originY / dpr, cell: scale / dpr },
+  }
 }

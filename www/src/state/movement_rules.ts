@@ -1,5 +1,5 @@
 /** How one moves: the map's size, its moves, and what a terrain asks besides. Fetched with the dialog that asks for them. */
-import type { Movement, SliceRules, TerrainFields } from '@pkg/formicarium'
+import type { Movement, SliceRules, TerrainFields, Vehicle } from '@pkg/formicarium'
 import { t } from '../i18n/dialogs'
 import { resized } from '../model/resize'
 import type { Scenario } from '../model/session'
@@ -15,13 +15,15 @@ export interface Rules {
   movement: Movement
   /** Metres per cell. */
   resolution: number
+  /** Metres per second, and seconds for a turn. */
+  vehicle: Vehicle
   /** On a terrain alone. */
   terrain?: TerrainFields
 }
 
 /** What the rules would make of a scenario; null when there is no place for start or goal: without data, or above all levels. */
 export function underRules(now: Scenario, rules: Rules): Scenario | null {
-  const { width, height, movement, resolution, terrain } = rules
+  const { width, height, movement, resolution, vehicle, terrain } = rules
   const resizing = width !== now.spec.width || height !== now.spec.height
   // Levels are looked at once the rules are there that count them.
   const { terrain: former, ...plain } = now.spec
@@ -29,7 +31,8 @@ export function underRules(now: Scenario, rules: Rules): Scenario | null {
   const flat = { ...now, spec: { ...plain, ...surface } }
   const sized = resized(flat, width, height)
   if (resizing && sized === flat) return null
-  const spec = { ...sized.spec, movement, resolution, ...(now.heights && terrain && { terrain }) }
+  const ground = now.heights && terrain && { terrain }
+  const spec = { ...sized.spec, movement, resolution, vehicle, ...ground }
   return liftEnds({ ...sized, spec })
 }
 

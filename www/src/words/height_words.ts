@@ -1,14 +1,15 @@
 /** The height of a cell in words. */
-import { numbers, t } from '../i18n'
+import { numbers } from '../i18n'
+import { t } from '../i18n/reading'
 import type { Cell } from '../model/cell'
 import type { Scenario } from '../model/session'
 import { groundAt, hasNoData } from '../model/terrain'
 
 /** Null on a plane. */
 export function heightWords(scenario: Scenario, cell: Cell): string | null {
-  if (hasNoData(scenario, cell)) return t('relief.noData')
+  if (hasNoData(scenario, cell)) return t('lengths.noData')
   const metres = groundAt(scenario, cell)
   return metres === null
     ? null
-    : t('relief.height', { height: numbers.value.metres.format(metres) })
+    : t('lengths.metres', { value: numbers.value.metres.format(metres) })
 }

@@ -2,12 +2,22 @@
 import type { Layer } from '@pkg/formicarium'
 import { language } from '../i18n'
 import { t } from '../i18n/reading'
+import { metresPerCell } from './metres'
 import { isSearch } from './planner_words'
 
 export function layerTitle(layer: Layer): string {
-  const [name, unit] = [t(`view.layers.${layer}`), t(`legend.units.${layer}`)]
+  const name = t(`view.layers.${layer}`)
+  if (isOfLength(layer)) return t('lengths.inMetres', { what: name })
+  const unit = t(`legend.units.${layer}`)
   return unit === '' ? name : `${name} (${unit})`
 }
+
+/** Whether its values are lengths and are shown in metres. */
+const isOfLength = (layer: Layer) => layer === 'cost' && metresPerCell.value !== null
+
+/** A value of a layer as it is shown. */
+export const layerNumber = (layer: Layer) => (value: number) =>
+  scaleNumber(isOfLength(layer) ? value * (metresPerCell.value ?? 1) : value)
 
 /** Three digits of anything; what is far from 1 as a power of ten. */
 export function scaleNumber(value: number): string {

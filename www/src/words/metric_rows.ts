@@ -2,6 +2,7 @@
 import type { Family, RunSummary } from '@pkg/formicarium'
 import { numbers } from '../i18n'
 import { gapShown } from './gap_words'
+import { lengthNumber, metresPerCell } from './metres'
 
 export type MetricId =
   | 'gap'
@@ -33,6 +34,8 @@ export interface MetricRow {
   families?: Family[]
   /** Left out while no panel has it. */
   optional?: true
+  /** A length in cells, or one weighed, which is shown in metres on maps that have a scale. */
+  isLength?: true
   value(summary: RunSummary, gap: number | null): number | null
   format(value: number): string
 }
@@ -53,25 +56,24 @@ export const METRIC_ROWS: MetricRow[] = [
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
   ofTerrain('levelCost', (terrain) => terrain.level_cost),
-  { id: 'length', better: 'lower', value: ofPath('length'), format: decimal },
+  length('length', 'lower', ofPath('length')),
   {
     ...ofTerrain('lengthMetres', () => null),
-    value: ({ metrics }) => (metrics?.terrain ? metrics.length_metres : null),
+    // Where all lengths are in metres the row above says it.
+    value: ({ metrics }) =>
+      metrics?.terrain && metresPerCell.value === null ? metrics.length_metres : null,
   },
   ofTerrain('climb', (terrain) => terrain.climb),
   ofTerrain('descent', (terrain) => terrain.descent),
   ofTerrain('steepest', (terrain) => terrain.steepest),
   {
-    id: 'unrefinedLength',
-    better: 'lower',
+    ...length('unrefinedLength', 'lower', (summary) => summary.unrefined_length),
     optional: true,
-    value: (summary) => summary.unrefined_length,
-    format: decimal,
   },
   { id: 'turns', better: 'lower', value: ofPath('turns'), format: whole },
-  { id: 'turnIndex', better: 'lower', value: ofPath('turn_index'), format: decimal },
-  { id: 'minClearance', better: 'higher', value: ofPath('min_clearance'), format: decimal },
-  { id: 'meanClearance', better: 'higher', value: ofPath('mean_clearance'), format: decimal },
+  length('turnIndex', 'lower', ofPath('turn_index')),
+  length('minClearance', 'higher', ofPath('min_clearance')),
+  length('meanClearance', 'higher', ofPath('mean_clearance')),
   { id: 'travelTime', better: 'lower', value: ofPath('travel_time'), format: decimal },
   iterative('iterations', ofEffort('iterations')),
   iterative('iterationOfBest', (summary) => summary.iteration_of_best),
@@ -96,6 +98,10 @@ export function bestOf(values: (number | null)[], better: MetricRow['better']): 
   return new Set(values.flatMap((value, index) => (value === best ? [index] : [])))
 }
 
+function length(id: MetricId, better: MetricRow['better'], value: MetricRow['value']): MetricRow {
+  return { id, better, value, format: lengthNumber, isLength: true }
+}
+
 function iterative(id: MetricId, value: MetricRow['value']): MetricRow {
   return { id, better: null, families: ['ant-colony', 'swarm', 'sampling'], value, format: whole }
 }
@@ -104,7 +110,7 @@ type Tour = NonNullable<RunSummary['tour']>
 
 function ofTour(id: MetricId, value: (tour: Tour) => number | null | undefined): MetricRow {
   const read = ({ tour }: RunSummary) => (tour ? value(tour) : null) ?? null
-  return { id, better: 'lower', optional: true, value: read, format: decimal }
+  return { ...length(id, 'lower', read), optional: true }
 }
 
 type Terrain = NonNullable<NonNullable<RunSummary['metrics']>['terrain']>

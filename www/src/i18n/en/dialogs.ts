@@ -3,10 +3,12 @@ import type { Kind } from '@pkg/formicarium'
 
 import { enOneFile } from './one_file'
 import { enOrder } from './order'
+import { enScale } from './scale'
 
 export const enDialogs = {
   onePage: enOneFile,
   order: enOrder,
+  scale: enScale,
   movement: {
     label: 'Allowed moves',
     notes: {
@@ -37,7 +39,6 @@ export const enDialogs = {
         'From column to column, each step a few cells aside and a few levels up or down, always above the ground: the model of the 3-D textbook colony.',
     },
     maxSlope: 'Steepest slope (°)',
-    resolution: 'Cell (m)',
     verticalUnit: 'Unit of heights (m)',
     slices: {
       level: 'Level height (m)',

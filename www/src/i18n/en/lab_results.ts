@@ -46,6 +46,20 @@ export const enLabResults = {
       optimal: 'share of runs with the optimum',
       'running-time': 'expected running time',
     },
+    measuresInMetres: {
+      length: 'path length (m)',
+      cost: 'cost of the path (m)',
+      'turn-index': 'turn index V (m)',
+      weight: 'weight ΣR (m)',
+    },
+    unit: {
+      label: 'Lengths in',
+      metres: 'Metres',
+      cells: 'Cells',
+      some: 'Lengths in cells: not all maps have lengths in metres.',
+      files:
+        'Lengths in files are in cells; each map has its metres a cell in the comparison’s own file.',
+    },
     measured: 'Measured: {{measure}}.',
     optima: 'Proven: {{optima}}.',
     noOptimum: 'Nothing is proven on this map.',

@@ -91,7 +91,7 @@ export const enLessons = {
       question:
         'Where will the shortest way lead? How much shorter would it be for a vehicle that climbs anything?',
       answer:
-        'With the limit the shortest way has {{limited}} cells along the ground, without it {{any}}: the limit makes it {{longer}} longer. It turns away from the flank of the ridge to where slopes are gentle.\nThe first colony stays {{colony}} above the proven way in the median of {{seeds}} runs, the second, whose ants feel a potential field, {{field}}. Change the slope: Map, Size, moves and terrain.',
+        'With the limit the shortest way is {{limited}} m long along the ground, without it {{any}} m: the limit makes it {{longer}} longer. It turns away from the flank of the ridge to where slopes are gentle.\nThe first colony stays {{colony}} above the proven way in the median of {{seeds}} runs, the second, whose ants feel a potential field, {{field}}. Change the slope: Map, Size, moves and terrain.',
     },
     'paper-claim': {
       title: 'A paper’s claim, taken apart',

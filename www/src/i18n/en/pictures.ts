@@ -19,8 +19,6 @@ export const enPictures = {
     noPathYet: '{{name}}: no path yet',
     withLength: '{{name}}: {{length}}',
     withGap: '{{name}}: {{length}} ({{gap}})',
-    metres: '{{value}} m',
-    kilometres: '{{value}} km',
     contours: 'Contour lines every {{interval}}.',
     noData: 'Hatched: no data.',
     cellsArePicture:

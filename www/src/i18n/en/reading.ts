@@ -9,7 +9,6 @@ export const enReading = {
     constant: '{{value}} everywhere',
     nothing: 'no values yet',
     heights: 'Height',
-    metres: '{{value}} m',
     /** In brackets behind the name; nothing for what has no unit. */
     units: {
       trail: 'τ',
@@ -39,6 +38,20 @@ export const enReading = {
     altitude: 'Altitude',
     cell: 'Cell',
     altitudeOf: '{{planner}}: {{altitude}} m, cell {{x}}, {{y}}',
+  },
+  lengths: {
     metres: '{{value}} m',
+    kilometres: '{{value}} km',
+    cells_one: '{{count}} cell',
+    cells_other: '{{count}} cells',
+    /** A length and its unit, at the head of numbers. */
+    inMetres: '{{what}} (m)',
+    unit: { metres: 'metres', cells: 'cells' },
+    /** For screen readers. */
+    bar: 'Scale bar: {{length}}',
+    /** Of a cell: in the world, or from the map's corner. */
+    place: 'x {{x}}, y {{y}} m',
+    fromCorner: '{{x}}, {{y}} m from the lower left corner',
+    noData: 'no data',
   },
 }

@@ -20,9 +20,6 @@ export const enRelief = {
     lost: 'The picture in three dimensions was lost',
     lostHint: 'The graphics card was needed elsewhere. The flat map goes on; press 3 to try again.',
     cell: '{{x}}, {{y}}',
-    height: '{{height}} m',
-    place: 'x {{x}}, y {{y}} m',
-    noData: 'no data',
     withHeight: '{{words}}, {{height}}',
   },
   profile: {

@@ -2,11 +2,13 @@ import type { DictionaryShape } from '../dictionary_shape'
 import type { enDialogs } from '../en/dialogs'
 import { zhCNOneFile } from './one_file'
 import { zhCNOrder } from './order'
+import { zhCNScale } from './scale'
 
 /** Chinese of en/dialogs.ts. */
 export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
   onePage: zhCNOneFile,
   order: zhCNOrder,
+  scale: zhCNScale,
   movement: {
     label: '允许的移动',
     notes: {
@@ -32,7 +34,6 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       slices: '逐列前进，每步可横移几格、升降几层，始终在地面之上：教材中三维蚁群的模型。',
     },
     maxSlope: '最大坡度（°）',
-    resolution: '格边长（米）',
     verticalUnit: '高程单位（米）',
     slices: {
       level: '层高（米）',

@@ -21,8 +21,6 @@ export const zhCNPictures: DictionaryShape<typeof enPictures> = {
     noPathYet: '{{name}}：尚无路径',
     withLength: '{{name}}：{{length}}',
     withGap: '{{name}}：{{length}}（{{gap}}）',
-    metres: '{{value}} 米',
-    kilometres: '{{value}} 千米',
     contours: '等高距 {{interval}}。',
     noData: '阴影线：无数据。',
     cellsArePicture: '单元格以 PNG 图片嵌入此文件：逐个画成图形会过多。',

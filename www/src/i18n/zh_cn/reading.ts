@@ -8,7 +8,6 @@ export const zhCNReading: DictionaryShape<typeof enReading> = {
     constant: '处处为 {{value}}',
     nothing: '尚无数值',
     heights: '高度',
-    metres: '{{value}} 米',
     units: {
       trail: 'τ',
       visits: '蚂蚁数',
@@ -36,6 +35,16 @@ export const zhCNReading: DictionaryShape<typeof enReading> = {
     altitude: '海拔',
     cell: '格',
     altitudeOf: '{{planner}}：{{altitude}} 米，格 {{x}}, {{y}}',
+  },
+  lengths: {
     metres: '{{value}} 米',
+    kilometres: '{{value}} 千米',
+    cells_other: '{{count}} 格',
+    inMetres: '{{what}}（米）',
+    unit: { metres: '米', cells: '格' },
+    bar: '比例尺：{{length}}',
+    place: 'x {{x}}，y {{y}} 米',
+    fromCorner: '距左下角 {{x}}, {{y}} 米',
+    noData: '无数据',
   },
 }

@@ -21,9 +21,6 @@ export const zhCNRelief: DictionaryShape<typeof enRelief> = {
     lost: '三维画面已丢失',
     lostHint: '显卡被其他程序占用。平面地图继续可用；按 3 可重试。',
     cell: '{{x}}, {{y}}',
-    height: '{{height}} 米',
-    place: 'x {{x}}，y {{y}} 米',
-    noData: '无数据',
     withHeight: '{{words}}，{{height}}',
   },
   profile: {

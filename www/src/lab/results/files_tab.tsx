@@ -8,6 +8,7 @@ import { download } from '../../state/export_files'
 import { Button } from '../../ui/buttons'
 import { openComparison, resultFile, timesFile } from '../run/actions'
 import { frontsAsked } from '../store/fronts_asked'
+import { metresOfMaps } from '../store/metres'
 import { fileStem } from '../store/names'
 
 interface FileKind {
@@ -42,6 +43,7 @@ export function FilesTab() {
   return (
     <>
       <p class="hint">{t('lab.results.filesHint')}</p>
+      {metresOfMaps.value && <p class="hint">{t('lab.results.unit.files')}</p>}
       <ul class="result-files">
         {FILES.map((file) => (
           <FileRow key={file.kind} file={file} />

@@ -17,6 +17,7 @@ import { hasReported, ReportedTab } from './reported_tab'
 import { SummaryTab } from './summary_tab'
 import { TabPanel, Tabs } from './tabs'
 import { TestsTab } from './tests_tab'
+import { UnitLine } from './unit_line'
 
 const TABS = ['matrix', 'summary', 'figures', 'fronts', 'tests', 'reported', 'files'] as const
 type Tab = (typeof TABS)[number]
@@ -50,6 +51,7 @@ export function Results() {
   return (
     <section class="lab-card results" aria-label={t('lab.results.title')} data-testid="results">
       {openComparison.value.share && <PartOfAll />}
+      <UnitLine />
       <Tabs
         label={t('lab.results.title')}
         name="results"

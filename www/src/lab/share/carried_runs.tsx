@@ -4,6 +4,7 @@ import { t } from '../../i18n/lab'
 import type { Measure } from '../../model/analysis'
 import type { RecordedNumbers } from '../../share/recorded_numbers'
 import { gapShown } from '../../words/gap_words'
+import { isOfLength, metresOfMaps } from '../store/metres'
 import { shownAnalysis, shownComparison } from '../store/shown_comparison'
 import { openComparison } from '../store/signals'
 import { amount, dash } from '../words/numbers'
@@ -50,6 +51,7 @@ export function CarriedRuns({ recorded }: { recorded: Recorded }) {
                     runs={recorded.runs[at]?.[entry] ?? null}
                     numbers={numbers?.[at]?.[entry] ?? null}
                     measure={shownAnalysis.value?.instances[at]?.measure ?? 'length'}
+                    metres={metresOfMaps.value?.[at] ?? 1}
                   />
                 ))}
               </tr>
@@ -66,13 +68,15 @@ interface CarriedProps {
   runs: Recorded['runs'][number][number]
   numbers: RecordedNumbers | null
   measure: Measure
+  /** Of a cell, where lengths are in metres; else 1. */
+  metres: number
 }
 
-function Carried({ runs, numbers, measure }: CarriedProps) {
+function Carried({ runs, numbers, measure, metres }: CarriedProps) {
   if (!runs && !numbers) return <td>{t('lab.recorded.none')}</td>
   return (
     <td>
-      {numbers && <Numbers of={numbers} measure={measure} />}
+      {numbers && <Numbers of={numbers} measure={measure} metres={metres} />}
       {!numbers && runs && t('lab.recorded.count', { count: runs.count })}
       {runs && (
         <span class="cell-small digest">{t('lab.recorded.digest', { digest: runs.digest })}</span>
@@ -81,9 +85,16 @@ function Carried({ runs, numbers, measure }: CarriedProps) {
   )
 }
 
-function Numbers({ of, measure }: { of: RecordedNumbers; measure: Measure }) {
+interface NumbersProps {
+  of: RecordedNumbers
+  measure: Measure
+  metres: number
+}
+
+function Numbers({ of, measure, metres }: NumbersProps) {
   const { runs, withPath, best, median, gap } = of
-  const write = amount(measure)
+  const factor = isOfLength(measure) ? metres : 1
+  const write = (value: number) => amount(measure)(factor * value)
   const paths = t('lab.recorded.paths', { part: withPath, whole: runs })
   if (median === null) return <>{`${t('lab.recorded.noPath')} · ${paths}`}</>
   return (

@@ -1,6 +1,6 @@
 /**
- * The open comparison and its analysis as the page shows them: known texts, such as those of the papers' questions, in the reader's
- * language. Files are made from the comparison itself, so what people wrote in it stays as it is there.
+ * The open comparison and its analysis as the page shows them: lengths in the reader's unit, and known texts, such as those of the
+ * papers' questions, in the reader's language. Files are made from the comparison itself, so what people wrote in it stays as it is there.
  */
 import type { Claim, Entry, Instance, Question } from '@pkg/formicarium'
 import { computed } from '@preact/signals'
@@ -14,6 +14,7 @@ import type {
   VerdictLine,
 } from '../../model/analysis'
 import { madeMapName } from '../../words/made_maps'
+import { inMetres, metresOfMaps } from './metres'
 import { analysis, type OpenComparison, openComparison } from './signals'
 
 type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'>
@@ -21,7 +22,11 @@ type ShownComparison = Pick<OpenComparison, 'id' | 'title' | 'question' | 'maps'
 export const shownComparison = computed(
   () => openComparison.value && ofComparison(openComparison.value),
 )
-export const shownAnalysis = computed(() => analysis.value && ofAnalysis(analysis.value))
+export const shownAnalysis = computed(() => {
+  if (!analysis.value) return null
+  const metres = metresOfMaps.value
+  return ofAnalysis(metres ? inMetres(analysis.value, metres) : analysis.value)
+})
 
 /** Null and empty text stay as they are. */
 const told = <T extends string | null | undefined>(text: T) =>

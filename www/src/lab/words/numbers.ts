@@ -2,6 +2,8 @@
 import { numbers } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Axis, EntryAnalysis, MapAnalysis, Measure } from '../../model/analysis'
+import { metresFormat } from '../../words/metres'
+import { isOfLength, metresOfMaps } from '../store/metres'
 
 type Write = (value: number) => string
 
@@ -16,7 +18,10 @@ const COUNTED: Measure[] = [
 
 /** How a measure is written. */
 export function amount(measure: Measure): Write {
-  return COUNTED.includes(measure) ? count : (value) => numbers.value.length.format(value)
+  if (COUNTED.includes(measure)) return count
+  const metres = isOfLength(measure) ? metresOfMaps.value : null
+  const format = metres ? metresFormat(Math.min(...metres)) : numbers.value.length
+  return format.format
 }
 
 /** Medians of counts may lie halfway between two. */
@@ -61,7 +66,14 @@ export const range = (low: number, high: number, write: Write) => `${write(low)}
 export const dash = (value: number | null | undefined, write: Write) =>
   value == null || !Number.isFinite(value) ? '–' : write(value)
 
-export const measureWords = (measure: Measure) => t(`lab.results.measures.${measure}`)
+export function measureWords(measure: Measure): string {
+  const inMetres = metresOfMaps.value !== null && isOfLength(measure)
+  return t(
+    inMetres
+      ? `lab.results.measuresInMetres.${measure as 'length'}`
+      : `lab.results.measures.${measure}`,
+  )
+}
 
 /** With what is counted, as it stands at axes. */
 export const axisWords = (axis: Axis) => t(`lab.results.axes.${axis}`)
