@@ -188,8 +188,8 @@ impl ScenarioSpec {
         }
     }
 
-    /// The map as the robot feels it: blocked where it does not fit, dearer where an obstacle is near.
-    fn felt(&self, drawn: &Grid) -> Grid {
+    /// A drawn map as the robot of a checked spec feels it: blocked where it does not fit, dearer where an obstacle is near.
+    pub(crate) fn felt(&self, drawn: &Grid) -> Grid {
         #[cfg(feature = "whole")]
         if let Some(robot) = &self.robot {
             return robot.feels(drawn, self.resolution);

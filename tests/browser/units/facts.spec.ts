@@ -123,7 +123,7 @@ test('the ground of a scenario is the engine’s, for every planner', async () =
       for (const { id, grounds } of engine.catalog().planners) {
         let refusal: string | null = null
         try {
-          new engine.Run(spec, cells, terrain ? heights : undefined, id, {}, 1).free()
+          new engine.Run(spec, cells, terrain ? heights : undefined, null, id, {}, 1).free()
         } catch (thrown) {
           refusal = (thrown as EngineError).kind
         }

@@ -42,7 +42,7 @@ test('a picture that was kept is the one that would be painted anew', async () =
   const paper = new Paper()
   const context = paper as unknown as OffscreenCanvasRenderingContext2D
   for (const planner of ['ant-system', 'ant-colony-system', 'ship', 'pso-aco', 'astar']) {
-    const begin = () => new engine.Run(spec, cells, null, planner, {}, 3)
+    const begin = () => new engine.Run(spec, cells, null, null, planner, {}, 3)
     const kept = begin()
     const layers: (Layer | 'none')[] = ['none', ...kept.layers()]
     const painted = new Map<string, string>()
@@ -69,7 +69,7 @@ test('a picture that was kept is the one that would be painted anew', async () =
 test('what has not changed need not be painted again', async () => {
   const engine = await wholeEngine()
   const { spec, cells } = sessionOf(SIDE, SIDE, new Uint8Array(SIDE * SIDE)).scenario
-  const run = new engine.Run(spec, cells, null, 'ant-system', { iterations: 9 }, 3)
+  const run = new engine.Run(spec, cells, null, null, 'ant-system', { iterations: 9 }, 3)
   const moments = () =>
     (['none', 'heuristic', 'trail', 'visits'] as const).map((layer) => `${run.moment(layer)}`)
   run.advance('move', 1)

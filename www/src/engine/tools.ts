@@ -12,8 +12,15 @@ import type {
 import { toEngineError } from '../model/errors'
 import type { ParamValues, RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
-import type { MapCalls, TerrainPart, ToolCalls, ToolReply, ToolRequest } from '../model/tool_calls'
-import { type Build, buildForRun, noteCore } from './builds'
+import type {
+  MapCalls,
+  TerrainPart,
+  ToolCalls,
+  ToolReply,
+  ToolRequest,
+  WholeMap,
+} from '../model/tool_calls'
+import { asksForWhole, type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
 import { newWorker, whyFailed } from './new_worker'
 
@@ -82,6 +89,13 @@ export class ToolBox<C extends Calls<C>> {
   }
 }
 
+const mapOf = ({ spec, cells, heights, factors }: Scenario): WholeMap => [
+  spec,
+  cells,
+  heights,
+  factors,
+]
+
 /** A worker made at its first call and replaced after it has failed. */
 function lazyBox<C extends Calls<C>>(make: () => ToolBox<C>): () => ToolBox<C> {
   let box: ToolBox<C> | null = null
@@ -131,15 +145,18 @@ export const tools = {
   /** What the colours of maps and layers are; see `MapCalls.mapColours`. */
   mapColours: (...look: Parameters<MapCalls['mapColours']>) =>
     wholeBox().call('mapColours', ...look),
-  exportMap: ({ spec, cells, heights }: Scenario, format: ExportFormat) =>
-    wholeBox().call('exportMap', spec, cells, heights, format),
+  /** The map as the robot feels it; see `MapCalls.feltMap`. */
+  feltMap: (map: Scenario) => wholeBox().call('feltMap', ...mapOf(map)),
+  weightColours: (theme: Parameters<MapCalls['weightColours']>[0]) =>
+    wholeBox().call('weightColours', theme),
+  exportMap: (map: Scenario, format: ExportFormat) =>
+    wholeBox().call('exportMap', ...mapOf(map), format),
   exportRos: ({ spec, cells }: Scenario, image: string) =>
     wholeBox().call('exportRos', spec, cells, image),
-  exportGeotiff: ({ spec, cells, heights }: Scenario) =>
-    wholeBox().call('exportGeotiff', spec, cells, heights),
+  exportGeotiff: (map: Scenario) => wholeBox().call('exportGeotiff', ...mapOf(map)),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
-  fittingSlices: ({ spec, cells, heights }: Scenario, verticalUnit: number) =>
-    wholeBox().call('fittingSlices', spec, cells, heights, verticalUnit),
+  fittingSlices: (map: Scenario, verticalUnit: number) =>
+    wholeBox().call('fittingSlices', ...mapOf(map), verticalUnit),
   /** The entries of an ablation, each with its part in it. */
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),
@@ -158,15 +175,16 @@ export const tools = {
   resultsTemplate: (document: string) => wholeBox().call('resultsTemplate', document),
   generate: (kind: Generator, width: number, height: number, seed: number, density: number) =>
     wholeBox().call('generate', kind, width, height, seed, density),
-  /** The core knows no terrains. */
-  check: ({ spec, cells, heights }: Scenario) =>
-    (heights ? wholeBox() : toolBox()).call('check', spec, cells, heights),
+  check: (map: Scenario) =>
+    (asksForWhole(map) ? wholeBox() : toolBox()).call('check', ...mapOf(map)),
   proposeSeed: () => toolBox().call('proposeSeed'),
   /** The reference of the scenario for this objective. The core only knows the one for lengths of step paths. */
-  reference: ({ spec, cells, heights }: Scenario, objective: Objective): Promise<Reference> =>
-    objective === 'length' && heights === null
-      ? searchBox().call('reference', spec, cells, heights, objective)
-      : wholeSearchBox().call('reference', spec, cells, heights, objective),
+  reference: (map: Scenario, objective: Objective): Promise<Reference> =>
+    (objective === 'length' && !asksForWhole(map) ? searchBox() : wholeSearchBox()).call(
+      'reference',
+      ...mapOf(map),
+      objective,
+    ),
   /** Repeats a recorded run as far as it went, in a worker of its own, so that no other call has to wait. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
     const own = newBox(buildForRun(setup))

@@ -1,6 +1,6 @@
 /** A map as pixels, one a cell: to recognise it before it is opened. */
 import type { Imported, ScenarioSpec } from '@pkg/formicarium'
-import { heightsOf } from './height_bytes'
+import { numbersOf } from './cell_numbers'
 import { hillShade } from './hill_shade'
 
 export interface MapToShow {
@@ -10,7 +10,7 @@ export interface MapToShow {
 }
 
 export function mapToShow({ spec, cells, heights }: Imported): MapToShow {
-  return { spec, cells, heights: heightsOf(heights) }
+  return { spec, cells, heights: numbersOf(heights) }
 }
 
 /** As the workers paint them (src/wasm/paint.rs), little-endian. */

@@ -2,7 +2,7 @@
 import type { Generator } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import type { Scenario } from '../model/session'
 import { settleGoals } from '../model/settle_goals'
 import { plainTerrain } from '../model/terrain'
@@ -27,7 +27,7 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
   if (!now) return null
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
-  const heights = heightsOf(made.heights)
+  const heights = numbersOf(made.heights)
   const { terrain: _, world: __, resolution, ...kept } = now.spec
   return {
     spec: {
@@ -43,6 +43,7 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
     },
     cells,
     heights,
+    factors: null,
     origin: { generator: kind, seed, density },
   }
 }

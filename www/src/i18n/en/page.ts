@@ -142,6 +142,7 @@ export const en = {
       surface: 'Does not plan on the surface of a terrain',
       sixteen: 'Does not plan with 16 moves',
       slices: 'Does not plan by slices',
+      weighted: 'Does not plan on weighted ground',
     } satisfies Record<Ground, string>,
     tooManyGoals_one: 'Reaches one goal; this map has {{goals}}',
     tooManyGoals_other: 'Reaches {{count}} goals; this map has {{goals}}',

@@ -159,6 +159,7 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
       surface: '不能在地形表面上规划',
       sixteen: '不能用 16 方向规划',
       slices: '不能按切片规划',
+      weighted: '不能在加权地面上规划',
     },
     tooManyGoals_other: '只能到达 {{count}} 个目标；此地图有 {{goals}} 个',
     none: '这张地图上没有规划器',
