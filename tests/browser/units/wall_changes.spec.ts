@@ -44,7 +44,10 @@ function spoiled(spoil: (document: Written) => void): void {
   const document = JSON.parse(JSON.stringify(documentOf(changedSession(), '0.1.0'))) as Written
   spoil(document)
   const { spec, changes = [] } = readDocument(document)
-  afterChanges({ spec, cells: new Uint8Array(48), heights: null, factors: null, origin: null }, changes)
+  afterChanges(
+    { spec, cells: new Uint8Array(48), heights: null, factors: null, origin: null },
+    changes,
+  )
 }
 
 test('a link brings back the changes and the map as they left it', async () => {

@@ -2,7 +2,6 @@
 import type {
   Catalog,
   EngineError,
-  ExportFormat,
   Generator,
   Objective,
   ReadOptions,
@@ -10,7 +9,7 @@ import type {
   RunSummary,
 } from '@pkg/formicarium'
 import { toEngineError } from '../model/errors'
-import type { ParamValues, RunSetup } from '../model/messages'
+import type { RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
 import type {
   MapCalls,
@@ -89,7 +88,7 @@ export class ToolBox<C extends Calls<C>> {
   }
 }
 
-const mapOf = ({ spec, cells, heights, factors }: Scenario): WholeMap => [
+export const mapOf = ({ spec, cells, heights, factors }: Scenario): WholeMap => [
   spec,
   cells,
   heights,
@@ -115,7 +114,7 @@ const toolBox = lazyBox(newCoreBox)
 /** For exact searches, which take a while on large maps: no other call waits behind them. */
 const searchBox = lazyBox(newCoreBox)
 const wholeSearchBox = lazyBox(newWholeBox)
-const wholeBox = lazyBox(newWholeBox)
+export const wholeBox = lazyBox(newWholeBox)
 
 export const tools = {
   /** The planners of the core. */
@@ -141,38 +140,9 @@ export const tools = {
   surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
   importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
     wholeBox().call('importTerrain', bytes, name, part),
-  contours: (...ground: Parameters<MapCalls['contours']>) => wholeBox().call('contours', ...ground),
-  /** What the colours of maps and layers are; see `MapCalls.mapColours`. */
-  mapColours: (...look: Parameters<MapCalls['mapColours']>) =>
-    wholeBox().call('mapColours', ...look),
-  /** The map as the robot feels it; see `MapCalls.feltMap`. */
-  feltMap: (map: Scenario) => wholeBox().call('feltMap', ...mapOf(map)),
-  weightColours: (theme: Parameters<MapCalls['weightColours']>[0]) =>
-    wholeBox().call('weightColours', theme),
-  exportMap: (map: Scenario, format: ExportFormat) =>
-    wholeBox().call('exportMap', ...mapOf(map), format),
-  exportRos: ({ spec, cells }: Scenario, image: string) =>
-    wholeBox().call('exportRos', spec, cells, image),
-  exportGeotiff: (map: Scenario) => wholeBox().call('exportGeotiff', ...mapOf(map)),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
   fittingSlices: (map: Scenario, verticalUnit: number) =>
     wholeBox().call('fittingSlices', ...mapOf(map), verticalUnit),
-  /** The entries of an ablation, each with its part in it. */
-  ablation: (planner: string, preset: string | null, set: ParamValues) =>
-    wholeBox().call('ablation', planner, preset, set),
-  /** The comparison with the entries of a result file; see the engine's `join_results`. */
-  joinResults: (
-    document: string,
-    bytes: Uint8Array,
-    name: string,
-    instance: string | null,
-    leaveOut: string[],
-  ) => wholeBox().call('joinResults', document, bytes, name, instance, leaveOut),
-  /** Whose runs a result file holds, and on which of the comparison's maps. */
-  matchResults: (document: string, bytes: Uint8Array, name: string) =>
-    wholeBox().call('matchResults', document, bytes, name),
-  /** An empty table of results for the comparison's maps and seeds. */
-  resultsTemplate: (document: string) => wholeBox().call('resultsTemplate', document),
   generate: (kind: Generator, width: number, height: number, seed: number, density: number) =>
     wholeBox().call('generate', kind, width, height, seed, density),
   check: (map: Scenario) =>

@@ -1,6 +1,7 @@
 /** The map with paths, ends and layer, as a picture that stands alone. */
+
+import { lateTools } from '../engine/late_tools'
 import { client } from '../engine/panel_clients'
-import { tools } from '../engine/tools'
 import { numbers } from '../i18n'
 import { t } from '../i18n/pictures'
 import type { MapPicture } from '../model/messages'
@@ -47,7 +48,7 @@ export async function mapPicture(ground: Ground, whose: Whose): Promise<Picture 
   const painted = await worker?.ask({ about: 'picture', size: [width, height], ...look })
   if (!painted) return null
   const ramps = await rampsOf(now, painted, theme)
-  if (ground === 'print') whiten(painted.pixels, await tools.mapColours('none', theme))
+  if (ground === 'print') whiten(painted.pixels, await lateTools.mapColours('none', theme))
   const shown = runners().filter(({ panel }) => whose === 'all' || panel.id === whose)
   return pictureOf(now, painted, ramps, shown, ground)
 }
@@ -142,7 +143,7 @@ async function rampsOf(
   const ends = shown === 'none' ? null : (layerEnds.peek()[shown] ?? own)
   if (shown !== 'none' && ends) {
     const [low = '', high = ''] = ends.map(scaleNumber)
-    const colours = await tools.mapColours(shown, theme)
+    const colours = await lateTools.mapColours(shown, theme)
     ramps.push({ id: 'layer', title: layerTitle(shown), low, high, colours })
   }
   const heights = heightRange(now)
@@ -150,7 +151,7 @@ async function rampsOf(
     const metres = (value: number) =>
       t('pictures.metres', { value: numbers.peek().metres.format(value) })
     const [low = '', high = ''] = heights.map(metres)
-    const colours = await tools.mapColours('none', theme)
+    const colours = await lateTools.mapColours('none', theme)
     ramps.push({ id: 'heights', title: t('legend.heights'), low, high, colours })
   }
   return ramps

@@ -66,7 +66,10 @@ export function layBlock(scenario: Scenario, block: Block, [left, top]: Cell): L
   }
   const factors = ground ? ground.after() : scenario.factors
   const isSame = cells === null && factors === scenario.factors
-  return { map: isSame ? scenario : { ...scenario, cells: cells ?? before, factors }, keptFree }
+  return {
+    map: isSame ? scenario : { ...scenario, cells: cells ?? before.slice(), factors },
+    keptFree,
+  }
 }
 
 /** The factors of a map on which a block is being laid: made anew with the first that changes. */

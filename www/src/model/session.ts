@@ -21,7 +21,7 @@ export function goalAt(at: [number, number], name: string): Goal {
   return { at, name, area: 1, strength: 1, danger: 1 }
 }
 
-/** What is known of each cell, row by row from the upper left. */
+/** What is known of each cell, row by row from the upper left. With other factors a map has another list of cells too, which tells them apart. */
 export interface MapCells {
   /** 1 = blocked. */
   cells: Uint8Array

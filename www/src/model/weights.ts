@@ -36,5 +36,5 @@ export function weighed(scenario: Scenario, numbers: Iterable<number>, factor: n
     factors ??= before?.slice() ?? new Float32Array(cells.length).fill(PLAIN)
     factors[cell] = value
   }
-  return factors ? { ...scenario, factors: plainOrNone(factors) } : scenario
+  return factors ? { ...scenario, cells: cells.slice(), factors: plainOrNone(factors) } : scenario
 }

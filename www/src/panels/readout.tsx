@@ -37,6 +37,7 @@ export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
   'turn-index': 'metrics.turnIndex',
   'tour-weight': 'metrics.weightShort',
   'slice-cost': 'metrics.costShort',
+  cost: 'metrics.costShort',
 }
 
 /** The value that the gap is about, where it is not the length. */

@@ -1,9 +1,9 @@
 /** Reads the list of colours that the engine gives for a layer: of a free cell, a blocked one, then 256 of values. */
 
 import { type Signal, signal } from '@preact/signals'
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 
-type Look = Parameters<typeof tools.mapColours>
+type Look = Parameters<typeof lateTools.mapColours>
 
 const known = new Map<string, Signal<Uint8Array | null>>()
 
@@ -22,7 +22,7 @@ export function coloursOf(...look: Look): Uint8Array | null {
 /** The map is there without its legend: what fails is asked for again the next time. */
 async function ask(colours: Signal<Uint8Array | null>, look: Look): Promise<void> {
   try {
-    colours.value = await tools.mapColours(...look)
+    colours.value = await lateTools.mapColours(...look)
   } catch {
     known.delete(look.join())
   }

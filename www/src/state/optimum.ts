@@ -22,8 +22,8 @@ const SETTLE_MS = 150
 
 type Known = Partial<Record<Objective, Reference>>
 
-/** References found so far, by cells, ground and question: undo and another planner need not ask again. */
-const known = new WeakMap<Uint8Array, WeakMap<object, Map<string, Known>>>()
+/** References found so far, by map, then by question: undo and another planner need not ask again. */
+const known = new WeakMap<Uint8Array, Map<string, Known>>()
 
 /** The panels' objectives in order, as text, so that the signal changes only when they do. */
 const wanted = computed(() => {
@@ -116,16 +116,11 @@ async function lookUp(asked: Scenario, objective: Objective): Promise<Reference 
 }
 
 function note(on: Scenario, objective: Objective, found: Reference): void {
-  const byGround = known.get(on.cells) ?? new WeakMap<object, Map<string, Known>>()
-  const byQuestion = byGround.get(groundOf(on)) ?? new Map<string, Known>()
-  known.set(on.cells, byGround.set(groundOf(on), byQuestion))
+  const byQuestion = known.get(on.cells) ?? new Map<string, Known>()
+  known.set(on.cells, byQuestion)
   byQuestion.set(questionOf(on), { ...knownOf(on), [objective]: found })
 }
 
-const knownOf = (on: Scenario): Known =>
-  known.get(on.cells)?.get(groundOf(on))?.get(questionOf(on)) ?? {}
-
-/** Heights change with the cells alone. */
-const groundOf = ({ cells, factors }: Scenario): object => factors ?? cells
+const knownOf = (on: Scenario): Known => known.get(on.cells)?.get(questionOf(on)) ?? {}
 
 const questionOf = ({ spec }: Scenario): string => JSON.stringify(question(spec))

@@ -120,10 +120,7 @@ function rename(next: Scenario): void {
 
 /** Whether two scenarios ask the same of a planner. */
 export const asksSame = (a: Scenario, b: Scenario) =>
-  a.cells === b.cells &&
-  a.heights === b.heights &&
-  a.factors === b.factors &&
-  askSame(a.spec, b.spec)
+  a.cells === b.cells && a.heights === b.heights && askSame(a.spec, b.spec)
 
 /** Says why the tool that adds goals does nothing; every other tool needs no words. */
 export function refuseMoreGoals(): void {

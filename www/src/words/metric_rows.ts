@@ -20,6 +20,7 @@ export type MetricId =
   | 'descent'
   | 'steepest'
   | 'levelCost'
+  | 'cost'
   | 'iterations'
   | 'iterationOfBest'
   | 'constructedPaths'
@@ -53,6 +54,7 @@ export const METRIC_ROWS: MetricRow[] = [
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
   ofTerrain('levelCost', (terrain) => terrain.level_cost),
+  { id: 'cost', better: 'lower', optional: true, value: ofPath('cost'), format: decimal },
   { id: 'length', better: 'lower', value: ofPath('length'), format: decimal },
   {
     ...ofTerrain('lengthMetres', () => null),

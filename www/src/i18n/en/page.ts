@@ -32,6 +32,7 @@ export const en = {
       'turn-index': 'Smallest turn index',
       'tour-length': 'Shortest tour',
       'tour-weight': 'Lightest tour',
+      cost: 'Least cost',
     },
     proving: '{{what}}: being proven…',
     refused: '{{what}}: cannot be asked for',
@@ -191,6 +192,7 @@ export const en = {
     'turn-index': 'smallest turn index',
     'tour-length': 'shortest tour',
     'tour-weight': 'lightest tour',
+    cost: 'least cost',
   },
   gap: {
     above: 'above the {{what}}',
