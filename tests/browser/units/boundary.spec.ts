@@ -99,6 +99,7 @@ function valid(): Record<string, unknown[]> {
     show_picture: [pixel, 9],
     survey_terrain: [text(terrain), 'x.asc'],
     unpack: [gzipSync('0 0'), 'x.gz'],
+    weight_colors: ['light'],
   }
 }
 

@@ -7,8 +7,11 @@ import { type Rules, setRules } from '../state/movement_rules'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Select } from '../ui/fields'
+import { lazily } from '../ui/lazily'
 import { MOVEMENTS, movementId, toMovement } from '../words/movement_words'
 import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
+
+const RobotFields = lazily(async () => (await import('./robot_fields')).fetchRobotFields())
 
 /** Size of the map and the moves allowed on it; on a terrain, all rules of moving. */
 export function ResizeDialog() {
@@ -19,7 +22,7 @@ export function ResizeDialog() {
   const { width, height, movement, terrain } = rules
   const set = (change: Partial<Rules>) => {
     setPlaceless(false)
-    setAll({ ...rules, ...change })
+    setAll({ ...rules, ends: undefined, ...change })
   }
   const sizeFits = [width, height].every(
     (n) => Number.isInteger(n) && n >= 2 && n <= limits.max_side,
@@ -98,6 +101,7 @@ export function ResizeDialog() {
           )}
         </>
       )}
+      <RobotFields scenario={now} rules={rules} onChange={set} />
       {placeless && (
         <p class="field-error" role="alert" data-testid="no-place">
           {t('terrain.noPlace')}
@@ -107,8 +111,8 @@ export function ResizeDialog() {
   )
 }
 
-function rulesOf({ width, height, movement, resolution, terrain }: Rules): Rules {
-  return { width, height, movement, resolution, ...(terrain && { terrain }) }
+function rulesOf({ width, height, movement, resolution, terrain, robot }: Rules): Rules {
+  return { width, height, movement, resolution, robot, ...(terrain && { terrain }) }
 }
 
 /** How long a cell and a unit of height are. Not shown on a plane, where only tables would use it. */

@@ -4,9 +4,12 @@ import { lateTools } from '../engine/late_tools'
 import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
 import { t } from '../i18n/pictures'
+import { addWeightWords, t as tOfWeights } from '../i18n/weights'
 import type { MapPicture } from '../model/messages'
 import { heightRange } from '../model/relief_ground'
 import type { Scenario } from '../model/session'
+import { DEAREST, PLAIN } from '../model/weights'
+import { hasNarrow, isDear, isDearer } from '../stage/felt_ground'
 import { BLOCKED, FREE } from '../stage/layer_colours'
 import { layer, layerEnds, panels, scenario, shownOf } from '../state'
 import { layerTitle, scaleNumber } from '../words/layer_words'
@@ -40,6 +43,7 @@ export async function mapPicture(ground: Ground, whose: Whose): Promise<Picture 
   const now = scenario.peek()
   const panelId = whose === 'all' ? panels.peek()[0]?.id : whose
   if (!now || panelId === undefined) return null
+  await addWeightWords()
   const theme = themeOf(ground)
   const { width, height } = now.spec
   const wanted = whose === 'all' ? 'none' : layer.peek()
@@ -99,6 +103,7 @@ function notesOf(isVectors: boolean, interval: number | null, hasHoles: boolean)
   const value = interval === null ? '' : numbers.peek().metres.format(interval)
   if (value) notes.push(t('pictures.contours', { interval: t('pictures.metres', { value }) }))
   if (hasHoles) notes.push(t('pictures.noData'))
+  if (hasNarrow.peek()) notes.push(tOfWeights('weights.picture'))
   return notes
 }
 
@@ -146,6 +151,7 @@ async function rampsOf(
     const colours = await lateTools.mapColours(shown, theme)
     ramps.push({ id: 'layer', title: layerTitle(shown), low, high, colours })
   }
+  if (isDear.peek()) ramps.push(await weightsRamp(theme))
   const heights = heightRange(now)
   if (heights) {
     const metres = (value: number) =>
@@ -155,6 +161,17 @@ async function rampsOf(
     ramps.push({ id: 'heights', title: t('legend.heights'), low, high, colours })
   }
   return ramps
+}
+
+async function weightsRamp(theme: ReturnType<typeof themeOf>): Promise<Ramp> {
+  const [low, high] = [PLAIN, DEAREST].map((factor) => tOfWeights('weights.times', { factor }))
+  return {
+    id: 'weights',
+    title: tOfWeights('weights.legend'),
+    low: low ?? '',
+    high: isDearer.peek() ? tOfWeights('weights.orMore', { factor: DEAREST }) : (high ?? ''),
+    colours: await lateTools.weightColours(theme),
+  }
 }
 
 /** Whether its cells have a size: on a terrain, in the world, or where one was given. */

@@ -7,10 +7,17 @@ export const PLAIN = 1
 /** The largest factor that the engine takes: beyond it a wall is meant. */
 export const MOST_FACTOR = 1000
 
+/** From here on all ground has the same tint, as the engine paints it. */
+export const DEAREST = 10
+
 /** The same factors; null where all ground is plain. */
 export function plainOrNone(factors: Float32Array): Float32Array | null {
   return factors.every((factor) => factor === PLAIN) ? null : factors
 }
+
+/** How strong the tint of a factor is, from 0 to 1: by its logarithm. */
+export const strengthOf = (factor: number): number =>
+  Math.min(1, Math.log(factor) / Math.log(DEAREST))
 
 /** By how much a way through the cell counts more than its length. */
 export function factorAt({ factors, spec }: Scenario, [x, y]: Cell): number {
