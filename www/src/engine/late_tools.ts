@@ -1,11 +1,19 @@
-/** The whole engine's calls that no first visit makes: maps as files, colours, imported results. */
+/** The whole engine's calls that no first visit makes: files, colours, imported results. */
 import type { ExportFormat } from '@pkg/formicarium'
 import type { ParamValues } from '../model/messages'
 import type { Scenario } from '../model/session'
-import type { MapCalls } from '../model/tool_calls'
+import type { MapCalls, TerrainPart } from '../model/tool_calls'
 import { mapOf, wholeBox } from './tools'
 
 export const lateTools = {
+  /** Tells of the matrices that a text holds. */
+  listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
+  /** The name of the picture that belongs to the description of a ROS map. */
+  rosImage: (bytes: Uint8Array) => wholeBox().call('rosImage', bytes),
+  /** Tells what a raster of heights holds, before it is opened. */
+  surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
+  importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
+    wholeBox().call('importTerrain', bytes, name, part),
   exportMap: (map: Scenario, format: ExportFormat) =>
     wholeBox().call('exportMap', ...mapOf(map), format),
   exportRos: ({ spec, cells }: Scenario, image: string) =>

@@ -11,14 +11,7 @@ import type {
 import { toEngineError } from '../model/errors'
 import type { RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
-import type {
-  MapCalls,
-  TerrainPart,
-  ToolCalls,
-  ToolReply,
-  ToolRequest,
-  WholeMap,
-} from '../model/tool_calls'
+import type { MapCalls, ToolCalls, ToolReply, ToolRequest, WholeMap } from '../model/tool_calls'
 import { asksForWhole, type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
 import { newWorker, whyFailed } from './new_worker'
@@ -132,14 +125,6 @@ export const tools = {
   importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
   /** Tells what a file is. */
   recognise: (bytes: Uint8Array, name: string) => wholeBox().call('recognise', bytes, name),
-  /** Tells of the matrices that a text holds. */
-  listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
-  /** The name of the picture that belongs to the description of a ROS map. */
-  rosImage: (bytes: Uint8Array) => wholeBox().call('rosImage', bytes),
-  /** Tells what a raster of heights holds, before it is opened. */
-  surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
-  importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
-    wholeBox().call('importTerrain', bytes, name, part),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
   fittingSlices: (map: Scenario, verticalUnit: number) =>
     wholeBox().call('fittingSlices', ...mapOf(map), verticalUnit),
