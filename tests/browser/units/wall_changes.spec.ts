@@ -91,7 +91,7 @@ const REFUSED: [string, (document: Written) => void, string][] = [
   ['version 1 with changes', (d) => (d.format = 'formicarium/experiment@1'), 'scenario.changes'],
   ['version 2 without', (d) => Reflect.deleteProperty(d.scenario, 'changes'), 'scenario.changes'],
   ['an empty list', (d) => (d.scenario.changes = []), 'scenario.changes'],
-  ['another version', (d) => (d.format = 'formicarium/experiment@3'), 'format'],
+  ['another version', (d) => (d.format = 'formicarium/experiment@4'), 'format'],
   [
     'a wall that is there',
     (d) => change(d, 1, { blocked: [[3, 1]] }),

@@ -222,8 +222,8 @@ function readInflation(
   return {
     radius: number(radius, 'inflation.radius'),
     cost_scaling: number(cost_scaling, 'inflation.cost_scaling'),
-    rule: oneOf(rule, 'scenario.robot.inflation.rule', COST_RULES),
-    multiplier: number(multiplier, 'inflation.multiplier'),
+    rule: oneOf(rule ?? 'nav2-smac-2d', 'scenario.robot.inflation.rule', COST_RULES),
+    multiplier: number(multiplier ?? 2, 'inflation.multiplier'),
   }
 }
 
