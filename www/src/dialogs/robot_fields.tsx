@@ -8,7 +8,7 @@ import type { Scenario } from '../model/session'
 import type { FeltCells } from '../model/tool_calls'
 import { type Rules, underRules } from '../state/movement_rules'
 import { Button } from '../ui/buttons'
-import { Labelled, NumberField, Segmented } from '../ui/fields'
+import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
 import { useLatest } from './latest_answer'
 
@@ -97,7 +97,7 @@ function InflationFields({ robot, resolution, onChange }: GroupProps) {
     onChange(lean({ radius: robot?.radius ?? 0, ...(next && { inflation: next }) }))
   return (
     <>
-      <Labelled label={t('weights.cost')}>
+      <div class="field-row">
         <Segmented
           label={t('weights.cost')}
           value={rule}
@@ -108,7 +108,7 @@ function InflationFields({ robot, resolution, onChange }: GroupProps) {
           }))}
           onChange={(value) => set(value === 'off' ? undefined : withRule(inflation, value))}
         />
-      </Labelled>
+      </div>
       {inflation && <CostFields inflation={inflation} onChange={set} />}
       <p class="hint">
         {t(`weights.ruleHints.${rule}`)}

@@ -1,5 +1,5 @@
 /** The tool that makes ground dearer: its button, and what it draws with, in a card beside the button. */
-import { Brush, Footprints, type IconNode, PaintBucket } from 'lucide'
+import { Brush, type IconNode, PaintBucket, Weight } from 'lucide'
 import { useRef } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/editor'
@@ -45,7 +45,7 @@ export function GroundTool() {
           tool.value = 'ground'
         }}
       >
-        <Icon icon={Footprints} />
+        <Icon icon={Weight} />
       </button>
       <div
         ref={card}
@@ -54,7 +54,14 @@ export function GroundTool() {
         role="dialog"
         aria-label={t('editor.tools.ground')}
         class="menu tool-list ground-card"
-        onToggle={(event) => placeBeside(event, card.current)}
+        onToggle={(event) => {
+          if (placeBeside(event, card.current))
+            card.current?.querySelector<HTMLElement>('[aria-pressed="true"], input')?.focus()
+        }}
+        onKeyDown={(event) => {
+          // The card closes; the tool stays in hand.
+          if (event.key === 'Escape') event.stopPropagation()
+        }}
       >
         <GroundFields />
       </div>
@@ -80,15 +87,18 @@ function GroundFields() {
           onChange={(value) => set(Number(value))}
         />
       </Labelled>
-      <NumberField
-        label={t('editor.otherFactor', { most: MOST_FACTOR })}
-        value={factor.value}
-        min={PLAIN}
-        max={MOST_FACTOR}
-        testId="factor-other"
-        onChange={set}
-        onType={set}
-      />
+      <Labelled label={t('editor.otherFactor', { most: MOST_FACTOR })}>
+        <NumberField
+          label={t('editor.otherFactor', { most: MOST_FACTOR })}
+          hideLabel
+          value={factor.value}
+          min={PLAIN}
+          max={MOST_FACTOR}
+          testId="factor-other"
+          onChange={set}
+          onType={set}
+        />
+      </Labelled>
       <Labelled label={t('editor.drawnBy')}>
         <Segmented
           label={t('editor.drawnBy')}
