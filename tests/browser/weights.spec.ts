@@ -24,8 +24,9 @@ const dearCells = async (race: RacePage) =>
 
 /** Takes the tool for ground, with its card open. */
 async function openCard(page: Page): Promise<void> {
-  await page.getByTestId('tool-ground').click()
-  await page.getByTestId('tool-ground').click()
+  const tool = page.getByTestId('tool-ground')
+  if ((await tool.getAttribute('aria-pressed')) !== 'true') await tool.click()
+  await tool.click()
   await expect(page.getByTestId('factor-3')).toBeVisible()
 }
 
@@ -106,7 +107,7 @@ test.describe('weighted ground', () => {
       [15, 1],
       [18, 22],
     ])
-    await page.getByTestId('end').click()
+    await page.getByTestId('run-to-end').click()
     await expect.poll(() => race.attribute('play', 'data-phase')).toBe('finished')
     const { summary } = await race.result(2)
     expect(summary?.metrics?.cost).toBeGreaterThan(summary?.metrics?.length ?? 0)
@@ -246,8 +247,8 @@ test.describe('a robot', () => {
 })
 
 test('in Chinese', async ({ page }) => {
-  await page.addInitScript(() => localStorage.setItem('formicarium.language', 'zh-CN'))
   const race = await openField(page)
+  await race.menu('language', 'language-zh-CN')
   await page.getByTestId('tool-ground').click()
   await race.drag([[10, 5]])
   await expect(page.getByTestId('legend-1')).toContainText('地面代价')

@@ -5,6 +5,7 @@ import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/weights'
 import { endsWithRoom } from '../model/robot_room'
 import { announce, commit, notify, notifyError, scenario, scenarioNotices } from '../state'
+import { mapIsFixed } from '../state/embedding'
 
 const NARROW = /^(start|goal)-too-narrow$/
 
@@ -16,7 +17,7 @@ export function offerRoom(): void {
     const key = notice ? JSON.stringify(notice) : ''
     if (key === told) return
     told = key
-    if (!notice) return
+    if (!notice || mapIsFixed.peek()) return
     const action = { label: t('weights.move'), run: () => void moveEnds().catch(notifyError) }
     notify('warning', describeNotice(notice), { hint: t('weights.orSmaller'), action })
   })

@@ -28,7 +28,7 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
   const heights = numbersOf(made.heights)
-  const { terrain: _, world: __, resolution, ...kept } = now.spec
+  const { terrain: _, world: __, resolution, robot, ...kept } = now.spec
   return {
     spec: {
       ...kept,
@@ -40,6 +40,8 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
       // The size of a cell belongs to the ground; from plane to plane it is the reader's.
       resolution: heights || now.heights ? made.resolution : resolution,
       ...(heights && { terrain: plainTerrain() }),
+      // On a terrain nothing says what a step costs near obstacles.
+      ...(robot && { robot: heights ? { radius: robot.radius } : robot }),
     },
     cells,
     heights,
