@@ -46,7 +46,7 @@ function digestOf(engine: typeof Engine, { id, grounds, presets }: Engine.Catalo
   const digests = [{}, ...presets.map(({ values }) => values)].map((params) => {
     const { spec, cells, heights } = question
     try {
-      const run = new engine.Run(spec, cells, heights, id, params, SEED)
+      const run = new engine.Run(spec, cells, heights, null, id, params, SEED)
       run.advance('iteration', ITERATIONS)
       return run.summary().digest
     } catch (refused) {

@@ -6,7 +6,7 @@ const goalAt = (at) => ({ at, name: '', area: 1, strength: 1, danger: 1 })
 export function walk(engine, { spec, cells }, { planner, params, iterations }) {
   return (seed) => {
     const begin = performance.now()
-    const run = new engine.Run(spec, cells, null, planner, params, seed)
+    const run = new engine.Run(spec, cells, null, null, planner, params, seed)
     run.advance('iteration', 1)
     const first = (performance.now() - begin) / 1000
     const before = run.summary().effort.ant_moves
@@ -28,7 +28,7 @@ export function exact(engine, { spec, cells }, { lines }) {
   }))
   return () => {
     const begin = performance.now()
-    const lengths = specs.map((spec) => engine.reference(spec, cells, null, 'length').value)
+    const lengths = specs.map((spec) => engine.reference(spec, cells, null, null, 'length').value)
     return { seconds: (performance.now() - begin) / 1000, lengths }
   }
 }

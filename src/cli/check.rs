@@ -9,7 +9,7 @@ use crate::formats::{Imported, MAX_TEXT_BYTES, PathOnMap, read_path_on};
 use crate::map::{CornerRule, Moves, Point};
 use crate::metrics::Metrics;
 use crate::path::PathKind;
-use crate::scenario::{CostRule, Scenario, TerrainMoves, TerrainSpec};
+use crate::scenario::{CostRule, Scenario, ScenarioSpec, TerrainMoves, TerrainSpec};
 use serde::Serialize;
 
 use super::driving::{self, DrivingArgs};

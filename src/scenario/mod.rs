@@ -239,7 +239,7 @@ impl ScenarioSpec {
         self.robot.map_or(squared == 0, |robot| robot.touches(squared, self.resolution))
     }
 
-    /// The map as the robot feels it: blocked where it does not fit, dearer where an obstacle is near.
+    /// A drawn map as the robot of a checked spec feels it: blocked where it does not fit, dearer where an obstacle is near.
     pub(crate) fn felt(&self, drawn: &Grid) -> Grid {
         #[cfg(feature = "whole")]
         if let Some(robot) = &self.robot {

@@ -5,11 +5,12 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::arguments;
+use super::paint::Underfoot;
 use super::run::Run;
 use super::{Answer, throw};
 use crate::map::{Grid, Point};
 use crate::planner::Changing;
-use crate::scenario::Change;
+use crate::scenario::{Change, ScenarioSpec};
 
 /// Cells to block and to free.
 #[derive(Deserialize, Tsify)]
@@ -24,7 +25,9 @@ pub struct Walls {
 
 /// A map that is painted before a run is on it.
 pub(super) struct Drawn {
+    /// As the robot will feel it, and as it will be drawn.
     grid: Grid,
+    drawn: Grid,
     /// Until the run has had this many changes.
     until: u32,
 }
@@ -56,7 +59,7 @@ impl Run {
         } else {
             let mut grid = changing.coming();
             Change { at: 0, blocked, freed }.make(&mut grid, &changing.scenario().spec, 0).map_err(throw)?;
-            Some(Drawn { grid, until: u32::MAX })
+            Some(Drawn::new(grid, &changing.scenario().spec, u32::MAX))
         };
         self.looks += 1;
         Ok(())
@@ -71,16 +74,23 @@ impl Run {
 /// The map with the changes that are still to come; none where there are none.
 fn coming(changing: &Changing) -> Option<Drawn> {
     let until = changing.made() + changing.to_come();
-    (changing.to_come() > 0).then(|| Drawn { grid: changing.coming(), until })
+    (changing.to_come() > 0).then(|| Drawn::new(changing.coming(), &changing.scenario().spec, until))
+}
+
+impl Drawn {
+    fn new(drawn: Grid, spec: &ScenarioSpec, until: u32) -> Self {
+        Self { grid: spec.felt(&drawn), drawn, until }
+    }
 }
 
 impl Run {
     /// The map that is to be painted.
-    pub(super) fn grid(&self) -> &Grid {
+    pub(super) fn underfoot(&self) -> Underfoot<'_> {
         let made = self.shown().changing().map_or(0, Changing::made);
-        match &self.drawn {
-            Some(drawn) if self.past.is_none() && made < drawn.until => &drawn.grid,
-            _ => &self.map().grid,
-        }
+        let (grid, drawn) = match &self.drawn {
+            Some(coming) if self.past.is_none() && made < coming.until => (&coming.grid, &coming.drawn),
+            _ => (&self.map().grid, &self.map().drawn),
+        };
+        Underfoot { grid, drawn: self.map().spec.robot.map(|_| drawn) }
     }
 }

@@ -163,6 +163,15 @@ pub fn map_colors(layer: &LayerOrNone, theme: &ThemeName) -> Answer<Vec<u8>> {
     Ok(colors.concat())
 }
 
+/// As [`map_colors`], of weighted ground: from factor 1 to 10, which all dearer ground has, evenly by factor.
+#[cfg(feature = "whole")]
+#[wasm_bindgen]
+pub fn weight_colors(theme: &ThemeName) -> Answer<Vec<u8>> {
+    let theme = Theme::of(theme)?;
+    let colors: Vec<Rgb> = [theme.free(), theme.blocked()].into_iter().chain(theme.weights()).collect();
+    Ok(colors.concat())
+}
+
 fn color_table(theme: Theme, layer: Layer) -> [Rgb; 256] {
     let stops = theme.stops(layer);
     std::array::from_fn(|i| {

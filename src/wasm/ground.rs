@@ -1,11 +1,14 @@
-//! The ground of a terrain as the page shows it: colours by height, light and shade, contour lines.
+//! Ground that is no plain plane as the page shows it: of a terrain colours by height, light and shade, contour lines; of weighted ground
+//! tints by what it costs.
+
+use std::sync::Arc;
 
 use wasm_bindgen::prelude::*;
 
 use super::Answer;
 use super::arguments::{Heights, Number};
 use super::colours::{Rgb, Theme};
-use super::paint::Style;
+use super::paint::{Style, Underfoot};
 use crate::map::{self, LEVEL_LIGHT, Shading};
 
 impl Theme {
@@ -22,6 +25,33 @@ impl Theme {
         (0..=255).map(move |height| tint(&self.tints(), height))
     }
 
+    /// From plain ground to the dearest that is told apart. Cool, as trails are warm; lightness runs one way.
+    fn weight_tints(self) -> [Rgb; 3] {
+        match self {
+            Self::Light => [self.free(), [168, 201, 199], [66, 122, 126]],
+            Self::Dark => [self.free(), [31, 70, 76], [74, 142, 140]],
+        }
+    }
+
+    /// The tint of a cell of this factor: by its logarithm, as a factor counts against others by how often, not by how much.
+    fn weighed(self, factor: f32) -> Rgb {
+        let share = libm::log10(f64::from(factor)) / libm::log10(DEAREST);
+        tint(&self.weight_tints(), (share.clamp(0.0, 1.0) * 255.0) as i32)
+    }
+
+    /// 256 tints from factor 1 to [`DEAREST`], evenly by factor.
+    pub(super) fn weights(self) -> impl Iterator<Item = Rgb> {
+        (0..=255).map(move |k| self.weighed((1.0 + (DEAREST - 1.0) * f64::from(k) / 255.0) as f32))
+    }
+
+    /// Where the robot does not fit: neither ground nor wall.
+    pub(super) fn narrow(self) -> Rgb {
+        match self {
+            Self::Light => [170, 172, 181],
+            Self::Dark => [50, 56, 68],
+        }
+    }
+
     /// What the ground turns to in the shade and in the light.
     fn shade(self) -> [Rgb; 2] {
         match self {
@@ -31,32 +61,55 @@ impl Theme {
     }
 }
 
+/// The factor from which on all ground has the same tint.
+const DEAREST: f64 = 10.0;
+
 /// Colours and light of a map's cells, made once for a map and a theme.
 #[derive(Debug, Default)]
 pub(super) struct Ground {
     shading: Option<Shading>,
-    /// Of which style the colours are.
-    style: Option<Style>,
+    /// Of which style and factors the colours are.
+    made: Option<(Style, Option<Arc<[f32]>>)>,
     colors: Vec<Rgb>,
     /// For each strength of light the part that shade or light has in a colour, of 256; above 0 light, below 0 shade.
     mixes: Vec<i32>,
 }
 
 impl Ground {
-    /// Makes colours of this style, if they are not there already. A canvas belongs to one map.
-    pub fn prepare(&mut self, heights: &[f32], width: u32, style: Style) {
-        if self.style == Some(style) {
-            return;
+    /// Makes colours of this style, if they are not there already; false for a plain plane, which needs none. A canvas belongs to one map,
+    /// whose heights stay.
+    pub fn prepare(&mut self, Underfoot { grid, drawn }: Underfoot, style: Style) -> bool {
+        let (heights, factors) = (grid.heights(), grid.factors());
+        if heights.is_none() && factors.is_none() && drawn.is_none() {
+            return false;
         }
+        let is_made = |(made, of): &(Style, Option<Arc<[f32]>>)| *made == style && same(of.as_ref(), factors);
+        if !self.made.as_ref().is_some_and(is_made) {
+            match heights {
+                Some(heights) => self.shade(heights, grid.width(), style),
+                None => self.weigh(factors.map_or(&[], |factors| factors), grid.len(), style.theme),
+            }
+            self.made = Some((style, factors.cloned()));
+        }
+        true
+    }
+
+    fn shade(&mut self, heights: &[f32], width: u32, style: Style) {
         let shading = self.shading.take().unwrap_or_else(|| Shading::of(heights, width, style.scale));
         self.mixes = (0..=255).map(|light| if style.shaded { mix_of(light) } else { 0 }).collect();
         let tints: Vec<Rgb> = style.theme.ground().collect();
-        self.style = Some(style);
         self.colors = shading.heights.iter().map(|&height| tints[height as usize]).collect();
         self.shading = Some(shading);
         for c in 0..self.colors.len() {
-            self.colors[c] = self.lit(c, self.colors[c]);
+            self.colors[c] = self.lit(c, style.theme, self.colors[c]);
         }
+    }
+
+    /// Without factors all ground is plain.
+    fn weigh(&mut self, factors: &[f32], cells: usize, theme: Theme) {
+        self.colors.clear();
+        self.colors.extend(factors.iter().map(|&factor| theme.weighed(factor)));
+        self.colors.resize(cells, theme.free());
     }
 
     /// The ground's colour.
@@ -64,17 +117,24 @@ impl Ground {
         self.colors[c]
     }
 
-    /// A colour in the light that falls on a cell.
-    pub fn lit(&self, c: usize, color: Rgb) -> Rgb {
-        let (Some(shading), Some(style)) = (&self.shading, self.style) else { return color };
-        let [dark, bright] = style.theme.shade();
+    /// A colour in the light that falls on a cell; as it is where there are no heights.
+    pub fn lit(&self, c: usize, theme: Theme, color: Rgb) -> Rgb {
+        let Some(shading) = &self.shading else { return color };
+        let [dark, bright] = theme.shade();
         let mix = self.mixes[shading.light[c] as usize];
         blend(color, if mix < 0 { dark } else { bright }, mix.abs())
     }
 
     /// The ground under a layer's colour that hides this part of it. The colour takes part in light and shade.
-    pub fn under(&self, c: usize, color: Rgb, cover: f32) -> Rgb {
-        blend(self.colors[c], self.lit(c, color), (cover * 256.0) as i32)
+    pub fn under(&self, c: usize, theme: Theme, color: Rgb, cover: f32) -> Rgb {
+        blend(self.colors[c], self.lit(c, theme, color), (cover * 256.0) as i32)
+    }
+}
+
+fn same(a: Option<&Arc<[f32]>>, b: Option<&Arc<[f32]>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        _ => a.is_none() && b.is_none(),
     }
 }
 

@@ -223,13 +223,18 @@ pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer
 }
 
 pub(super) fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
-    let factors = grid.factors().map_or_else(Vec::new, |factors| le_bytes(factors));
-    object(&Imported { kind, spec, cells: grid.to_bytes(), heights: height_bytes(&grid), factors, warnings: notices })
+    let (heights, factors) = (height_bytes(&grid), factor_bytes(&grid));
+    object(&Imported { kind, spec, cells: grid.to_bytes(), heights, factors, warnings: notices })
 }
 
 /// The heights of a terrain as little-endian f32; empty on a plane.
 fn height_bytes(grid: &Grid) -> Vec<u8> {
     grid.heights().map_or_else(Vec::new, |heights| le_bytes(heights))
+}
+
+/// The factors of weighted ground as little-endian f32; empty where there are none.
+fn factor_bytes(grid: &Grid) -> Vec<u8> {
+    grid.factors().map_or_else(Vec::new, |factors| le_bytes(factors))
 }
 
 fn le_bytes(heights: &[f32]) -> Vec<u8> {
@@ -280,6 +285,34 @@ pub fn fitting_slices(
     let grid = grid(spec.width, spec.height, cells, [heights.as_ref(), factors.as_ref()])?;
     let goal = spec.goals.first().map_or(spec.start, |goal| goal.at);
     Ok(object(&SliceRules::fitting_map(&grid, vertical_unit, spec.start, goal, None)))
+}
+
+/// A map as the robot feels it.
+#[derive(Serialize, Tsify)]
+pub struct FeltMap {
+    /// Row by row; 1 = blocked, by an obstacle or because the robot does not fit.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub blocked: Vec<u8>,
+    /// One factor a cell as little-endian f32; empty where all ground costs its length.
+    #[serde(with = "serde_bytes")]
+    #[tsify(type = "Uint8Array")]
+    pub factors: Vec<u8>,
+}
+
+/// The map as the robot feels it, whether or not it has room at start and goals.
+#[wasm_bindgen]
+pub fn felt_map(
+    spec: Ts<ScenarioSpec>,
+    cells: &Bytes,
+    heights: Option<Heights>,
+    factors: Option<Heights>,
+) -> Answer<Ts<FeltMap>> {
+    let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
+    let drawn = grid(spec.width, spec.height, cells, [heights.as_ref(), factors.as_ref()])?;
+    spec.check(&drawn).map_err(throw)?;
+    let felt = spec.felt(&drawn);
+    Ok(object(&FeltMap { blocked: felt.to_bytes(), factors: factor_bytes(&felt) }))
 }
 
 /// Writes the heights as a GeoTIFF of f32 in metres.

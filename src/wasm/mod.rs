@@ -53,7 +53,7 @@ pub use ahead::LookAhead;
 #[cfg(feature = "whole")]
 pub use campaign::{journal_digest, most_shards};
 #[cfg(feature = "whole")]
-pub use colours::map_colors;
+pub use colours::{map_colors, weight_colors};
 #[cfg(feature = "whole")]
 pub use comparison::{Comparison, ablation, formats};
 #[cfg(feature = "whole")]
@@ -66,8 +66,8 @@ pub use figure::{figure_map, find_figure, read_figure, show_picture};
 pub use ground::ContourLines;
 #[cfg(feature = "whole")]
 pub use maps::{
-    export_geotiff, export_map, export_ros, fitting_slices, generate, import_map, import_scen, import_terrain, list_matrices,
-    recognise, ros_image, survey_terrain, unpack,
+    export_geotiff, export_map, export_ros, felt_map, fitting_slices, generate, import_map, import_scen, import_terrain,
+    list_matrices, recognise, ros_image, survey_terrain, unpack,
 };
 #[cfg(feature = "whole")]
 pub use order::{OrderRun, read_order};

@@ -1,5 +1,5 @@
-//! Raster layers: the map and one field over it, one pixel a cell. On a terrain the field lies over shaded ground, and what has no data
-//! is left clear, for the page to hatch.
+//! Raster layers: the map and one field over it, one pixel a cell. On a terrain the field lies over shaded ground, on weighted ground over
+//! its tints. What has no data is left clear, and where the robot does not fit half clear, for the page to hatch.
 //!
 //! What has been computed is kept for as long as it holds: the field while the planner has changed nothing of it, the pixels while nothing
 //! that they show has changed. They lie in the instance's own memory, from which a canvas takes them without a copy in between.
@@ -18,6 +18,20 @@ use crate::planner::{Layer, Planner, extent};
 
 /// What the browser calls it.
 const CONTEXT: &str = "an OffscreenCanvasRenderingContext2D";
+
+/// The map that is painted.
+#[derive(Clone, Copy)]
+pub(super) struct Underfoot<'a> {
+    /// The one on which one moves.
+    pub grid: &'a Grid,
+    /// The one that was drawn, where the robot is no point: what is free on it alone is too narrow.
+    #[cfg(feature = "whole")]
+    pub drawn: Option<&'a Grid>,
+}
+
+/// Of cells in which the robot does not fit: the page's hatching shows through.
+#[cfg(feature = "whole")]
+const NARROW_OPACITY: u8 = 150;
 
 /// How a map is painted: in which colours, and on a terrain with how much relief.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,27 +90,27 @@ impl Canvas {
     pub(super) fn paint(
         &mut self,
         context: &Context,
-        grid: &Grid,
+        map: Underfoot,
         (planner, moment): (&dyn Planner, Moment),
         layer: Option<Layer>,
         style: Style,
         ends: Option<[f32; 2]>,
     ) -> Answer<Option<[f32; 2]>> {
-        let layer = layer.filter(|&kind| self.field.take(planner, grid, kind, moment));
+        let layer = layer.filter(|&kind| self.field.take(planner, map.grid, kind, moment));
         let own = layer.and(self.field.own);
         let picture = (moment, layer, layer.and(ends.or(own)), style);
         if self.shown != Some(picture) {
-            self.fill(grid, layer.map(|kind| Shown::new(kind, style.theme, picture.2)), style);
+            self.fill(map, layer.map(|kind| Shown::new(kind, style.theme, picture.2)), style);
             self.shown = Some(picture);
         }
-        self.put(context, grid)?;
+        self.put(context, map.grid)?;
         Ok(own)
     }
 
     /// Paints the map alone.
-    pub(super) fn paint_map(&mut self, context: &Context, grid: &Grid, style: Style) -> Answer<()> {
-        self.fill(grid, None, style);
-        self.put(context, grid)
+    pub(super) fn paint_map(&mut self, context: &Context, map: Underfoot, style: Style) -> Answer<()> {
+        self.fill(map, None, style);
+        self.put(context, map.grid)
     }
 
     /// The picture is a view of the pixels: made anew each time, as the memory below may have moved when it grew.
@@ -108,11 +122,12 @@ impl Canvas {
         painted.map_err(|_| argument("context", "nothing can be painted here"))
     }
 
-    fn fill(&mut self, grid: &Grid, layer: Option<Shown>, style: Style) {
+    fn fill(&mut self, map: Underfoot, layer: Option<Shown>, style: Style) {
+        let grid = map.grid;
         self.pixels.resize(grid.len(), 0);
         #[cfg(feature = "whole")]
-        if let Some(heights) = grid.heights() {
-            return self.fill_terrain(grid, heights, style, layer);
+        if self.ground.prepare(map, style) {
+            return self.fill_ground(map, style, layer);
         }
         match layer {
             Some(shown) => {
@@ -126,19 +141,23 @@ impl Canvas {
         }
     }
 
+    /// Of what is no plain plane.
     #[cfg(feature = "whole")]
-    fn fill_terrain(&mut self, grid: &Grid, heights: &[f32], style: Style, layer: Option<Shown>) {
-        self.ground.prepare(heights, grid.width(), style);
+    fn fill_ground(&mut self, Underfoot { grid, drawn }: Underfoot, style: Style, layer: Option<Shown>) {
+        let is_known = |c: usize| grid.heights().is_none_or(|heights| heights[c].is_finite());
+        let is_narrow = |c: usize| drawn.is_some_and(|drawn| !drawn.is_blocked(c as u32));
         for (c, pixel) in self.pixels.iter_mut().enumerate() {
             let over = || layer.as_ref().and_then(|shown| shown.over_ground(self.field.values[c]));
-            let color = if grid.is_blocked(c as u32) {
-                self.ground.lit(c, style.theme.blocked())
-            } else if let Some((color, cover)) = over() {
-                self.ground.under(c, color, cover)
+            let mut opacity = if is_known(c) { u8::MAX } else { 0 };
+            let [r, g, b] = if !grid.is_blocked(c as u32) {
+                over().map_or_else(|| self.ground.color(c), |(color, cover)| self.ground.under(c, style.theme, color, cover))
+            } else if is_narrow(c) {
+                opacity = if style.shaded { opacity.min(NARROW_OPACITY) } else { opacity };
+                self.ground.lit(c, style.theme, style.theme.narrow())
             } else {
-                self.ground.color(c)
+                self.ground.lit(c, style.theme, style.theme.blocked())
             };
-            *pixel = if heights[c].is_finite() { opaque(color) } else { u32::from_le_bytes([color[0], color[1], color[2], 0]) };
+            *pixel = u32::from_le_bytes([r, g, b, opacity]);
         }
     }
 }

@@ -56,12 +56,13 @@ pub fn write_path(
     spec: Ts<ScenarioSpec>,
     cells: &Bytes,
     heights: Option<Heights>,
+    factors: Option<Heights>,
     path: Ts<Cells>,
     altitudes: Option<Heights>,
     objective: Ts<Objective>,
     format: Ts<PathFormat>,
 ) -> Answer<Ts<PathText>> {
-    let scenario = scenario(&spec, cells, heights.as_ref())?;
+    let scenario = scenario(&spec, cells, [heights.as_ref(), factors.as_ref()])?;
     let Cells(path) = arguments::value(&path, "path")?;
     let altitudes = altitudes.map_or_else(|| Ok(Vec::new()), |altitudes| altitudes.read("altitudes"))?;
     let objective: Objective = arguments::word(&objective.js_value(), "objective")?;

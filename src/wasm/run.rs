@@ -8,7 +8,7 @@ use tsify::{Ts, Tsify};
 use wasm_bindgen::prelude::*;
 
 use super::arguments::{self, Bytes, Context, Flag, Heights, LayerOrNone, Number, ParamValues, Text, ThemeName};
-use super::paint::{Canvas, Moment, Style, layer_of};
+use super::paint::{Canvas, Moment, Style, Underfoot, layer_of};
 use super::{Answer, grid, object, scenario, throw};
 use crate::metrics::Metrics;
 use crate::planner::playback::{Playback, Replay};
@@ -234,7 +234,7 @@ impl Run {
         let style = Style::of(theme, cells_per_unit(&self.scenario.spec), shaded)?;
         let ends = ends.map(|ends| ends_of(&ends)).transpose()?;
         let shown = (self.shown(), self.moment_of(layer));
-        let own = self.canvas.borrow_mut().paint(context, self.grid(), shown, layer, style, ends)?;
+        let own = self.canvas.borrow_mut().paint(context, self.underfoot(), shown, layer, style, ends)?;
         Ok(own.map_or_else(Vec::new, |own| own.to_vec()))
     }
 
@@ -256,9 +256,20 @@ pub fn paint_map(
     theme: &ThemeName,
     shaded: &Flag,
 ) -> Answer<()> {
-    let spec = arguments::value(&spec, "spec")?;
+    let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
     let grid = grid(spec.width, spec.height, cells, [heights.as_ref(), factors.as_ref()])?;
-    Canvas::default().paint_map(context, &grid, Style::of(theme, cells_per_unit(&spec), shaded)?)
+    let style = Style::of(theme, cells_per_unit(&spec), shaded)?;
+    #[cfg(feature = "whole")]
+    if spec.robot.is_some() && spec.check(&grid).is_ok() {
+        let felt = spec.felt(&grid);
+        return Canvas::default().paint_map(context, Underfoot { grid: &felt, drawn: Some(&grid) }, style);
+    }
+    let map = Underfoot {
+        grid: &grid,
+        #[cfg(feature = "whole")]
+        drawn: None,
+    };
+    Canvas::default().paint_map(context, map, style)
 }
 
 /// Two numbers, the smaller one first.
@@ -306,8 +317,8 @@ impl Run {
     }
 
     #[cfg(not(feature = "whole"))]
-    fn grid(&self) -> &crate::map::Grid {
-        &self.scenario.grid
+    fn underfoot(&self) -> Underfoot<'_> {
+        Underfoot { grid: &self.scenario.grid }
     }
 
     #[cfg(not(feature = "whole"))]

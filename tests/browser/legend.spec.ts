@@ -22,7 +22,7 @@ async function extentOf(race: RacePage, place: number, layer: 'trail' | 'cost'):
   engine.initSync({ module: readFileSync(join(PKG, 'formicarium_bg.wasm')) })
   const { scenario, panels, seed } = await race.session()
   const { planner = '', params = {} } = panels[place - 1] ?? {}
-  const run = new engine.Run(scenario.spec, scenario.cells, null, planner, params, seed)
+  const run = new engine.Run(scenario.spec, scenario.cells, null, null, planner, params, seed)
   while (run.status() === 'running' && run.iteration() < ITERATIONS) run.advance('iteration', 1)
   const values = [...run.layer(layer)].filter(
     (value, cell) => Number.isFinite(value) && scenario.cells[cell] === 0,

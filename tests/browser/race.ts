@@ -85,7 +85,7 @@ export abstract class Race {
     return (await this.result(1)).summary?.effort.ant_moves ?? 0
   }
 
-  /** The session; cells and heights cross from the page as plain numbers. */
+  /** The session; cells, heights and factors cross from the page as plain numbers. */
   async session(): Promise<Session> {
     const plain = await this.ask(() => {
       const session = window.formicarium.session()
@@ -96,18 +96,20 @@ export abstract class Race {
             ...session.scenario,
             cells: Array.from(session.scenario.cells),
             heights: session.scenario.heights && Array.from(session.scenario.heights),
+            factors: session.scenario.factors && Array.from(session.scenario.factors),
           },
         }
       )
     })
     if (!plain) throw new Error('there is no session')
-    const { cells, heights, ...rest } = plain.scenario
+    const { cells, heights, factors, ...rest } = plain.scenario
     return {
       ...plain,
       scenario: {
         ...rest,
         cells: Uint8Array.from(cells),
         heights: heights && Float32Array.from(heights),
+        factors: factors && Float32Array.from(factors),
       },
     }
   }

@@ -21,6 +21,7 @@ test.describe('the elevation profile', () => {
         spec,
         heights: Float32Array.from(heights),
         cells: new Uint8Array(),
+        factors: null,
         origin: null,
       })
       const { path, summary } = await race.result(1)

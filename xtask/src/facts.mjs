@@ -30,7 +30,7 @@ async function asked(planner, side, { params = {}, goals = 1, levels = 0 }) {
   if (levels > 0) spec.terrain = { vertical_unit: 1, slices }
   const cells = side * side
   try {
-    const run = new engine.Run(spec, new Uint8Array(cells), levels > 0 ? new Float32Array(cells) : null, planner, params, 1)
+    const run = new engine.Run(spec, new Uint8Array(cells), levels > 0 ? new Float32Array(cells) : null, null, planner, params, 1)
     run.advance('move', MOVES)
     const grown = (memory.buffer.byteLength - before) / cells
     run.keep_snapshots(0)

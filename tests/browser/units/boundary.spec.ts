@@ -32,9 +32,9 @@ const TRIANGLE =
 /** Valid arguments of everything that takes any, as `Class.method` or `function`; what is left out takes none. */
 function valid(): Record<string, unknown[]> {
   const { spec: on, cells } = sessionOf(9, 9, new Uint8Array(81)).scenario
-  const heights = null
+  const [heights, factors] = [null, null]
   return {
-    'Run.constructor': [on, cells, heights, 'ant-system', { ants: 4, iterations: 6 }, 7],
+    'Run.constructor': [on, cells, heights, factors, 'ant-system', { ants: 4, iterations: 6 }, 7],
     'Run.advance': ['iteration', 1],
     'Run.change_walls': [{ blocked: [[4, 4]], freed: [] }],
     'Run.history': [0],
@@ -60,9 +60,9 @@ function valid(): Record<string, unknown[]> {
     'Comparison.take_journal': ['{}'],
     'OrderRun.constructor': [text(TRIANGLE), false, { ants: 3, iterations: 5 }, 7],
     'OrderRun.advance': [1],
-    'DriveRun.constructor': [on, cells, heights, 'd-star-lite', {}, 7, { hold: 2 }],
+    'DriveRun.constructor': [on, cells, heights, factors, 'd-star-lite', {}, 7, { hold: 2 }],
     'DriveRun.step': [1],
-    'HandPath.constructor': [on, cells, heights],
+    'HandPath.constructor': [on, cells, heights, factors],
     'HandPath.measure': [
       [
         [0, 0],
@@ -74,13 +74,14 @@ function valid(): Record<string, unknown[]> {
     'LookAhead.go_to': [2],
     'ContourLines.constructor': [3, new Float32Array([1, 2, 3, 2, 3, 4, 3, 4, 9]), 1],
     ablation: ['fire', null, {}],
-    check_scenario: [on, cells, heights],
-    export_geotiff: [on, cells, heights],
+    check_scenario: [on, cells, heights, factors],
+    export_geotiff: [on, cells, heights, factors],
     export_ros: [on, cells, 'x.pgm'],
-    export_map: [on, cells, heights, 'scenario'],
+    export_map: [on, cells, heights, factors, 'scenario'],
     figure_map: [new Uint8Array(6), 3, 'x'],
     find_figure: [gridOf(6)],
-    fitting_slices: [on, cells, heights, 1],
+    felt_map: [on, cells, heights, factors],
+    fitting_slices: [on, cells, heights, factors, 1],
     generate: ['random', 9, 9, 1, 0.2],
     import_map: [text('0 0\n0 0\n'), 'x', {}, null],
     import_scen: [text('version 1\n0 x.map 9 9 0 0 8 8 11.3\n')],
@@ -90,18 +91,19 @@ function valid(): Record<string, unknown[]> {
     journal_digest: [text('{}')],
     list_matrices: [text('0 0\n0 0\n')],
     match_results: [DOCUMENT, text(table), 'x.csv'],
-    paint_map: [{}, on, cells, heights, 'dark', false],
+    paint_map: [{}, on, cells, heights, factors, 'dark', false],
     path_formats: [on],
     read_order: [text(TRIANGLE), false, null],
     recognise: [text('0 0'), 'x'],
     read_figure: [pixel, lattice],
-    reference: [on, cells, heights, 'length'],
+    reference: [on, cells, heights, factors, 'length'],
     results_template: [DOCUMENT],
     ros_image: [text('image: x.pgm\nresolution: 1\norigin: [0, 0, 0]\n')],
     show_picture: [pixel, 9],
     survey_terrain: [text(terrain), 'x.asc'],
     unpack: [gzipSync('0 0'), 'x.gz'],
-    write_path: [on, cells, heights, straight(9), null, 'length', 'path-csv'],
+    weight_colors: ['light'],
+    write_path: [on, cells, heights, factors, straight(9), null, 'length', 'path-csv'],
   }
 }
 
@@ -237,8 +239,8 @@ type RunArguments = ConstructorParameters<Engine['Run']>
 const runArguments = () => valid()['Run.constructor'] as RunArguments
 
 function golden(engine: Engine): string {
-  const [on, cells, heights, planner, params, seed] = runArguments()
-  const run = new engine.Run(on, cells, heights, planner, params, seed)
+  const [on, cells, heights, factors, planner, params, seed] = runArguments()
+  const run = new engine.Run(on, cells, heights, factors, planner, params, seed)
   run.advance('iteration', 6)
   const { digest } = run.summary()
   run.free()
@@ -319,8 +321,8 @@ for (const build of ['', 'core']) {
 
   test(`numbers and words are not bent to fit: ${name}`, async () => {
     const engine = await instance(build, 'bent')
-    const [on, cells, , planner, params] = runArguments()
-    const run = new engine.Run(on, cells, null, planner, params, 7)
+    const [on, cells, , , planner, params] = runArguments()
+    const run = new engine.Run(on, cells, null, null, planner, params, 7)
     const call = run as unknown as Record<string, Call>
     const refused = (made: () => unknown) => {
       try {
@@ -332,19 +334,19 @@ for (const build of ['', 'core']) {
       return 'taken'
     }
     for (const seed of [-1, 2 ** 32, 0.5, '7', null, Number.NaN])
-      expect(refused(() => new engine.Run(on, cells, null, planner, params, seed as never))).toBe(
-        'bad-argument seed',
-      )
+      expect(
+        refused(() => new engine.Run(on, cells, null, null, planner, params, seed as never)),
+      ).toBe('bad-argument seed')
     for (const wrong of [7, '0', {}, new Float32Array(81), [256]])
-      expect(refused(() => new engine.Run(on, wrong as never, null, planner, params, 7))).toBe(
-        'bad-argument cells',
-      )
+      expect(
+        refused(() => new engine.Run(on, wrong as never, null, null, planner, params, 7)),
+      ).toBe('bad-argument cells')
     expect(refused(() => call.advance?.('iteration', '3'))).toBe('bad-argument count')
     expect(refused(() => call.advance?.('iterations', 3))).toBe('bad-argument by')
     expect(refused(() => call.layer?.('smell'))).toBe('bad-argument kind')
     expect(refused(() => call.show_iteration?.('1', 1))).toBe('bad-argument iteration')
     // A list of numbers is as good as an array of bytes.
-    const same = new engine.Run(on, [...(cells as Uint8Array)], null, planner, params, 7)
+    const same = new engine.Run(on, [...(cells as Uint8Array)], null, null, planner, params, 7)
     same.advance('iteration', 2)
     run.advance('iteration', 2)
     expect(same.summary().digest).toBe(run.summary().digest)
@@ -354,8 +356,8 @@ for (const build of ['', 'core']) {
     const engine = await instance(build, 'freed')
     prepare(await instance('', 'documents'))
     const before = golden(engine)
-    const [on, cells, , planner, params] = runArguments()
-    const run = new engine.Run(on, cells, null, planner, params, 7)
+    const [on, cells, , , planner, params] = runArguments()
+    const run = new engine.Run(on, cells, null, null, planner, params, 7)
     const hostile = {
       ...(on as object),
       get width() {
@@ -364,7 +366,9 @@ for (const build of ['', 'core']) {
     }
     for (let i = 0; i < 2000; i++)
       expect(
-        isTypedRefusal(() => new engine.Run(hostile as never, cells, null, planner, params, 7)),
+        isTypedRefusal(
+          () => new engine.Run(hostile as never, cells, null, null, planner, params, 7),
+        ),
       ).toBe(true)
     const trap = Object.defineProperty({}, 'Iteration', { get: throws, enumerable: true })
     expect(() => run.advance(trap as never, 1)).toThrow(

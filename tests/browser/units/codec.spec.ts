@@ -150,7 +150,7 @@ test.describe('links that cannot be opened', () => {
   })
 
   test('a newer container and a newer document say so', async () => {
-    expect((await refusal(seal(withChecksum([[3, 0]])))).kind).toBe('link-newer')
+    expect((await refusal(seal(withChecksum([[4, 0]])))).kind).toBe('link-newer')
     const newer = await refusal(
       tampered((document) => (document.format = 'formicarium/experiment@9')),
     )

@@ -35,7 +35,9 @@ test('every layer, ground and generator has a text in both languages', () => {
   for (const { view, panels, maps } of [en, zhCN]) {
     expect(Object.keys(view.layers).sort()).toEqual(layerChoices().sort())
     expect(Object.keys(view.layerNotes).sort()).toEqual([...layers].sort())
-    expect(Object.keys(panels.otherGround).sort()).toEqual(grounds.map((r) => r.ground).sort())
+    // Weighted ground comes on top of the others.
+    const all = [...grounds.map((r) => r.ground), 'weighted']
+    expect(Object.keys(panels.otherGround).sort()).toEqual(all.sort())
     expect(Object.keys(maps.kind).sort()).toEqual(generators.map(({ id }) => id).sort())
   }
 })
@@ -123,7 +125,7 @@ test('the ground of a scenario is the engine’s, for every planner', async () =
       for (const { id, grounds } of engine.catalog().planners) {
         let refusal: string | null = null
         try {
-          new engine.Run(spec, cells, terrain ? heights : undefined, id, {}, 1).free()
+          new engine.Run(spec, cells, terrain ? heights : undefined, null, id, {}, 1).free()
         } catch (thrown) {
           refusal = (thrown as EngineError).kind
         }

@@ -40,7 +40,7 @@ test('an instance grows by about what was measured', async () => {
   const { spec } = sessionOf(512, 512, new Uint8Array(512 * 512)).scenario
   for (const planner of ['ant-system', 'astar', 'turn-aware']) {
     const before = wasm.memory.buffer.byteLength
-    const run = new engine.Run(spec, new Uint8Array(512 * 512), null, planner, {}, 1)
+    const run = new engine.Run(spec, new Uint8Array(512 * 512), null, null, planner, {}, 1)
     run.advance('move', 200)
     const grown = (wasm.memory.buffer.byteLength - before) / 512 ** 2
     expect(grown, planner).toBeLessThan(1.25 * (memory[planner]?.cell ?? 0))

@@ -1,30 +1,10 @@
 /** What a run paints: a picture that was kept is the one that would be painted anew. */
-import { readFileSync } from 'node:fs'
-import { join } from 'node:path'
 import type { Layer } from '@pkg/formicarium'
 import { expect, test } from '@playwright/test'
+import { Paper, wholeEngine } from './paper'
 import { randomCells, sessionOf } from './sessions'
 
-const PKG = join(__dirname, '../../../pkg')
 const SIDE = 14
-
-/** Node has no canvas: this one keeps the pixels that it is given. */
-class Paper {
-  pixels = ''
-  putImageData(image: Picture): void {
-    this.pixels = Buffer.from(image.data).toString('base64')
-  }
-}
-class Picture {
-  constructor(readonly data: Uint8ClampedArray) {}
-}
-
-async function wholeEngine(): Promise<typeof import('@pkg/formicarium')> {
-  Object.assign(globalThis, { OffscreenCanvasRenderingContext2D: Paper, ImageData: Picture })
-  const engine = await import(join(PKG, 'formicarium.js'))
-  engine.initSync({ module: readFileSync(join(PKG, 'formicarium_bg.wasm')) })
-  return engine
-}
 
 const LOOKS: ['light' | 'dark', number[] | null][] = [
   ['light', null],
@@ -40,9 +20,9 @@ test('a picture that was kept is the one that would be painted anew', async () =
   cells[0] = 0
   cells[cells.length - 1] = 0
   const paper = new Paper()
-  const context = paper as unknown as OffscreenCanvasRenderingContext2D
+  const { context } = paper
   for (const planner of ['ant-system', 'ant-colony-system', 'ship', 'pso-aco', 'astar']) {
-    const begin = () => new engine.Run(spec, cells, null, planner, {}, 3)
+    const begin = () => new engine.Run(spec, cells, null, null, planner, {}, 3)
     const kept = begin()
     const layers: (Layer | 'none')[] = ['none', ...kept.layers()]
     const painted = new Map<string, string>()
@@ -69,7 +49,7 @@ test('a picture that was kept is the one that would be painted anew', async () =
 test('what has not changed need not be painted again', async () => {
   const engine = await wholeEngine()
   const { spec, cells } = sessionOf(SIDE, SIDE, new Uint8Array(SIDE * SIDE)).scenario
-  const run = new engine.Run(spec, cells, null, 'ant-system', { iterations: 9 }, 3)
+  const run = new engine.Run(spec, cells, null, null, 'ant-system', { iterations: 9 }, 3)
   const moments = () =>
     (['none', 'heuristic', 'trail', 'visits'] as const).map((layer) => `${run.moment(layer)}`)
   run.advance('move', 1)

@@ -17,6 +17,7 @@ export function sessionOf(width: number, height: number, cells?: Uint8Array): Se
       },
       cells: cells ?? randomCells(width, height, 0.3),
       heights: null,
+      factors: null,
       origin: null,
     },
     panels: [
@@ -58,7 +59,7 @@ export function randomCells(width: number, height: number, density: number): Uin
 export async function generate(origin: Origin, width: number, height: number): Promise<Ground> {
   const heights = origin.generator === 'hills' ? rolling(width, height, 400) : null
   const density = heights ? 0 : origin.density
-  return { cells: randomCells(width, height, density), heights }
+  return { cells: randomCells(width, height, density), heights, factors: null }
 }
 
 /** A terrain with heights of one's own; blocked where they are unknown. */

@@ -195,7 +195,7 @@ test.describe('parts of a map', () => {
   })
 
   test('start and goals stay free, and the outside is left alone', () => {
-    const block = { width: 2, height: 2, cells: Uint8Array.from([1, 1, 1, 1]) }
+    const block = { width: 2, height: 2, cells: Uint8Array.from([1, 1, 1, 1]), factors: null }
     const laid = layBlock(scenario, block, [0, 0])
     expect(laid.keptFree).toBe(1)
     expect(rows(laid.map)[0]).toBe('.#....')

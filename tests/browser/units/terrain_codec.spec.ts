@@ -3,9 +3,9 @@ import { join } from 'node:path'
 import { expect, test } from '@playwright/test'
 import type { Session } from '../../../www/src/model/session'
 import { joined, Reader } from '../../../www/src/share/byte_stream'
+import { packNumbers, unpackNumbers } from '../../../www/src/share/cell_numbers'
 import { packBits, packEdits, unpack, withChecksum } from '../../../www/src/share/codec'
 import { open, seal } from '../../../www/src/share/envelope'
-import { packHeights, unpackHeights } from '../../../www/src/share/heights'
 import { LinkError } from '../../../www/src/share/link_error'
 import { generate, rolling, terrainOf } from './sessions'
 
@@ -38,7 +38,7 @@ async function refusal(work: Promise<unknown>): Promise<LinkError> {
 }
 
 function read(packed: Uint8Array, count: number): Float32Array {
-  return unpackHeights(new Reader(packed), count)
+  return unpackNumbers(new Reader(packed), count)
 }
 
 const CASES: [string, Float32Array][] = [
@@ -56,19 +56,19 @@ const CASES: [string, Float32Array][] = [
 test.describe('heights as bytes', () => {
   for (const [what, heights] of CASES) {
     test(`${what} come back bit by bit`, () => {
-      expectSame(read(packHeights(heights), 6), heights)
+      expectSame(read(packNumbers(heights), 6), heights)
     })
   }
 
   test('worked by hand: 10, 30, no data, 20 count in tens, +1, +2, −1', () => {
-    const packed = packHeights(Float32Array.of(10, 30, Number.NaN, 20))
+    const packed = packNumbers(Float32Array.of(10, 30, Number.NaN, 20))
     // decimals · no places · step 10 · some are missing · ..x. · 1 → 2, 2 → 4, −1 → 1
     expect([...packed]).toEqual([0, 0, 10, 1, 0b00100000, 2, 4, 1])
   })
 
   test('surveyed heights take little more than a byte each', () => {
     const metres = rolling(100, 100, 400).map(Math.round)
-    expect(packHeights(metres).length).toBeLessThan(1.2 * metres.length)
+    expect(packNumbers(metres).length).toBeLessThan(1.2 * metres.length)
   })
 
   test('nothing is made for heights that are not there', async () => {

@@ -44,7 +44,10 @@ function spoiled(spoil: (document: Written) => void): void {
   const document = JSON.parse(JSON.stringify(documentOf(changedSession(), '0.1.0'))) as Written
   spoil(document)
   const { spec, changes = [] } = readDocument(document)
-  afterChanges({ spec, cells: new Uint8Array(48), heights: null, origin: null }, changes)
+  afterChanges(
+    { spec, cells: new Uint8Array(48), heights: null, factors: null, origin: null },
+    changes,
+  )
 }
 
 test('a link brings back the changes and the map as they left it', async () => {
@@ -88,7 +91,7 @@ const REFUSED: [string, (document: Written) => void, string][] = [
   ['version 1 with changes', (d) => (d.format = 'formicarium/experiment@1'), 'scenario.changes'],
   ['version 2 without', (d) => Reflect.deleteProperty(d.scenario, 'changes'), 'scenario.changes'],
   ['an empty list', (d) => (d.scenario.changes = []), 'scenario.changes'],
-  ['another version', (d) => (d.format = 'formicarium/experiment@3'), 'format'],
+  ['another version', (d) => (d.format = 'formicarium/experiment@4'), 'format'],
   [
     'a wall that is there',
     (d) => change(d, 1, { blocked: [[3, 1]] }),

@@ -57,7 +57,7 @@ const KEYS: Record<string, () => void> = {
   },
 }
 
-for (const key of 'lbndmjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
+for (const key of 'lbndumjk') KEYS[key] = () => withEditor((editor) => editor.shortcut(key))
 
 /** `may` says which of them count. */
 export function listenForKeys(may: (name: string) => boolean = () => true): void {

@@ -3,7 +3,7 @@ import { signal } from '@preact/signals'
 import { historyOf, objectives, panels, references } from '../state'
 import { walls } from '../state/runs'
 import { referenceValue } from '../words/gap_words'
-import { objectiveWord } from '../words/objective_words'
+import { isWeighted, objectiveWord } from '../words/objective_words'
 
 export const showIterationBest = signal(true)
 export const showMean = signal(true)
@@ -26,6 +26,7 @@ export function levels() {
   })
 }
 
-/** By slices the curves may show costs instead of lengths. */
+/** By slices and on weighted ground the curves may show costs instead of lengths. */
 export const showsCost = () =>
-  objectives.value.includes('slice-cost') && objectiveWord('slice-cost') === 'slice-cost'
+  isWeighted() ||
+  (objectives.value.includes('slice-cost') && objectiveWord('slice-cost') === 'slice-cost')

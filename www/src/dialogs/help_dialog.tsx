@@ -17,6 +17,7 @@ type KeyName =
   | 'redo'
   | 'tools'
   | 'shapes'
+  | 'ground'
   | 'select'
   | 'width'
   | 'fit'
@@ -50,6 +51,7 @@ const RUN_KEYS: [KeyName, string[]][] = [
   ['redo', ['Ctrl Shift Z', 'Ctrl Y']],
   ['tools', ['W', 'E', 'S', 'G', 'A', 'I', 'H']],
   ['shapes', ['L', 'B', 'N', 'D']],
+  ['ground', ['U']],
   ['width', ['J', 'K']],
   ['select', ['M']],
   ['fit', ['0']],

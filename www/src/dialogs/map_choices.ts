@@ -1,5 +1,5 @@
 /** What the reader chooses about a map that leaves a choice, and how the engine is told. */
-import type { ReadOptions } from '@pkg/formicarium'
+import type { CostRule, ReadOptions } from '@pkg/formicarium'
 import { limits } from '../model/facts'
 import { type Crop, cropFits, isWhole } from '../model/raster_part'
 import type { MapFile } from '../state'
@@ -17,6 +17,10 @@ export interface MapChoices {
   cells: number | null
   /** Of a robot's map. */
   unknown: 'blocked' | 'free'
+  /** By which rule its values are costs; null: thresholds tell free cells from walls. */
+  costs: CostRule | null
+  /** Of a rule that has one. */
+  multiplier: number
 }
 
 export const USUAL: MapChoices = {
@@ -27,6 +31,8 @@ export const USUAL: MapChoices = {
   crop: null,
   cells: null,
   unknown: 'blocked',
+  costs: null,
+  multiplier: 2,
 }
 
 export const isPicture = ({ kind }: MapFile) => kind === 'picture'
@@ -34,8 +40,13 @@ export const isPicture = ({ kind }: MapFile) => kind === 'picture'
 export const isRobots = ({ kind }: MapFile) => kind === 'ros-map' || kind === 'occupancy-grid'
 
 export function optionsOf(file: MapFile, choices: MapChoices): ReadOptions {
-  const { matrix, cells, unknown } = choices
-  if (isRobots(file)) return { unknown, ...(cells !== null && { cells }) }
+  const { matrix, cells, unknown, costs: rule, multiplier } = choices
+  if (isRobots(file))
+    return {
+      unknown,
+      ...(rule && { costs: { rule, multiplier } }),
+      ...(cells !== null && { cells }),
+    }
   if (!isPicture(file)) return file.matrices.length > 1 ? { matrix } : {}
   const { threshold, lightIsBlocked, metresPerCell, crop } = choices
   return {

@@ -145,6 +145,7 @@ export function RobotFields(props: FieldsProps) {
         </div>
         <p class="hint">{t(`mapFile.unknownNotes.${choices.unknown}`)}</p>
       </fieldset>
+      <CostsFields choices={choices} onChange={onChange} />
       <fieldset class="field-set">
         <legend>{t('raster.cells')}</legend>
         <div class="field-row">
@@ -153,6 +154,42 @@ export function RobotFields(props: FieldsProps) {
         <CellsHint {...props} />
       </fieldset>
     </>
+  )
+}
+
+/** A costmap holds more than free and occupied cells. */
+function CostsFields({ choices, onChange }: Pick<FieldsProps, 'choices' | 'onChange'>) {
+  const { costs, multiplier } = choices
+  const setMultiplier = (value: number) => onChange({ multiplier: value })
+  const typeMultiplier = useRested(setMultiplier)
+  return (
+    <fieldset class="field-set">
+      <legend>{t('mapFile.costs')}</legend>
+      <div class="field-row">
+        <Segmented
+          label={t('mapFile.costs')}
+          value={costs ?? 'off'}
+          options={(['off', 'nav2-smac-2d', 'nav2-navfn'] as const).map((rule) => ({
+            value: rule,
+            label: t(`mapFile.costRules.${rule}`),
+            testId: `map-costs-${rule}`,
+          }))}
+          onChange={(rule) => onChange({ costs: rule === 'off' ? null : rule })}
+        />
+        {costs === 'nav2-smac-2d' && (
+          <NumberField
+            label={t('mapFile.multiplier')}
+            value={multiplier}
+            min={0}
+            max={500}
+            testId="map-multiplier"
+            onChange={setMultiplier}
+            onType={typeMultiplier}
+          />
+        )}
+      </div>
+      <p class="hint">{t(costs ? 'mapFile.costsHint' : 'mapFile.noCostsHint')}</p>
+    </fieldset>
   )
 }
 

@@ -9,10 +9,13 @@ import { type Rules, setRules } from '../state/movement_rules'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { NumberField, Select } from '../ui/fields'
+import { lazily } from '../ui/lazily'
 import { MOVEMENTS, movementId, toMovement } from '../words/movement_words'
 import { useWrongQuantity, wrongQuantity } from './quantities'
 import { ScaleFields } from './scale_fields'
 import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
+
+const RobotFields = lazily(async () => (await import('./robot_fields')).fetchRobotFields())
 
 /** Size of the map and the moves allowed on it; on a terrain, all rules of moving. */
 export function ResizeDialog() {
@@ -27,7 +30,7 @@ function Form({ now }: { now: Scenario }) {
   const { width, height, movement, terrain } = rules
   const set = (change: Partial<Rules>) => {
     setPlaceless(false)
-    setAll({ ...rules, ...change })
+    setAll({ ...rules, ends: undefined, ...change })
   }
   const sizeFits = [width, height].every(
     (n) => Number.isInteger(n) && n >= 2 && n <= limits.max_side,
@@ -111,6 +114,7 @@ function Form({ now }: { now: Scenario }) {
         onChange={set}
         onUnit={setUnit}
       />
+      <RobotFields scenario={now} rules={rules} onChange={set} />
       {placeless && (
         <p class="field-error" role="alert" data-testid="no-place">
           {t('terrain.noPlace')}
@@ -120,6 +124,14 @@ function Form({ now }: { now: Scenario }) {
   )
 }
 
-function rulesOf({ width, height, movement, resolution, vehicle, terrain }: Rules): Rules {
-  return { width, height, movement, resolution, vehicle, ...(terrain && { terrain }) }
+function rulesOf({
+  width,
+  height,
+  movement,
+  resolution,
+  vehicle,
+  terrain,
+  robot,
+}: Rules): Rules {
+  return { width, height, movement, resolution, vehicle, robot, ...(terrain && { terrain }) }
 }

@@ -2,7 +2,7 @@
 import type { Survey } from '@pkg/formicarium'
 import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import { hillShade } from '../model/hill_shade'
 import { type Crop, cropBetween, isWhole } from '../model/raster_part'
 
@@ -68,7 +68,7 @@ export function TerrainPreview({ survey, crop, onCrop }: PreviewProps) {
 
 function draw(canvas: HTMLCanvasElement | null, survey: Survey): void {
   const { preview, preview_width, preview_height, width, height, cell } = survey
-  const heights = heightsOf(preview)
+  const heights = numbersOf(preview)
   const context = canvas?.getContext('2d')
   if (!context || !heights) return
   const metres = [(width * cell[0]) / preview_width, (height * cell[1]) / preview_height] as const

@@ -33,7 +33,7 @@ export function drawRaster(context: Context, view: PanelView, raster: OffscreenC
   context.drawImage(raster, view.originX, view.originY, width, height)
 }
 
-/** Hatching under the raster of a terrain, seen where there is no data. It moves with the map; its strokes keep their width at any zoom. */
+/** Hatching under the raster, seen where there is no data, and where a robot has no room. It moves with the map; its strokes keep their width at any zoom. */
 export function drawHatch(
   context: Context,
   view: PanelView,

@@ -2,11 +2,12 @@
 import { type ReadonlySignal, useSignalEffect } from '@preact/signals'
 import { useRef } from 'preact/hooks'
 import type { Cell } from '../model/cell'
-import { type Area, areaBetween, type Span } from '../model/spans'
+import { type Area, areaBetween } from '../model/spans'
 import type { Placement } from '../model/viewpoint'
+import { PLAIN } from '../model/weights'
 import { type CanvasSize, type Cursor, place } from '../stage/panel_view'
 import { scenario, theme, tool } from '../state'
-import { corner, sketch } from './hand'
+import { corner, type Drawing, groundShape, type Ink, sketch } from './hand'
 import { selection } from './selection'
 import { wouldDraw } from './shapes'
 
@@ -16,8 +17,20 @@ interface PreviewProps {
 }
 
 const COLOURS = {
-  light: { wall: '#3d4451b0', free: '#fbfaf7d0', edge: '#1d6fd1', ring: '#ffffff' },
-  dark: { wall: '#6a7486c0', free: '#12151bd0', edge: '#6fb1ff', ring: '#0c1211' },
+  light: {
+    wall: '#3d4451b0',
+    free: '#fbfaf7d0',
+    ground: '#427a7eb0',
+    edge: '#1d6fd1',
+    ring: '#ffffff',
+  },
+  dark: {
+    wall: '#6a7486c0',
+    free: '#12151bd0',
+    ground: '#4a8e8cc0',
+    edge: '#6fb1ff',
+    ring: '#0c1211',
+  },
 }
 /** Above this many cells nothing is filled for show: it would be searched with every move of the pointer. */
 const MOST_SHOWN = 1 << 18
@@ -45,10 +58,13 @@ export function EditPreview({ size, cursor }: PreviewProps) {
   )
 }
 
-function hovered(at: Cell | null): { spans: Span[]; blocked: boolean } | null {
+function hovered(at: Cell | null): Drawing | null {
   const small = (scenario.value?.cells.length ?? 0) <= MOST_SHOWN
-  return at && (small || tool.value !== 'fill') ? wouldDraw(at) : null
+  return at && (small || !isFilling()) ? wouldDraw(at) : null
 }
+
+const isFilling = () =>
+  tool.value === 'fill' || (tool.value === 'ground' && groundShape.value === 'fill')
 
 /** Between the corner that keys have set and the cursor. */
 const marked = (at: Cell | null): Area | null =>
@@ -61,15 +77,21 @@ interface Onto {
   colours: (typeof COLOURS)['light']
 }
 
-function drawCells(onto: Onto, { spans, blocked }: { spans: Span[]; blocked: boolean }): void {
+function drawCells(onto: Onto, { spans, ink }: Drawing): void {
   const { context, placement, colours } = onto
   const { scale, originX, originY } = placement
   // One path, so that cells that overlap are not darker than others.
   context.beginPath()
   for (const { y, from, to } of spans)
     context.rect(originX + from * scale, originY + y * scale, (to - from + 1) * scale, scale)
-  context.fillStyle = blocked ? colours.wall : colours.free
+  context.fillStyle = colours[lookOf(ink)]
   context.fill()
+}
+
+/** Plain ground looks free. */
+function lookOf(ink: Ink): 'wall' | 'free' | 'ground' {
+  if (ink === 'wall') return ink
+  return typeof ink === 'number' && ink > PLAIN ? 'ground' : 'free'
 }
 
 function drawArea({ context, placement, dpr, colours }: Onto, area: Area): void {

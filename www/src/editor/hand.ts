@@ -1,4 +1,4 @@
-/** What the further tools remember: the width of the brush, the tool used last, a corner set by keys, and what is about to be drawn. */
+/** What the further tools remember: the width of the brush, the tool used last, what ground costs, a corner set by keys, and what is about to be drawn. */
 import { effect, signal } from '@preact/signals'
 import { t } from '../i18n/editor'
 import type { Cell } from '../model/cell'
@@ -12,6 +12,22 @@ export type WallTool = (typeof WALL_TOOLS)[number]
 export const isWallTool = (id: Tool): id is WallTool =>
   (WALL_TOOLS as readonly string[]).includes(id)
 
+/** In which ways ground is drawn. */
+export const GROUND_SHAPES = ['brush', 'line', 'rectangle', 'block', 'fill'] as const
+export type DrawnShape = (typeof GROUND_SHAPES)[number]
+export const groundShape = signal<DrawnShape>('brush')
+/** By how much the ground that is drawn counts more than its length; these are offered. */
+export const FACTORS = [1, 1.5, 2, 3, 5, 10]
+export const factor = signal(3)
+
+/** What a tool leaves in a cell: a wall, none, none on plain ground, or ground of this factor. */
+export type Ink = 'wall' | 'free' | 'plain' | number
+
+export interface Drawing {
+  spans: Span[]
+  ink: Ink
+}
+
 /** Cells a side. */
 export const SIZES = [1, 2, 3, 5, 9]
 export const brushSize = signal(1)
@@ -23,7 +39,7 @@ export const straight = signal(false)
 /** The corner that keys have set; the next one ends the shape. */
 export const corner = signal<Cell | null>(null)
 /** What the press under way will draw. */
-export const sketch = signal<{ spans: Span[]; blocked: boolean } | null>(null)
+export const sketch = signal<Drawing | null>(null)
 
 effect(() => {
   if (isWallTool(tool.value)) lastWallTool.value = tool.value

@@ -26,6 +26,7 @@ const TOOL_KEYS: Record<string, FurtherTool> = {
   b: 'rectangle',
   n: 'block',
   d: 'fill',
+  u: 'ground',
   m: 'select',
 }
 

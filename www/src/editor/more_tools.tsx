@@ -20,6 +20,8 @@ import { TURNS, type Turn } from '../model/turn'
 import { tool } from '../state'
 import { IconButton } from '../ui/buttons'
 import { Menu, MenuHeading, MenuItem } from '../ui/menu'
+import { BLOCK, LINE, RECTANGLE } from './draw_icons'
+import { GroundTool } from './ground_tool'
 import {
   brushSize,
   isWallTool,
@@ -34,11 +36,6 @@ import { canPaste, copy, cut, free, paste, selection, turn, unselect } from './s
 import { isShape } from './shapes'
 import { ToolList } from './tool_list'
 
-const LINE: IconNode = [['path', { d: 'M5 19 19 5' }]]
-const RECTANGLE: IconNode = [['rect', { x: 4, y: 5, width: 16, height: 14, rx: 1 }]]
-const BLOCK: IconNode = [
-  ['rect', { x: 4, y: 5, width: 16, height: 14, rx: 1, fill: 'currentColor' }],
-]
 const ANGLE: IconNode = [['path', { d: 'M4 19h16M4 19 17 6' }]]
 const ICONS: Record<WallTool, IconNode> = {
   wall: BrickWall,
@@ -87,6 +84,7 @@ export function MoreTools() {
     <>
       <ShapeList />
       <SizeMenu />
+      <GroundTool />
       <SelectTool />
     </>
   )

@@ -35,12 +35,18 @@ export function ToolList({ id, label, open = false, children }: ToolListProps) {
   )
 }
 
-function toggled(event: Event, list: HTMLElement | null): void {
+/** What opens beside its button: the button tells, and it is put in its place. False as it closes. */
+export function placeBeside(event: Event, list: HTMLElement | null): boolean {
   const open = (event as ToggleEvent).newState === 'open'
   const button = document.querySelector(`[popovertarget="${list?.id}"]`)
   button?.setAttribute('aria-expanded', String(open))
-  if (!open || !list || !button) return
+  if (!open || !list || !button) return false
   place(list, button.getBoundingClientRect())
+  return true
+}
+
+function toggled(event: Event, list: HTMLElement | null): void {
+  if (!placeBeside(event, list) || !list) return
   const chosen = list.querySelector<HTMLElement>('[aria-checked="true"]')
   const first = chosen ?? list.querySelector<HTMLElement>('.menu-item')
   if (!list.contains(document.activeElement)) first?.focus()

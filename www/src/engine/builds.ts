@@ -14,11 +14,17 @@ export function noteCore({ planners }: Pick<Catalog, 'planners'>): void {
   for (const { id } of planners) coreIds.add(id)
 }
 
-/** The build for a run: the core knows no terrains, and no walls that change. */
-export const buildForRun = ({ planner, heights, spec }: RunSetup): Build =>
-  buildFor({ planner, onTerrain: heights !== null || spec.changes !== undefined })
+/** Whether a map is more than the core knows: no terrain, no weighted ground, no robot, no walls that change. */
+export const asksForWhole = ({
+  heights,
+  factors,
+  spec,
+}: Pick<RunSetup, 'heights' | 'factors' | 'spec'>): boolean =>
+  (heights ?? factors ?? spec.robot ?? spec.changes) != null
 
-/** The smallest build that can run the planner, if any can. The core draws no terrains. */
-export function buildFor({ planner, onTerrain }: { planner: string; onTerrain: boolean }): Build {
-  return coreIds.has(planner) && !onTerrain ? 'core' : 'whole'
-}
+/** The build for a run. */
+export const buildForRun = (setup: RunSetup): Build =>
+  asksForWhole(setup) ? 'whole' : buildFor(setup.planner)
+
+/** The smallest build that can run the planner on a plain map, if any can. */
+export const buildFor = (planner: string): Build => (coreIds.has(planner) ? 'core' : 'whole')

@@ -2,7 +2,6 @@
 import type {
   Catalog,
   EngineError,
-  ExportFormat,
   Generator,
   Objective,
   PathFormat,
@@ -11,17 +10,10 @@ import type {
   RunSummary,
 } from '@pkg/formicarium'
 import { toEngineError } from '../model/errors'
-import type { ParamValues, RunSetup } from '../model/messages'
+import type { RunSetup } from '../model/messages'
 import type { RecordedResult, Scenario } from '../model/session'
-import type {
-  FoundPath,
-  MapCalls,
-  TerrainPart,
-  ToolCalls,
-  ToolReply,
-  ToolRequest,
-} from '../model/tool_calls'
-import { type Build, buildForRun, noteCore } from './builds'
+import type { MapCalls, ToolCalls, ToolReply, ToolRequest, WholeMap } from '../model/tool_calls'
+import { asksForWhole, type Build, buildForRun, noteCore } from './builds'
 import { modules } from './load'
 import { newWorker, whyFailed } from './new_worker'
 
@@ -90,6 +82,13 @@ export class ToolBox<C extends Calls<C>> {
   }
 }
 
+export const mapOf = ({ spec, cells, heights, factors }: Scenario): WholeMap => [
+  spec,
+  cells,
+  heights,
+  factors,
+]
+
 /** A worker made at its first call and replaced after it has failed. */
 function lazyBox<C extends Calls<C>>(make: () => ToolBox<C>): () => ToolBox<C> {
   let box: ToolBox<C> | null = null
@@ -109,7 +108,7 @@ const toolBox = lazyBox(newCoreBox)
 /** For exact searches, which take a while on large maps: no other call waits behind them. */
 const searchBox = lazyBox(newCoreBox)
 const wholeSearchBox = lazyBox(newWholeBox)
-const wholeBox = lazyBox(newWholeBox)
+export const wholeBox = lazyBox(newWholeBox)
 
 export const tools = {
   /** The planners of the core. */
@@ -127,59 +126,21 @@ export const tools = {
   importScen: (bytes: Uint8Array) => wholeBox().call('importScen', bytes),
   /** Tells what a file is. */
   recognise: (bytes: Uint8Array, name: string) => wholeBox().call('recognise', bytes, name),
-  /** Tells of the matrices that a text holds. */
-  listMatrices: (bytes: Uint8Array) => wholeBox().call('listMatrices', bytes),
-  /** The name of the picture that belongs to the description of a ROS map. */
-  rosImage: (bytes: Uint8Array) => wholeBox().call('rosImage', bytes),
-  /** Tells what a raster of heights holds, before it is opened. */
-  surveyTerrain: (bytes: Uint8Array, name: string) => wholeBox().call('surveyTerrain', bytes, name),
-  importTerrain: (bytes: Uint8Array, name: string, part: TerrainPart) =>
-    wholeBox().call('importTerrain', bytes, name, part),
-  contours: (...ground: Parameters<MapCalls['contours']>) => wholeBox().call('contours', ...ground),
-  /** What the colours of maps and layers are; see `MapCalls.mapColours`. */
-  mapColours: (...look: Parameters<MapCalls['mapColours']>) =>
-    wholeBox().call('mapColours', ...look),
-  exportMap: ({ spec, cells, heights }: Scenario, format: ExportFormat) =>
-    wholeBox().call('exportMap', spec, cells, heights, format),
-  exportRos: ({ spec, cells }: Scenario, image: string) =>
-    wholeBox().call('exportRos', spec, cells, image),
-  exportGeotiff: ({ spec, cells, heights }: Scenario) =>
-    wholeBox().call('exportGeotiff', spec, cells, heights),
-  /** Every format of paths, with why a map cannot give it. */
-  pathFormats: (spec: Scenario['spec']) => wholeBox().call('pathFormats', spec),
-  /** The text of a path for other programs. */
-  writePath: ({ spec, cells, heights }: Scenario, found: FoundPath, format: PathFormat) =>
-    wholeBox().call('writePath', spec, cells, heights, found, format),
   /** Rules of movement by slices that suit a terrain, with so many metres per unit of its heights. */
-  fittingSlices: ({ spec, cells, heights }: Scenario, verticalUnit: number) =>
-    wholeBox().call('fittingSlices', spec, cells, heights, verticalUnit),
-  /** The entries of an ablation, each with its part in it. */
-  ablation: (planner: string, preset: string | null, set: ParamValues) =>
-    wholeBox().call('ablation', planner, preset, set),
-  /** The comparison with the entries of a result file; see the engine's `join_results`. */
-  joinResults: (
-    document: string,
-    bytes: Uint8Array,
-    name: string,
-    instance: string | null,
-    leaveOut: string[],
-  ) => wholeBox().call('joinResults', document, bytes, name, instance, leaveOut),
-  /** Whose runs a result file holds, and on which of the comparison's maps. */
-  matchResults: (document: string, bytes: Uint8Array, name: string) =>
-    wholeBox().call('matchResults', document, bytes, name),
-  /** An empty table of results for the comparison's maps and seeds. */
-  resultsTemplate: (document: string) => wholeBox().call('resultsTemplate', document),
+  fittingSlices: (map: Scenario, verticalUnit: number) =>
+    wholeBox().call('fittingSlices', ...mapOf(map), verticalUnit),
   generate: (kind: Generator, width: number, height: number, seed: number, density: number) =>
     wholeBox().call('generate', kind, width, height, seed, density),
-  /** The core knows no terrains. */
-  check: ({ spec, cells, heights }: Scenario) =>
-    (heights ? wholeBox() : toolBox()).call('check', spec, cells, heights),
+  check: (map: Scenario) =>
+    (asksForWhole(map) ? wholeBox() : toolBox()).call('check', ...mapOf(map)),
   proposeSeed: () => toolBox().call('proposeSeed'),
   /** The reference of the scenario for this objective. The core only knows the one for lengths of step paths. */
-  reference: ({ spec, cells, heights }: Scenario, objective: Objective): Promise<Reference> =>
-    objective === 'length' && heights === null
-      ? searchBox().call('reference', spec, cells, heights, objective)
-      : wholeSearchBox().call('reference', spec, cells, heights, objective),
+  reference: (map: Scenario, objective: Objective): Promise<Reference> =>
+    (objective === 'length' && !asksForWhole(map) ? searchBox() : wholeSearchBox()).call(
+      'reference',
+      ...mapOf(map),
+      objective,
+    ),
   /** Repeats a recorded run as far as it went, in a worker of its own, so that no other call has to wait. */
   async replay(setup: RunSetup, recorded: RecordedResult): Promise<RunSummary> {
     const own = newBox(buildForRun(setup))

@@ -1,11 +1,15 @@
 /** The map with paths, ends and layer, as a picture that stands alone. */
+
+import { lateTools } from '../engine/late_tools'
 import { client } from '../engine/panel_clients'
-import { tools } from '../engine/tools'
 import { numbers } from '../i18n'
 import { t } from '../i18n/pictures'
+import { addWeightWords, t as tOfWeights } from '../i18n/weights'
 import type { MapPicture } from '../model/messages'
 import { heightRange } from '../model/relief_ground'
 import type { Scenario } from '../model/session'
+import { DEAREST, PLAIN } from '../model/weights'
+import { hasNarrow, isDear, isDearer } from '../stage/felt_ground'
 import { BLOCKED, FREE } from '../stage/layer_colours'
 import { layer, layerEnds, panels, scenario, shownOf } from '../state'
 import { layerNumber, layerTitle } from '../words/layer_words'
@@ -40,6 +44,7 @@ export async function mapPicture(ground: Ground, whose: Whose): Promise<Picture 
   const now = scenario.peek()
   const panelId = whose === 'all' ? panels.peek()[0]?.id : whose
   if (!now || panelId === undefined) return null
+  await addWeightWords()
   const theme = themeOf(ground)
   const { width, height } = now.spec
   const wanted = whose === 'all' ? 'none' : layer.peek()
@@ -48,7 +53,7 @@ export async function mapPicture(ground: Ground, whose: Whose): Promise<Picture 
   const painted = await worker?.ask({ about: 'picture', size: [width, height], ...look })
   if (!painted) return null
   const ramps = await rampsOf(now, painted, theme)
-  if (ground === 'print') whiten(painted.pixels, await tools.mapColours('none', theme))
+  if (ground === 'print') whiten(painted.pixels, await lateTools.mapColours('none', theme))
   const shown = runners().filter(({ panel }) => whose === 'all' || panel.id === whose)
   return pictureOf(now, painted, ramps, shown, ground)
 }
@@ -100,6 +105,7 @@ function notesOf(isVectors: boolean, interval: number | null, hasHoles: boolean)
   const value = interval === null ? '' : numbers.peek().metres.format(interval)
   if (value) notes.push(t('pictures.contours', { interval: t('lengths.metres', { value }) }))
   if (hasHoles) notes.push(t('pictures.noData'))
+  if (hasNarrow.peek()) notes.push(tOfWeights('weights.picture'))
   return notes
 }
 
@@ -144,16 +150,29 @@ async function rampsOf(
   const ends = shown === 'none' ? null : (layerEnds.peek()[shown] ?? own)
   if (shown !== 'none' && ends) {
     const [low = '', high = ''] = ends.map(layerNumber(shown))
-    const colours = await tools.mapColours(shown, theme)
+    const colours = await lateTools.mapColours(shown, theme)
     ramps.push({ id: 'layer', title: layerTitle(shown), low, high, colours })
   }
+  if (isDear.peek()) ramps.push(await weightsRamp(theme))
   const heights = heightRange(now)
   if (heights) {
     const metres = (value: number) =>
       t('lengths.metres', { value: numbers.peek().metres.format(value) })
     const [low = '', high = ''] = heights.map(metres)
-    const colours = await tools.mapColours('none', theme)
+    const colours = await lateTools.mapColours('none', theme)
     ramps.push({ id: 'heights', title: t('legend.heights'), low, high, colours })
   }
   return ramps
 }
+
+async function weightsRamp(theme: ReturnType<typeof themeOf>): Promise<Ramp> {
+  const [low, high] = [PLAIN, DEAREST].map((factor) => tOfWeights('weights.times', { factor }))
+  return {
+    id: 'weights',
+    title: tOfWeights('weights.legend'),
+    low: low ?? '',
+    high: isDearer.peek() ? tOfWeights('weights.orMore', { factor: DEAREST }) : (high ?? ''),
+    colours: await lateTools.weightColours(theme),
+  }
+}
+

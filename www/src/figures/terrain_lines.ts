@@ -1,5 +1,5 @@
 /** What a terrain's picture has besides its cells, as the page shows it: contour lines, and hatching where there is no data. */
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 import type { Scenario } from '../model/session'
 import type { ContourData } from '../model/terrain'
 import { showContours } from '../state/relief'
@@ -51,7 +51,7 @@ export async function contourLines(
 ): Promise<{ lines: SVGElement; interval: number } | null> {
   const unit = now.spec.terrain?.vertical_unit
   if (!now.heights || unit === undefined || !showContours.peek()) return null
-  const found = await tools.contours(now.spec.width, now.heights, unit)
+  const found = await lateTools.contours(now.spec.width, now.heights, unit)
   if (found.ends.length === 0) return null
   const { line } = COLOURS[theme]
   const lines = element('g', { class: 'contours', fill: 'none', stroke: line })

@@ -1,7 +1,7 @@
 /** The built-in scenarios. Names and notes in the reader's language live in i18n under `gallery.<id>`. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import { goalAt, type Origin, type Scenario } from '../model/session'
 import { plainTerrain } from '../model/terrain'
 import { TWO_CORRIDORS } from './first_drawing'
@@ -93,6 +93,7 @@ function openField(): Scenario {
     spec: specOf('Open field', width, height, [4, 19], [35, 5]),
     cells: new Uint8Array(width * height),
     heights: null,
+    factors: null,
     origin: null,
   }
 }
@@ -108,6 +109,7 @@ function drawn(name: string, rows: readonly string[]): Scenario {
     spec: specOf(name, width, rows.length, at('S'), at('G')),
     cells: Uint8Array.from(text, (char) => (char === '#' ? 1 : 0)),
     heights: null,
+    factors: null,
     origin: null,
   }
 }
@@ -120,11 +122,11 @@ async function generated(
 ): Promise<Scenario> {
   const { generator, seed, density } = origin
   const made = await tools.generate(generator, width, height, seed, density)
-  const heights = heightsOf(made.heights)
+  const heights = numbersOf(made.heights)
   const spec = specOf(name, width, height, made.start, made.goal)
   const { resolution, cells } = made
   const terrain = heights && { terrain: plainTerrain() }
-  return { spec: { ...spec, resolution, ...terrain }, cells, heights, origin }
+  return { spec: { ...spec, resolution, ...terrain }, cells, heights, factors: null, origin }
 }
 
 function specOf(

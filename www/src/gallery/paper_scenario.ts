@@ -1,6 +1,6 @@
 /** Fetches the papers' scenarios: the very files that the recorded comparisons run on. */
 import { tools } from '../engine/tools'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import type { Scenario } from '../model/session'
 
 /** Not those whose names end with a number: the terrains and the suite come with their questions. */
@@ -13,6 +13,12 @@ export async function paperScenario(file: string): Promise<Scenario> {
   const fetched = texts[`../../../experiments/maps/${file}.json`]
   if (!fetched) throw new Error(`there is no map ${file}`)
   const bytes = new TextEncoder().encode(await fetched())
-  const { spec, cells, heights } = await tools.importMap(bytes, `${file}.json`)
-  return { spec, cells, heights: heightsOf(heights), origin: null }
+  const { spec, cells, heights, factors } = await tools.importMap(bytes, `${file}.json`)
+  return {
+    spec,
+    cells,
+    heights: numbersOf(heights),
+    factors: numbersOf(factors),
+    origin: null,
+  }
 }

@@ -158,8 +158,8 @@ export async function mapBox(now: Scenario): Promise<LessonBox> {
     on = null
   }
   if (on !== now) {
-    const { spec, cells, heights } = now
-    await box.call('drawOn', spec, cells, heights)
+    const { spec, cells, heights, factors } = now
+    await box.call('drawOn', spec, cells, heights, factors)
     on = now
   }
   return box

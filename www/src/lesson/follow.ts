@@ -75,8 +75,8 @@ const setup = computed((): RunSetup | null => {
   seed.value
   if (!panelSetup.value || !now) return null
   const { planner, params } = panelSetup.value
-  const { spec, cells, heights } = now
-  return { spec, cells, heights, planner, params, seed: seed.value }
+  const { spec, cells, heights, factors } = now
+  return { spec, cells, heights, factors, planner, params, seed: seed.value }
 })
 
 /** In a guess the walk of the question, else where the run stands on the page, and so many moves ahead. */

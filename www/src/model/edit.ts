@@ -16,6 +16,8 @@ export type Edit =
   | { kind: 'change-goal'; index: number; change: GoalChange }
   | { kind: 'remove-goal'; index: number }
   | { kind: 'clear' }
+  /** What parts of the page that are fetched later make of the map. */
+  | { kind: 'make'; make: (scenario: Scenario) => Scenario }
 
 export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
   switch (edit.kind) {
@@ -34,6 +36,8 @@ export function applyEditTo(scenario: Scenario, edit: Edit): Scenario {
       return liftEnds(removeGoal(scenario, edit.index)) ?? scenario
     case 'clear':
       return clear(scenario)
+    case 'make':
+      return edit.make(scenario)
   }
 }
 

@@ -1,7 +1,8 @@
 /** What a worker of its own does for a lesson: one ant of a run, and a path that is drawn by hand. */
-import type { AntTurn, Drawn, ScenarioSpec } from '@pkg/formicarium'
+import type { AntTurn, Drawn } from '@pkg/formicarium'
 import type { Cell } from './cell'
 import type { RunSetup } from './messages'
+import type { WholeMap } from './tool_calls'
 
 /** Where the look at a run has come. */
 export interface Followed {
@@ -26,7 +27,7 @@ export interface LessonCalls {
   /** The cell of each ant, x and y, −1 for lost ones; empty before the first move. */
   followedAnts(): Int32Array
 
-  drawOn(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): void
+  drawOn(...map: WholeMap): void
   drawTowards(from: Cell, to: Cell): Cell[]
   measureDrawn(path: Cell[]): Drawn
 }

@@ -6,17 +6,14 @@
  */
 import type { EngineError, Layer, RunSummary, ScenarioSpec, Status, Walls } from '@pkg/formicarium'
 import type { Stop } from './lesson'
+import type { MapCells } from './session'
 
 /** Parameter values by key, as the catalog names them; what is absent takes the catalog's default. */
 export type ParamValues = Record<string, number | string | boolean>
 
 /** What a run is made of: enough to repeat it bit for bit. */
-export interface RunSetup {
+export interface RunSetup extends MapCells {
   spec: ScenarioSpec
-  /** Row by row from the upper left; 1 = blocked, 0 = free. */
-  cells: Uint8Array
-  /** One a cell on a terrain, NaN where there is no data; null on a plane. */
-  heights: Float32Array | null
   planner: string
   params: ParamValues
   seed: number

@@ -3,18 +3,21 @@ import { takenCells } from './goals'
 import type { Scenario } from './session'
 import { keepInside } from './settle_ends'
 import { liftEnds } from './terrain'
+import { plainOrNone } from './weights'
 import { withRows } from './world'
 
 /**
- * Keeps the upper left part; new cells are free, and on a terrain without data. Ends that fell off move to the nearest cell inside;
+ * Keeps the upper left part; new cells are free, their ground is plain, and on a terrain without data. Ends that fell off move to the nearest cell inside;
  * where no cell is left for them, nothing changes.
  */
 export function resized(scenario: Scenario, width: number, height: number): Scenario {
-  const { spec, heights } = scenario
+  const { spec, heights, factors } = scenario
   if (width === spec.width && height === spec.height) return scenario
   const size = { width, height }
   const ground =
     heights && copied(heights, new Float32Array(width * height).fill(Number.NaN), spec, size)
+  const weights =
+    factors && plainOrNone(copied(factors, new Float32Array(width * height).fill(1), spec, size))
   const outside = new Uint8Array(width * height).fill(ground ? 1 : 0)
   const cells = copied(scenario.cells, outside, spec, size)
   const { world, resolution } = spec
@@ -24,7 +27,9 @@ export function resized(scenario: Scenario, width: number, height: number): Scen
   )
   if (moved === null) return scenario
   for (const [x, y] of takenCells(moved)) cells[y * width + x] = 0
-  return liftEnds({ spec: moved, cells, heights: ground, origin: null }) ?? scenario
+  return (
+    liftEnds({ spec: moved, cells, heights: ground, factors: weights, origin: null }) ?? scenario
+  )
 }
 
 interface Size {

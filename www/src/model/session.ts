@@ -21,14 +21,19 @@ export function goalAt(at: [number, number], name: string): Goal {
   return { at, name, area: 1, strength: 1, danger: 1 }
 }
 
-/**
- * One map and the question asked on it. `cells`: row by row from the upper left, 1 = blocked. `heights`: of a terrain, one a cell in
- * the file's unit, NaN where there is no data; null on a plane. They come with `spec.terrain`, and never without.
- */
-export interface Scenario {
-  spec: ScenarioSpec
+/** What is known of each cell, row by row from the upper left. With other factors a map has another list of cells too, which tells them apart. */
+export interface MapCells {
+  /** 1 = blocked. */
   cells: Uint8Array
+  /** Of a terrain in the file's unit, NaN where there is no data; null on a plane. They come with `spec.terrain`, and never without. */
   heights: Float32Array | null
+  /** By how much a way through the cell counts more than its length, at least 1; null where all are 1, and on a terrain. */
+  factors: Float32Array | null
+}
+
+/** One map and the question asked on it. */
+export interface Scenario extends MapCells {
+  spec: ScenarioSpec
   origin: Origin | null
 }
 

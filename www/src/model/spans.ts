@@ -1,6 +1,6 @@
 /** Sets of cells that tools draw: as stretches of rows, so that large ones stay small. */
 import type { Cell } from './cell'
-import { isBlocked, isInside, lineCells } from './edit'
+import { isInside, lineCells } from './edit'
 import type { Scenario } from './session'
 
 /** A stretch of a row, ends included. Those of one set may overlap. */
@@ -76,14 +76,21 @@ export function squared([x0, y0]: Cell, [x1, y1]: Cell): Cell {
   return [x0 + (x1 < x0 ? -side : side), y0 + (y1 < y0 ? -side : side)]
 }
 
-/** All cells that straight steps lead to from here without leaving walls, or without entering them. */
-export function floodSpans(scenario: Scenario, at: Cell): Span[] {
+/**
+ * All cells that straight steps lead to from here without leaving walls, or without entering them; of other values than these, those that
+ * have the same one.
+ */
+export function floodSpans(
+  scenario: Scenario,
+  at: Cell,
+  values: ArrayLike<number> = scenario.cells,
+): Span[] {
   if (!isInside(scenario, at)) return []
   const { width, height } = scenario.spec
-  const wanted = isBlocked(scenario, at) ? 1 : 0
+  const wanted = values[at[1] * width + at[0]]
   const seen = new Uint8Array(scenario.cells.length)
   const fits = (x: number, y: number) =>
-    scenario.cells[y * width + x] === wanted && seen[y * width + x] === 0
+    values[y * width + x] === wanted && seen[y * width + x] === 0
   const spans: Span[] = []
   const waiting: Cell[] = [at]
   for (let cell = waiting.pop(); cell; cell = waiting.pop()) {

@@ -29,6 +29,10 @@ export function groundOf({ terrain, movement }: ScenarioSpec, rules = grounds): 
   return rules.find(holds)?.ground ?? 'plane'
 }
 
+/** All that a planner must know of how one moves: where cells have factors, these as well. */
+export const groundsOf = ({ spec, factors }: Pick<Scenario, 'spec' | 'factors'>): Ground[] =>
+  (factors ?? spec.robot?.inflation) ? [groundOf(spec), 'weighted'] : [groundOf(spec)]
+
 /** A terrain as it is when it comes in: heights in metres, on the surface, without a limit of slope. */
 export const plainTerrain = (): TerrainFields => ({ vertical_unit: 1, max_slope: 90 })
 

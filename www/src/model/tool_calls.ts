@@ -48,6 +48,21 @@ export interface FoundPath {
   objective: Objective
 }
 
+/** A map as the engine takes it: its spec, and what it knows of each cell. */
+export type WholeMap = [
+  spec: ScenarioSpec,
+  cells: Uint8Array,
+  heights: Float32Array | null,
+  factors: Float32Array | null,
+]
+
+/** A map as the robot feels it: where it does not fit is blocked, and what is near obstacles may cost more. */
+export interface FeltCells {
+  blocked: Uint8Array
+  /** One a cell; null where all ground costs its length. */
+  factors: Float32Array | null
+}
+
 /** What only the whole engine's worker can do, as plain functions on its side. */
 export interface MapCalls {
   importMap(bytes: Uint8Array, name: string, options?: ReadOptions, image?: Uint8Array): Imported
@@ -65,32 +80,20 @@ export interface MapCalls {
   importTerrain(bytes: Uint8Array, name: string, part: TerrainPart): Imported
   /** The contour lines of heights, of which `unit` are a metre each. */
   contours(width: number, heights: Float32Array, unit: number): ContourData
+  /** Whether or not the robot has room at start and goals. */
+  feltMap(...map: WholeMap): FeltCells
+  /** The same as `mapColours` of weighted ground, from factor 1 to 10. */
+  weightColours(theme: PanelView['theme']): Uint8Array
   /** Red, green, blue: of a free cell, a blocked one, and 256 of a layer from its least value to its greatest. */
   mapColours(layer: Layer | 'none', theme: PanelView['theme']): Uint8Array
-  exportMap(
-    spec: ScenarioSpec,
-    cells: Uint8Array,
-    heights: Float32Array | null,
-    format: ExportFormat,
-  ): string
+  exportMap(...args: [...map: WholeMap, format: ExportFormat]): string
   exportRos(spec: ScenarioSpec, cells: Uint8Array, image: string): RosFiles
-  exportGeotiff(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Uint8Array
+  exportGeotiff(...map: WholeMap): Uint8Array
   /** Every format of paths, with why maps of this kind cannot give it. */
   pathFormats(spec: ScenarioSpec): PathFormatFacts[]
-  writePath(
-    spec: ScenarioSpec,
-    cells: Uint8Array,
-    heights: Float32Array | null,
-    found: FoundPath,
-    format: PathFormat,
-  ): PathText
+  writePath(map: WholeMap, found: FoundPath, format: PathFormat): PathText
   /** Rules of movement by slices that suit a terrain. */
-  fittingSlices(
-    spec: ScenarioSpec,
-    cells: Uint8Array,
-    heights: Float32Array | null,
-    verticalUnit: number,
-  ): SliceRules
+  fittingSlices(...args: [...map: WholeMap, verticalUnit: number]): SliceRules
   ablation(planner: string, preset: string | null, set: ParamValues): AblationEntry[]
   matchResults(document: string, bytes: Uint8Array, name: string): ResultsMatch
   resultsTemplate(document: string): string
@@ -109,14 +112,9 @@ export interface ToolCalls {
   /** The core tells of its planners alone. */
   catalog(): Pick<Catalog, 'planners'>
   version(): string
-  check(spec: ScenarioSpec, cells: Uint8Array, heights: Float32Array | null): Notice[]
+  check(...map: WholeMap): Notice[]
   proposeSeed(): number
-  reference(
-    spec: ScenarioSpec,
-    cells: Uint8Array,
-    heights: Float32Array | null,
-    objective: Objective,
-  ): Reference
+  reference(...args: [...map: WholeMap, objective: Objective]): Reference
   repeat(setup: RunSetup, iterations: number): RunSummary
 }
 

@@ -1,4 +1,4 @@
-/** A whole map turned by a quarter, or mirrored: with start and goals, heights, and its place in the world where that can be said. */
+/** A whole map turned by a quarter, or mirrored: with start and goals, heights, factors, and its place in the world where that can be said. */
 import type { World } from '@pkg/formicarium'
 import type { Cell } from './cell'
 import type { Scenario } from './session'
@@ -37,7 +37,7 @@ export function turnRefused({ spec }: Scenario, turn: Turn): boolean {
 
 /** Every cell keeps its place in the world when the map is turned; a mirrored map has no place there, so that it is left out. */
 export function turnMap(scenario: Scenario, turn: Turn): Scenario {
-  const { spec, cells, heights } = scenario
+  const { spec, cells, heights, factors } = scenario
   const sides = sidesAfter(spec, turn)
   const { world, ...rest } = spec
   const placed = world && isQuarter(turn) ? { world: turnedWorld(scenario, world, turn) } : {}
@@ -51,6 +51,7 @@ export function turnMap(scenario: Scenario, turn: Turn): Scenario {
     },
     cells: moved(cells, new Uint8Array(cells.length), spec, turn),
     heights: heights && moved(heights, new Float32Array(heights.length), spec, turn),
+    factors: factors && moved(factors, new Float32Array(factors.length), spec, turn),
     origin: null,
   }
 }

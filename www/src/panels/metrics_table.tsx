@@ -16,7 +16,7 @@ const MOST_COLUMNS = 2
 /** As many columns of numbers as a narrow column has room for beside names. */
 const TOGETHER = 3
 /** Those that are always seen are the first of these that there are: what a planner may be measured by comes first. */
-const FIRST: Measure['id'][] = ['gap', 'walkedWeight', 'levelCost', 'length', 'turns']
+const FIRST: Measure['id'][] = ['gap', 'walkedWeight', 'levelCost', 'cost', 'length', 'turns']
 
 const showsAll = signal(false)
 

@@ -39,6 +39,7 @@ export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
   weighted: 'metrics.weighted',
   'tour-weight': 'metrics.weightShort',
   'slice-cost': 'metrics.costShort',
+  cost: 'metrics.costShort',
 }
 
 /** The value that the gap is about, where it is not the length. */

@@ -1,11 +1,12 @@
 /** Sessions as links and as files. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import type { Session } from '../model/session'
 import { scenarioBefore } from '../model/wall_changes'
 import {
   blockedWithoutData,
+  checkedFactors,
   type Generate,
   type Ground,
   packBits,
@@ -17,7 +18,7 @@ import { type Fields, fieldsOf, invalid, list, real, text } from './field_checks
 import { LinkError } from './link_error'
 import { textBehind } from './link_in_text'
 import { afterChanges } from './session_changes'
-import { documentOf, readDocument } from './session_document'
+import { documentOf, readDocument, WEIGHTED } from './session_document'
 
 export { LinkError } from './link_error'
 
@@ -27,7 +28,7 @@ const FREE = '.'
 
 const generate: Generate = async ({ generator, seed, density }, width, height) => {
   const made = await tools.generate(generator, width, height, seed, density)
-  return { cells: made.cells, heights: heightsOf(made.heights) }
+  return { cells: made.cells, heights: numbersOf(made.heights), factors: null }
 }
 
 /** The text after `#x=`: the map as bits or as a generator call with edits, whichever is shorter. */
@@ -45,22 +46,23 @@ export async function decodeFragment(hash: string): Promise<Session> {
   return unpack(await open(text), generate)
 }
 
-/** The session file (`.experiment.json`): readable JSON, the map drawn with `.` and `@`, heights as rows of numbers, null where there is no data. */
+/** The session file (`.experiment.json`): readable JSON, the map drawn with `.` and `@`, heights or factors as rows of numbers, null where there is no data. */
 export function sessionToFile(now: Session, engine: string): string {
   const session = { ...now, scenario: scenarioBefore(now) }
-  const { cells, heights, spec } = session.scenario
+  const { cells, heights, factors, spec } = session.scenario
   const map = rowsOf(cells, spec.width, (row) =>
     Array.from(row, (cell) => (cell === 1 ? BLOCKED : FREE)).join(''),
   )
   const json = JSON.stringify({ ...documentOf(session, engine), map }, null, 2)
-  if (heights === null) return `${json}\n`
+  const numbers = heights ?? factors
+  if (numbers === null) return `${json}\n`
   // A row a line: indented as the rest, every number would stand on a line of its own.
   const rows = rowsOf(
-    heights,
+    numbers,
     spec.width,
     (row) => `    ${JSON.stringify(Array.from(row, shortest))}`,
   )
-  return `${json.slice(0, -2)},\n  "heights": [\n${rows.join(',\n')}\n  ]\n}\n`
+  return `${json.slice(0, -2)},\n  "${heights ? 'heights' : 'factors'}": [\n${rows.join(',\n')}\n  ]\n}\n`
 }
 
 function rowsOf<T extends Uint8Array | Float32Array>(
@@ -73,14 +75,14 @@ function rowsOf<T extends Uint8Array | Float32Array>(
   )
 }
 
-/** The shortest number that is this height again when it is read. */
-function shortest(height: number): number | null {
-  if (Number.isNaN(height)) return null
+/** The shortest number that is this one again when it is read. */
+function shortest(number: number): number | null {
+  if (Number.isNaN(number)) return null
   for (let digits = 6; digits < 9; digits++) {
-    const rounded = Number(height.toPrecision(digits))
-    if (Object.is(Math.fround(rounded), height)) return rounded
+    const rounded = Number(number.toPrecision(digits))
+    if (Object.is(Math.fround(rounded), number)) return rounded
   }
-  return height
+  return number
 }
 
 /** Throws a LinkError. */
@@ -95,13 +97,29 @@ function readGround(fields: Fields, { width, height, terrain }: ScenarioSpec): G
   const cells = new Uint8Array(width * height)
   for (const [y, row] of readRows(fields.map, 'map', height).entries())
     cells.set(readRow(row, y, width), y * width)
-  if (fields.heights === undefined && !terrain) return { cells, heights: null }
+  if (fields.factors !== undefined) {
+    if (fields.format !== WEIGHTED) throw invalid('factors', `and ${WEIGHTED} must come together`)
+    if (terrain) throw invalid('factors', 'cannot be used on a terrain')
+    const factors = readNumbers(fields.factors, 'factors', width, height)
+    return { cells, heights: null, factors: checkedFactors(factors) }
+  }
+  if (fields.heights === undefined && !terrain) return { cells, heights: null, factors: null }
   if (fields.heights === undefined) throw invalid('heights', 'are missing')
   if (!terrain) throw invalid('scenario.terrain', 'is missing, though there are heights')
-  const heights = new Float32Array(width * height)
-  for (const [y, row] of readRows(fields.heights, 'heights', height).entries())
-    heights.set(readHeights(row, y, width), y * width)
-  return { cells: blockedWithoutData(cells, heights), heights }
+  const heights = readNumbers(fields.heights, 'heights', width, height)
+  return { cells: blockedWithoutData(cells, heights), heights, factors: null }
+}
+
+function readNumbers(
+  value: unknown,
+  what: 'heights' | 'factors',
+  width: number,
+  height: number,
+): Float32Array {
+  const numbers = new Float32Array(width * height)
+  for (const [y, row] of readRows(value, what, height).entries())
+    numbers.set(readNumberRow(row, what, y, width), y * width)
+  return numbers
 }
 
 function readRows(value: unknown, field: string, height: number): unknown[] {
@@ -111,12 +129,12 @@ function readRows(value: unknown, field: string, height: number): unknown[] {
   return rows
 }
 
-function readHeights(value: unknown, y: number, width: number): number[] {
-  const row = list(value, `heights[${y}]`, width)
-  if (row.length !== width)
-    throw invalid(`heights[${y}]`, `has ${row.length} heights, but width is ${width}`)
-  return row.map((height, x) =>
-    height === null ? Number.NaN : real(height, `heights[${y}][${x}]`, -3e38, 3e38),
+function readNumberRow(value: unknown, what: string, y: number, width: number): number[] {
+  const field = `${what}[${y}]`
+  const row = list(value, field, width)
+  if (row.length !== width) throw invalid(field, `has ${row.length} ${what}, but width is ${width}`)
+  return row.map((number, x) =>
+    number === null ? Number.NaN : real(number, `${field}[${x}]`, -3e38, 3e38),
   )
 }
 

@@ -4,9 +4,12 @@
  */
 import type {
   CornerRule,
+  CostRule,
+  Inflation,
   Limits,
   Measure,
   Movement,
+  Robot,
   ScenarioSpec,
   SliceRules,
   Status,
@@ -52,6 +55,9 @@ import {
 export const FORMAT = 'formicarium/experiment@1'
 /** With changes of walls, which a reader of version 1 would leave out. */
 export const CHANGING = 'formicarium/experiment@2'
+/** With factors of cells or a robot, with or without changes: to readers of the others every map is plain ground for a point. */
+export const WEIGHTED = 'formicarium/experiment@3'
+const FORMATS = [FORMAT, CHANGING, WEIGHTED]
 
 const SEED_MAX = 2 ** 32 - 1
 /** Every value of a type, by the type check. */
@@ -67,6 +73,7 @@ const STATUSES = everyOf<Status>({
   'no-path': true,
 })
 const MEASURES = everyOf<Measure>({ cost: true, length: true })
+const COST_RULES = everyOf<CostRule>({ 'nav2-smac-2d': true, 'nav2-navfn': true })
 const CORNER_RULES = everyOf<CornerRule>({ always: true, 'one-free': true, 'both-free': true })
 
 /** A session whose cells travel beside it. */
@@ -76,7 +83,7 @@ export type Described = Omit<Session, 'scenario'> & { spec: ScenarioSpec; origin
 export function documentOf(session: Session, engine: string): Fields {
   const { scenario, panels, seed, sync, speed, layer, lesson, changes, keepTrails } = session
   return {
-    format: changes ? CHANGING : FORMAT,
+    format: formatOf(session),
     engine,
     scenario: {
       ...scenario.spec,
@@ -94,6 +101,11 @@ export function documentOf(session: Session, engine: string): Fields {
   }
 }
 
+function formatOf({ scenario: { factors, spec }, changes }: Session): string {
+  if (factors ?? spec.robot) return WEIGHTED
+  return changes ? CHANGING : FORMAT
+}
+
 /** Reads a document; everything in it is checked, because links are made by anyone. Limits and names are those that are `known`. */
 export function readDocument(value: unknown, known = FACTS): Described {
   const fields = fieldsOf(value, 'document')
@@ -103,8 +115,10 @@ export function readDocument(value: unknown, known = FACTS): Described {
   const panels = list(fields.panels, 'panels', MAX_PANELS).map((panel, i) =>
     readPanel(panel, `panels[${i}]`),
   )
-  if ((changes !== undefined) !== (fields.format === CHANGING))
+  if (fields.format !== WEIGHTED && (changes !== undefined) !== (fields.format === CHANGING))
     throw invalid('scenario.changes', `and ${CHANGING} must come together`)
+  if (spec.robot && fields.format !== WEIGHTED)
+    throw invalid('scenario.robot', `and ${WEIGHTED} must come together`)
   return {
     spec,
     origin:
@@ -140,12 +154,12 @@ function readKeepTrails(value: unknown): boolean {
 }
 
 function checkFormat(format: unknown): void {
-  if (format === FORMAT || format === CHANGING) return
+  if (FORMATS.some((known) => known === format)) return
   const name = typeof format === 'string' ? format.slice(0, 60) : 'no format'
   if (name.startsWith('formicarium/experiment@')) {
     throw new LinkError(
       'link-newer',
-      `This session says ${name}; this page reads ${FORMAT} and ${CHANGING}.`,
+      `This session says ${name}; this page reads ${FORMATS.join(', ')}.`,
       'format',
     )
   }
@@ -186,8 +200,32 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
     ...(fields.terrain != null && {
       terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain'), limits),
     }),
+    ...(fields.robot != null && { robot: readRobot(fieldsOf(fields.robot, 'scenario.robot')) }),
     ...(fields.world != null && { world: readWorld(fieldsOf(fields.world, 'scenario.world')) }),
     ...(fields.drive != null && { drive: readDrive(fields.drive, { width, height }) }),
+  }
+}
+
+/** Whether the engine takes these numbers is the engine's to say. */
+function readRobot({ radius, inflation }: Fields): Robot {
+  const metres = (value: unknown, key: string) => real(value, `scenario.robot.${key}`, 0, 1e6)
+  return {
+    radius: metres(radius, 'radius'),
+    ...(inflation != null && {
+      inflation: readInflation(fieldsOf(inflation, 'scenario.robot.inflation'), metres),
+    }),
+  }
+}
+
+function readInflation(
+  { radius, cost_scaling, rule, multiplier }: Fields,
+  number: (value: unknown, key: string) => number,
+): Inflation {
+  return {
+    radius: number(radius, 'inflation.radius'),
+    cost_scaling: number(cost_scaling, 'inflation.cost_scaling'),
+    rule: oneOf(rule ?? 'nav2-smac-2d', 'scenario.robot.inflation.rule', COST_RULES),
+    multiplier: number(multiplier ?? 2, 'inflation.multiplier'),
   }
 }
 

@@ -17,11 +17,14 @@ export async function sessionFromObject(value: unknown): Promise<Session> {
   const cells = numbersOf(scenario.cells, 'session.scenario.cells', area)
   if (cells.some((cell) => cell !== 0 && cell !== 1))
     throw invalid('session.scenario.cells', 'must be 0, free, or 1, blocked')
-  // Scripts older than terrains have no heights.
+  // Older scripts have no heights and no factors.
   const heights = scenario.heights
     ? Float32Array.from(numbersOf(scenario.heights, 'session.scenario.heights', area))
     : null
-  const whole = { ...scenario, cells: Uint8Array.from(cells), heights }
+  const factors = scenario.factors
+    ? Float32Array.from(numbersOf(scenario.factors, 'session.scenario.factors', area))
+    : null
+  const whole = { ...scenario, cells: Uint8Array.from(cells), heights, factors }
   checkShapes(session, spec as unknown as ScenarioSpec)
   const read = await sessionFromFile(sessionToFile({ ...session, scenario: whole } as Session, ''))
   if (read.changes && !sameCells(read.scenario.cells, whole.cells))

@@ -1,31 +1,33 @@
 /** Reads the list of colours that the engine gives for a layer: of a free cell, a blocked one, then 256 of values. */
 
 import { type Signal, signal } from '@preact/signals'
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 
-type Look = Parameters<typeof tools.mapColours>
+type Look = Parameters<typeof lateTools.mapColours>
 
 const known = new Map<string, Signal<Uint8Array | null>>()
 
 /** The colours of a layer, or of the ground, in a theme; null until the engine has told. */
-export function coloursOf(...look: Look): Uint8Array | null {
-  const key = look.join()
-  let colours = known.get(key)
-  if (!colours) {
-    colours = signal(null)
-    known.set(key, colours)
-    void ask(colours, look)
-  }
-  return colours.value
-}
+export const coloursOf = (...look: Look): Uint8Array | null =>
+  toldOnce(look.join(), () => lateTools.mapColours(...look))
+
+/** Of weighted ground, in the same order. */
+export const weightColoursOf = (theme: Look[1]): Uint8Array | null =>
+  toldOnce(`weights ${theme}`, () => lateTools.weightColours(theme))
 
 /** The map is there without its legend: what fails is asked for again the next time. */
-async function ask(colours: Signal<Uint8Array | null>, look: Look): Promise<void> {
-  try {
-    colours.value = await tools.mapColours(...look)
-  } catch {
-    known.delete(look.join())
-  }
+function toldOnce(key: string, ask: () => Promise<Uint8Array>): Uint8Array | null {
+  const before = known.get(key)
+  if (before) return before.value
+  const colours: Signal<Uint8Array | null> = signal(null)
+  known.set(key, colours)
+  ask().then(
+    (told) => {
+      colours.value = told
+    },
+    () => known.delete(key),
+  )
+  return colours.value
 }
 
 /** Places in the list. */

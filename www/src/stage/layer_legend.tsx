@@ -11,21 +11,28 @@ import { inRelief, layerEnds, panelById, sameScale, scenario, theme } from '../s
 import { categoriesOf, layerNumber, layerTitle } from '../words/layer_words'
 import { barScale } from '../words/metres'
 import { watchSize } from './element_size'
-import { colourAt, coloursOf, gradient, LEAST, MOST } from './layer_colours'
+import { startGroundWords, weightEnds } from './felt_ground'
+import { coloursOf } from './layer_colours'
 import { followScale, scales } from './layer_scales'
 import { hasRoomForBoth, held, placeBar, placeLegend } from './legend_room'
+import { Ramp, Row, Swatches } from './legend_rows'
 import type { CanvasSize } from './panel_view'
 import { ScaleBar } from './scale_bar'
+import { OfWeights } from './weights_legend'
 
-const ready = addReadingWords()
+const ready = Promise.all([addReadingWords(), startGroundWords()])
 export const fetchLegend = () => ready.then(() => LayerLegend)
 
-const heights = computed(() => scenario.value && heightRange(scenario.value))
+/** Of the heights of a terrain, of the factors of weighted ground. */
+const ground = computed(() => {
+  const now = scenario.value
+  return now && (heightRange(now) ?? weightEnds.value)
+})
 
 export function LayerLegend({ panelId }: { panelId: number }) {
   useEffect(() => followScale(panelId), [panelId])
   const scale = scales.value.get(panelId)
-  const range = heights.value
+  const range = ground.value
   if (!scale || (scale.layer === 'none' && !range && barScale.value === null)) return null
   return <Placed panelId={panelId} scale={scale} range={range} />
 }
@@ -33,7 +40,7 @@ export function LayerLegend({ panelId }: { panelId: number }) {
 interface PlacedProps {
   panelId: number
   scale: LayerScale
-  /** Of the heights, on a terrain. */
+  /** Of what the ground's tints tell; null where it has none. */
   range: LayerEnds | null
 }
 
@@ -68,7 +75,7 @@ function Placed({ panelId, scale, range }: PlacedProps) {
           data-testid={`legend-${panelId}`}
         >
           {coloured && <OfLayer panelId={panelId} scale={scale} />}
-          {range && (both || !coloured) && <OfHeights range={range} />}
+          {range && (both || !coloured) && <OfGround range={range} />}
         </div>
       )}
       {barBefore.current && !inRelief.value && (
@@ -97,6 +104,9 @@ function OfLayer({ panelId, scale: { layer, own } }: { panelId: number; scale: L
   return <Ramp title={title} note={note} ends={ends} colours={colours} write={write} />
 }
 
+const OfGround = ({ range }: { range: LayerEnds }) =>
+  scenario.value?.heights ? <OfHeights range={range} /> : <OfWeights range={range} />
+
 /** Of the ground, whose tints go from its lowest cell to its highest. */
 function OfHeights({ range }: { range: LayerEnds }) {
   const colours = coloursOf('none', theme.value)
@@ -104,60 +114,4 @@ function OfHeights({ range }: { range: LayerEnds }) {
   const write = (value: number) =>
     t('lengths.metres', { value: numbers.value.metres.format(value) })
   return <Ramp title={t('legend.heights')} ends={range} colours={colours} write={write} />
-}
-
-function Row({ title, note }: { title: string; note?: string }) {
-  return (
-    <p class="legend-title">
-      <b>{title}</b> {note && <span>{note}</span>}
-    </p>
-  )
-}
-
-interface RampProps {
-  title: string
-  note?: string
-  ends: LayerEnds
-  colours: Uint8Array
-  write: (value: number) => string
-}
-
-function Ramp({ title, note, ends, colours, write }: RampProps) {
-  const [low, high] = ends.map(write)
-  return (
-    <div
-      class="legend-ramp"
-      role="img"
-      aria-label={t('legend.words', { name: title, low, high })}
-      data-low={ends[0]}
-      data-high={ends[1]}
-    >
-      <Row title={title} note={note} />
-      <span class="ramp-ends">
-        <span>{low}</span>
-        <span class="ramp" style={{ backgroundImage: gradient(colours) }} />
-        <span>{high}</span>
-      </span>
-    </div>
-  )
-}
-
-interface SwatchProps {
-  title: string
-  colours: Uint8Array
-  categories: [least: string, greatest: string]
-}
-
-function Swatches({ title, colours, categories: [least, greatest] }: SwatchProps) {
-  return (
-    <div class="legend-swatches">
-      <Row title={title} />
-      <span>
-        <i style={{ backgroundColor: colourAt(colours, MOST) }} /> {greatest}
-      </span>
-      <span>
-        <i style={{ backgroundColor: colourAt(colours, LEAST) }} /> {least}
-      </span>
-    </div>
-  )
 }

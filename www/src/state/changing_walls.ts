@@ -64,7 +64,10 @@ async function start(): Promise<void> {
 /** Whether runs are at work, and an edit of their map changes nothing but its walls. */
 function goesOn(before: Scenario, after: Scenario): boolean {
   const atWork = phase.peek() === 'running' || phase.peek() === 'paused'
-  const wallsOnly = before.spec === after.spec && before.heights === after.heights
+  const wallsOnly =
+    before.spec === after.spec &&
+    before.heights === after.heights &&
+    before.factors === after.factors
   return keepTrails.peek() && atWork && wallsOnly
 }
 

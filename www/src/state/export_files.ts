@@ -1,6 +1,6 @@
 /** The map and the session as files. */
 import type { ExportFormat, RosFiles } from '@pkg/formicarium'
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 import { notifyError } from './notices'
 import { currentSession } from './sessions'
 import { engineVersion, scenario } from './store'
@@ -11,18 +11,18 @@ export function exportMap(format: ExportFormat): Promise<string> {
   // A .scen names the file of its map: the one that is downloaded.
   const named =
     format === 'movingai-scen' ? { ...now, spec: { ...now.spec, name: fileStem() } } : now
-  return tools.exportMap(named, format)
+  return lateTools.exportMap(named, format)
 }
 
 export async function exportGeotiff(): Promise<Uint8Array> {
   const now = scenario.peek()
-  return now ? tools.exportGeotiff(now) : new Uint8Array()
+  return now ? lateTools.exportGeotiff(now) : new Uint8Array()
 }
 
 /** A map for ROS's map_server: its description, and the picture that it names. */
 export async function exportRos(): Promise<RosFiles | null> {
   const now = scenario.peek()
-  return now && tools.exportRos(now, `${fileStem()}.pgm`)
+  return now && lateTools.exportRos(now, `${fileStem()}.pgm`)
 }
 
 export async function exportSession(): Promise<string> {

@@ -2,7 +2,7 @@
 import type { Generator } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { t } from '../i18n'
-import { heightsOf } from '../model/height_bytes'
+import { numbersOf } from '../model/cell_numbers'
 import type { Scenario } from '../model/session'
 import { settleGoals } from '../model/settle_goals'
 import { plainTerrain } from '../model/terrain'
@@ -27,8 +27,8 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
   if (!now) return null
   const { cells, start, goal } = made
   const goals = settleGoals(now.spec.goals, now.spec, { width, height, cells, start, goal })
-  const heights = heightsOf(made.heights)
-  const { terrain: _, world: __, resolution, ...kept } = now.spec
+  const heights = numbersOf(made.heights)
+  const { terrain: _, world: __, resolution, robot, ...kept } = now.spec
   return {
     spec: {
       ...kept,
@@ -40,9 +40,12 @@ export async function generatedMap(call: GeneratorCall): Promise<Scenario | null
       // The size of a cell belongs to the ground; from plane to plane it is the reader's.
       resolution: heights || now.heights ? made.resolution : resolution,
       ...(heights && { terrain: plainTerrain() }),
+      // On a terrain nothing says what a step costs near obstacles.
+      ...(robot && { robot: heights ? { radius: robot.radius } : robot }),
     },
     cells,
     heights,
+    factors: null,
     origin: { generator: kind, seed, density },
   }
 }

@@ -1,5 +1,12 @@
 /** How one moves: the map's size, its moves, and what a terrain asks besides. Fetched with the dialog that asks for them. */
-import type { Movement, SliceRules, TerrainFields, Vehicle } from '@pkg/formicarium'
+import type {
+  Movement,
+  Robot,
+  ScenarioSpec,
+  SliceRules,
+  TerrainFields,
+  Vehicle,
+} from '@pkg/formicarium'
 import { t } from '../i18n/dialogs'
 import { resized } from '../model/resize'
 import type { Scenario } from '../model/session'
@@ -19,20 +26,31 @@ export interface Rules {
   vehicle: Vehicle
   /** On a terrain alone. */
   terrain?: TerrainFields
+  /** None where it is a point. */
+  robot?: Robot | undefined
+  /** Start and goals in places of their own. */
+  ends?: Pick<ScenarioSpec, 'start' | 'goals'> | undefined
 }
 
 /** What the rules would make of a scenario; null when there is no place for start or goal: without data, or above all levels. */
 export function underRules(now: Scenario, rules: Rules): Scenario | null {
-  const { width, height, movement, resolution, vehicle, terrain } = rules
+  const { width, height, movement, resolution, vehicle, terrain, robot, ends } = rules
   const resizing = width !== now.spec.width || height !== now.spec.height
   // Levels are looked at once the rules are there that count them.
-  const { terrain: former, ...plain } = now.spec
+  const { terrain: former, robot: _, ...plain } = now.spec
   const surface = former ? { terrain: { vertical_unit: former.vertical_unit } } : {}
   const flat = { ...now, spec: { ...plain, ...surface } }
   const sized = resized(flat, width, height)
   if (resizing && sized === flat) return null
-  const ground = now.heights && terrain && { terrain }
-  const spec = { ...sized.spec, movement, resolution, vehicle, ...ground }
+  const spec = {
+    ...sized.spec,
+    movement,
+    resolution,
+    vehicle,
+    ...(now.heights && terrain && { terrain }),
+    ...(robot && { robot }),
+    ...ends,
+  }
   return liftEnds({ ...sized, spec })
 }
 

@@ -1,6 +1,7 @@
 /** Files in: recognises what came together, and puts it where it belongs. */
 import type { EngineError, Imported, ReadOptions, ScenLine } from '@pkg/formicarium'
 import { effect } from '@preact/signals'
+import { lateTools } from '../engine/late_tools'
 import { tools } from '../engine/tools'
 import { t } from '../i18n/dialogs'
 import { describeError, describeNotice } from '../i18n/errors'
@@ -289,7 +290,7 @@ async function openOne(
 }
 
 /** None where they cannot be told: the import says why. */
-export const matricesOf = ({ bytes }: NamedBytes) => tools.listMatrices(bytes).catch(() => [])
+export const matricesOf = ({ bytes }: NamedBytes) => lateTools.listMatrices(bytes).catch(() => [])
 
 /** The map as the reader wants it. */
 export const readMap = ({ bytes, name, image }: MapFile, choices: ReadOptions) =>

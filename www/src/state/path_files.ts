@@ -1,6 +1,6 @@
 /** The path of a panel as a file for other programs. */
 import type { Notice, PathFormatFacts } from '@pkg/formicarium'
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 import { download, fileStem } from './export_files'
 import { shownOf } from './looking'
 import { type Panel, scenario } from './store'
@@ -8,7 +8,7 @@ import { type Panel, scenario } from './store'
 /** Every format, with why the map on show cannot give it. */
 export async function pathFormats(): Promise<PathFormatFacts[]> {
   const now = scenario.peek()
-  return now ? tools.pathFormats(now.spec) : []
+  return now ? lateTools.pathFormats(now.spec) : []
 }
 
 /** Saves the path on show, of the past where that is looked at; tells what the engine assumed. */
@@ -17,7 +17,7 @@ export async function savePath(panel: Panel, facts: PathFormatFacts): Promise<No
   const { bestPath, bestAltitudes, objective } = shownOf(panel)
   if (!now || !bestPath || !objective) return []
   const path = { path: pairs(bestPath), altitudes: bestAltitudes, objective }
-  const { text, warnings } = await tools.writePath(now, path, facts.format)
+  const { text, warnings } = await lateTools.writePath(now, path, facts.format)
   download(`${fileStem()}.${panel.setup.planner}${facts.ending}`, text, facts.media_type)
   return warnings
 }

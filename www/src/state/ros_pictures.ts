@@ -1,4 +1,5 @@
 /** Pictures that belong to the description of a ROS map. */
+import { lateTools } from '../engine/late_tools'
 import { tools } from '../engine/tools'
 import { fileName, folderOf, sameName } from './file_paths'
 import { type FoundFile, mapFile, type NamedBytes } from './offered_files'
@@ -15,7 +16,7 @@ export async function picturesNamed(files: FoundFile[]): Promise<Set<FoundFile>>
 }
 
 /** Empty where the description is broken: its import says how. */
-export const nameOfPicture = (file: NamedBytes) => tools.rosImage(file.bytes).catch(() => '')
+export const nameOfPicture = (file: NamedBytes) => lateTools.rosImage(file.bytes).catch(() => '')
 
 /** Of several of the same name, the one in the folder of the description. */
 export function pictureOf(

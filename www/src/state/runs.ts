@@ -161,8 +161,8 @@ export function runSetup(panel: Panel, on: Scenario): RunSetup {
 
 /** A run on this very map, whatever has changed in the runs on show. */
 function bareSetup({ setup: { planner, params } }: Panel, on: Scenario): RunSetup {
-  const { spec, cells, heights } = on
-  return { spec, cells, heights, planner, params, seed: seed.peek() }
+  const { spec, cells, heights, factors } = on
+  return { spec, cells, heights, factors, planner, params, seed: seed.peek() }
 }
 
 /** Repeats a panel's run up to an iteration, with the changes of its walls. */

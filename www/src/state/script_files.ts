@@ -1,5 +1,6 @@
 /** What a script gives, read to the end before anything on the page changes. What a reader would be asked about is an option by name. */
 import type { Notice, ScenLine } from '@pkg/formicarium'
+import { lateTools } from '../engine/late_tools'
 import { tools } from '../engine/tools'
 import { badOption, optionsOf, ScriptError, shortText, wholeNumber } from '../model/script_error'
 import type { LoadOptions } from '../model/scripting'
@@ -190,7 +191,7 @@ function tourFor(file: NamedBytes, together: FoundFile[]): NamedBytes | null {
 async function readMap(file: FoundFile, together: FoundFile[], options: Options): Promise<Content> {
   const name = fileName(file.name)
   const imported = file.raster
-    ? await tools.importTerrain(file.bytes, name, partOf(options))
+    ? await lateTools.importTerrain(file.bytes, name, partOf(options))
     : await readFlat(file, together, options)
   const scens = together.filter(({ kind }) => kind === 'movingai-scen')
   const map = toScenario(imported, name)

@@ -89,9 +89,7 @@ export function loadSession(session: Session): void {
 
 /** For when the catalog is complete: panels that waited for it are verified, or removed if this version does not know their planner. */
 export function admitWaiting(): void {
-  const waiting = panels
-    .peek()
-    .filter(({ setup }) => buildFor({ planner: setup.planner, onTerrain: false }) === 'whole')
+  const waiting = panels.peek().filter(({ setup }) => buildFor(setup.planner) === 'whole')
   dropUnknown(waiting)
   for (const { id } of waiting) {
     const panel = panelById(id)

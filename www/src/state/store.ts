@@ -57,7 +57,7 @@ export interface Panel {
 export type WholeEngineState = 'absent' | 'fetching' | 'here' | 'failed'
 
 /** Draws more than one cell after the other, or takes up a part of the map (editor/). */
-export type FurtherTool = 'line' | 'rectangle' | 'block' | 'fill' | 'select'
+export type FurtherTool = 'line' | 'rectangle' | 'block' | 'fill' | 'ground' | 'select'
 export type Tool =
   | 'wall'
   | 'erase'

@@ -1,6 +1,6 @@
 /** Rasters of heights: looked at first, then opened as a whole or in part. */
 import type { Imported } from '@pkg/formicarium'
-import { tools } from '../engine/tools'
+import { lateTools } from '../engine/late_tools'
 import type { TerrainPart } from '../model/tool_calls'
 import { type NamedBytes, type Taker, type TerrainFile, terrainFile } from './offered_files'
 
@@ -10,7 +10,7 @@ export async function offerTerrain(
   take: Taker | null,
   check: () => void,
 ): Promise<void> {
-  const survey = await tools.surveyTerrain(bytes, name)
+  const survey = await lateTools.surveyTerrain(bytes, name)
   check()
   terrainFile.value = { name, bytes, take, survey }
 }
@@ -20,7 +20,7 @@ export async function importPart(
   { bytes, name }: TerrainFile,
   part: TerrainPart,
 ): Promise<Imported> {
-  const imported = await tools.importTerrain(bytes, name, part)
+  const imported = await lateTools.importTerrain(bytes, name, part)
   terrainFile.value = null
   return imported
 }

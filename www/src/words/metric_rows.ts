@@ -21,6 +21,7 @@ export type MetricId =
   | 'descent'
   | 'steepest'
   | 'levelCost'
+  | 'cost'
   | 'iterations'
   | 'iterationOfBest'
   | 'constructedPaths'
@@ -56,6 +57,7 @@ export const METRIC_ROWS: MetricRow[] = [
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
   ofTerrain('levelCost', (terrain) => terrain.level_cost),
+  length('cost', 'lower', ofPath('cost')),
   length('length', 'lower', ofPath('length')),
   {
     ...ofTerrain('lengthMetres', () => null),

@@ -1,10 +1,15 @@
-/** The objective of a result in words; by slices the reader chooses between cost and length. */
+/** The objective of a result in words; by slices the reader chooses between cost and length, on weighted ground lengths are costs. */
 import type { Objective } from '@pkg/formicarium'
+import { groundsOf } from '../model/terrain'
 import { scenario } from '../state'
 
-export type ObjectiveWord = Objective | 'slice-length'
+export type ObjectiveWord = Objective | 'slice-length' | 'cost'
 
-export function objectiveWord<O extends Objective>(objective: O): O | 'slice-length' {
+/** Whether a way may cost more than its length. */
+export const isWeighted = () => scenario.value !== null && groundsOf(scenario.value).length > 1
+
+export function objectiveWord<O extends Objective>(objective: O): O | 'slice-length' | 'cost' {
   const measure = scenario.value?.spec.terrain?.slices?.measure
+  if (isWeighted() && /length$/.test(objective)) return 'cost'
   return objective === 'slice-cost' && measure === 'length' ? 'slice-length' : objective
 }

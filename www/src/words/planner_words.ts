@@ -3,7 +3,7 @@ import type { CatalogEntry, ParamSpec } from '@pkg/formicarium'
 import { computed } from '@preact/signals'
 import { engineText, t } from '../i18n'
 import type { ParamValues } from '../model/messages'
-import { groundOf } from '../model/terrain'
+import { groundsOf } from '../model/terrain'
 import { panels, paramValue, plannerEntry, scenario } from '../state'
 import { type Named, names } from '../state/lazy_parts'
 
@@ -17,14 +17,11 @@ export function isSearch(planner: string): boolean {
 }
 
 /** Why a planner cannot be used on a map (by default the one on show): it does not know the ground, or not so many goals. */
-export function whyNot(
-  { max_goals, grounds }: CatalogEntry,
-  spec = scenario.value?.spec,
-): string | null {
-  if (!spec) return null
-  const ground = groundOf(spec)
-  if (!grounds.includes(ground)) return t(`panels.otherGround.${ground}`)
-  const goals = spec.goals.length
+export function whyNot({ max_goals, grounds }: CatalogEntry, map = scenario.value): string | null {
+  if (!map) return null
+  const ground = groundsOf(map).find((asked) => !grounds.includes(asked))
+  if (ground) return t(`panels.otherGround.${ground}`)
+  const goals = map.spec.goals.length
   return goals > max_goals ? t('panels.tooManyGoals', { count: max_goals, goals }) : null
 }
 

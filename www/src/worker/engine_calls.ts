@@ -12,18 +12,17 @@ export function toolCalls(engine: Engine): ToolCalls {
   return {
     catalog: () => engine.catalog(),
     version: () => engine.version(),
-    check: (spec, cells, heights) => engine.check_scenario(spec, cells, heights),
+    check: (...map) => engine.check_scenario(...map),
     proposeSeed: () => engine.propose_seed(),
-    reference: (spec, cells, heights, objective) =>
-      engine.reference(spec, cells, heights, objective),
+    reference: (...asked) => engine.reference(...asked),
     repeat: (setup, iterations) => runToEnd(engine, setup, iterations),
   }
 }
 
 /** Runs until `iterations` are complete or the planner has ended by itself. */
 function runToEnd({ Run }: Engine, setup: RunSetup, iterations: number): core.RunSummary {
-  const { spec, cells, heights, planner, params, seed } = setup
-  const run = new Run(spec, cells, heights, planner, params, seed)
+  const { spec, cells, heights, factors, planner, params, seed } = setup
+  const run = new Run(spec, cells, heights, factors, planner, params, seed)
   try {
     while (run.status() === 'running' && run.iteration() < iterations) run.advance('iteration', 1)
     return run.summary()

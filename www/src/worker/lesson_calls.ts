@@ -12,8 +12,8 @@ export function lessonCalls(engine: Engine): LessonCalls {
   let follower: Follower | null = null
   let map: whole.HandPath | null = null
   return {
-    followRun({ spec, cells, heights, planner, params, seed }) {
-      const run = new engine.Run(spec, cells, heights, planner, params, seed)
+    followRun({ spec, cells, heights, factors, planner, params, seed }) {
+      const run = new engine.Run(spec, cells, heights, factors, planner, params, seed)
       follower?.free()
       follower = new Follower(run)
     },
@@ -21,8 +21,8 @@ export function lessonCalls(engine: Engine): LessonCalls {
       begun(follower).goTo(iteration, moves, milliseconds),
     followedAnt: (number) => begun(follower).ahead?.ant(number) ?? null,
     followedAnts: () => begun(follower).ahead?.ants() ?? new Int32Array(),
-    drawOn(spec, cells, heights) {
-      const next = new engine.HandPath(spec, cells, heights)
+    drawOn(...asked) {
+      const next = new engine.HandPath(...asked)
       map?.free()
       map = next
     },

@@ -194,7 +194,7 @@ export class Painter {
     this.grounded = now
     fit(ground.canvas, view)
     ground.clearRect(0, 0, view.width, view.height)
-    if (contours?.hasHoles) drawHatch(ground, view, spec)
+    if (contours?.hasHoles || spec.robot) drawHatch(ground, view, spec)
     drawRaster(ground, view, raster.canvas)
     if (view.showContours) contours?.draw(ground, view, () => this.drawAnew())
     drawGrid(ground, view, spec)

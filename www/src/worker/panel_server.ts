@@ -59,8 +59,8 @@ function init(request: Extract<PanelRequest, { kind: 'init' }>): void {
 
 /** The old run goes only when the new one stands. */
 function load(runId: number, setup: RunSetup): void {
-  const { spec, cells, heights, planner, params, seed, ahead } = setup
-  const run = new engine.Run(spec, cells, heights, planner, params, seed)
+  const { spec, cells, heights, factors, planner, params, seed, ahead } = setup
+  const run = new engine.Run(spec, cells, heights, factors, planner, params, seed)
   run.keep_snapshots(KEPT_BYTES)
   if (ahead) run.advance('iteration', ahead)
   const old = current
@@ -73,9 +73,9 @@ function load(runId: number, setup: RunSetup): void {
 
 /** A refused setup leaves the map, to be drawn on until it can run. */
 function refuse(setup: RunSetup): void {
-  const { spec, cells, heights } = setup
+  const { spec, cells, heights, factors } = setup
   painter?.showMap(spec, groundOf(setup), (context, theme, shaded) =>
-    engine.paint_map(context, spec, cells, heights, theme, shaded),
+    engine.paint_map(context, spec, cells, heights, factors, theme, shaded),
   )
   current?.run.free()
   current = null

@@ -1,5 +1,6 @@
 /** Panels and tools on the whole engine; only it has file formats and generators. */
 import * as engine from '@pkg/formicarium'
+import { numbersOf } from '../model/cell_numbers'
 import type { LessonCalls } from '../model/lesson_calls'
 import type { OrderCalls } from '../model/order_calls'
 import type { MapCalls, ToolCalls } from '../model/tool_calls'
@@ -25,21 +26,17 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   figureMap: (classes, columns, name) => engine.figure_map(classes, columns, name),
   surveyTerrain: (bytes, name) => engine.survey_terrain(bytes, name),
   importTerrain: (bytes, name, { crop, size }) => engine.import_terrain(bytes, name, crop, size),
-  fittingSlices: (spec, cells, heights, verticalUnit) =>
-    engine.fitting_slices(spec, cells, heights, verticalUnit),
+  fittingSlices: (...asked) => engine.fitting_slices(...asked),
+  feltMap(...map) {
+    const { blocked, factors } = engine.felt_map(...map)
+    return { blocked, factors: numbersOf(factors) }
+  },
+  weightColours: (theme) => engine.weight_colors(theme),
   exportRos: (spec, cells, image) => engine.export_ros(spec, cells, image),
-  exportGeotiff: (spec, cells, heights) => engine.export_geotiff(spec, cells, heights),
+  exportGeotiff: (...map) => engine.export_geotiff(...map),
   pathFormats: (spec) => engine.path_formats(spec),
-  writePath: (spec, cells, heights, { path, altitudes, objective }, format) =>
-    engine.write_path(
-      spec,
-      cells,
-      heights,
-      path,
-      Float32Array.from(altitudes ?? []),
-      objective,
-      format,
-    ),
+  writePath: (map, { path, altitudes, objective }, format) =>
+    engine.write_path(...map, path, Float32Array.from(altitudes ?? []), objective, format),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
   joinResults: (document, bytes, name, instance, leaveOut) =>
     engine.join_results(document, bytes, name, instance, leaveOut),
@@ -47,7 +44,7 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   resultsTemplate: (document) => engine.results_template(document),
   contours: traceContours,
   mapColours: (layer, theme) => engine.map_colors(layer, theme),
-  exportMap: (spec, cells, heights, format) => engine.export_map(spec, cells, heights, format),
+  exportMap: (...asked) => engine.export_map(...asked),
   generate: (kind, width, height, seed, density) =>
     engine.generate(kind, width, height, seed, density),
 }

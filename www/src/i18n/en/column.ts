@@ -22,6 +22,7 @@ export const enColumn = {
       'tour-length': 'Shortest tour {{length}}',
       'slice-cost': 'Least cost {{length}}',
       'slice-length': 'Shortest path {{length}}',
+      cost: 'Least cost {{length}}',
     },
     empty: 'Path length by iteration appears here as soon as a path is found.',
     emptyCost: 'Cost by iteration appears here as soon as a path is found.',
@@ -46,6 +47,7 @@ export const enColumn = {
     descent: 'Descent (m)',
     steepest: 'Steepest (°)',
     levelCost: 'Cost by slices',
+    cost: 'Cost',
     iterations: 'Iterations',
     iterationOfBest: 'Best found at',
     constructedPaths: 'Paths built',
@@ -61,6 +63,7 @@ export const enColumn = {
       walkedWeight: 'The same sum over the legs as walked on the best path',
       unrefinedLength:
         'Length of the path of steps, before line-of-sight refinement made it a polyline',
+      cost: 'Each part of the best path counts its length in cells times the factor of the ground',
       length: 'Length of the best path in {{unit}}',
       turns: 'Changes of direction along the best path',
       turnIndex: 'Sum of step lengths, each turning step counted 1.2 times',

@@ -210,6 +210,16 @@ export const enDialogs = {
       'The part must lie within {{width}} × {{height}} pixels and be 2 pixels wide and high.',
     unknown: 'Unknown cells count as',
     unknownAs: { blocked: 'blocked', free: 'free' },
+    costs: 'Values as costs',
+    costRules: {
+      off: 'No',
+      'nav2-smac-2d': 'Nav2 SmacPlanner2D',
+      'nav2-navfn': 'Nav2 NavFn',
+    },
+    multiplier: 'Cost travel multiplier',
+    costsHint:
+      'Cells between free and occupied cost more than their length, as the planner counts.',
+    noCostsHint: 'Thresholds tell free cells from walls.',
     unknownNotes: {
       blocked: 'Where no sensor has looked, nothing goes: as a careful robot plans.',
       free: 'Where no sensor has looked, paths may lead: as a robot that explores plans.',
@@ -375,6 +385,7 @@ export const enDialogs = {
       redo: 'Redo',
       tools: 'Wall, erase, start, goal, add a goal, moves of a cell, pan',
       shapes: 'Line, rectangle, filled rectangle, fill',
+      ground: 'Ground that costs more than its length',
       width: 'Brush and lines narrower, wider',
       select: 'Select; its button again: turn and mirror',
       fit: 'Fit the map',

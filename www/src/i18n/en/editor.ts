@@ -15,6 +15,7 @@ export const enEditor = {
     block: 'Filled rectangle',
     fill: 'Fill',
     select: 'Select',
+    ground: 'Ground',
   },
   notes: {
     wall: 'Cell by cell along your way',
@@ -29,6 +30,15 @@ export const enEditor = {
   dropped: 'Left out',
   drawn_one: '{{tool}}: {{count}} cell changed',
   drawn_other: '{{tool}}: {{count}} cells changed',
+  times: '× {{factor}}',
+  groundNow: 'Ground that costs {{factor}}',
+  costs: 'A way through it costs',
+  otherFactor: 'Another factor, 1 to {{most}}',
+  drawnBy: 'Drawn by',
+  groundHint:
+    'Of free cells, by how much a way counts more than its length. Plain ground is × 1; the eraser brings it back.',
+  noGround: 'On a terrain, cells have no costs of their own',
+  noGroundHint: 'There a way counts its length along the ground.',
   turnSelection: 'The selection',
   turnMap: 'The whole map',
   turns: {

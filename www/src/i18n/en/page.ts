@@ -33,6 +33,7 @@ export const en = {
       weighted: 'Smallest weighted sum',
       'tour-length': 'Shortest tour',
       'tour-weight': 'Lightest tour',
+      cost: 'Least cost',
     },
     proving: '{{what}}: being proven…',
     refused: '{{what}}: cannot be asked for',
@@ -144,6 +145,7 @@ export const en = {
       surface: 'Does not plan on the surface of a terrain',
       sixteen: 'Does not plan with 16 moves',
       slices: 'Does not plan by slices',
+      weighted: 'Does not plan on weighted ground',
     } satisfies Record<Ground, string>,
     tooManyGoals_one: 'Reaches one goal; this map has {{goals}}',
     tooManyGoals_other: 'Reaches {{count}} goals; this map has {{goals}}',
@@ -193,6 +195,7 @@ export const en = {
     weighted: 'smallest weighted sum',
     'tour-length': 'shortest tour',
     'tour-weight': 'lightest tour',
+    cost: 'least cost',
   },
   gap: {
     above: 'above the {{what}}',

@@ -201,6 +201,15 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     cropOutside: '所选部分须在 {{width}} × {{height}} 像素之内，宽高至少 2 像素。',
     unknown: '未知格视为',
     unknownAs: { blocked: '障碍', free: '空闲' },
+    costs: '数值作为代价',
+    costRules: {
+      off: '否',
+      'nav2-smac-2d': 'Nav2 SmacPlanner2D',
+      'nav2-navfn': 'Nav2 NavFn',
+    },
+    multiplier: '代价行进倍数',
+    costsHint: '介于空闲与占用之间的格子按该规划器的算法，代价高于其长度。',
+    noCostsHint: '由阈值区分空闲格子与墙。',
     unknownNotes: {
       blocked: '传感器没有看到的地方不能通行：谨慎的机器人这样规划。',
       free: '路径可以通过传感器没有看到的地方：探索中的机器人这样规划。',
@@ -359,6 +368,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       redo: '重做',
       tools: '墙、擦除、起点、终点、添加目标、某格的选择、移动视图',
       shapes: '直线、矩形、实心矩形、填充',
+      ground: '代价高于其长度的地面',
       width: '笔刷与线条变窄、变宽',
       select: '选择；再按一次按钮：旋转和镜像',
       fit: '适应窗口',

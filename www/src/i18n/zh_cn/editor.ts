@@ -15,6 +15,7 @@ export const zhCNEditor: DictionaryShape<typeof enEditor> = {
     block: '实心矩形',
     fill: '填充',
     select: '选择',
+    ground: '地面',
   },
   notes: {
     wall: '沿途逐格绘制',
@@ -28,6 +29,14 @@ export const zhCNEditor: DictionaryShape<typeof enEditor> = {
   from: '{{tool}}：从第 {{x}} 列、第 {{y}} 行开始，移动光标后再按回车键',
   dropped: '已放弃',
   drawn_other: '{{tool}}：改变了 {{count}} 格',
+  times: '× {{factor}}',
+  groundNow: '代价 {{factor}} 的地面',
+  costs: '通过它的代价',
+  otherFactor: '其他系数，1 到 {{most}}',
+  drawnBy: '绘制方式',
+  groundHint: '对空闲格子而言，路径的代价是其长度的多少倍。普通地面为 × 1；用橡皮擦可恢复。',
+  noGround: '在地形上，格子没有自己的代价',
+  noGroundHint: '在那里，路径按沿地表的长度计算。',
   turnSelection: '选区',
   turnMap: '整张地图',
   turns: {

@@ -474,6 +474,7 @@ export const zhCNEngine = {
     surface: '在地形表面上',
     sixteen: '用 16 方向',
     slices: '按切片',
+    weighted: '在加权地面上',
   },
   ...zhCNRemarks,
 }

@@ -1,6 +1,6 @@
 /** Turns an entry into an ablation: the planner as it is, and without each of its components. */
 import type { AblationEntry, CatalogEntry, ComponentEntry } from '@pkg/formicarium'
-import { tools } from '../../engine/tools'
+import { lateTools } from '../../engine/late_tools'
 import { engineText } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { DraftEntry } from '../../model/draft'
@@ -18,7 +18,7 @@ export const isOfAblation = (entry: DraftEntry) =>
 export async function ablate({ planner, preset, params }: DraftEntry): Promise<void> {
   const known = plannerEntry(planner)
   if (!known) return
-  const drafts = (await tools.ablation(planner, preset, params)).map(({ entry, role }) => ({
+  const drafts = (await lateTools.ablation(planner, preset, params)).map(({ entry, role }) => ({
     planner,
     preset,
     params: entry.set ?? {},

@@ -1,6 +1,6 @@
 /** Makes the document of a comparison from the draft. */
 import type { Entry, Question } from '@pkg/formicarium'
-import { tools } from '../../engine/tools'
+import { lateTools } from '../../engine/late_tools'
 import { t } from '../../i18n/lab'
 import { type ComparisonDocument, type MapOfQuestion, textOf } from '../../model/comparison'
 import type { DraftEntry } from '../../model/draft'
@@ -15,7 +15,7 @@ import { idsOf, labelOf, titleOf } from './labels'
 export async function compose(): Promise<string> {
   const drawn = maps.peek()
   const texts = await Promise.all(
-    drawn.map(({ scenario }) => tools.exportMap(scenario, 'scenario')),
+    drawn.map(({ scenario }) => lateTools.exportMap(scenario, 'scenario')),
   )
   const document: ComparisonDocument = {
     format: formats.comparison,

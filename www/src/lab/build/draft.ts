@@ -100,12 +100,16 @@ export function addCurrentMap(): void {
 
 /** Whether two scenarios ask the same on equal maps, however they have been opened. */
 const isSame = (a: Scenario, b: Scenario): boolean =>
-  a === b || (askSame(a.spec, b.spec) && sameNumbers(a.cells, b.cells) && sameHeights(a, b))
+  a === b ||
+  (askSame(a.spec, b.spec) &&
+    sameNumbers(a.cells, b.cells) &&
+    sameOrNone(a.heights, b.heights) &&
+    sameOrNone(a.factors, b.factors))
 
 const sameNumbers = (a: ArrayLike<number>, b: ArrayLike<number>) =>
   a.length === b.length && Array.prototype.every.call(a, (value, i) => Object.is(value, b[i]))
 
-const sameHeights = ({ heights: a }: Scenario, { heights: b }: Scenario) =>
+const sameOrNone = (a: Float32Array | null, b: Float32Array | null) =>
   a === null || b === null ? a === b : sameNumbers(a, b)
 
 /** A map that is there already is not added again. */

@@ -1,6 +1,6 @@
 /** Imports result files into the open comparison, or into the draft. */
 import type { ResultsMatch } from '@pkg/formicarium'
-import { tools } from '../../engine/tools'
+import { lateTools } from '../../engine/late_tools'
 import { t } from '../../i18n/lab'
 import { notify, notifyError } from '../../state'
 import { bytesOf } from '../../state/file_bytes'
@@ -58,12 +58,12 @@ export async function joinFile(
   // The form may never have been on show.
   if (phase.peek() === 'idle') await restoreDraft()
   const document = await documentNow()
-  const found = await tools.matchResults(document, bytes, name)
+  const found = await lateTools.matchResults(document, bytes, name)
   note(found)
   const matched = told.instance ? onMap(found, told.instance.name) : found
   if (phase.peek() === 'idle') {
     // A file that does not fit is refused now, rather than when the runs start.
-    await tools.joinResults(document, bytes, name, instance, leaveOut)
+    await lateTools.joinResults(document, bytes, name, instance, leaveOut)
     addImportedFile({ name, bytes, instance, leaveOut, match: matched })
     return
   }
@@ -86,5 +86,5 @@ export async function takeResultFiles(files: Iterable<File>): Promise<void> {
 
 /** An empty table for the maps and seeds of the open comparison, or of the draft. */
 export async function resultsTemplate(): Promise<string> {
-  return tools.resultsTemplate(await documentNow())
+  return lateTools.resultsTemplate(await documentNow())
 }

@@ -1,11 +1,11 @@
 /** A small picture of a map, one pixel a cell; a terrain in light and shade. */
 import { useEffect, useRef } from 'preact/hooks'
 import { hillShade } from '../../model/hill_shade'
+import { planePixels } from '../../model/map_pixels'
 import type { Scenario } from '../../model/session'
 
-/** Walls and free cells, as red, green, blue, alpha. */
-const BLOCKED = [60, 78, 71, 255]
-const FREE = [226, 232, 229, 255]
+/** As red, green, blue. */
+const INK = { blocked: [60, 78, 71], free: [226, 232, 229], dearest: [96, 146, 150] } as const
 
 export function Thumbnail({ scenario }: { scenario: Scenario }) {
   const canvas = useRef<HTMLCanvasElement>(null)
@@ -24,14 +24,12 @@ export function Thumbnail({ scenario }: { scenario: Scenario }) {
   )
 }
 
-function pixelsOf({ spec, cells, heights }: Scenario): Uint8ClampedArray<ArrayBuffer> {
-  const { width, height, resolution } = spec
-  const pixels = heights
-    ? hillShade(heights, width, [resolution, resolution])
-    : new Uint8ClampedArray(4 * width * height)
+function pixelsOf(map: Scenario): Uint8ClampedArray<ArrayBuffer> {
+  const { spec, cells, heights } = map
+  if (!heights) return planePixels(map, INK)
+  const pixels = hillShade(heights, spec.width, [spec.resolution, spec.resolution])
   cells.forEach((cell, at) => {
-    if (cell === 1) pixels.set(BLOCKED, 4 * at)
-    else if (!heights) pixels.set(FREE, 4 * at)
+    if (cell === 1) pixels.set(INK.blocked, 4 * at)
   })
   return pixels
 }

@@ -7,7 +7,7 @@ import { maps } from './draft'
 /** Why a planner cannot run on all of the maps. */
 export function whyNotHere(entry: CatalogEntry): string | null {
   for (const { name, scenario } of maps.value) {
-    const why = whyNot(entry, scenario.spec)
+    const why = whyNot(entry, scenario)
     if (why !== null) return maps.value.length > 1 ? t('lab.build.onMap', { map: name, why }) : why
   }
   return null

@@ -1,7 +1,7 @@
 /** The laboratory's actions: what is open, what runs, what is kept. idle → opening → running ⇄ paused → done. */
 import type { ReportLanguage, ResultFile } from '@pkg/formicarium'
 import { batch } from '@preact/signals'
-import { tools } from '../../engine/tools'
+import { lateTools } from '../../engine/late_tools'
 import { translated } from '../../i18n'
 import { t } from '../../i18n/lab'
 import type { Analysis, FrontQuestion, MapFronts } from '../../model/analysis'
@@ -88,7 +88,7 @@ export async function joinResults(
   const mine = openParts()
   if (!mine) return
   pause()
-  const document = await tools.joinResults(
+  const document = await lateTools.joinResults(
     mine.comparison.document,
     bytes,
     name,

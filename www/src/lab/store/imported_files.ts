@@ -1,7 +1,7 @@
 /** Imported results: files of runs from elsewhere, to be compared with the runs done here. */
 import type { MatchedMap, ResultsMatch } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
-import { tools } from '../../engine/tools'
+import { lateTools } from '../../engine/late_tools'
 import type { ImportedFile } from '../../model/draft'
 import { isEngineError } from '../../model/errors'
 
@@ -71,6 +71,6 @@ export function unknownMaps(file: RefusedFile): MatchedMap[] {
 export async function withImportedFiles(document: string): Promise<string> {
   let joined = document
   for (const { name, bytes, instance, leaveOut } of importedFiles.peek())
-    joined = await tools.joinResults(joined, bytes, name, instance, leaveOut)
+    joined = await lateTools.joinResults(joined, bytes, name, instance, leaveOut)
   return joined
 }

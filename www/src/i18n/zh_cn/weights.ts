@@ -1,0 +1,35 @@
+import type { DictionaryShape } from '../dictionary_shape'
+import type { enWeights } from '../en/weights'
+
+export const zhCNWeights: DictionaryShape<typeof enWeights> = {
+  legend: '地面代价',
+  times: '× {{factor}}',
+  orMore: '≥ × {{factor}}',
+  hatched: '▨ 太窄',
+  cellFactor: '系数 {{factor}}',
+  cellNarrow: '机器人放不下',
+  picture: '灰色格子机器人放不下',
+  robot: '机器人',
+  sizes: { point: '点', round: '圆形' },
+  radius: '半径（米）',
+  radiusHint: '{{radius}} 格。中心到墙格中心的距离不大于半径的格子太窄。',
+  pointHint: '只要格子空闲就放得下。',
+  cost: '障碍物附近的代价',
+  rules: { off: '关闭', 'nav2-smac-2d': 'Nav2 SmacPlanner2D', 'nav2-navfn': 'Nav2 NavFn' },
+  inflationRadius: '膨胀半径（米）',
+  scaling: '代价缩放系数（1/米）',
+  multiplier: '代价行进倍数',
+  ruleHints: {
+    off: '路径按长度和地面代价计算。',
+    'nav2-smac-2d': '代价为 c（0 到 252）的格子按长度的 1 + m · c / 252 倍计算。',
+    'nav2-navfn': '代价为 c（0 到 252）的格子按长度的 ⌊50 + 0.8 · c⌋ / 50 倍计算。',
+  },
+  noEffect: '格子边长 {{resolution}} 米：这样小的膨胀半径只及墙的相邻格子。',
+  noRoom: { start: '机器人在起点处放不下。', goal: '机器人在某个目标处放不下。' },
+  smaller: '半径 {{radius}} 米',
+  move: '移到最近的放得下的格子',
+  orSmaller: '也可以在“尺寸与移动规则”中把机器人改小。',
+  willMove: '放不下的会移到最近的放得下的格子。',
+  nowhere: '没有机器人放得下的格子。',
+  moved: '已移到机器人放得下的地方',
+}

@@ -1,0 +1,32 @@
+/** Offers a way out when the robot does not fit where a path begins or ends. Started with the legend. */
+import { effect } from '@preact/signals'
+import { lateTools } from '../engine/late_tools'
+import { describeNotice } from '../i18n/errors'
+import { t } from '../i18n/weights'
+import { endsWithRoom } from '../model/robot_room'
+import { announce, commit, notify, notifyError, scenario, scenarioNotices } from '../state'
+import { mapIsFixed } from '../state/embedding'
+
+const NARROW = /^(start|goal)-too-narrow$/
+
+let told = ''
+
+export function offerRoom(): void {
+  effect(() => {
+    const notice = scenarioNotices.value.find(({ kind }) => NARROW.test(kind))
+    const key = notice ? JSON.stringify(notice) : ''
+    if (key === told) return
+    told = key
+    if (!notice || mapIsFixed.peek()) return
+    const action = { label: t('weights.move'), run: () => void moveEnds().catch(notifyError) }
+    notify('warning', describeNotice(notice), { hint: t('weights.orSmaller'), action })
+  })
+}
+
+async function moveEnds(): Promise<void> {
+  const now = scenario.peek()
+  const ends = now && endsWithRoom(now.spec, await lateTools.feltMap(now))
+  if (!now || scenario.peek() !== now) return
+  if (ends) commit({ ...now, spec: { ...now.spec, ...ends } })
+  announce(t(ends ? 'weights.moved' : 'weights.nowhere'))
+}
