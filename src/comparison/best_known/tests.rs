@@ -1,6 +1,6 @@
 use super::*;
 use crate::map::{Grid, Movement};
-use crate::scenario::{Goal, ScenarioSpec};
+use crate::scenario::{Goal, Robot, ScenarioSpec};
 
 /// A wall with a gap below.
 fn scenario() -> Arc<Scenario> {
@@ -89,4 +89,16 @@ fn scenarios_differ_by_what_runs_depend_on() {
     assert_eq!(with(&|spec| spec.goals.push(Goal::new(Point::new(2, 2), ""))), Some("its goals differ"));
     assert_eq!(with(&|spec| spec.start = Point::new(0, 1)), Some("its start differs"));
     assert_eq!(with(&|spec| spec.resolution = 2.0), Some("its metres a cell differ"));
+    assert_eq!(with(&|spec| spec.robot = Some(Robot { radius: 0.5, inflation: None })), Some("its robot differs"));
+    let dear = one.grid.clone().with_factors(vec![2.0; one.grid.len()]).expect("factors");
+    assert_eq!(difference(&one, &Scenario::new(dear, one.spec.clone()).expect("usable")), Some("its cells differ"));
+}
+
+#[test]
+fn on_weighted_ground_a_path_is_measured_by_its_cost() {
+    let grid = Grid::open(3, 1).expect("a row").with_factors(vec![1.0, 3.0, 1.0]).expect("factors");
+    let scenario = Scenario::on(grid, Movement::default(), Point::new(0, 0), Point::new(2, 0)).expect("usable");
+    let places = (0..3).map(|x| (Point::new(x, 0), None)).collect();
+    let measured = ClaimedPath { kind: PathKind::Steps, places }.measure(&scenario, Objective::Length).expect("a path");
+    assert_eq!((measured.objective, measured.value), (Objective::Length, 4.0));
 }
