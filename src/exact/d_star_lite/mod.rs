@@ -26,7 +26,9 @@ use super::astar::Distance;
 use super::contours::untouched;
 use super::search::Estimate;
 use crate::error::ParamError;
-use crate::map::{Cell, Weights, opposite};
+#[cfg(feature = "whole")]
+use crate::map::Weights;
+use crate::map::{Cell, opposite};
 use crate::params::{Values, check_keys};
 use crate::path::Path;
 use crate::planner::{Granularity, Layer, Planner, PlannerEntry, Progress, Record, Solution, Status, held};
