@@ -13,9 +13,9 @@
 //! ```
 //! use std::sync::Arc;
 //! use formicarium::drive::{Driver, End};
-//! use formicarium::map::{Grid, Movement, Point};
+//! use formicarium::map::{Grid, Point};
 //! use formicarium::params::Values;
-//! use formicarium::scenario::{DriveSpec, Scenario, ScenarioSpec, AtEnd, Track};
+//! use formicarium::scenario::{AtEnd, DriveSpec, Scenario, ScenarioSpec, Track};
 //!
 //! // A corridor; an obstacle stands in it and leaves by the door in its middle.
 //! let grid = Grid::from_bytes(5, 2, &[1, 1, 0, 1, 1, 0, 0, 0, 0, 0])?;
