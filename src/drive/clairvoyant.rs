@@ -4,17 +4,17 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::surroundings::{Walls, map_at, steps};
-use crate::exact::Reference;
+use crate::exact::{Distance, Estimate, Reference};
 use crate::map::{Cell, Grid};
 use crate::scenario::{DriveSpec, Scenario};
 
-/// Most states, cells times steps, that are searched: one to five seconds.
+/// Most states, cells times steps, that are searched; each is 16 bytes.
 pub const MOST_STATES: u64 = 1 << 22;
 
 /// Length in cells of the shortest drive to the goal of a robot that knows every change and every timetable. It may wait wherever it likes;
 /// a wait costs no length, and of drives of equal length the one of fewer steps counts. Unknown for more than [`MOST_STATES`] states.
 ///
-/// Dijkstra over (cell, step). Once all walls have changed and all tracks are gone through, the map repeats itself with the least common
+/// A* over (cell, step), by the distance to the goal on an open map. Once all walls have changed and all tracks are gone through, the map repeats itself with the least common
 /// multiple of their periods, and the last step leads back to the first of that span: so the search has an end and is exact all the same.
 pub fn clairvoyant(scenario: &Scenario) -> Reference {
     let nothing = DriveSpec::default();
@@ -63,6 +63,8 @@ fn common_divisor(a: u64, b: u64) -> u64 {
 /// A cell at a step, and what it costs to be there.
 #[derive(Clone, Copy, PartialEq)]
 struct Open {
+    /// The length and the estimate of the rest.
+    f: f64,
     length: f64,
     taken: u32,
     step: u32,
@@ -70,10 +72,10 @@ struct Open {
 }
 
 impl Ord for Open {
-    /// The shortest first, of equals the one of fewer steps, then in the order of steps and cells.
+    /// The least f first, of equals the one of fewer steps, then in the order of steps and cells.
     fn cmp(&self, other: &Self) -> Ordering {
         let rest = |open: &Self| (open.taken, open.step, open.cell);
-        other.length.total_cmp(&self.length).then_with(|| rest(other).cmp(&rest(self)))
+        other.f.total_cmp(&self.f).then_with(|| rest(other).cmp(&rest(self)))
     }
 }
 
@@ -89,6 +91,7 @@ struct Search<'a> {
     scenario: &'a Scenario,
     moving: &'a DriveSpec,
     time: Time,
+    estimate: Distance,
     /// Of each step: the walls as drawn, and the map by all timetables as the robot feels it.
     walls: Vec<Grid>,
     maps: Vec<Grid>,
@@ -104,11 +107,12 @@ impl<'a> Search<'a> {
         let felt = |(walls, step): (&Grid, u32)| scenario.spec.felt(&map_at(&scenario.spec, walls, &moving.tracks, step, None));
         let maps = walls.iter().zip(0..).map(felt).collect();
         let known = vec![(f64::INFINITY, u32::MAX); time.steps() as usize * scenario.grid.len()];
-        Self { scenario, moving, time, walls, maps, known, open: BinaryHeap::new() }
+        let estimate = Distance::of(scenario);
+        Self { scenario, moving, time, estimate, walls, maps, known, open: BinaryHeap::new() }
     }
 
     fn run(mut self) -> Option<f64> {
-        self.offer(Open { length: 0.0, taken: 0, step: 0, cell: self.scenario.start });
+        self.offer(0.0, 0, 0, self.scenario.start);
         while let Some(open) = self.open.pop() {
             if open.cell == self.scenario.goal {
                 return Some(open.length);
@@ -124,19 +128,20 @@ impl<'a> Search<'a> {
         step as usize * self.scenario.grid.len() + cell as usize
     }
 
-    fn offer(&mut self, open: Open) {
-        let state = self.state(open.step, open.cell);
-        let (length, taken) = self.known[state];
-        if open.length < length || (open.length == length && open.taken < taken) {
-            self.known[state] = (open.length, open.taken);
-            self.open.push(open);
+    fn offer(&mut self, length: f64, taken: u32, step: u32, cell: Cell) {
+        let state = self.state(step, cell);
+        let (shortest, fewest) = self.known[state];
+        if length < shortest || (length == shortest && taken < fewest) {
+            self.known[state] = (length, taken);
+            let at = self.scenario.grid.point(cell);
+            let f = length + self.estimate.to_goal(at.x, at.y);
+            self.open.push(Open { f, length, taken, step, cell });
         }
     }
 
     /// Where the robot is in the way of what moves, that gives way to it: there the map is another one.
     fn expand(&mut self, open: Open) {
-        let Open { length, taken, step, cell } = open;
-        let later = Open { length, taken: taken + 1, step: self.time.after(step), cell };
+        let Open { length, taken, step, cell, .. } = open;
         let timetable = &self.maps[step as usize];
         let gives_way = timetable.is_blocked(cell);
         let robot = timetable.point(cell);
@@ -144,11 +149,10 @@ impl<'a> Search<'a> {
         let spec = &scenario.spec;
         let around = gives_way.then(|| spec.felt(&map_at(spec, walls, &self.moving.tracks, step, Some(robot))));
         let map = around.as_ref().unwrap_or(timetable);
-        let ways: Vec<Open> = steps(scenario, map, cell)
-            .map(|(d, to)| Open { length: length + scenario.moves.length(cell, d), cell: to, ..later })
-            .collect();
-        self.offer(later);
-        ways.into_iter().for_each(|way| self.offer(way));
+        let moves = steps(scenario, map, cell).map(|(d, to)| (length + scenario.moves.length(cell, d), to));
+        let ways: Vec<(f64, Cell)> = std::iter::once((length, cell)).chain(moves).collect();
+        let later = self.time.after(step);
+        ways.into_iter().for_each(|(length, cell)| self.offer(length, taken + 1, later, cell));
     }
 }
 

@@ -12,14 +12,14 @@
 //!
 //! ```
 //! use std::sync::Arc;
-//! use formicarium::drive::{self, Driver, End};
-//! use formicarium::map::{Grid, Movement, Point};
-//! use formicarium::params::{Params, Values};
-//! use formicarium::scenario::{DriveSpec, Scenario, ScenarioSpec, AtEnd, Track};
+//! use formicarium::drive::{Driver, End};
+//! use formicarium::map::{Grid, Point};
+//! use formicarium::params::Values;
+//! use formicarium::scenario::{AtEnd, DriveSpec, Scenario, ScenarioSpec, Track};
 //!
-//! // A corridor; an obstacle comes through the door in its middle and leaves by it.
+//! // A corridor; an obstacle stands in it and leaves by the door in its middle.
 //! let grid = Grid::from_bytes(5, 2, &[1, 1, 0, 1, 1, 0, 0, 0, 0, 0])?;
-//! let cells = vec![Point::new(2, 0), Point::new(2, 1), Point::new(2, 0)];
+//! let cells = vec![Point::new(2, 1), Point::new(2, 0)];
 //! let track = Track { cells, size: 1, from_step: 0, steps_per_cell: 2, at_end: AtEnd::Leave };
 //! let drive = DriveSpec { tracks: vec![track], ..DriveSpec::default() };
 //! let spec = ScenarioSpec { drive: Some(drive), ..ScenarioSpec::new(&grid, Point::new(0, 1), Point::new(4, 1)) };

@@ -249,7 +249,7 @@ mod tests {
         let wide = track(4, 3, AtEnd::Stay);
         assert_eq!([2, 3, 4, 9].map(|step| wide.clear_of(step, robot, on_it).map(|p| p.x)), [Some(0); 4]);
         assert_eq!(
-            wide.clear_of(9, Point::new(1, 0), on_it),
+            wide.clear_of(4, Point::new(1, 0), on_it),
             None,
             "it would cover the robot from the first cell on: it does not appear"
         );

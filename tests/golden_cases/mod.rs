@@ -3,6 +3,7 @@
 //! A change of a digest is a change of results: it needs an entry under "Results" in CHANGELOG.md that says why.
 
 mod changes;
+mod drives;
 mod terrains;
 
 use std::sync::Arc;
@@ -471,6 +472,7 @@ pub fn check_all() {
     };
     let runs = GOLDENS.iter().enumerate().filter_map(differs);
     let tours = TOURS.iter().enumerate().filter_map(tour_differs);
-    let wrong: Vec<String> = runs.chain(tours).chain(terrains::differences()).chain(changes::differences()).collect();
+    let wrong: Vec<String> =
+        runs.chain(tours).chain(terrains::differences()).chain(changes::differences()).chain(drives::differences()).collect();
     assert!(wrong.is_empty(), "results have changed:\n{}", wrong.join("\n"));
 }
