@@ -124,14 +124,6 @@ function Form({ now }: { now: Scenario }) {
   )
 }
 
-function rulesOf({
-  width,
-  height,
-  movement,
-  resolution,
-  vehicle,
-  terrain,
-  robot,
-}: Rules): Rules {
+function rulesOf({ width, height, movement, resolution, vehicle, terrain, robot }: Rules): Rules {
   return { width, height, movement, resolution, vehicle, robot, ...(terrain && { terrain }) }
 }

@@ -175,4 +175,3 @@ async function weightsRamp(theme: ReturnType<typeof themeOf>): Promise<Ramp> {
     colours: await lateTools.weightColours(theme),
   }
 }
-
