@@ -56,5 +56,5 @@ function refusal(error: EngineError): WrongQuantity {
 function smallest({ name, movement, resolution, vehicle }: ScenarioSpec) {
   const ends = { start: [0, 0] as [number, number], goals: [goalAt([1, 1], '')] }
   const spec = { name, movement, resolution, vehicle, ...ends, width: 2, height: 2 }
-  return { spec, cells: new Uint8Array(4), heights: null, origin: null }
+  return { spec, cells: new Uint8Array(4), heights: null, factors: null, origin: null }
 }

@@ -129,7 +129,7 @@ function CostFields({ inflation, onChange }: CostProps) {
   const field = (key: 'radius' | 'cost_scaling' | 'multiplier', label: string, max: number) => (
     <NumberField
       label={label}
-      value={inflation[key]}
+      value={inflation[key] ?? 0}
       min={0}
       max={max}
       live

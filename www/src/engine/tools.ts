@@ -4,7 +4,6 @@ import type {
   EngineError,
   Generator,
   Objective,
-  PathFormat,
   ReadOptions,
   Reference,
   RunSummary,

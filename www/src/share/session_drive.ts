@@ -1,5 +1,5 @@
 /** What moves while a robot drives, in a session document: its fields and cells. How many there may be, and where, the engine judges. */
-import type { AtEnd, DriveSpec, ScenarioSpec } from '@pkg/formicarium'
+import type { AtEnd, DriveChange, DriveSpec, ScenarioSpec, Track } from '@pkg/formicarium'
 import { cell, fieldsOf, integer, invalid, list, oneOf, real } from './field_checks'
 
 /** More than the engine takes of anything. */
@@ -31,7 +31,7 @@ export function readDrive(value: unknown, sides: Sides): DriveSpec {
   }
 }
 
-function readChange(value: unknown, field: string, sides: Sides): DriveSpec['changes'][number] {
+function readChange(value: unknown, field: string, sides: Sides): DriveChange {
   const { at_step, blocked = [], freed = [], ...others } = fieldsOf(value, field)
   refuse(others, field)
   return {
@@ -41,7 +41,7 @@ function readChange(value: unknown, field: string, sides: Sides): DriveSpec['cha
   }
 }
 
-function readTrack(value: unknown, field: string, sides: Sides): DriveSpec['tracks'][number] {
+function readTrack(value: unknown, field: string, sides: Sides): Track {
   const fields = fieldsOf(value, field)
   const { size = 1, from_step = 0, steps_per_cell = 1, at_end = 'stay', ...rest } = fields
   const { cells: way, ...others } = rest

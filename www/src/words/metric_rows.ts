@@ -57,7 +57,7 @@ export const METRIC_ROWS: MetricRow[] = [
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
   ofTerrain('levelCost', (terrain) => terrain.level_cost),
-  length('cost', 'lower', ofPath('cost')),
+  { ...length('cost', 'lower', ofPath('cost')), optional: true },
   length('length', 'lower', ofPath('length')),
   {
     ...ofTerrain('lengthMetres', () => null),
@@ -127,7 +127,7 @@ function ofTerrain(
   return { id, better: 'lower', optional: true, value: read, format: decimal }
 }
 
-type PathMetric = Exclude<keyof NonNullable<RunSummary['metrics']>, 'terrain'>
+type PathMetric = Exclude<keyof NonNullable<RunSummary['metrics']>, 'terrain' | 'driving'>
 
 function ofPath(key: PathMetric): MetricRow['value'] {
   return (summary) => summary.metrics?.[key] ?? null
