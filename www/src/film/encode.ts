@@ -30,7 +30,7 @@ export const bitrateOf = ({ width, height }: FilmSize, rate: number) =>
 /** The first of the encodings that the browser has for frames of this size; null where it has none. */
 export async function encodingFor(size: FilmSize, rate: number): Promise<Encoding | null> {
   if (typeof VideoEncoder === 'undefined') return null
-  const { canEncodeVideo, Quality } = await import('mediabunny')
+  const { canEncodeVideo, Quality } = await import('./encoder')
   const quality = new Quality({ bitrate: bitrateOf(size, rate) })
   for (const offer of OFFERS)
     if (await canEncodeVideo(offer.codec, { ...size, quality })) return offer
@@ -59,7 +59,7 @@ export async function newFilm(
   tags: Tags,
 ): Promise<FilmFile> {
   const { CanvasSource, Mp4OutputFormat, Output, Quality, StreamTarget, WebMOutputFormat } =
-    await import('mediabunny')
+    await import('./encoder')
   const file = new GrowingFile()
   const source = new CanvasSource(canvas, {
     codec,
