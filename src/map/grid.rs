@@ -57,7 +57,8 @@ pub struct Grid {
     blocked: Arc<[bool]>,
     /// One a cell on a terrain, in the unit of the file; NaN where there is no data, and such a cell is blocked.
     heights: Option<Arc<[f32]>>,
-    /// One a cell on weighted ground, 1 to [`super::MAX_FACTOR`]; never all 1.
+    /// One a cell on weighted ground, 1 to [`super::MAX_FACTOR`]; never all 1. The opening build knows none.
+    #[cfg(feature = "whole")]
     factors: Option<Arc<[f32]>>,
 }
 
@@ -67,7 +68,7 @@ impl PartialEq for Grid {
         let bits = |values: &Option<Arc<[f32]>>| values.as_ref().map(|v| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
         (self.width, self.height, &self.blocked) == (other.width, other.height, &other.blocked)
             && bits(&self.heights) == bits(&other.heights)
-            && self.factors == other.factors
+            && self.factors() == other.factors()
     }
 }
 
@@ -80,7 +81,14 @@ impl Grid {
     /// [`ScenarioError::MapSize`] when a side is 0 or above [`MAX_SIDE`].
     pub fn open(width: u32, height: u32) -> Result<Self, ScenarioError> {
         check_size(u64::from(width), u64::from(height))?;
-        Ok(Self { width, height, blocked: vec![false; width as usize * height as usize].into(), heights: None, factors: None })
+        Ok(Self {
+            width,
+            height,
+            blocked: vec![false; width as usize * height as usize].into(),
+            heights: None,
+            #[cfg(feature = "whole")]
+            factors: None,
+        })
     }
 
     /// A map from one byte a cell, row by row: 0 = free, anything else = blocked.
@@ -101,7 +109,14 @@ impl Grid {
         if cells.len() != width as usize * height as usize {
             return Err(ScenarioError::CellCount { width, height, got: cells.len() });
         }
-        Ok(Self { width, height, blocked: cells.iter().map(|&c| c != 0).collect(), heights: None, factors: None })
+        Ok(Self {
+            width,
+            height,
+            blocked: cells.iter().map(|&c| c != 0).collect(),
+            heights: None,
+            #[cfg(feature = "whole")]
+            factors: None,
+        })
     }
 
     /// The same map as a terrain: one height a cell, row by row, in the unit of the file. Cells whose height is not finite have no data
@@ -122,7 +137,12 @@ impl Grid {
     /// The same cells as a plane of plain ground: without heights and factors.
     #[must_use]
     pub fn cells_alone(self) -> Self {
-        Self { heights: None, factors: None, ..self }
+        Self {
+            heights: None,
+            #[cfg(feature = "whole")]
+            factors: None,
+            ..self
+        }
     }
 
     /// The heights of a terrain, one a cell; NaN where there is no data. `None` on a plane.
@@ -159,8 +179,12 @@ impl Grid {
     }
 
     /// The factors of weighted ground, one a cell; `None` on plain ground.
+    #[inline(always)]
     pub fn factors(&self) -> Option<&Arc<[f32]>> {
-        self.factors.as_ref()
+        #[cfg(feature = "whole")]
+        return self.factors.as_ref();
+        #[cfg(not(feature = "whole"))]
+        None
     }
 
     /// One byte a cell, row by row: 0 = free, 1 = blocked.

@@ -198,6 +198,7 @@ enum Uneven {
     /// A terrain: steps go up and down.
     Relief(Relief),
     /// Weighted ground: cells have factors.
+    #[cfg(feature = "whole")]
     Weights(Weights),
 }
 
@@ -240,6 +241,7 @@ impl MoveSet {
     }
 
     /// On weighted ground: steps cost what these factors say.
+    #[cfg(feature = "whole")]
     #[must_use]
     pub fn weighing(self, weights: Weights) -> Self {
         Self { uneven: Some(Uneven::Weights(weights)), ..self }
@@ -265,7 +267,8 @@ impl MoveSet {
     #[inline(always)]
     pub fn weights(&self) -> Option<&Weights> {
         match &self.uneven {
-            Some(Uneven::Weights(weights)) if cfg!(feature = "whole") => Some(weights),
+            #[cfg(feature = "whole")]
+            Some(Uneven::Weights(weights)) => Some(weights),
             _ => None,
         }
     }
@@ -275,7 +278,8 @@ impl MoveSet {
     pub fn length(&self, from: Cell, d: Direction) -> f64 {
         match &self.uneven {
             Some(Uneven::Relief(relief)) if cfg!(feature = "whole") => relief.step(from, self.step(from, d), d).length,
-            Some(Uneven::Weights(weights)) if cfg!(feature = "whole") => weights.step(from, self.step(from, d), d),
+            #[cfg(feature = "whole")]
+            Some(Uneven::Weights(weights)) => weights.step(from, self.step(from, d), d),
             _ => step_length(d),
         }
     }

@@ -18,7 +18,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Charge, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, Weights, length_on_plane};
+use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
+#[cfg(feature = "whole")]
+use crate::map::{Charge, Weights};
 
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
@@ -226,9 +228,8 @@ impl ScenarioSpec {
         let moves = MoveSet::new(grid, self.movement);
         match (self.relief(grid), grid.factors()) {
             (Some(relief), _) if cfg!(feature = "whole") => moves.over(relief),
-            (None, Some(factors)) if cfg!(feature = "whole") => {
-                moves.weighing(Weights::new(Arc::clone(factors), grid, Charge::default()))
-            }
+            #[cfg(feature = "whole")]
+            (None, Some(factors)) => moves.weighing(Weights::new(Arc::clone(factors), grid, Charge::default())),
             _ => moves,
         }
     }
@@ -386,6 +387,7 @@ impl Scenario {
     }
 
     /// The same scenario with its weighted ground charged by another rule; on any other ground the same.
+    #[cfg(feature = "whole")]
     #[must_use]
     pub fn charging(self, charge: Charge) -> Self {
         let factors = self.grid.factors().filter(|_| self.moves.weights().is_some());

@@ -104,8 +104,8 @@ test.describe('weighted ground', () => {
     await page.getByTestId('ground-block').click()
     await page.keyboard.press('Escape')
     await race.drag([
-      [15, 1],
-      [18, 22],
+      [15, 0],
+      [18, 24],
     ])
     await page.getByTestId('run-to-end').click()
     await expect.poll(() => race.attribute('play', 'data-phase')).toBe('finished')

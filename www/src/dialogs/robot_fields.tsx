@@ -15,7 +15,7 @@ import { useLatest } from './latest_answer'
 /** Nav2's `robot_radius`, in metres; a map of larger cells begins with one of them. */
 const NAV2_RADIUS = 0.1
 /** Nav2's `inflation_radius`, `cost_scaling_factor` and `cost_travel_multiplier`. */
-const NAV2: Omit<Inflation, 'rule'> = { radius: 0.55, cost_scaling: 10, multiplier: 2 }
+const NAV2: Required<Omit<Inflation, 'rule'>> = { radius: 0.55, cost_scaling: 10, multiplier: 2 }
 const RULES = ['off', 'nav2-smac-2d', 'nav2-navfn'] as const
 
 export const fetchRobotFields = () => addWeightWords().then(() => RobotFields)
@@ -129,7 +129,7 @@ function CostFields({ inflation, onChange }: CostProps) {
   const field = (key: 'radius' | 'cost_scaling' | 'multiplier', label: string, max: number) => (
     <NumberField
       label={label}
-      value={inflation[key] ?? 0}
+      value={inflation[key] ?? NAV2[key]}
       min={0}
       max={max}
       live
