@@ -45,6 +45,7 @@ pub struct Metrics {
     /// Arrival time in seconds: metres / speed + turns · seconds per turn.
     pub travel_time: f64,
     /// On weighted ground alone: what it costs, in cells; each stretch counts its length times the factor of its cell.
+    #[cfg(feature = "whole")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<f64>,
     /// On a terrain alone.
@@ -88,7 +89,7 @@ impl Metrics {
         let length = scenario.ground_length(path);
         let cells = scenario.cells_of(path);
         let (turns, turning) = turning(scenario, path, &cells);
-        let (min_clearance, mean_clearance) = clearance(&scenario.drawn, &cells);
+        let (min_clearance, mean_clearance) = clearance(scenario.obstacles(), &cells);
         let metres =
             if scenario.by_slices().is_some() { metres_by_slices(scenario, path) } else { length * scenario.spec.resolution };
         let vehicle = scenario.spec.vehicle;
@@ -102,11 +103,22 @@ impl Metrics {
             min_clearance,
             mean_clearance,
             travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
+            #[cfg(feature = "whole")]
             cost: scenario.moves.weights().map(|_| scenario.path_length(path)),
             terrain,
             #[cfg(feature = "whole")]
             driving: Driving::of(scenario, path, metres, terrain.map_or(0.0, |t| t.climb)),
         }
+    }
+}
+
+impl Metrics {
+    /// What planners of lengths make small: the length in cells, on weighted ground the cost.
+    pub fn made_small(&self) -> f64 {
+        #[cfg(feature = "whole")]
+        return self.cost.unwrap_or(self.length);
+        #[cfg(not(feature = "whole"))]
+        self.length
     }
 }
 

@@ -12,18 +12,30 @@ use std::sync::Arc;
 use super::SEARCH;
 use super::search::{Estimate, Search};
 use crate::error::ParamError;
-use crate::map::{Cell, DIRECTIONS, Moves, Point, Relief, step_length};
+#[cfg(feature = "whole")]
+use crate::map::Relief;
+use crate::map::{Cell, DIRECTIONS, Moves, Point, step_length};
 use crate::params::{Values, check_keys};
 use crate::planner::{Planner, PlannerEntry};
 use crate::scenario::Scenario;
 
-/// What a lower bound must know of ground that is not plain.
+/// What a lower bound must know of ground that is not plain; the opening build knows no other.
+#[cfg(feature = "whole")]
 #[derive(Clone)]
 enum Uneven {
     /// A terrain: its ground, the map's width, and the height of the goal; all lengths in cells.
     Relief(Relief, u32, f64),
     /// Weighted ground: the smallest factor of the map.
     Least(f64),
+}
+
+#[cfg(feature = "whole")]
+impl Uneven {
+    /// Of a scenario's ground; none where it is plain.
+    fn of(scenario: &Scenario, goal: Cell) -> Option<Self> {
+        let relief = scenario.moves.relief().map(|r| Self::Relief(r.clone(), scenario.grid.width(), r.height(goal)));
+        relief.or_else(|| scenario.moves.weights().map(|weights| Self::Least(weights.least())))
+    }
 }
 
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
@@ -36,6 +48,7 @@ pub struct Distance {
     saved_by_diagonal: f64,
     saved_by_far: f64,
     /// What the ground adds; none on plain ground.
+    #[cfg(feature = "whole")]
     uneven: Option<Uneven>,
 }
 
@@ -58,9 +71,14 @@ impl Distance {
             Moves::Eight => (2.0 - SQRT_2, 0.0),
             Moves::Sixteen => (2.0 - SQRT_2, 1.0 + SQRT_2 - step_length(DIRECTIONS as u8)),
         };
-        let relief = scenario.moves.relief().map(|r| Uneven::Relief(r.clone(), scenario.grid.width(), r.height(goal)));
-        let uneven = relief.or_else(|| scenario.moves.weights().map(|weights| Uneven::Least(weights.least())));
-        Self { unknown: false, goal: scenario.grid.point(goal), saved_by_diagonal, saved_by_far, uneven }
+        Self {
+            unknown: false,
+            goal: scenario.grid.point(goal),
+            saved_by_diagonal,
+            saved_by_far,
+            #[cfg(feature = "whole")]
+            uneven: Uneven::of(scenario, goal),
+        }
     }
 }
 
@@ -75,14 +93,16 @@ impl Estimate for Distance {
         if self.saved_by_far > 0.0 {
             plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
         }
-        match self.uneven.as_ref().filter(|_| cfg!(feature = "whole")) {
-            None => plane,
-            Some(Uneven::Least(factor)) => plane * factor,
+        #[cfg(feature = "whole")]
+        match &self.uneven {
+            None => {}
+            Some(Uneven::Least(factor)) => plane *= factor,
             Some(Uneven::Relief(relief, width, height)) => {
                 let z = relief.height(y * width + x) - height;
-                libm::sqrt(plane * plane + z * z)
+                plane = libm::sqrt(plane * plane + z * z);
             }
         }
+        plane
     }
 }
 

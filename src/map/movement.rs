@@ -188,17 +188,18 @@ pub struct MoveSet {
     far: Arc<[u8]>,
     /// What to add to a cell index for each direction.
     pub delta: [i32; ALL_DIRECTIONS],
-    /// What makes steps longer or dearer than they are on a plane; none there.
+    /// What makes steps longer or dearer than they are on a plane; none there, and none in the opening build.
+    #[cfg(feature = "whole")]
     uneven: Option<Uneven>,
 }
 
 /// Ground on which a step is not just as long as it looks on the map.
 #[derive(Debug, Clone)]
+#[cfg_attr(not(feature = "whole"), expect(dead_code, reason = "the opening build makes none"))]
 enum Uneven {
     /// A terrain: steps go up and down.
     Relief(Relief),
     /// Weighted ground: cells have factors.
-    #[cfg(feature = "whole")]
     Weights(Weights),
 }
 
@@ -220,10 +221,17 @@ impl MoveSet {
             dy * grid.width() as i32 + dx
         });
         let far = if movement.moves == Moves::Sixteen { far_steps(grid, movement) } else { Vec::new() };
-        Self { bits: bits.into(), far: far.into(), delta, uneven: None }
+        Self {
+            bits: bits.into(),
+            far: far.into(),
+            delta,
+            #[cfg(feature = "whole")]
+            uneven: None,
+        }
     }
 
     /// On a terrain: steps go over its ground, and those that are too steep are not allowed.
+    #[cfg(feature = "whole")]
     #[must_use]
     pub fn over(mut self, relief: Relief) -> Self {
         let (mut bits, mut far) = (self.bits.to_vec(), self.far.to_vec());
@@ -247,18 +255,26 @@ impl MoveSet {
         Self { uneven: Some(Uneven::Weights(weights)), ..self }
     }
 
-    /// Whether every step costs the length that it has on the map: on a plane whose cells all count the same. The opening build knows no
-    /// other ground and is spared its code.
+    /// What makes steps longer or dearer than on a plane, if anything does. The opening build knows no such ground and is spared its code.
     #[inline(always)]
-    pub fn is_plain(&self) -> bool {
-        !cfg!(feature = "whole") || self.uneven.is_none()
+    fn uneven(&self) -> Option<&Uneven> {
+        #[cfg(feature = "whole")]
+        return self.uneven.as_ref();
+        #[cfg(not(feature = "whole"))]
+        None
     }
 
-    /// The ground of a terrain; none on a plane, and none in the opening build, which knows no terrains and is spared their code.
+    /// Whether every step costs the length that it has on the map: on a plane whose cells all count the same.
+    #[inline(always)]
+    pub fn is_plain(&self) -> bool {
+        self.uneven().is_none()
+    }
+
+    /// The ground of a terrain; none on a plane.
     #[inline(always)]
     pub fn relief(&self) -> Option<&Relief> {
-        match &self.uneven {
-            Some(Uneven::Relief(relief)) if cfg!(feature = "whole") => Some(relief),
+        match self.uneven() {
+            Some(Uneven::Relief(relief)) => Some(relief),
             _ => None,
         }
     }
@@ -266,8 +282,7 @@ impl MoveSet {
     /// The factors of weighted ground; none on any other.
     #[inline(always)]
     pub fn weights(&self) -> Option<&Weights> {
-        match &self.uneven {
-            #[cfg(feature = "whole")]
+        match self.uneven() {
             Some(Uneven::Weights(weights)) => Some(weights),
             _ => None,
         }
@@ -276,11 +291,10 @@ impl MoveSet {
     /// What an allowed step costs, in cells: its length, along the ground of a terrain; on weighted ground its length times its factor.
     #[inline(always)]
     pub fn length(&self, from: Cell, d: Direction) -> f64 {
-        match &self.uneven {
-            Some(Uneven::Relief(relief)) if cfg!(feature = "whole") => relief.step(from, self.step(from, d), d).length,
-            #[cfg(feature = "whole")]
+        match self.uneven() {
+            Some(Uneven::Relief(relief)) => relief.step(from, self.step(from, d), d).length,
             Some(Uneven::Weights(weights)) => weights.step(from, self.step(from, d), d),
-            _ => step_length(d),
+            None => step_length(d),
         }
     }
 

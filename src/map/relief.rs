@@ -91,6 +91,7 @@ impl Relief {
     }
 
     /// Whether a step is not too steep.
+    #[cfg(feature = "whole")]
     #[inline]
     pub(super) fn passable(&self, from: Cell, to: Cell, d: Direction) -> bool {
         self.steepest.is_infinite() || self.step(from, to, d).steepness <= self.steepest

@@ -150,7 +150,7 @@ impl Objective {
     /// The value of a path of steps from start to goal that no planner has found; none where more than the path decides.
     pub fn of_steps(self, metrics: &Metrics) -> Option<f64> {
         match self {
-            Self::Length | Self::PolylineLength | Self::TourLength => Some(metrics.cost.unwrap_or(metrics.length)),
+            Self::Length | Self::PolylineLength | Self::TourLength => Some(metrics.made_small()),
             Self::TurnIndex => Some(metrics.turn_index),
             Self::SliceCost | Self::Weighted | Self::TourWeight => None,
         }

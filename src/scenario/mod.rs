@@ -18,9 +18,9 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Notice, ScenarioError};
-use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Relief, Slices, length_on_plane};
+use crate::map::{Cell, Generated, Grid, MoveSet, Movement, Point, Slices, length_on_plane};
 #[cfg(feature = "whole")]
-use crate::map::{Charge, Weights};
+use crate::map::{Charge, Relief, Weights};
 
 #[cfg(feature = "whole")]
 pub use changes::{Change, MAX_CHANGES};
@@ -30,8 +30,10 @@ pub use drive::{DriveChange, DriveSpec, MAX_DRIVE_CHANGES, MAX_STEP, MAX_TRACKS}
 pub use driving::{EnergyRule, SmoothingRule};
 #[cfg(feature = "whole")]
 pub use robot::{CostRule, FREE_COST, INSCRIBED_COST, Inflation, LETHAL_COST, MAX_MULTIPLIER, NAV2_RADIUS, Robot};
+#[cfg(feature = "whole")]
+use terrain::rise_over_run;
 pub use terrain::{TerrainFields, TerrainMoves, TerrainSpec};
-use terrain::{check_terrain, rise_over_run, slices};
+use terrain::{check_terrain, slices};
 #[cfg(feature = "whole")]
 pub use track::{AtEnd, MAX_OBSTACLE, MAX_STEPS_PER_CELL, MAX_TRACK_CELLS, Track};
 pub use world::World;
@@ -223,15 +225,18 @@ impl ScenarioSpec {
         self.drive.as_ref().map_or(Ok(()), |drive| drive.check(grid, self))
     }
 
-    /// The allowed steps on a map, and what they cost.
+    /// The allowed steps on a map, and what they cost. The opening build knows planes alone.
     fn steps(&self, grid: &Grid) -> MoveSet {
         let moves = MoveSet::new(grid, self.movement);
-        match (self.relief(grid), grid.factors()) {
-            (Some(relief), _) if cfg!(feature = "whole") => moves.over(relief),
-            #[cfg(feature = "whole")]
-            (None, Some(factors)) => moves.weighing(Weights::new(Arc::clone(factors), grid, Charge::default())),
-            _ => moves,
+        #[cfg(feature = "whole")]
+        if let Some(relief) = self.relief(grid) {
+            return moves.over(relief);
         }
+        #[cfg(feature = "whole")]
+        if let Some(factors) = grid.factors() {
+            return moves.weighing(Weights::new(Arc::clone(factors), grid, Charge::default()));
+        }
+        moves
     }
 
     /// Whether the robot touches an obstacle so far away, by the squared distance in cells: a point only one in its own cell.
@@ -250,6 +255,7 @@ impl ScenarioSpec {
     }
 
     /// The ground of a terrain in lengths of cells; none on a plane.
+    #[cfg(feature = "whole")]
     fn relief(&self, grid: &Grid) -> Option<Relief> {
         let terrain = self.terrain?;
         let steepest = match terrain.moves {
@@ -265,7 +271,8 @@ impl ScenarioSpec {
 pub struct Scenario {
     /// The map on which one moves: where the robot is no point, the cells in which it does not fit count as blocked.
     pub grid: Grid,
-    /// The map as it was drawn or read: what obstacles there are.
+    /// The map as it was drawn or read: what obstacles there are. In the opening build, which knows no robots, that is the other one.
+    #[cfg(feature = "whole")]
     pub drawn: Grid,
     /// What it was made from.
     pub spec: ScenarioSpec,
@@ -301,8 +308,11 @@ impl Scenario {
     /// [`ScenarioError`] names the field, the value and what is allowed.
     pub fn new(grid: Grid, spec: ScenarioSpec) -> Result<Self, ScenarioError> {
         spec.check(&grid)?;
-        let felt = spec.felt(&grid);
-        Self::asked([grid, felt], spec, ScenarioSpec::steps)
+        Self::asked(grid, spec, |spec, drawn| {
+            let felt = spec.felt(drawn);
+            let moves = spec.steps(&felt);
+            (felt, moves)
+        })
     }
 
     /// The same map, rules and changes with another start and other goals. What depends on the map alone is shared with this scenario, so
@@ -325,29 +335,58 @@ impl Scenario {
         let spec = ScenarioSpec { start, goals, ..self.spec.clone() };
         #[cfg(feature = "whole")]
         spec.check_what_moves(&self.drawn)?;
-        Self::asked([self.drawn.clone(), self.grid.clone()], spec, |_, _| self.moves.clone())
+        Self::asked(self.obstacles().clone(), spec, |_, _| (self.grid.clone(), self.moves.clone()))
     }
 
-    /// Validates the ends of a scenario that is otherwise usable; `moves` makes its steps once they are.
+    /// What obstacles there are: the map as it was drawn.
+    #[inline(always)]
+    pub fn obstacles(&self) -> &Grid {
+        #[cfg(feature = "whole")]
+        return &self.drawn;
+        #[cfg(not(feature = "whole"))]
+        &self.grid
+    }
+
+    /// Validates the ends of a scenario that is otherwise usable; `felt` makes the map on which one moves of the drawn one, and its steps.
     fn asked(
-        [drawn, grid]: [Grid; 2],
+        drawn: Grid,
         spec: ScenarioSpec,
-        moves: impl FnOnce(&ScenarioSpec, &Grid) -> MoveSet,
+        felt: impl FnOnce(&ScenarioSpec, &Grid) -> (Grid, MoveSet),
     ) -> Result<Self, ScenarioError> {
         let start = free_cell(&drawn, "start", spec.start)?;
         let goals = goal_cells(&drawn, &spec.goals)?;
+        let (grid, moves) = felt(&spec, &drawn);
         #[cfg(feature = "whole")]
         robot::check_room(&grid, &spec)?;
         let slices = if cfg!(feature = "whole") { slices(&grid, &spec, start, &goals)?.map(Arc::new) } else { None };
-        let moves = moves(&spec, &grid);
-        Ok(Self { grid, drawn, spec, moves, slices, start, goal: goals[0], goals })
+        Ok(Self {
+            grid,
+            #[cfg(feature = "whole")]
+            drawn,
+            spec,
+            moves,
+            slices,
+            start,
+            goal: goals[0],
+            goals,
+        })
     }
 
     /// For measuring paths that need not be valid, from cell to cell between any two cells of the map.
     pub fn unvalidated(drawn: Grid, spec: ScenarioSpec, start: Cell, goal: Cell) -> Self {
         let grid = spec.felt(&drawn);
         let moves = spec.steps(&grid);
-        Self { grid, drawn, spec, moves, slices: None, start, goal, goals: vec![goal] }
+        Self {
+            grid,
+            #[cfg(feature = "whole")]
+            drawn,
+            spec,
+            moves,
+            slices: None,
+            start,
+            goal,
+            goals: vec![goal],
+        }
     }
 
     /// The same map with another start and one goal: a leg of a tour. Both must be free cells.
@@ -356,8 +395,17 @@ impl Scenario {
         let goals = vec![Goal::new(self.grid.point(goal), "")];
         let spec = ScenarioSpec { start: self.grid.point(start), goals, ..self.spec.clone() };
         let slices = self.slices.clone();
-        let (grid, drawn) = (self.grid.clone(), self.drawn.clone());
-        Self { grid, drawn, spec, moves: self.moves.clone(), slices, start, goal, goals: vec![goal] }
+        Self {
+            grid: self.grid.clone(),
+            #[cfg(feature = "whole")]
+            drawn: self.drawn.clone(),
+            spec,
+            moves: self.moves.clone(),
+            slices,
+            start,
+            goal,
+            goals: vec![goal],
+        }
     }
 
     /// The places and steps of movement by slices, if that is how one moves; never in the opening build, which is spared their code.

@@ -66,6 +66,7 @@ impl From<TerrainSpec> for TerrainFields {
 }
 
 /// The largest rise over run whose angle is not above this one, in degrees: what metrics call that steep is that steep.
+#[cfg(feature = "whole")]
 pub(super) fn rise_over_run(degrees: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1e6);
     for _ in 0..100 {

@@ -55,6 +55,7 @@ impl DriveRun {
     /// Makes a robot at the start; nothing is planned before the first `step`. `values` are the planner's, `driving` those of
     /// `drive_params`.
     #[wasm_bindgen(constructor)]
+    #[allow(clippy::too_many_arguments, reason = "a map crosses as its parts")]
     pub fn new(
         spec: Ts<ScenarioSpec>,
         cells: &Bytes,

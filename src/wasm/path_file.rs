@@ -52,6 +52,7 @@ pub fn path_formats(spec: Ts<ScenarioSpec>) -> Answer<Vec<Ts<PathFormatFacts>>> 
 /// Writes a path with its altitudes as `Run.best_path` and `Run.best_altitudes` give them; `objective` tells whether it is a polyline. Throws
 /// for what is no path on this map.
 #[wasm_bindgen]
+#[allow(clippy::too_many_arguments, reason = "a map crosses as its parts")]
 pub fn write_path(
     spec: Ts<ScenarioSpec>,
     cells: &Bytes,

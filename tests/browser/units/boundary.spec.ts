@@ -50,7 +50,7 @@ function valid(): Record<string, unknown[]> {
     'Comparison.analysis': ['ant-moves', false],
     'Comparison.check': [ROW],
     'Comparison.dealt': ['1/2'],
-    'Comparison.file': ['csv', 'by hand', 'en'],
+    'Comparison.file': ['csv', 'by hand', 'en', { measures: ['length', 'turns'] }],
     'Comparison.forget': [0],
     'Comparison.journal': ['1/2'],
     'Comparison.journal_name': ['1/2'],

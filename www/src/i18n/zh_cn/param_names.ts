@@ -51,8 +51,6 @@ export const zhCNParamNames = {
   clearance_weight: '接近障碍的代价',
   energy_weight: '能量权重',
   clearance_wanted: '期望间距',
-  energy_turn: '转弯能量',
-  energy_climb: '爬升能量',
   update: '更新公式',
   direction: '方向引导',
   goal_pull: '目标引力',

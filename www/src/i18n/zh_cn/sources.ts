@@ -116,8 +116,6 @@ export const zhCNSources: Record<string, string> = {
     '式 5：长度；第 5 节以式 10 的 V 为标准',
   'eq. 6–8': '式 6–8',
   'our reading; eq. 5 is printed with the length': '我们的理解；式 5 印作长度',
-  'our choice': '我们的选择',
-  'our choice; the form: Rowe and Ross 1990': '我们的选择；形式：Rowe 与 Ross 1990',
   'eq. 9': '式 9',
   'eq. 9: 0.6 to 0.8': '式 9：0.6 至 0.8',
   'fire-fighting paper, eq. 6–7': '灭火机器人论文，式 6–7',

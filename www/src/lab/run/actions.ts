@@ -224,7 +224,7 @@ export async function reopenInTab(): Promise<void> {
 /** The command that makes the same files. */
 function commandOf(language: ReportLanguage, fronts?: FrontQuestion): string {
   const command = `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
-  const measures = fronts ? ` --fronts ${fronts.measures.join(',')}` : ''
-  const reference = fronts?.reference ? ` --fronts-reference ${fronts.reference.join(',')}` : ''
+  const measures = fronts ? ` --fronts ${fronts.measures.join()}` : ''
+  const reference = fronts?.reference ? ` --fronts-reference ${fronts.reference.join()}` : ''
   return `${command}${measures}${reference}${language === 'en' ? '' : ` --language ${language}`}`
 }
