@@ -51,6 +51,7 @@ function valid(): Record<string, unknown[]> {
     'Comparison.check': [ROW],
     'Comparison.dealt': ['1/2'],
     'Comparison.file': ['csv', 'by hand', 'en', { measures: ['length', 'turns'] }],
+    'Comparison.fronts': [{ measures: ['length', 'turns'] }],
     'Comparison.forget': [0],
     'Comparison.journal': ['1/2'],
     'Comparison.journal_name': ['1/2'],
