@@ -1,4 +1,5 @@
 /** Steps of a race as SVG: one picture in which they appear one after the other, or one picture each. */
+import type { Smoothed } from '@pkg/formicarium'
 import { FONT, LOOKS } from '../figures/look'
 import { endsOf, pathOf } from '../figures/map_marks'
 import { imageOf } from '../figures/map_picture'
@@ -23,6 +24,14 @@ const CODE_SHARE = 0.3
 /** Seconds for which a step is on top, and how many times longer the last one is. */
 const STEP_SECONDS = 1.4
 const LAST_TIMES = 3
+
+/** What a run's map shows besides its path. */
+export interface Seen {
+  picture: MapPicture | null
+  curve: Smoothed | null
+}
+
+const UNSEEN: Seen = { picture: null, curve: null }
 
 /** What the steps of a race have in common. */
 export class Sheet {
@@ -61,7 +70,7 @@ export class Sheet {
   }
 
   /** One step, as the runs stand. */
-  async step(runs: CopiedRun[], pictures: (MapPicture | null)[]): Promise<SVGElement> {
+  async step(runs: CopiedRun[], seen: Seen[]): Promise<SVGElement> {
     const look = LOOKS[this.asked.theme]
     const group = element('g', { class: 'step' })
     group.append(element('rect', { ...this.size, fill: look.background }), ...this.titleElements())
@@ -69,7 +78,7 @@ export class Sheet {
       const place = this.layout.panels[i]
       if (!place) continue
       group.append(...this.captionOf(run, place.caption))
-      group.append(await this.mapOf(run, pictures[i] ?? null, place.map))
+      group.append(await this.mapOf(run, seen[i] ?? UNSEEN, place.map))
     }
     group.append(...this.codeElements())
     return group
@@ -112,7 +121,7 @@ export class Sheet {
     }
   }
 
-  private async mapOf(run: CopiedRun, picture: MapPicture | null, place: Rect) {
+  private async mapOf(run: CopiedRun, { picture, curve }: Seen, place: Rect) {
     const { map, asked } = this
     const { width, height } = map.spec
     const { scale, x, y } = this.placeOf(place)
@@ -126,7 +135,7 @@ export class Sheet {
     if (this.shared.over) group.append(element('use', { href: '#over' }))
     const path = run.path.length > 0 ? run.path : null
     const paths = element('g', { class: 'paths', transform: `scale(${scale})` })
-    paths.append(...pathOf({ ...run, path }, scale, asked.theme))
+    paths.append(...pathOf({ ...run, path }, curve, scale, asked.theme))
     group.append(paths, ...endsOf(map, scale, asked.theme, run.summary.tour?.order ?? []))
     return group
   }
