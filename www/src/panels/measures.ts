@@ -4,7 +4,14 @@ import { goalName } from '../model/goals'
 import { type Panel, plannerEntry, referenceOf, scenario, shownOf } from '../state'
 import { panelGap } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
-import { bestOf, GAP_ROW, METRIC_ROWS, type MetricId, type MetricRow } from '../words/metric_rows'
+import {
+  bestOf,
+  EFFORT_ROWS,
+  GAP_ROW,
+  type MetricId,
+  type MetricRow,
+  PATH_ROWS,
+} from '../words/metric_rows'
 import { objectiveWord } from '../words/objective_words'
 import { curveMeasures } from './curve_measures'
 
@@ -43,10 +50,11 @@ export function measuresOf(all: Panel[]): Measure[] {
     numeric(GAP_ROW, all),
     wordy('comparedWith', all.map(comparedWith)),
     optional(wordy('order', all.map(orderOf))),
-    ...METRIC_ROWS.filter((row) => !row.ofDriving || driving).map((row) =>
+    ...PATH_ROWS.filter((row) => !row.ofDriving || driving).map((row) =>
       row.optional ? optional(numeric(row, all)) : numeric(row, all),
     ),
     ...curveMeasures(all),
+    ...EFFORT_ROWS.map((row) => numeric(row, all)),
     wordy('digest', all.map(digestOf)),
   ]
   return found.filter((measure) => measure !== null)

@@ -63,8 +63,8 @@ export const GAP_ROW: MetricRow = {
   format: gapShown,
 }
 
-/** Below the gap and what it is taken from, and the order of several goals. */
-export const METRIC_ROWS: MetricRow[] = [
+/** Of a path: below the gap and what it is taken from, and the order of several goals. */
+export const PATH_ROWS: MetricRow[] = [
   ofTour('plannedLength', (tour) => tour.planned_length),
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
@@ -93,6 +93,10 @@ export const METRIC_ROWS: MetricRow[] = [
   ofDriving('largestCurvature', (driving) => driving.largest_curvature),
   ofDriving('smoothness', ({ smoothness }) => smoothness),
   ofDriving('energy', ({ energy }) => energy),
+]
+
+/** Of what it took to find it. */
+export const EFFORT_ROWS: MetricRow[] = [
   iterative('iterations', ofEffort('iterations')),
   iterative('iterationOfBest', (summary) => summary.iteration_of_best),
   iterative('constructedPaths', ofEffort('constructed_paths')),
