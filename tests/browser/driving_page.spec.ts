@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs'
 import { expect, type Page, test } from '@playwright/test'
 import { expectClean } from './axe'
+import { FilmPage } from './film_page'
 import { freshRace, RacePage } from './race_page'
 
 const MEASURES = ['turning', 'largestCurvature', 'smoothness', 'energy']
@@ -172,6 +173,55 @@ test.describe('energy', () => {
     await apply(page)
     await finish(race)
     for (const id of MEASURES) await expect(page.getByTestId(`metric-${id}-1`)).toBeVisible()
+  })
+})
+
+test.describe('steps and films', () => {
+  async function openFilm(page: Page, resolution: number): Promise<FilmPage> {
+    const film = await FilmPage.open(page, 1)
+    await page.keyboard.press('Escape')
+    const map = JSON.stringify({ ...ROOM, resolution, vehicle: SMOOTH })
+    await film.race.evaluate((text) => window.formicarium.load(text), map)
+    await page.evaluate(() => window.formicarium.run({ iterations: 4 }))
+    await film.openDialog()
+    return film
+  }
+
+  test('steps have curves and a scale bar', async ({ page }) => {
+    const film = await openFilm(page, 0.5)
+    await page.getByTestId('film-steps').click()
+    // Two maps beside a code leave no room for a bar.
+    await page.getByTestId('film-panels').selectOption({ index: 1 })
+    await film.fill({ count: 4 })
+    await film.make()
+    const svg = (await film.save()).bytes.toString()
+    expect(svg).toContain('class="curve"')
+    expect(svg.match(/class="scale-bar"/g)).toHaveLength(4)
+    expect(svg).toMatch(/>[125] m</)
+  })
+
+  /** The longest level line that is dark, as a share of the frame's width: the wall is a cell wide, 4 %, a bar of a metre 8 %. */
+  const longestLine = (page: Page): Promise<number> =>
+    page.getByTestId('film-canvas').evaluate((shown) => {
+      const { width, height } = shown as HTMLCanvasElement
+      const context = new OffscreenCanvas(width, height).getContext('2d')
+      context?.drawImage(shown as HTMLCanvasElement, 0, 0)
+      const pixels = context?.getImageData(0, 0, width, height).data ?? []
+      let longest = 0
+      for (let i = 0, line = 0; 4 * i < pixels.length; i++) {
+        const isDark = (pixels[4 * i] ?? 255) < 120 && (pixels[4 * i + 1] ?? 255) < 120
+        line = isDark && i % width > 0 ? line + 1 : 0
+        longest = Math.max(longest, line)
+      }
+      return longest / width
+    })
+
+  test('a film has a scale bar on maps that have a scale alone', async ({ page }) => {
+    await openFilm(page, 0.5)
+    expect(await longestLine(page)).toBeGreaterThan(0.055)
+    await page.keyboard.press('Escape')
+    await openFilm(page, 1)
+    expect(await longestLine(page)).toBeLessThan(0.055)
   })
 })
 

@@ -11,6 +11,8 @@ import type { MapPicture } from '../model/messages'
 import type { Scenario } from '../model/session'
 import { codeWords, reachedWords, titleLines } from './captions'
 import type { CopiedRun } from './copied_race'
+import { barCorners } from './draw_frame'
+import { barOf } from './frame_bar'
 import { type FrameLayout, layOut, type Rect } from './frame_layout'
 import type { RaceLink } from './link_of_race'
 import { titleOfRace } from './make_film'
@@ -77,7 +79,8 @@ export class Sheet {
     for (const [i, run] of runs.entries()) {
       const place = this.layout.panels[i]
       if (!place) continue
-      group.append(...this.captionOf(run, place.caption))
+      const bar = i === 0 ? this.barOf(place.caption) : { drawn: [], room: 0 }
+      group.append(...this.captionOf(run, place.caption, bar.room), ...bar.drawn)
       group.append(await this.mapOf(run, seen[i] ?? UNSEEN, place.map))
     }
     group.append(...this.codeElements())
@@ -150,7 +153,27 @@ export class Sheet {
     })
   }
 
-  private captionOf(run: CopiedRun, { x, y, width }: Rect): SVGElement[] {
+  /** At the right end of the first caption's second line, and how much of it that takes. */
+  private barOf({ x, y, width }: Rect): { drawn: SVGElement[]; room: number } {
+    const bar = barOf(this.layout, this.map.spec.width)
+    if (!bar) return { drawn: [], room: 0 }
+    const { letter } = this.layout
+    const size = 0.86 * letter
+    // Letters of the reader's typeface may be wider than those of this one.
+    const taken = 0.7 * size * bar.words.length + 0.4 * letter
+    const right = x + width - taken
+    const base = y + 2.3 * letter
+    const at = { x: right + 0.4 * letter, y: base, size, weight: 400, most: taken, muted: true }
+    const line = element('polyline', {
+      class: 'scale-bar',
+      points: barCorners(right, base, bar.pixels, letter).join(' '),
+      fill: 'none',
+      stroke: LOOKS[this.asked.theme].text,
+    })
+    return { drawn: [line, this.text(bar.words, at)], room: taken + bar.pixels + letter }
+  }
+
+  private captionOf(run: CopiedRun, { x, y, width }: Rect, room: number): SVGElement[] {
     const { letter } = this.layout
     const r = 0.36 * letter
     const left = 1.1 * letter
@@ -159,7 +182,7 @@ export class Sheet {
     return [
       element('circle', { cx: x + r, cy: y + 0.72 * letter, r, fill: run.colour }),
       this.text(run.name, { ...name, most: width - left, muted: false }),
-      this.text(reachedWords(run, null), { ...reached, most: width, muted: true }),
+      this.text(reachedWords(run, null), { ...reached, most: width - room, muted: true }),
     ]
   }
 
