@@ -1,6 +1,7 @@
 /** Paths saved for other programs: what the menu offers, what comes down, and that it is the command line's. */
 import { readFileSync } from 'node:fs'
 import { expect, type Page, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { RacePage } from './race_page'
 
 /** Three columns and two rows of 2 m with a wall between the ends, its lower left corner at (10, 20). */
@@ -113,6 +114,31 @@ test('the menu goes by keys', async ({ page }) => {
   await expect(page.getByTestId('path-path-csv')).toBeFocused()
   await page.keyboard.press('End')
   await expect(page.getByTestId('path-svg')).toBeFocused()
+})
+
+test('where heads are narrow, paths are saved in “Export” @phone', async ({ page }) => {
+  const race = await solved(page, scenario('map'))
+  await race.menu('map-menu', 'open-export')
+  const offer = page.getByTestId('path-offer')
+  await offer.getByTestId('path-as').selectOption('geojson')
+  await expect(offer).toContainText('`map` is no coordinate system')
+  await expect(offer.getByTestId('path-save')).toBeDisabled()
+  await offer.getByTestId('path-as').selectOption('path-csv')
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    offer.getByTestId('path-save').click(),
+  ])
+  expect(download.suggestedFilename()).toBe('yard.astar.path.csv')
+  const box = await offer.getByTestId('path-save').boundingBox()
+  expect((box?.x ?? -1) >= 0 && (box?.x ?? 0) + (box?.width ?? 999) <= 390).toBe(true)
+  await expectClean(page, 'a path in Export')
+})
+
+test('Export offers no path before there is one', async ({ page }) => {
+  const race = new RacePage(page)
+  await race.openAtRest()
+  await race.menu('map-menu', 'open-export')
+  await expect(page.getByTestId('path-offer')).toContainText('There is no path yet.')
 })
 
 test('a narrow head leaves its room to the rest; sideways there is enough @phone', async ({

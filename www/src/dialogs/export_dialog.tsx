@@ -18,6 +18,9 @@ import { Button } from '../ui/buttons'
 import { copyText } from '../ui/copy_text'
 import { Dialog } from '../ui/dialog'
 import { Segmented } from '../ui/fields'
+import { lazily } from '../ui/lazily'
+
+const PathOffer = lazily(async () => (await import('./path_offer')).fetchPathOffer())
 
 /** `experiment` is a session: the file's ending has kept its former name. */
 type Format = ExportFormat | 'geotiff' | 'ros' | 'experiment'
@@ -142,6 +145,7 @@ export function ExportDialog() {
           value={text === null ? t('common.working') : text.slice(0, PREVIEW_CHARACTERS)}
         />
       )}
+      <PathOffer />
     </Dialog>
   )
 }

@@ -3,15 +3,34 @@ import type { EngineError, ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
+import { t as tOfDriving } from '../i18n/driving'
 import { errorText } from '../i18n/errors'
 import { goalAt } from '../model/session'
+import { MOST_ENERGY } from '../share/session_vehicle'
 import type { Rules } from '../state/movement_rules'
 import { useLatest } from './latest_answer'
 
 /** As large as a link may hold. */
 const MOST = 1e6
 
-export type Quantity = 'resolution' | 'speed' | 'seconds_per_turn'
+const LABELS = {
+  resolution: 'scale.cell',
+  speed: 'scale.speed',
+  seconds_per_turn: 'scale.turn',
+} as const
+
+export const DRIVING_LABELS = {
+  max_curvature: 'driving.curvature',
+  per_metre: 'driving.perMetre',
+  per_radian: 'driving.perRadian',
+  per_metre_up: 'driving.perMetreUp',
+} as const
+
+export type DrivingQuantity = keyof typeof DRIVING_LABELS
+export type Quantity = keyof typeof LABELS | DrivingQuantity
+
+export const isOfDriving = (field: string | null): field is DrivingQuantity =>
+  field !== null && field in DRIVING_LABELS
 
 /** A quantity that cannot be used, and why. */
 export interface WrongQuantity {
@@ -31,26 +50,29 @@ export async function wrongQuantity(
   spec: ScenarioSpec,
   { resolution, vehicle }: Rules,
 ): Promise<WrongQuantity | null> {
-  const all = { resolution, ...vehicle }
-  const large = (Object.keys(all) as Quantity[]).find((field) => all[field] > MOST)
-  if (large) {
-    const most = numbers.peek().whole.format(MOST)
-    return { field: large, why: t('scale.most', { most }) }
-  }
+  const { energy, smoothing, ...pace } = vehicle
+  const large =
+    firstAbove(MOST, { resolution, ...pace, ...smoothing }) ??
+    firstAbove(MOST_ENERGY, { ...energy })
+  if (large) return large
   return tools.check(smallest({ ...spec, resolution, vehicle })).then(() => null, refusal)
 }
 
-const LABELS = {
-  resolution: 'scale.cell',
-  speed: 'scale.speed',
-  seconds_per_turn: 'scale.turn',
-} as const
+function firstAbove(limit: number, all: Partial<Record<Quantity, number>>): WrongQuantity | null {
+  const large = (Object.keys(all) as Quantity[]).find((field) => (all[field] ?? 0) > limit)
+  if (!large) return null
+  return { field: large, why: t('scale.most', { most: numbers.peek().whole.format(limit) }) }
+}
 
 /** In Chinese it names the field as the form does. */
 function refusal(error: EngineError): WrongQuantity {
-  const field = error.field in LABELS ? (error.field as Quantity) : null
-  return { field, why: errorText(field ? { ...error, field: t(LABELS[field]) } : error) }
+  const name = error.field.slice(error.field.lastIndexOf('.') + 1)
+  const field = name in LABELS || isOfDriving(name) ? (name as Quantity) : null
+  return { field, why: errorText(field ? { ...error, field: labelOf(field) } : error) }
 }
+
+const labelOf = (field: Quantity): string =>
+  isOfDriving(field) ? tOfDriving(DRIVING_LABELS[field]) : t(LABELS[field])
 
 /** The engine checks quantities alike on any map. */
 function smallest({ name, movement, resolution, vehicle }: ScenarioSpec) {

@@ -15,9 +15,10 @@ import { useWrongQuantity, wrongQuantity } from './quantities'
 import { ScaleFields } from './scale_fields'
 import { ModelField, SliceFields, SurfaceFields, terrainFits } from './terrain_fields'
 
+const DrivingFields = lazily(async () => (await import('./driving_fields')).fetchDrivingFields())
 const RobotFields = lazily(async () => (await import('./robot_fields')).fetchRobotFields())
 
-/** Size of the map and the moves allowed on it; on a terrain, all rules of moving. */
+/** Size of the map, the moves allowed on it and who makes them; on a terrain, all rules of moving. */
 export function ResizeDialog() {
   return scenario.value && <Form now={scenario.value} />
 }
@@ -115,6 +116,7 @@ function Form({ now }: { now: Scenario }) {
         onUnit={setUnit}
       />
       <RobotFields scenario={now} rules={rules} onChange={set} />
+      {!terrain?.slices && <DrivingFields rules={rules} wrong={wrong} onChange={set} />}
       {placeless && (
         <p class="field-error" role="alert" data-testid="no-place">
           {t('terrain.noPlace')}

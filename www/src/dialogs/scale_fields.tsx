@@ -7,7 +7,7 @@ import type { LengthUnit } from '../state/length_unit'
 import type { Rules } from '../state/movement_rules'
 import { Labelled, NumberField, Segmented } from '../ui/fields'
 import { distanceWords } from '../words/metres'
-import type { Quantity, WrongQuantity } from './quantities'
+import { isOfDriving, type Quantity, type WrongQuantity } from './quantities'
 
 /** Digits of what an import has computed. */
 const DIGITS = 6
@@ -69,7 +69,7 @@ export function ScaleFields({ spec, rules, unit, wrong, onChange, onUnit }: Scal
           {...checked('seconds_per_turn')}
         />
       </div>
-      {wrong && (
+      {wrong && !isOfDriving(wrong.field) && (
         <p class="field-error" role="alert" id={`${id}-wrong`} data-testid="quantity-wrong">
           {wrong.why}
         </p>

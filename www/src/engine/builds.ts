@@ -14,13 +14,18 @@ export function noteCore({ planners }: Pick<Catalog, 'planners'>): void {
   for (const { id } of planners) coreIds.add(id)
 }
 
-/** Whether a map is more than the core knows: no terrain, no weighted ground, no robot, no walls that change. */
+/** Whether a map is more than the core knows: no terrain, no weighted ground, no robot, no measures of driving, no walls that change. */
 export const asksForWhole = ({
   heights,
   factors,
   spec,
 }: Pick<RunSetup, 'heights' | 'factors' | 'spec'>): boolean =>
-  (heights ?? factors ?? spec.robot ?? spec.changes) != null
+  (heights ??
+    factors ??
+    spec.robot ??
+    spec.changes ??
+    spec.vehicle.energy ??
+    spec.vehicle.smoothing) != null
 
 /** The build for a run. */
 export const buildForRun = (setup: RunSetup): Build =>

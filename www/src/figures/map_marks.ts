@@ -1,4 +1,6 @@
 /** What lies on a map in a picture: paths in cells, ends and names in pixels. */
+import type { Smoothed } from '@pkg/formicarium'
+import { CURVE_COLOURS } from '../drawing/draw_curve'
 import { MAP_COLOURS } from '../drawing/draw_map'
 import { MARK_COLOURS } from '../drawing/draw_marks'
 import { goalName } from '../model/goals'
@@ -13,31 +15,53 @@ type Theme = keyof typeof MARK_COLOURS
 /** Pixels. */
 const PATH = 3
 const HALO = 6
+const CURVE = 1.5
+const CURVE_HALO = 3
 const MARK = 7
 
-/** In cells, from the middle of each cell to that of the next; `scale` is pixels a cell. */
+/** In cells, from the middle of each cell to that of the next, its smooth curve over it; `scale` is pixels a cell. */
 export function pathOf(
   { path, colour, name }: Pick<Runner, 'path' | 'colour' | 'name'>,
+  curve: Smoothed | null,
   scale: number,
   theme: Theme,
 ): SVGElement[] {
   if (!path) return []
-  const points: string[] = []
-  for (let i = 0; i + 1 < path.length; i += 2)
-    points.push(`${(path[i] ?? 0) + 0.5},${(path[i + 1] ?? 0) + 0.5}`)
-  const line = (stroke: string, width: number, className: string) =>
-    element('polyline', {
-      class: className,
-      points: points.join(' '),
-      fill: 'none',
-      stroke,
-      'stroke-width': Number((width / scale).toFixed(4)),
-      'stroke-linejoin': 'round',
-      'stroke-linecap': 'round',
-    })
-  const drawn = line(colour, PATH, 'path')
+  const cells: [number, number][] = []
+  for (let i = 0; i + 1 < path.length; i += 2) cells.push([path[i] ?? 0, path[i + 1] ?? 0])
+  const { halo } = MAP_COLOURS[theme]
+  const drawn = lineThrough(cells, scale, { class: 'path', stroke: colour, width: PATH })
   drawn.append(element('title', {}, name))
-  return [line(MAP_COLOURS[theme].halo, HALO, 'halo'), drawn]
+  const lines = [lineThrough(cells, scale, { class: 'halo', stroke: halo, width: HALO }), drawn]
+  if (!curve?.is_curve) return lines
+  const over = { class: 'curve', stroke: CURVE_COLOURS[theme], width: CURVE }
+  return [
+    ...lines,
+    lineThrough(curve.points, scale, { class: 'halo', stroke: halo, width: CURVE_HALO }),
+    lineThrough(curve.points, scale, over),
+  ]
+}
+
+interface LineLook {
+  class: string
+  stroke: string
+  /** Pixels. */
+  width: number
+}
+
+function lineThrough(
+  points: [number, number][],
+  scale: number,
+  { width, ...look }: LineLook,
+): SVGElement {
+  return element('polyline', {
+    ...look,
+    points: points.map((point) => point.map((at) => Number((at + 0.5).toFixed(4)))).join(' '),
+    fill: 'none',
+    'stroke-width': Number((width / scale).toFixed(4)),
+    'stroke-linejoin': 'round',
+    'stroke-linecap': 'round',
+  })
 }
 
 /** The start is a disc with a hole, a goal a diamond, as on the page. `order`: the goals in the order of their visits. */

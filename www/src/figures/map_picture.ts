@@ -1,5 +1,6 @@
 /** The map with paths, ends and layer, as a picture that stands alone. */
 
+import type { Smoothed } from '@pkg/formicarium'
 import { lateTools } from '../engine/late_tools'
 import { client } from '../engine/panel_clients'
 import { numbers } from '../i18n'
@@ -74,7 +75,7 @@ async function pictureOf(
   if (vectors) drawCells(cells, vectors, width, height)
   else cells.append(await imageOf(painted.pixels, width, height))
   const paths = element('g', { class: 'paths', transform: `scale(${scale})` })
-  for (const runner of shown) paths.append(...pathOf(runner, scale, theme))
+  for (const runner of shown) paths.append(...pathOf(runner, await curveOf(runner), scale, theme))
   const order = shown.length === 1 && shown[0] ? shownOf(shown[0].panel).summary?.tour?.order : []
   const contours = await contourLines(now, scale, theme)
   const frame = { width: width * scale, height: height * scale, fill: 'none', stroke: look.line }
@@ -98,6 +99,10 @@ async function pictureOf(
     words: `${what}. ${shown.map(({ label }) => label).join('; ')}`,
     look,
   }
+}
+
+async function curveOf({ panel }: Runner): Promise<Smoothed | null> {
+  return (await client(panel.id)?.ask({ about: 'curve' }))?.curve ?? null
 }
 
 function notesOf(isVectors: boolean, interval: number | null, hasHoles: boolean): string[] {

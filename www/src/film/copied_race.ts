@@ -76,10 +76,15 @@ export class CopiedRace {
     return Promise.all(wanted.map(({ lane, view }) => lane.copy.shot(view, glide)))
   }
 
-  /** The map of each run with a layer, one pixel a cell. */
-  pictures(look: Pick<PanelView, 'layer' | 'ends' | 'theme'>) {
+  /** The map of each run with a layer, one pixel a cell, and the smooth curve of its path. */
+  seen(look: Pick<PanelView, 'layer' | 'ends' | 'theme'>) {
     const { width, height } = this.map.spec
-    return Promise.all(this.lanes.map(({ copy }) => copy.picture(look, [width, height])))
+    return Promise.all(
+      this.lanes.map(async ({ copy }) => ({
+        picture: await copy.picture(look, [width, height]),
+        curve: await copy.curve(),
+      })),
+    )
   }
 
   end(): void {

@@ -10,6 +10,7 @@ import { placement } from '../model/viewpoint'
 import { layerEnds } from '../state'
 import { showContours } from '../state/relief'
 import type { CopiedRun } from './copied_race'
+import type { FrameBar } from './frame_bar'
 import type { FrameLayout, Rect } from './frame_layout'
 import type { FilmLook } from './settings'
 
@@ -50,6 +51,8 @@ export interface FrameWords {
   title: string[]
   /** By panel: its name, its colour, and what it has reached. */
   panels: { name: string; colour: string; reached: string }[]
+  /** Beside the first caption. */
+  bar: FrameBar | null
   /** Below the code, or in its place. */
   code: string[]
 }
@@ -70,7 +73,9 @@ export function drawFrame(
   drawTitle(canvas, layout, words.title, theme)
   for (const [i, { caption, map }] of layout.panels.entries()) {
     const said = words.panels[i]
-    if (said) drawCaption(canvas, layout.letter, caption, said, theme)
+    const bar = i === 0 ? words.bar : null
+    const room = bar ? drawBar(canvas, layout.letter, caption, bar, theme) : 0
+    if (said) drawCaption(canvas, layout.letter, caption, { ...said, room }, theme)
     if (maps[i]) canvas.drawImage(maps[i], map.x, map.y)
   }
   if (layout.code) drawCode(canvas, layout, code, words.code, theme)
@@ -93,7 +98,7 @@ function drawCaption(
   canvas: Canvas,
   letter: number,
   { x, y, width }: Rect,
-  said: FrameWords['panels'][number],
+  said: FrameWords['panels'][number] & { room: number },
   theme: FilmLook['theme'],
 ): void {
   const radius = 0.36 * letter
@@ -107,7 +112,46 @@ function drawCaption(
   write(canvas, said.name, name, left, y + 1.06 * letter, x + width - left)
   canvas.fillStyle = LOOKS[theme].muted
   const reached = { size: 0.86 * letter, weight: 400 }
-  write(canvas, said.reached, reached, x, y + 2.3 * letter, width)
+  write(canvas, said.reached, reached, x, y + 2.3 * letter, width - said.room)
+}
+
+/** At the right end of a caption's second line; tells how much of it that takes. */
+function drawBar(
+  canvas: Canvas,
+  letter: number,
+  { x, y, width }: Rect,
+  { pixels, words }: FrameBar,
+  theme: FilmLook['theme'],
+): number {
+  canvas.font = `400 ${0.86 * letter}px ${FONT}`
+  const taken = canvas.measureText(words).width + 0.4 * letter
+  const right = x + width - taken
+  const base = y + 2.3 * letter
+  canvas.fillStyle = LOOKS[theme].muted
+  canvas.fillText(words, right + 0.4 * letter, base)
+  canvas.strokeStyle = LOOKS[theme].text
+  canvas.lineWidth = Math.max(1, letter / 12)
+  canvas.beginPath()
+  for (const [px, py] of barCorners(right, base, pixels, letter)) canvas.lineTo(px, py)
+  canvas.stroke()
+  return taken + pixels + letter
+}
+
+/** From its left tick to its right one. */
+export function barCorners(
+  right: number,
+  base: number,
+  pixels: number,
+  letter: number,
+): [number, number][] {
+  const left = right - pixels
+  const top = base - 0.4 * letter
+  return [
+    [left, top],
+    [left, base],
+    [right, base],
+    [right, top],
+  ]
 }
 
 function drawCode(

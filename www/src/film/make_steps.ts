@@ -35,7 +35,7 @@ export async function makeSteps(
     for (const at of moments) {
       await race.goTo({ at, last: at === settings.last }, 'iteration')
       const look = { layer: settings.layer, ends: layerEnds.peek(), theme: settings.theme }
-      steps.push(await sheet.step(race.runs(), await race.pictures(look)))
+      steps.push(await sheet.step(race.runs(), await race.seen(look)))
       onFrame?.(steps.length, moments.length)
     }
     if (signal.aborted) return null

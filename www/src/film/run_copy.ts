@@ -1,4 +1,5 @@
 /** A copy of a panel's run, in a worker of its own: the run on the page knows nothing of it. */
+import type { Smoothed } from '@pkg/formicarium'
 import { PanelClient } from '../engine/panel_client'
 import { crash } from '../model/errors'
 import type { Frame, PanelReply, PanelView, RunSetup, Target } from '../model/messages'
@@ -40,6 +41,10 @@ export class RunCopy {
   /** The map and its layer, one pixel a cell. */
   picture(view: Pick<PanelView, 'layer' | 'ends' | 'theme'>, size: [number, number]) {
     return this.client.ask({ about: 'picture', size, ...view })
+  }
+
+  async curve(): Promise<Smoothed | null> {
+    return (await this.client.ask({ about: 'curve' }))?.curve ?? null
   }
 
   end(): void {

@@ -1,4 +1,5 @@
 /** Steps of a race as SVG: one picture in which they appear one after the other, or one picture each. */
+import type { Smoothed } from '@pkg/formicarium'
 import { FONT, LOOKS } from '../figures/look'
 import { endsOf, pathOf } from '../figures/map_marks'
 import { imageOf } from '../figures/map_picture'
@@ -10,6 +11,8 @@ import type { MapPicture } from '../model/messages'
 import type { Scenario } from '../model/session'
 import { codeWords, reachedWords, titleLines } from './captions'
 import type { CopiedRun } from './copied_race'
+import { barCorners } from './draw_frame'
+import { barOf } from './frame_bar'
 import { type FrameLayout, layOut, type Rect } from './frame_layout'
 import type { RaceLink } from './link_of_race'
 import { titleOfRace } from './make_film'
@@ -23,6 +26,14 @@ const CODE_SHARE = 0.3
 /** Seconds for which a step is on top, and how many times longer the last one is. */
 const STEP_SECONDS = 1.4
 const LAST_TIMES = 3
+
+/** What a run's map shows besides its path. */
+export interface Seen {
+  picture: MapPicture | null
+  curve: Smoothed | null
+}
+
+const UNSEEN: Seen = { picture: null, curve: null }
 
 /** What the steps of a race have in common. */
 export class Sheet {
@@ -61,15 +72,16 @@ export class Sheet {
   }
 
   /** One step, as the runs stand. */
-  async step(runs: CopiedRun[], pictures: (MapPicture | null)[]): Promise<SVGElement> {
+  async step(runs: CopiedRun[], seen: Seen[]): Promise<SVGElement> {
     const look = LOOKS[this.asked.theme]
     const group = element('g', { class: 'step' })
     group.append(element('rect', { ...this.size, fill: look.background }), ...this.titleElements())
     for (const [i, run] of runs.entries()) {
       const place = this.layout.panels[i]
       if (!place) continue
-      group.append(...this.captionOf(run, place.caption))
-      group.append(await this.mapOf(run, pictures[i] ?? null, place.map))
+      const bar = i === 0 ? this.barOf(place.caption) : { drawn: [], room: 0 }
+      group.append(...this.captionOf(run, place.caption, bar.room), ...bar.drawn)
+      group.append(await this.mapOf(run, seen[i] ?? UNSEEN, place.map))
     }
     group.append(...this.codeElements())
     return group
@@ -112,7 +124,7 @@ export class Sheet {
     }
   }
 
-  private async mapOf(run: CopiedRun, picture: MapPicture | null, place: Rect) {
+  private async mapOf(run: CopiedRun, { picture, curve }: Seen, place: Rect) {
     const { map, asked } = this
     const { width, height } = map.spec
     const { scale, x, y } = this.placeOf(place)
@@ -126,7 +138,7 @@ export class Sheet {
     if (this.shared.over) group.append(element('use', { href: '#over' }))
     const path = run.path.length > 0 ? run.path : null
     const paths = element('g', { class: 'paths', transform: `scale(${scale})` })
-    paths.append(...pathOf({ ...run, path }, scale, asked.theme))
+    paths.append(...pathOf({ ...run, path }, curve, scale, asked.theme))
     group.append(paths, ...endsOf(map, scale, asked.theme, run.summary.tour?.order ?? []))
     return group
   }
@@ -141,7 +153,27 @@ export class Sheet {
     })
   }
 
-  private captionOf(run: CopiedRun, { x, y, width }: Rect): SVGElement[] {
+  /** At the right end of the first caption's second line, and how much of it that takes. */
+  private barOf({ x, y, width }: Rect): { drawn: SVGElement[]; room: number } {
+    const bar = barOf(this.layout, this.map.spec.width)
+    if (!bar) return { drawn: [], room: 0 }
+    const { letter } = this.layout
+    const size = 0.86 * letter
+    // Letters of the reader's typeface may be wider than those of this one.
+    const taken = 0.7 * size * bar.words.length + 0.4 * letter
+    const right = x + width - taken
+    const base = y + 2.3 * letter
+    const at = { x: right + 0.4 * letter, y: base, size, weight: 400, most: taken, muted: true }
+    const line = element('polyline', {
+      class: 'scale-bar',
+      points: barCorners(right, base, bar.pixels, letter).join(' '),
+      fill: 'none',
+      stroke: LOOKS[this.asked.theme].text,
+    })
+    return { drawn: [line, this.text(bar.words, at)], room: taken + bar.pixels + letter }
+  }
+
+  private captionOf(run: CopiedRun, { x, y, width }: Rect, room: number): SVGElement[] {
     const { letter } = this.layout
     const r = 0.36 * letter
     const left = 1.1 * letter
@@ -150,7 +182,7 @@ export class Sheet {
     return [
       element('circle', { cx: x + r, cy: y + 0.72 * letter, r, fill: run.colour }),
       this.text(run.name, { ...name, most: width - left, muted: false }),
-      this.text(reachedWords(run, null), { ...reached, most: width, muted: true }),
+      this.text(reachedWords(run, null), { ...reached, most: width - room, muted: true }),
     ]
   }
 

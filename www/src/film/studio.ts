@@ -3,6 +3,7 @@ import { FONT } from '../figures/look'
 import { codeWords, reachedWords, titleLines } from './captions'
 import type { CopiedRace } from './copied_race'
 import { type Canvas, drawFrame, type FrameWords, viewOf } from './draw_frame'
+import { barOf } from './frame_bar'
 import { type FrameLayout, layOut } from './frame_layout'
 import type { RaceLink } from './link_of_race'
 import { type FilmSettings, type Moment, momentOf } from './settings'
@@ -62,17 +63,18 @@ export class Studio {
     )
     try {
       const { code } = this.link
-      drawFrame(this.context, layout, settings.theme, maps, this.words(moment), code)
+      drawFrame(this.context, layout, settings.theme, maps, this.words(moment, layout), code)
     } finally {
       for (const map of maps) map.close()
     }
   }
 
-  private words(moment: Moment): FrameWords {
+  private words(moment: Moment, layout: FrameLayout): FrameWords {
     const moves = this.settings.unit === 'move' ? moment.at : null
     const panels = this.race
       .runs()
       .map((run) => ({ name: run.name, colour: run.colour, reached: reachedWords(run, moves) }))
-    return { title: this.title, panels, code: codeWords(this.link) }
+    const bar = barOf(layout, this.race.map.spec.width)
+    return { title: this.title, panels, bar, code: codeWords(this.link) }
   }
 }

@@ -4,7 +4,15 @@
  * Each panel owns one worker, one wasm instance and one OffscreenCanvas. Requests that concern a run carry its `runId`; replies
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
-import type { EngineError, Layer, RunSummary, ScenarioSpec, Status, Walls } from '@pkg/formicarium'
+import type {
+  EngineError,
+  Layer,
+  RunSummary,
+  ScenarioSpec,
+  Smoothed,
+  Status,
+  Walls,
+} from '@pkg/formicarium'
 import type { Stop } from './lesson'
 import type { MapCells } from './session'
 
@@ -87,6 +95,8 @@ export type PanelQuestion =
   | { about: 'moves'; cell: [number, number]; level: number | null }
   /** The values of a layer, row by row; empty where the planner has no such layer. */
   | { about: 'layer'; layer: Layer }
+  /** The smooth curve of the path on show. */
+  | { about: 'curve' }
   /** What is kept to look back. */
   | { about: 'kept' }
   /** The map as the panel would draw it in a theme, with a layer or without. */
@@ -111,6 +121,8 @@ export interface PanelAnswers {
     rows: Float64Array
   }
   layer: Float32Array
+  /** With the path that it belongs to; null where there is none. */
+  curve: { path: Uint32Array; curve: Smoothed | null }
   kept: {
     snapshots: number
     bytes: number

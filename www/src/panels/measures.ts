@@ -4,8 +4,16 @@ import { goalName } from '../model/goals'
 import { type Panel, plannerEntry, referenceOf, scenario, shownOf } from '../state'
 import { panelGap } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
-import { bestOf, GAP_ROW, METRIC_ROWS, type MetricId, type MetricRow } from '../words/metric_rows'
+import {
+  bestOf,
+  EFFORT_ROWS,
+  GAP_ROW,
+  type MetricId,
+  type MetricRow,
+  PATH_ROWS,
+} from '../words/metric_rows'
 import { objectiveWord } from '../words/objective_words'
+import { curveMeasures } from './curve_measures'
 
 export interface MeasureCell {
   text: string
@@ -19,7 +27,14 @@ export interface MeasureCell {
 }
 
 export interface Measure {
-  id: MetricId | 'comparedWith' | 'order' | 'digest'
+  id:
+    | MetricId
+    | 'comparedWith'
+    | 'order'
+    | 'curveLength'
+    | 'curveCurvature'
+    | 'curveBound'
+    | 'digest'
   /** Words rather than numbers: they want more room. */
   wordy: boolean
   /** Whether it is a length (see `MetricRow`). */
@@ -30,14 +45,29 @@ export interface Measure {
 
 /** Those that some panel has; the gap comes first. */
 export function measuresOf(all: Panel[]): Measure[] {
+  const driving = tellsDriving(all)
   const found = [
     numeric(GAP_ROW, all),
     wordy('comparedWith', all.map(comparedWith)),
     optional(wordy('order', all.map(orderOf))),
-    ...METRIC_ROWS.map((row) => (row.optional ? optional(numeric(row, all)) : numeric(row, all))),
+    ...PATH_ROWS.filter((row) => !row.ofDriving || driving).map((row) =>
+      row.optional ? optional(numeric(row, all)) : numeric(row, all),
+    ),
+    ...curveMeasures(all),
+    ...EFFORT_ROWS.map((row) => numeric(row, all)),
     wordy('digest', all.map(digestOf)),
   ]
   return found.filter((measure) => measure !== null)
+}
+
+/** Whether the scenario asks how paths are to drive, and every panel with a path can say it. */
+function tellsDriving(all: Panel[]): boolean {
+  const spec = scenario.value?.spec
+  if (!spec?.robot && !spec?.vehicle.energy && !spec?.vehicle.smoothing) return false
+  return all.every((panel) => {
+    const metrics = shownOf(panel).summary?.metrics
+    return !metrics || metrics.driving
+  })
 }
 
 const NOTHING: MeasureCell = { text: '–' }

@@ -5,8 +5,10 @@
 import { signal } from '@preact/signals'
 import { ChevronDown, ChevronRight } from 'lucide'
 import type { ComponentChildren } from 'preact'
+import { useEffect } from 'preact/hooks'
 import { t } from '../i18n/column'
 import { byHand, type Panel, panels, slotColour } from '../state'
+import { keepCurves } from '../state/curves'
 import { Icon } from '../ui/icon'
 import { unitName, withUnit } from '../words/metres'
 import { panelTitle } from '../words/planner_words'
@@ -21,6 +23,7 @@ const FIRST: Measure['id'][] = ['gap', 'walkedWeight', 'levelCost', 'cost', 'len
 const showsAll = signal(false)
 
 export function MetricsTable() {
+  useEffect(keepCurves, [])
   const all = [...panels.value, ...byHand.value]
   const measures = measuresOf(all)
   if (all.length <= MOST_COLUMNS)

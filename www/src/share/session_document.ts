@@ -43,6 +43,7 @@ import { readLesson } from './lesson_fields'
 import { LinkError } from './link_error'
 import { readChanges } from './session_changes'
 import { readDrive } from './session_drive'
+import { readVehicle } from './session_vehicle'
 import {
   MOST_ITERATIONS,
   panelFields,
@@ -184,7 +185,6 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
     }
   })
   if (goals.length === 0) throw invalid('scenario.goals', 'must name a goal')
-  const vehicle = fieldsOf(fields.vehicle, 'scenario.vehicle')
   return {
     name: text(fields.name, 'scenario.name', 200),
     width,
@@ -193,10 +193,7 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
     movement: readMovement(fieldsOf(fields.movement, 'scenario.movement')),
     start: cell(fields.start, 'scenario.start', width, height),
     goals,
-    vehicle: {
-      speed: real(vehicle.speed, 'scenario.vehicle.speed', Number.MIN_VALUE, 1e6),
-      seconds_per_turn: real(vehicle.seconds_per_turn, 'scenario.vehicle.seconds_per_turn', 0, 1e6),
-    },
+    vehicle: readVehicle(fieldsOf(fields.vehicle, 'scenario.vehicle')),
     ...(fields.terrain != null && {
       terrain: readTerrain(fieldsOf(fields.terrain, 'scenario.terrain'), limits),
     }),

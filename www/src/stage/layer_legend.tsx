@@ -1,4 +1,5 @@
 /** What the colours of a panel's map mean, where it is least in the way: a ramp with its least and greatest value, or swatches. Beside it how long things are. */
+import '../state/weighted_optimum'
 import '../styles/legend.css'
 import { computed, useSignal } from '@preact/signals'
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks'

@@ -1,6 +1,6 @@
 /** Keeps the engine's notices and the references in step with the scenario and the panels' objectives. */
 import type { Notice, Objective, Reference } from '@pkg/formicarium'
-import { computed, effect } from '@preact/signals'
+import { computed, effect, signal } from '@preact/signals'
 import { tools } from '../engine/tools'
 import { toEngineError } from '../model/errors'
 import { question } from '../model/goals'
@@ -27,6 +27,8 @@ const known = new WeakMap<Uint8Array, Map<string, Known>>()
 
 /** Whose reference depends on weights that a panel's planner alone knows. */
 const WEIGHTED: Objective = 'weighted'
+/** The reference of such a panel, as soon as there is somebody to ask (weighted_optimum.ts). */
+export const sums = signal<((panel: Panel) => Reference | null) | null>(null)
 
 /** The panels' objectives that have one reference in order, as text, so that the signal changes only when they do. */
 const wanted = computed(() => {
@@ -47,7 +49,7 @@ export function referenceOf(panel: Panel): Reference | null {
   const { objective, summary } = shownOf(panel)
   // What is shown may be of the map before a change.
   if (!objective || (summary?.changes ?? 0) !== (walls.made?.() ?? 0)) return null
-  if (objective === WEIGHTED) return { kind: 'unknown' }
+  if (objective === WEIGHTED) return sums.value?.(panel) ?? null
   const reference = references.value[objective] ?? null
   return reference?.kind === 'unknown' ? (bestOfPanels(objective) ?? reference) : reference
 }

@@ -1,6 +1,7 @@
 /** The rows of the comparison table: where each number comes from and which way is better. */
 import type { Family, RunSummary } from '@pkg/formicarium'
-import { numbers } from '../i18n'
+import { computed } from '@preact/signals'
+import { language, numbers } from '../i18n'
 import { gapShown } from './gap_words'
 import { lengthNumber, metresPerCell } from './metres'
 
@@ -16,6 +17,10 @@ export type MetricId =
   | 'minClearance'
   | 'meanClearance'
   | 'travelTime'
+  | 'turning'
+  | 'largestCurvature'
+  | 'smoothness'
+  | 'energy'
   | 'lengthMetres'
   | 'climb'
   | 'descent'
@@ -35,6 +40,8 @@ export interface MetricRow {
   families?: Family[]
   /** Left out while no panel has it. */
   optional?: true
+  /** Of driving: shown where the scenario asks for it. */
+  ofDriving?: true
   /** A length in cells, or one weighed, which is shown in metres on maps that have a scale. */
   isLength?: true
   value(summary: RunSummary, gap: number | null): number | null
@@ -43,6 +50,11 @@ export interface MetricRow {
 
 const decimal = (value: number) => numbers.value.length.format(value)
 const whole = (value: number) => numbers.value.whole.format(value)
+const digits = computed(
+  () => new Intl.NumberFormat(language.value, { maximumSignificantDigits: 4 }),
+)
+/** What may be of any size, as it depends on how large cells are. */
+export const significant = (value: number) => digits.value.format(value)
 
 export const GAP_ROW: MetricRow = {
   id: 'gap',
@@ -51,8 +63,8 @@ export const GAP_ROW: MetricRow = {
   format: gapShown,
 }
 
-/** Below the gap and what it is taken from, and the order of several goals. */
-export const METRIC_ROWS: MetricRow[] = [
+/** Of a path: below the gap and what it is taken from, and the order of several goals. */
+export const PATH_ROWS: MetricRow[] = [
   ofTour('plannedLength', (tour) => tour.planned_length),
   ofTour('plannedWeight', (tour) => tour.planned_weight),
   ofTour('walkedWeight', (tour) => tour.walked_weight),
@@ -77,6 +89,14 @@ export const METRIC_ROWS: MetricRow[] = [
   length('minClearance', 'higher', ofPath('min_clearance')),
   length('meanClearance', 'higher', ofPath('mean_clearance')),
   { id: 'travelTime', better: 'lower', value: ofPath('travel_time'), format: decimal },
+  ofDriving('turning', ({ turning }) => turning),
+  ofDriving('largestCurvature', (driving) => driving.largest_curvature),
+  ofDriving('smoothness', ({ smoothness }) => smoothness),
+  ofDriving('energy', ({ energy }) => energy),
+]
+
+/** Of what it took to find it. */
+export const EFFORT_ROWS: MetricRow[] = [
   iterative('iterations', ofEffort('iterations')),
   iterative('iterationOfBest', (summary) => summary.iteration_of_best),
   iterative('constructedPaths', ofEffort('constructed_paths')),
@@ -125,6 +145,13 @@ function ofTerrain(
   const read = ({ metrics }: RunSummary) =>
     (metrics?.terrain ? value(metrics.terrain) : null) ?? null
   return { id, better: 'lower', optional: true, value: read, format: decimal }
+}
+
+type Driving = NonNullable<NonNullable<RunSummary['metrics']>['driving']>
+
+function ofDriving(id: MetricId, value: (driving: Driving) => number | undefined): MetricRow {
+  const read = ({ metrics }: RunSummary) => (metrics?.driving && value(metrics.driving)) ?? null
+  return { id, better: 'lower', optional: true, ofDriving: true, value: read, format: significant }
 }
 
 type PathMetric = Exclude<keyof NonNullable<RunSummary['metrics']>, 'terrain' | 'driving'>

@@ -7,12 +7,22 @@ import type { ScenarioSpec } from '@pkg/formicarium'
 import { drawCursor, drawGrid, drawHatch, drawPath, drawRaster } from '../drawing/draw_map'
 import { drawMarks } from '../drawing/draw_marks'
 import type { LayerScale, PanelView } from '../model/messages'
-import type { ContourLayer } from './contours'
 import { Crowd } from './crowd'
 import { drawCrowd } from './draw_crowd'
 import { paintLayer, pictureOf } from './shown_layer'
 
 type Context = OffscreenCanvasRenderingContext2D
+
+/** What lies on a map besides its raster. Only the whole engine has any. */
+export interface Ground {
+  /** Whether some cells have no data. */
+  readonly hasHoles: boolean
+  /** Contour lines; `again` is called when there is a better picture. */
+  draw(context: Context, view: PanelView, again: () => void): void
+  /** What lies over the best path. */
+  drawOver?(context: Context, view: PanelView): void
+}
+
 type PaintMap = (context: Context, theme: PanelView['theme'], shaded: boolean) => void
 
 /** Slow steps are shown as a walk rather than a jump, but never longer than this. */
@@ -32,8 +42,7 @@ export class Painter {
   /** Paints the map where there is no run. */
   private bare: PaintMap | null = null
   private spec: ScenarioSpec | null = null
-  /** On a terrain. */
-  private contours: ContourLayer | null = null
+  private onGround: Ground | null = null
   private path: Uint32Array = new Uint32Array()
   /** For each goal its place in the order of visits, from 1. */
   private places: number[] = []
@@ -58,21 +67,21 @@ export class Painter {
   }
 
   /** Shows another run from now on. */
-  show(run: Run, spec: ScenarioSpec, contours: ContourLayer | null): void {
+  show(run: Run, spec: ScenarioSpec, onGround: Ground | null): void {
     this.run = run
-    this.begin(spec, contours)
+    this.begin(spec, onGround)
   }
 
   /** Shows a map with its marks, and no run, from now on. */
-  showMap(spec: ScenarioSpec, contours: ContourLayer | null, paint: PaintMap): void {
+  showMap(spec: ScenarioSpec, onGround: Ground | null, paint: PaintMap): void {
     this.run = null
     this.bare = paint
-    this.begin(spec, contours)
+    this.begin(spec, onGround)
   }
 
-  private begin(spec: ScenarioSpec, contours: ContourLayer | null): void {
+  private begin(spec: ScenarioSpec, onGround: Ground | null): void {
     this.spec = spec
-    this.contours = contours
+    this.onGround = onGround
     this.painted = ''
     this.setPath(new Uint32Array())
     this.places = []
@@ -187,18 +196,20 @@ export class Painter {
   }
 
   private drawGround(spec: ScenarioSpec, raster: Context): void {
-    const { ground, view, contours } = this
+    const { ground, view, onGround } = this
     const { cursor, cursorFocus, showAnts, goalNames, ...seen } = view
     const now = JSON.stringify(seen)
     if (now === this.grounded) return
     this.grounded = now
     fit(ground.canvas, view)
     ground.clearRect(0, 0, view.width, view.height)
-    if (contours?.hasHoles || spec.robot) drawHatch(ground, view, spec)
+    if (onGround?.hasHoles || spec.robot) drawHatch(ground, view, spec)
     drawRaster(ground, view, raster.canvas)
-    if (view.showContours) contours?.draw(ground, view, () => this.drawAnew())
+    if (view.showContours) onGround?.draw(ground, view, () => this.drawAnew())
     drawGrid(ground, view, spec)
-    if (view.showPath) drawPath(ground, view, this.path)
+    if (!view.showPath) return
+    drawPath(ground, view, this.path)
+    onGround?.drawOver?.(ground, view)
   }
 
   private drawAnew(): void {

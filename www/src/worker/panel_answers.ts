@@ -2,6 +2,7 @@
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import { curveOf, forgetCurve } from './curve'
 import type { Painter } from './painter'
 import { paintLayer } from './shown_layer'
 
@@ -9,7 +10,8 @@ import { paintLayer } from './shown_layer'
 export { StopWatch } from './stop_watch'
 
 /** A run of either build of the engine. */
-type Run = CoreRun & Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_walls' | 'adapts'>>
+type Run = CoreRun &
+  Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_walls' | 'adapts' | 'smoothed'>>
 
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
@@ -36,6 +38,8 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
     }
     case 'layer':
       return run.layer(question.layer)
+    case 'curve':
+      return curveOf(run)
     case 'kept':
       return keptOf(run)
     case 'picture':
@@ -44,10 +48,12 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return asked.painter && shot(question, asked.painter)
     case 'walls': {
       const at = run.change_walls?.(question.walls) ?? null
+      forgetCurve()
       return { at, adapts: run.adapts?.() ?? null, ...shown(run, asked) }
     }
     case 'show-walls':
       run.show_walls?.(question.walls)
+      forgetCurve()
       shown(run, asked)
       return null
   }

@@ -14,15 +14,14 @@ import type {
   RunSetup,
   Target,
 } from '../model/messages'
-import type { ContourLayer } from './contours'
-import { Painter } from './painter'
+import { type Ground, Painter } from './painter'
 import { Stepper } from './stepper'
 import type { StopWatch } from './stop_watch'
 
 /** What a panel needs of a build. */
 export type PanelEngine = Pick<typeof core, 'initSync' | 'paint_map' | 'Run'>
-/** What a terrain has besides its raster; null on a plane. */
-export type GroundOf = (setup: RunSetup) => ContourLayer | null
+/** What a map has besides its raster, under the path of a run if there is one. */
+export type GroundOf = (setup: RunSetup, run?: core.Run) => Ground | null
 
 type Tick = Extract<PanelRequest, { kind: 'tick' }>
 
@@ -66,7 +65,7 @@ function load(runId: number, setup: RunSetup): void {
   const old = current
   const stepper = new Stepper(run, () => performance.now())
   current = { id: runId, run, stepper, rowsSent: 0, pathSent: '', looks: 0 }
-  painter?.show(run, spec, groundOf(setup))
+  painter?.show(run, spec, groundOf(setup, run))
   old?.run.free()
   reply(frame(current, true, 0))
 }

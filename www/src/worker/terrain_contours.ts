@@ -1,14 +1,14 @@
 /** The contour lines of a panel's terrain. Only the whole engine has them, to keep the core small. */
 import { ContourLines } from '@pkg/formicarium'
+import type { RunSetup } from '../model/messages'
 import type { ContourData } from '../model/terrain'
 import { ContourLayer } from './contours'
-import type { GroundOf } from './panel_server'
 
 /** Found once for a terrain: walls, start and goal leave them as they are. */
 let contours: { heights: Float32Array; unit: number; layer: ContourLayer } | null = null
 
 /** What a terrain has besides its raster. The lines are traced when they are first drawn. */
-export const contoursOf: GroundOf = ({ spec, heights }) => {
+export function contoursOf({ spec, heights }: RunSetup): ContourLayer | null {
   const unit = spec.terrain?.vertical_unit
   if (!heights || unit === undefined) return null
   if (contours && contours.unit === unit && sameNumbers(contours.heights, heights))

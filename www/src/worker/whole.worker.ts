@@ -8,7 +8,8 @@ import { toolCalls } from './engine_calls'
 import { lessonCalls } from './lesson_calls'
 import { orderCalls } from './order_calls'
 import { serve } from './serve_worker'
-import { contoursOf, traceContours } from './terrain_contours'
+import { traceContours } from './terrain_contours'
+import { groundOf } from './whole_ground'
 
 const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
   ...toolCalls(engine),
@@ -49,4 +50,4 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
     engine.generate(kind, width, height, seed, density),
 }
 
-serve(engine, calls, contoursOf)
+serve(engine, calls, groundOf)

@@ -4,6 +4,10 @@ import type { PathFormat } from '@pkg/formicarium'
 export const enPaths = {
   saveAs: 'Save path as',
   none: 'There is no path yet.',
+  title: 'Path',
+  whose: 'Planner',
+  as: 'Save as',
+  save: 'Save path',
   formats: {
     'path-csv': {
       name: 'Table (CSV)',

@@ -292,7 +292,10 @@ export const zhCNRemarks = {
     },
     'goal-on-start': { message: '起点位于 ({{x}}, {{y}})', hint: '请选择另一格' },
     place: { message: '“{{value}}”不是位置', hint: '请写列与行，例如 11, 4' },
-    quantity: { message: '不能使用 {{field}} = {{value}}', hint: '请输入正数；转弯用时也可以是 0' },
+    quantity: {
+      message: '不能使用 {{field}} = {{value}}',
+      hint: '请输入不过大的数：长度、速度与权重须为正；用时、半径、倍数、能耗系数与曲率也可以是 0',
+    },
     change: {
       message: '不能按 {{field}} = {{value}} 改动墙体',
       hint: '请检查格子与迭代次数',

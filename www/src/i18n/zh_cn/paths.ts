@@ -4,6 +4,10 @@ import type { enPaths } from '../en/paths'
 export const zhCNPaths: DictionaryShape<typeof enPaths> = {
   saveAs: '路径另存为',
   none: '还没有路径。',
+  title: '路径',
+  whose: '规划器',
+  as: '另存为',
+  save: '保存路径',
   formats: {
     'path-csv': {
       name: '表格（CSV）',
