@@ -1,5 +1,4 @@
 /** Beside the maps while a robot drives: what it does, what that comes to, what moves, and how it drives. */
-import '../styles/column_comparison.css'
 import '../styles/column_parameters.css'
 import '../styles/drive.css'
 import { useEffect } from 'preact/hooks'

@@ -1,5 +1,6 @@
 /** The list of what moves: each can be taken in hand, changed and removed. */
 import { Blocks, Route, Sparkles, Trash2 } from 'lucide'
+import { useEffect, useRef } from 'preact/hooks'
 import { t } from '../i18n/drive'
 import type { Cell } from '../model/cell'
 import { full } from '../model/moving'
@@ -120,8 +121,10 @@ function Item({ what, label, at }: { what: Edited; label: string; at: Cell | und
 
 function Fields({ of }: { of: Edited }) {
   const isTrack = of.list === 'tracks'
+  const own = useRef<HTMLDivElement>(null)
+  useEffect(() => own.current?.scrollIntoView({ block: 'nearest' }), [of.index === null])
   return (
-    <div class="drive-fields">
+    <div ref={own} class="drive-fields">
       {isTrack ? <TrackFields index={of.index} /> : <WallFields index={of.index} />}
       <p class="hint">{t(isTrack ? 'drive.drawTrack' : 'drive.drawWalls')}</p>
       <div class="card-actions">

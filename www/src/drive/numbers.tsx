@@ -12,54 +12,46 @@ export function Numbers() {
   const { waits, plans, expansions, antMoves } = tally.value
   const found = summary.value
   const driven = standing.value?.last.length ?? 0
+  const replans = Math.max(0, plans - 1)
   const searches = isSearch(drivingPanel.value?.setup.planner ?? '')
   return (
-    <table class="metrics drive-numbers" data-testid="drive-numbers">
-      <caption class="visually-hidden">{t('drive.numbers')}</caption>
-      <tbody>
-        <Row name="length" text={lengthShown(driven)} value={driven} />
-        <Row name="best" hint="drive.bestHint" text={bestWords()} value={bestOf()} />
-        <Row
-          name="ratio"
-          hint="drive.ratioHint"
-          text={found?.ratio == null ? '–' : length.format(found.ratio)}
-          value={found?.ratio ?? ''}
-        />
-        <Row
-          name="replans"
-          text={whole.format(Math.max(0, plans - 1))}
-          value={Math.max(0, plans - 1)}
-        />
-        <Row name="waits" text={whole.format(waits)} value={waits} />
-        {searches ? (
-          <Row name="expansions" text={whole.format(expansions)} value={expansions} />
-        ) : (
-          <Row name="antMoves" text={whole.format(antMoves)} value={antMoves} />
-        )}
-      </tbody>
-    </table>
+    <dl class="drive-numbers" aria-label={t('drive.numbers')} data-testid="drive-numbers">
+      <Fact name="length" text={lengthShown(driven)} value={driven} />
+      <Fact name="best" hint="drive.bestHint" text={bestWords()} value={bestOf()} />
+      <Fact
+        name="ratio"
+        hint="drive.ratioHint"
+        text={found?.ratio == null ? '–' : length.format(found.ratio)}
+        value={found?.ratio ?? ''}
+      />
+      <Fact name="replans" text={whole.format(replans)} value={replans} />
+      <Fact name="waits" text={whole.format(waits)} value={waits} />
+      {searches ? (
+        <Fact name="expansions" text={whole.format(expansions)} value={expansions} />
+      ) : (
+        <Fact name="antMoves" text={whole.format(antMoves)} value={antMoves} />
+      )}
+    </dl>
   )
 }
 
 type Name = 'length' | 'best' | 'ratio' | 'replans' | 'waits' | 'expansions' | 'antMoves'
 
-interface RowProps {
+interface FactProps {
   name: Name
   hint?: DriveKey
   text: string
   value: number | string
 }
 
-function Row({ name, hint, text, value }: RowProps) {
+function Fact({ name, hint, text, value }: FactProps) {
   return (
-    <tr>
-      <th scope="row" title={hint && t(hint)}>
-        {t(`drive.${name}`)}
-      </th>
-      <td data-testid={`drive-${name}`} data-value={value}>
+    <div title={hint && t(hint)}>
+      <dt>{t(`drive.${name}`)}</dt>
+      <dd data-testid={`drive-${name}`} data-value={value}>
         {text}
-      </td>
-    </tr>
+      </dd>
+    </div>
   )
 }
 
