@@ -60,10 +60,7 @@ test.describe('a drive', () => {
   }) => {
     const cli = process.env.FORMICARIUM_CLI
     test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
-    const session = field()
-    const robot = { radius: 0.5 }
-    session.scenario.spec = { ...session.scenario.spec, robot }
-    const race = await open(page, session)
+    const race = await open(page)
     await openDrive(page)
     await page.getByTestId('add-obstacle').click()
     await race.drag([
@@ -101,6 +98,32 @@ test.describe('a drive', () => {
       const spent = planner === 'astar' ? told.effort.cell_expansions : told.effort.ant_moves
       expect(await value(page, effort)).toBe(spent)
     }
+  })
+
+  test('of a robot with a radius keeps clear of the wall, and of what moves', async ({ page }) => {
+    const session = field()
+    // One cell: beside the wall there is no room.
+    session.scenario.spec = { ...session.scenario.spec, robot: { radius: 0.5 } }
+    const race = await open(page, session)
+    await openDrive(page)
+    const cell = (await race.pointOf([1, 0])).x - (await race.pointOf([0, 0])).x
+    const extent = page.locator('.drive-marks .extent')
+    expect(Number(await extent.getAttribute('r'))).toBeCloseTo(cell, 0)
+    await driveThrough(page)
+    const alone = await value(page, 'length')
+    expect(alone).toBeGreaterThan(13)
+    await page.getByTestId('add-obstacle').click()
+    await race.drag([
+      [8, 1],
+      [8, 6],
+    ])
+    await page.getByTestId('drive-done').click()
+    await expect(page.getByTestId('drive-standing')).toContainText('At the start')
+    await driveThrough(page)
+    await expect(page.getByTestId('drive-standing')).toContainText('Arrived')
+    expect(await value(page, 'length')).toBeGreaterThanOrEqual(alone)
+    expect(await value(page, 'ratio')).toBeGreaterThanOrEqual(1)
+    expect(await value(page, 'replans')).toBeGreaterThan(0)
   })
 
   test('leaves the race alone, and its edits are undone one by one', async ({ page }) => {
@@ -161,6 +184,7 @@ test.describe('a drive', () => {
     // Esc leaves the drawing first, and then the drive.
     await page.keyboard.press('Escape')
     await expect(page.getByTestId('drive-card')).toBeVisible()
+    await expect(page.getByTestId('drive-step')).toBeEnabled()
     await page.getByTestId('drive-step').focus()
     await page.keyboard.press('Enter')
     await expect(page.getByTestId('drive-standing')).toContainText('Step 1')
