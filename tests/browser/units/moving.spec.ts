@@ -13,6 +13,7 @@ import {
   without,
 } from '../../../www/src/model/moving'
 import type { Scenario } from '../../../www/src/model/session'
+import { turnMap } from '../../../www/src/model/turn'
 import { sessionOf } from './sessions'
 
 /** Six columns, four rows, a wall at (2, 1); from the upper left to the lower right. */
@@ -71,6 +72,26 @@ test('of changes only the cells stay that fit the map', () => {
   expect(wallsThatFit(scenario({ changes }))).toEqual([
     { at_step: 1, blocked: [[1, 1]], freed: [] },
   ])
+})
+
+test('what moves is turned with its map', () => {
+  const moves = scenario({
+    tracks: [
+      newTrack([
+        [0, 1],
+        [1, 1],
+      ]),
+    ],
+    changes: [{ at_step: 4, blocked: [[3, 3]] }],
+  })
+  const { spec } = turnMap(moves, 'mirror')
+  expect(spec.drive?.tracks?.[0]?.cells).toEqual([
+    [5, 1],
+    [4, 1],
+  ])
+  expect(spec.drive?.changes).toEqual([{ at_step: 4, blocked: [[2, 3]], freed: [] }])
+  const back = turnMap(turnMap(moves, 'left'), 'right')
+  expect(back.spec.drive?.tracks).toEqual(moves.spec.drive?.tracks)
 })
 
 test('what a refusal names is taken out, and nothing else', () => {

@@ -25,11 +25,9 @@ export interface Tally {
 
 const NOTHING: Tally = { waits: 0, plans: 0, expansions: 0, antMoves: 0 }
 
-/** Whose planner drives; the first panel while nobody has chosen. */
+/** Whose planner drives: that of the panel that was selected when the drive was opened, until another is chosen. */
 const chosen = signal<number | null>(null)
-export const drivingPanel = computed(
-  () => panelById(chosen.value ?? selectedPanel.value ?? -1) ?? panels.value[0] ?? null,
-)
+export const drivingPanel = computed(() => panelById(chosen.value ?? -1) ?? panels.value[0] ?? null)
 export const choosePanel = (id: number) => {
   chosen.value = id
 }
@@ -75,6 +73,7 @@ export function setupNow(): RunSetup | null {
 
 /** Keeps a drive ready for as long as the mode lasts; what is returned ends it, and gives its worker back. */
 export function keepDriving(): () => void {
+  chosen.value = selectedPanel.peek()
   void driveBox()
     .call('driveParams')
     .then((all) => {

@@ -2,6 +2,7 @@
 import type { ParamSpec } from '@pkg/formicarium'
 import { t } from '../i18n/drive'
 import { ParameterRows } from '../panels/parameter_rows'
+import { mapIsFixed } from '../state/embedding'
 import { NumberField, Segmented } from '../ui/fields'
 import { driving, failure, rows } from './drive'
 import { changeSight, movingNow } from './moving'
@@ -14,7 +15,7 @@ export function Settings() {
     <details class="drive-settings" data-testid="drive-settings">
       <summary>{t('drive.settings')}</summary>
       <ParameterRows rows={rows.value.map(rowOf)} />
-      <Sight />
+      {!mapIsFixed.value && <Sight />}
     </details>
   )
 }

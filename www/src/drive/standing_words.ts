@@ -1,11 +1,9 @@
 /** Where the drive stands, in a sentence. */
 import { t } from '../i18n/drive'
-import { inRelief } from '../state'
 import { failure, standing } from './drive'
 
 export function standingWords(): string {
   if (failure.value) return ''
-  if (inRelief.value) return t('drive.needsFlat')
   const now = standing.value
   if (!now) return t('drive.preparing')
   const { end, last } = now

@@ -102,6 +102,20 @@ export function wallsThatFit(scenario: Scenario): Moving['changes'] {
   return kept
 }
 
+/** The same on a map whose cells have other places. */
+export function movingAfter(drive: DriveSpec, placeOf: (cell: Cell) => Cell): DriveSpec {
+  const { changes = [], tracks = [] } = drive
+  return {
+    ...drive,
+    changes: changes.map(full).map(({ at_step, blocked, freed }) => ({
+      at_step,
+      blocked: blocked.map(placeOf),
+      freed: freed.map(placeOf),
+    })),
+    tracks: tracks.map((track) => ({ ...track, cells: track.cells.map(placeOf) })),
+  }
+}
+
 /** A refused part taken out, as the field of a refusal names it; null where it names none. */
 export function without(moving: Moving, field: string): Moving | null {
   const [, list, index] = /^drive\.(tracks|changes)(?:\[(\d+)\])?/.exec(field) ?? []

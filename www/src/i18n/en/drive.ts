@@ -11,7 +11,6 @@ export const enDrive = {
   restart: 'Back to the start',
   pace: 'Steps a second',
   needsPanel: 'Add a planner first: it drives the robot.',
-  needsFlat: 'Go back to the view from above to see the robot.',
   preparing: 'Putting the robot on the map…',
   atStart: 'At the start.',
   move: 'Step {{step}}: it moves.',

@@ -13,7 +13,6 @@ export const zhCNDrive: DictionaryShape<typeof enDrive> = {
   restart: '回到起点',
   pace: '每秒步数',
   needsPanel: '请先添加规划器：由它驾驶机器人。',
-  needsFlat: '请回到俯视图，才能看到机器人。',
   preparing: '正在把机器人放到地图上…',
   atStart: '在起点。',
   move: '第 {{step}} 步：移动。',
