@@ -60,7 +60,12 @@ test.describe('a drive', () => {
   }) => {
     const cli = process.env.FORMICARIUM_CLI
     test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
-    const race = await open(page)
+    const session = field()
+    // Ground that costs more lies on the straight way.
+    const factors = new Float32Array(112).fill(1)
+    factors.fill(3, 14 * 4 + 5, 14 * 4 + 8)
+    session.scenario.factors = factors
+    const race = await open(page, session)
     await openDrive(page)
     await page.getByTestId('add-obstacle').click()
     await race.drag([
@@ -229,6 +234,37 @@ test.describe('a drive', () => {
     await expect(page.getByTestId('drive-standing')).toContainText('no path leads to the goal')
     await expectClean(page, 'a drive that has ended')
   })
+})
+
+test('what nobody can drive is told, and why', async ({ page }) => {
+  const session = field()
+  const [goal] = session.scenario.spec.goals
+  if (!goal) throw new Error('there is a goal')
+  const second = { ...goal, at: [7, 7] as [number, number], name: 'second' }
+  session.scenario.spec = { ...session.scenario.spec, goals: [goal, second] }
+  const [, colony] = session.panels
+  await open(page, { ...session, panels: colony ? [{ ...colony, planner: 'fire' }] : [] })
+  await page.getByTestId('lesson-menu').click()
+  await page.getByTestId('lesson-drive').click()
+  await expect(page.getByTestId('drive-card').getByRole('alert')).toContainText('one goal')
+  await expect(page.getByTestId('drive-play')).toBeDisabled()
+  await page.keyboard.press('Escape')
+  await expect(page.getByTestId('drive-card')).toHaveCount(0)
+})
+
+test('is legible in dark and in Chinese, with everything open', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await page.addInitScript(() => localStorage.setItem('formicarium.language', 'zh-CN'))
+  await new RacePage(page).open(`./#x=${await seal(packBits(field(), '0.1.0'))}`)
+  await openDrive(page)
+  await page.getByTestId('drive-example').click()
+  await page.getByTestId('obstacle-1').click()
+  await page.getByTestId('drive-settings').locator('summary').click()
+  await page.getByTestId('sight-some').click()
+  await expect(page.getByTestId('sight-cells')).toBeVisible()
+  await expect(page.getByTestId('drive-card')).toContainText('耐心')
+  await expect(page.getByTestId('drive-card')).not.toContainText(/drive\.|patience/)
+  await expectClean(page, 'a drive in dark and Chinese')
 })
 
 test('a link with a drive offers it, and brings it back as it was', async ({ page, browser }) => {

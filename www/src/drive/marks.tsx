@@ -27,7 +27,13 @@ export function Marks({ size }: { size: CanvasSize }) {
       colour={panelColour(drivingPanel.value?.id ?? 0)}
     >
       {changes.map((change, i) => (
-        <Walls key={i} size={size} {...full(change)} inHand={inHand('changes', i)} />
+        <Walls
+          key={i}
+          size={size}
+          {...full(change)}
+          inHand={inHand('changes', i)}
+          made={change.at_step <= (state?.last.step ?? -1)}
+        />
       ))}
       {tracks.map((track, i) => (
         <Way key={i} size={size} track={track} inHand={inHand('tracks', i)} />
@@ -76,10 +82,18 @@ function Obstacle(props: { size: CanvasSize; track: Track; at: Cell | null | und
   return <Square size={size} at={first} side={side} class="obstacle" />
 }
 
-function Walls(props: { size: CanvasSize; blocked: Cell[]; freed: Cell[]; inHand: boolean }) {
-  const { size, blocked, freed, inHand } = props
+interface WallsProps {
+  size: CanvasSize
+  blocked: Cell[]
+  freed: Cell[]
+  inHand: boolean
+  /** The robot's step has come to them. */
+  made: boolean
+}
+
+function Walls({ size, blocked, freed, inHand, made }: WallsProps) {
   return (
-    <g class="walls" data-in-hand={inHand}>
+    <g class="walls" data-in-hand={inHand} data-made={made}>
       {blocked.map((cell) => (
         <Square key={`b${cell}`} size={size} at={cell} class="blocked" />
       ))}
