@@ -4,6 +4,7 @@ import { cellSize, lineOn, pointOn } from '../lesson/map_lines'
 import { Overlay } from '../lesson/overlay'
 import type { Cell } from '../model/cell'
 import { full, movingOf } from '../model/moving'
+import { squareAbout } from '../model/spans'
 import type { CanvasSize } from '../stage/panel_view'
 import { panelColour, scenario } from '../state'
 import { driven, drivingPanel, standing } from './drive'
@@ -71,15 +72,24 @@ function Way({ size, track, inHand }: { size: CanvasSize; track: Track; inHand: 
   )
 }
 
-/** On its first cell, where no drive tells its place. */
+/** On its first cell, where no drive tells its place; cut off at the border of the map. */
 function Obstacle(props: { size: CanvasSize; track: Track; at: Cell | null | undefined }) {
   const { size, track, at } = props
   const centre = at === null ? track.cells[0] : at
-  if (!centre) return null
-  const side = track.size ?? 1
-  const before = Math.floor((side - 1) / 2)
-  const first: Cell = [centre[0] - before, centre[1] - before]
-  return <Square size={size} at={first} side={side} class="obstacle" />
+  const spec = scenario.value?.spec
+  if (!centre || !spec) return null
+  const rows = squareAbout(centre, track.size ?? 1, spec)
+  const [first] = rows
+  if (!first) return null
+  return (
+    <Square
+      size={size}
+      at={[first.from, first.y]}
+      wide={first.to - first.from + 1}
+      high={rows.length}
+      class="obstacle"
+    />
+  )
 }
 
 interface WallsProps {
@@ -108,12 +118,13 @@ interface SquareProps {
   size: CanvasSize
   /** Its upper left cell. */
   at: readonly [number, number]
-  /** Cells a side. */
-  side?: number
+  /** Cells. */
+  wide?: number
+  high?: number
   class: string
 }
 
-function Square({ size, at, side = 1, class: name }: SquareProps) {
+function Square({ size, at, wide = 1, high = 1, class: name }: SquareProps) {
   const cell = cellSize(size)
   const [x, y] = pointOn(size, at)
   const inset = Math.min(1.5, 0.1 * cell)
@@ -122,8 +133,8 @@ function Square({ size, at, side = 1, class: name }: SquareProps) {
       class={name}
       x={x - cell / 2 + inset}
       y={y - cell / 2 + inset}
-      width={side * cell - 2 * inset}
-      height={side * cell - 2 * inset}
+      width={wide * cell - 2 * inset}
+      height={high * cell - 2 * inset}
     />
   )
 }

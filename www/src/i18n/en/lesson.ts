@@ -9,7 +9,7 @@ export const enLesson = {
     draw: 'Draw a path by hand',
     drawNote: 'Measured like a planner’s, in the table beside them',
     drive: 'Drive',
-    driveNote: 'A robot among walls that change and obstacles that move',
+    driveNote: 'A robot that plans again among things that move',
     target: 'Set a target…',
     targetNote: 'In the share dialog: a number to beat, or the optimum',
     gallery: 'Ready lessons…',
