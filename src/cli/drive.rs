@@ -102,7 +102,7 @@ impl Args {
         moving.tracks.extend(self.obstacle.iter().cloned());
         moving.sight = self.sight.or(moving.sight);
         let spec = ScenarioSpec { drive: Some(moving), ..scenario.spec.clone() };
-        Ok(Arc::new(Scenario::new(scenario.grid.clone(), spec)?))
+        Ok(Arc::new(Scenario::new(scenario.drawn.clone(), spec)?))
     }
 }
 

@@ -34,6 +34,7 @@ test('the cards of lessons and their buttons are large enough as well @phone', a
     ['lesson-follow', 'ant-card'],
     ['lesson-guess', 'guess-card'],
     ['lesson-draw', 'draw-card'],
+    ['lesson-drive', 'drive-card'],
   ] as const) {
     await page.getByTestId('lesson-menu').tap()
     await page.getByTestId(item).tap()

@@ -22,6 +22,21 @@ async function wholeCatalog(): Promise<Catalog> {
   return engine.catalog()
 }
 
+/** How a robot drives, as the page calls it (drive/settings.tsx). */
+async function drivingKeys(): Promise<string[]> {
+  const engine = await import(join(PKG, 'formicarium.js'))
+  engine.initSync({ module: readFileSync(join(PKG, 'formicarium_bg.wasm')) })
+  const rows: { key: string }[] = engine.drive_params()
+  return rows.map(({ key }) => (key === 'iterations' ? 'plan_iterations' : key))
+}
+
+test('how a robot drives has Chinese names and meanings', async () => {
+  const keys = await drivingKeys()
+  expect(keys.length).toBeGreaterThan(0)
+  for (const named of [zhCNEngine.paramNames, zhCNEngine.params])
+    expect(Object.keys(named)).toEqual(expect.arrayContaining(keys))
+})
+
 test('everything in the catalog has a Chinese name', async () => {
   const { planners } = await wholeCatalog()
   const {
@@ -73,6 +88,7 @@ test('no two parameters of a planner share a Chinese name, and none is left over
     expect([...new Set(shown)], id).toEqual(shown)
   }
   const keys = new Set(planners.flatMap(({ params }) => params.map(({ key }) => key)))
+  for (const key of await drivingKeys()) keys.add(key)
   expect(Object.keys(names).filter((key) => !keys.has(key))).toEqual([])
   for (const name of Object.values(names)) expect(name).toMatch(/^\p{Script=Han}+$/u)
 })

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test'
-import { markRadius } from '../../../www/src/drawing/draw_marks'
+import { markRadius } from '../../../www/src/drawing/mark_radius'
 import {
   MOST_ZOOM,
   type Point,

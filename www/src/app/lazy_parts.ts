@@ -13,7 +13,7 @@ nameLazyParts({
   relief: () => import('../relief/relief_stage'),
   names: async () => (await import('../panels/names')).namesPart(),
   editor: async () => (await import('../editor')).fetchEditor(),
-  lesson: async (piece) => (await import('../lesson')).fetchPiece(piece),
+  lesson: async (piece) => (await import('./lesson_parts')).fetchPiece(piece),
   inspector: async () => (await import('../playback')).fetchInspector(),
 })
 

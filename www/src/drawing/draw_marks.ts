@@ -2,6 +2,7 @@
 import type { ScenarioSpec } from '@pkg/formicarium'
 import type { PanelView } from '../model/messages'
 import { centre } from './draw_map'
+import { markRadius } from './mark_radius'
 
 /** The methods that canvases of a worker and of the page share. */
 type Context = Pick<
@@ -95,14 +96,6 @@ export function drawMarksAt(
     if (several && place) drawPlace(context, look, at, place, radius)
   }
   if (start) drawDisc(context, look, start, radius)
-}
-
-/** At least as large as can be seen and grasped, even when a cell is a pixel; with several goals there is room for a number. */
-export function markRadius(
-  { scale, dpr }: Pick<PanelView, 'scale' | 'dpr'>,
-  several: boolean,
-): number {
-  return Math.min(16 * dpr, Math.max((several ? 8 : 6) * dpr, 0.4 * scale))
 }
 
 function drawDisc(context: Context, view: Look, [x, y]: Point, radius: number): void {

@@ -34,8 +34,10 @@ export function Card({ title, line, panelId, testId, onClose, onKey, children }:
   useLayoutEffect(() => {
     const listener = (event: KeyboardEvent) => {
       if (event.defaultPrevented || openDialog.peek() || isElsewhere(event)) return
-      if (event.key === 'Escape') close()
-      else if (!onKey?.(event)) return
+      if (!onKey?.(event)) {
+        if (event.key !== 'Escape') return
+        close()
+      }
       event.preventDefault()
       event.stopPropagation()
     }

@@ -1,7 +1,7 @@
 /** At the transport: stops, and the menu of what a lesson can do. */
-import { CircleHelp, GraduationCap, Library, PencilLine, Pointer, Target } from 'lucide'
+import { Bot, CircleHelp, GraduationCap, Library, PencilLine, Pointer, Target } from 'lucide'
 import { t } from '../i18n/lesson'
-import { inRelief, panels, plannerEntry } from '../state'
+import { inRelief, lessonMode, panels, plannerEntry } from '../state'
 import { show } from '../state/dialogs'
 import { Icon } from '../ui/icon'
 import { Menu, MenuItem } from '../ui/menu'
@@ -51,6 +51,16 @@ export function LessonTools() {
           unavailable={withoutMap()}
           testId="lesson-draw"
           onClick={() => startDrawing(panels.peek()[0]?.id ?? 0)}
+        />
+        <MenuItem
+          icon={Bot}
+          label={t('lesson.items.drive')}
+          note={t('lesson.items.driveNote')}
+          unavailable={withoutMap()}
+          testId="lesson-drive"
+          onClick={() => {
+            lessonMode.value = 'drive'
+          }}
         />
         <MenuItem
           icon={Target}

@@ -30,9 +30,14 @@ export function OnMap({ panelId, size, cursor }: OnMapProps) {
   const isHere = followed.value?.panelId === panelId
   return (
     <>
-      <span ref={anchor} class="lesson-anchor" data-mode={mode ?? ''} hidden />
+      <span
+        ref={anchor}
+        class="lesson-anchor"
+        data-mode={mode === 'drive' ? '' : (mode ?? '')}
+        hidden
+      />
       {lesson.value?.drawn && <HandLine drawn={lesson.value.drawn} size={size.value} />}
-      {isHere && mode !== null && mode !== 'draw' && <AntTrail size={size.value} />}
+      {isHere && (mode === 'follow' || mode === 'guess') && <AntTrail size={size.value} />}
       <StopChips panelId={panelId} />
     </>
   )

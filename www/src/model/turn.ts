@@ -1,6 +1,7 @@
 /** A whole map turned by a quarter, or mirrored: with start and goals, heights, factors, and its place in the world where that can be said. */
 import type { World } from '@pkg/formicarium'
 import type { Cell } from './cell'
+import { movingAfter } from './moving'
 import type { Scenario } from './session'
 import type { Sides } from './spans'
 import { pointOf } from './world'
@@ -39,12 +40,13 @@ export function turnRefused({ spec }: Scenario, turn: Turn): boolean {
 export function turnMap(scenario: Scenario, turn: Turn): Scenario {
   const { spec, cells, heights, factors } = scenario
   const sides = sidesAfter(spec, turn)
-  const { world, ...rest } = spec
+  const { world, drive, ...rest } = spec
   const placed = world && isQuarter(turn) ? { world: turnedWorld(scenario, world, turn) } : {}
   return {
     spec: {
       ...rest,
       ...placed,
+      ...(drive && { drive: movingAfter(drive, (cell) => placeAfter(cell, spec, turn)) }),
       ...sides,
       start: placeAfter(spec.start, spec, turn),
       goals: spec.goals.map((goal) => ({ ...goal, at: placeAfter(goal.at, spec, turn) })),

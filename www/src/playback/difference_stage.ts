@@ -1,6 +1,7 @@
 /** The difference's canvas on the page's own thread: seen from where all maps are seen, shifted and zoomed like them, never edited. */
 import type { ReadonlySignal, Signal } from '@preact/signals'
-import { drawMarksAt, markRadius } from '../drawing/draw_marks'
+import { drawMarksAt } from '../drawing/draw_marks'
+import { markRadius } from '../drawing/mark_radius'
 import type { Cell } from '../model/cell'
 import { isInside, sameCell } from '../model/edit'
 import type { Scenario } from '../model/session'

@@ -1,6 +1,6 @@
 /** Finds the start or goal marker under a point: they can be dragged with any tool, even when a cell is smaller than its marker. */
 
-import { markRadius } from '../drawing/draw_marks'
+import { markRadius } from '../drawing/mark_radius'
 import type { Cell } from '../model/cell'
 import type { Scenario } from '../model/session'
 import type { Placement, Point } from '../model/viewpoint'

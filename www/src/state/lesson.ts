@@ -18,8 +18,8 @@ export const stopsMet = signal<MetStop[]>([])
 /** Somebody wants to run to the end though there are stops, and is to be asked. */
 export const askToEnd = signal(false)
 
-/** What the maps are used for instead of their tool: to follow an ant, to guess its moves, to draw a path. */
-export const lessonMode = signal<'follow' | 'guess' | 'draw' | null>(null)
+/** What the maps are used for instead of their tool: to follow an ant, to guess its moves, to draw a path, to have a robot drive. */
+export const lessonMode = signal<'follow' | 'guess' | 'draw' | 'drive' | null>(null)
 
 /** The path by hand as a contestant of the comparison table: a panel that is nowhere on the page, once there is something to compare. */
 export const byHand = signal<Panel[]>([])

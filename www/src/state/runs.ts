@@ -161,7 +161,9 @@ export function runSetup(panel: Panel, on: Scenario): RunSetup {
 
 /** A run on this very map, whatever has changed in the runs on show. */
 function bareSetup({ setup: { planner, params } }: Panel, on: Scenario): RunSetup {
-  const { spec, cells, heights, factors } = on
+  const { spec: asked, cells, heights, factors } = on
+  // What moves once a robot drives is nothing to a planner.
+  const { drive, ...spec } = asked
   return { spec, cells, heights, factors, planner, params, seed: seed.peek() }
 }
 

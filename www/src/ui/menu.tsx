@@ -6,7 +6,7 @@ import { useId, useRef } from 'preact/hooks'
 import { Icon } from './icon'
 
 /** A longer menu than fits is scrolled; CSS pixels. */
-const LEAST_HEIGHT = 280
+const LEAST_HEIGHT = 300
 
 interface MenuProps {
   label: string

@@ -1,9 +1,11 @@
 /** Panels and tools on the whole engine; only it has file formats and generators. */
 import * as engine from '@pkg/formicarium'
 import { numbersOf } from '../model/cell_numbers'
+import type { DriveCalls } from '../model/drive_calls'
 import type { LessonCalls } from '../model/lesson_calls'
 import type { OrderCalls } from '../model/order_calls'
 import type { MapCalls, ToolCalls } from '../model/tool_calls'
+import { driveCalls } from './drive_calls'
 import { toolCalls } from './engine_calls'
 import { lessonCalls } from './lesson_calls'
 import { orderCalls } from './order_calls'
@@ -11,10 +13,11 @@ import { serve } from './serve_worker'
 import { traceContours } from './terrain_contours'
 import { groundOf } from './whole_ground'
 
-const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls = {
+const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls & DriveCalls = {
   ...toolCalls(engine),
   ...orderCalls(engine),
   ...lessonCalls(engine),
+  ...driveCalls(engine),
   importMap: (bytes, name, options, image) => engine.import_map(bytes, name, options, image),
   importScen: (bytes) => engine.import_scen(bytes),
   recognise: (bytes, name) => engine.recognise(bytes, name),

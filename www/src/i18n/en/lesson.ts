@@ -8,6 +8,8 @@ export const enLesson = {
     guessNote: 'Then see what the ant does, and how likely it was',
     draw: 'Draw a path by hand',
     drawNote: 'Measured like a planner’s, in the table beside them',
+    drive: 'Drive',
+    driveNote: 'A robot that plans again among things that move',
     target: 'Set a target…',
     targetNote: 'In the share dialog: a number to beat, or the optimum',
     gallery: 'Ready lessons…',

@@ -293,11 +293,18 @@ export const zhCNEngine = {
     worst_evaporates: '本次迭代的最差路径在至今最优路径不经过之处是否再挥发一次',
     mutation_probability: '每次迭代中，一个格子有一步增加或减少信息素的概率',
     mutation_strength: '运行结束时一次变异的信息素量，以至今最优路径的平均信息素计',
+    plan_iterations: '每次规划的迭代次数，代替规划器自身的次数；搜索总是做完',
+    keep: '能保留时接着用规划器所学的：蚁群的信息素、D* Lite 的代价；否则每次从头开始',
+    replan: '已有路径的机器人何时重新规划',
+    hold: '路径的下一格被占时，先等这么多步，再另寻路径',
+    patience: '连续等待这么多步后放弃',
+    longest: '移动与等待共这么多步后放弃',
     restart_below: '最差路径中不在最优路径上的步所占比例低于此值时，所有信息素重新开始；0 表示从不',
   },
   units: {
     ants: '只蚂蚁',
     iterations: '次迭代',
+    steps: '步',
     cells: '格',
     'cells or levels': '格或层',
     sparks: '个火花',
@@ -313,6 +320,8 @@ export const zhCNEngine = {
     '× iterations': '× 迭代次数',
   },
   options: {
+    changed: '地图有变时',
+    blocked: '路径被堵时',
     weight: '权重',
     length: '长度',
     distance: '距离',
@@ -371,6 +380,10 @@ export const zhCNEngine = {
     exchange: '均匀交叉',
   },
   meanings: {
+    replan: {
+      changed: '所知的地图一有变化就重新规划',
+      blocked: '余下的路径被堵住时才重新规划',
+    },
     heuristic: {
       detour: 'η = 1 / (1 + c_ij + d(j, 终点) − d(i, 终点))：绕行多小；d 为空地图上的长度',
       goal: 'η = 1 / d(j, 终点)，欧氏距离',

@@ -10,6 +10,8 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     guessNote: '再看蚂蚁怎么走，以及那一步的概率',
     draw: '手绘一条路径',
     drawNote: '与规划器用同样的指标度量，并列在表中',
+    drive: '行驶',
+    driveNote: '让机器人驶过会变的墙与移动的障碍',
     target: '设定目标值…',
     targetNote: '在分享对话框中：要胜过的数值，或最优值',
     gallery: '现成课例…',

@@ -132,4 +132,12 @@ export const zhCNParamNames = {
   update_of: '全局更新来源',
   daemon_of: '后台动作来源',
   refinement_of: '路径拉直来源',
+
+  // How a robot drives.
+  plan_iterations: '每次规划迭代次数',
+  keep: '保留所学',
+  replan: '何时重新规划',
+  hold: '让路步数',
+  patience: '耐心',
+  longest: '最多步数',
 }
