@@ -238,6 +238,7 @@ test.describe('a robot', () => {
     await openShape(race)
     await page.getByTestId('robot-round').click()
     await page.getByTestId('resize').click()
+    await expect(page.getByTestId('resize-dialog')).toBeHidden()
     const { robot } = (await race.session()).scenario.spec
     expect(robot).toBeDefined()
     const other = await freshRace(browser, await race.shareLink())

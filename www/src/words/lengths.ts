@@ -11,7 +11,7 @@ interface MetreWords {
   place(now: Scenario, cell: Cell): string[]
 }
 
-/** Null on maps without a scale. */
+/** Null until they are there. */
 export const metreWords = signal<MetreWords | null>(null)
 
 /** A length in cells as it is shown. */

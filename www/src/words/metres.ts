@@ -70,9 +70,18 @@ void addReadingWords().then(() => {
   isReady.value = true
   effect(() => {
     const length = metresPerCell.value === null ? null : ofLength
-    metreWords.value = scaleNow.value === null ? null : { length, place: placeOfCell }
+    const place = scaleNow.value === null ? groundOfCell : placeOfCell
+    metreWords.value = { length, place }
   })
 })
 
-const placeOfCell: NonNullable<typeof metreWords.value>['place'] = (now, cell) =>
+type Place = NonNullable<typeof metreWords.value>['place']
+
+/** On a map without a scale. */
+const groundOfCell: Place = (now, cell) => {
+  const words = heightWords(now, cell)
+  return words === null ? [] : [words]
+}
+
+const placeOfCell: Place = (now, cell) =>
   [heightWords(now, cell), placeWords(now, cell)].filter((said) => said !== null)
