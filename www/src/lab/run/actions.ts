@@ -221,10 +221,13 @@ export async function reopenInTab(): Promise<void> {
   if (id !== null && (await storedComparison(id).catch(() => null))) await openKeptComparison(id)
 }
 
-/** The command that makes the same files. */
+/** The command that makes the same files; what it asks of itself need not be named. */
 function commandOf(language: ReportLanguage, fronts?: FrontQuestion): string {
-  const command = `formicarium compare ${fileStem(openComparison.peek()?.title ?? '')}.json --out DIR`
-  const measures = fronts ? ` --fronts ${fronts.measures.join()}` : ''
+  const open = openComparison.peek()
+  const command = `formicarium compare ${fileStem(open?.title ?? '')}.json --out DIR`
+  const usual = open?.outline.fronts.measures.join()
+  const isOther = fronts !== undefined && fronts.measures.join() !== usual
+  const measures = isOther ? ` --fronts ${fronts.measures.join()}` : ''
   const reference = fronts?.reference ? ` --fronts-reference ${fronts.reference.join()}` : ''
   return `${command}${measures}${reference}${language === 'en' ? '' : ` --language ${language}`}`
 }
