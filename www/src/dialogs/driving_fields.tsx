@@ -179,7 +179,7 @@ function Wrong({ wrong, of, id }: WrongProps) {
   if (!wrong || !isOfDriving(wrong.field) || !of.includes(wrong.field)) return null
   return (
     <p class="field-error" role="alert" id={`${id}-wrong`} data-testid="driving-wrong">
-      {wrong.why}
+      {wrong.why()}
     </p>
   )
 }

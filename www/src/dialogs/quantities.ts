@@ -35,7 +35,8 @@ export const isOfDriving = (field: string | null): field is DrivingQuantity =>
 /** A quantity that cannot be used, and why. */
 export interface WrongQuantity {
   field: Quantity | null
-  why: string
+  /** In the words of the language as it is when it is shown: they may still be on their way. */
+  why(): string
 }
 
 /** What is wrong with the quantities as they stand; null where nothing is, or not yet known. */
@@ -61,14 +62,14 @@ export async function wrongQuantity(
 function firstAbove(limit: number, all: Partial<Record<Quantity, number>>): WrongQuantity | null {
   const large = (Object.keys(all) as Quantity[]).find((field) => (all[field] ?? 0) > limit)
   if (!large) return null
-  return { field: large, why: t('scale.most', { most: numbers.peek().whole.format(limit) }) }
+  return { field: large, why: () => t('scale.most', { most: numbers.value.whole.format(limit) }) }
 }
 
 /** In Chinese it names the field as the form does. */
 function refusal(error: EngineError): WrongQuantity {
   const name = error.field.slice(error.field.lastIndexOf('.') + 1)
   const field = name in LABELS || isOfDriving(name) ? (name as Quantity) : null
-  return { field, why: errorText(field ? { ...error, field: labelOf(field) } : error) }
+  return { field, why: () => errorText(field ? { ...error, field: labelOf(field) } : error) }
 }
 
 const labelOf = (field: Quantity): string =>

@@ -71,7 +71,7 @@ export function ScaleFields({ spec, rules, unit, wrong, onChange, onUnit }: Scal
       </div>
       {wrong && !isOfDriving(wrong.field) && (
         <p class="field-error" role="alert" id={`${id}-wrong`} data-testid="quantity-wrong">
-          {wrong.why}
+          {wrong.why()}
         </p>
       )}
       <p class="hint">{`${wholeWords(rules)} ${t('scale.time')}`}</p>
