@@ -56,6 +56,7 @@ test.describe('without a network', () => {
   test('the page opens with everything: planners, cards, both languages, comparisons, terrains', async ({
     page,
   }) => {
+    test.slow()
     await kept(page)
     host.stop()
     await page.reload()

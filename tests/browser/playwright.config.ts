@@ -1,4 +1,3 @@
-import { availableParallelism } from 'node:os'
 import { join } from 'node:path'
 import { defineConfig } from '@playwright/test'
 
@@ -21,7 +20,7 @@ export default defineConfig({
   testIgnore: 'other/**',
   outputDir: '../../target/browser-tests',
   reporter: 'list',
-  workers: Math.min(2, availableParallelism()),
+  workers: 1,
   retries: 0,
   // Generous, because machines that run tests are often busy.
   timeout: 90_000,
