@@ -35,10 +35,13 @@ export function RobotFields({ scenario, rules, onChange }: RobotFieldsProps) {
         <legend>{t('weights.robot')}</legend>
         <SizeFields robot={robot} resolution={rules.resolution} onChange={change} />
       </fieldset>
-      <fieldset class="field-set">
-        <legend>{t('weights.cost')}</legend>
-        <InflationFields robot={robot} resolution={rules.resolution} onChange={change} />
-      </fieldset>
+      {/* What a step costs on a terrain is not defined: there they can only be taken away. */}
+      {(!rules.terrain || robot?.inflation) && (
+        <fieldset class="field-set">
+          <legend>{t('weights.cost')}</legend>
+          <InflationFields robot={robot} resolution={rules.resolution} onChange={change} />
+        </fieldset>
+      )}
       {robot && <Room scenario={scenario} rules={rules} onChange={onChange} />}
     </>
   )
