@@ -122,7 +122,10 @@ test.describe('a newer version', () => {
     await kept(page)
     putUpNewer('ant-system')
     await opened(page)
-    await expect(toast(page, 'newer version')).toContainText('Ant System gives other results')
+    // The whole newer version is fetched and checked before it is told of.
+    await expect(toast(page, 'newer version')).toContainText('Ant System gives other results', {
+      timeout: 60_000,
+    })
     await expect(toast(page, 'newer version')).toContainText('One panel on this page is touched')
     // Closed and opened again, it is still the former one.
     await page.close()
