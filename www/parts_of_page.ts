@@ -1,18 +1,17 @@
 /**
  * Parts of the page are fetched by src/engine/fetch_part.ts instead of Vite's own helper. Vite names the files of a part only where it has
- * several; here each has its name.
+ * several, and never the small file in which the bundler keeps what it adds to modules; here each part has all its names.
  */
+
+import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import type { Plugin } from 'vite'
+import { withAllNames } from './part_names.ts'
 
 /** How Vite calls its helper, and the module that has it. */
 const HELPER = { id: '\0vite/preload-helper.js', name: '__vitePreload' }
 
 const OURS = fileURLToPath(new URL('src/engine/fetch_part.ts', import.meta.url))
-
-/** An import and the list of its files, empty as it stands. */
-const ALONE =
-  /import\((["'`])(\.\/[^"'`]+)\1\)((?:(?!import\().)*?),(?:\[\]|void 0),(import\.meta\.url\))/gs
 
 export function partsOfPage(): Plugin {
   return {
@@ -29,14 +28,19 @@ export function partsOfPage(): Plugin {
     generateBundle: {
       order: 'post',
       handler(_, bundle) {
-        for (const chunk of Object.values(bundle)) {
-          if (chunk.type !== 'chunk') continue
-          chunk.code = chunk.code.replace(
-            ALONE,
-            (_all, quote, file, between, end) =>
-              `import(${quote}${file}${quote})${between},[${quote}${file}${quote}],${end}`,
+        const chunks = Object.values(bundle).filter((each) => each.type === 'chunk')
+        const known = new Map(
+          chunks.map((each) => [
+            basename(each.fileName),
+            each.imports.map((file) => basename(file)),
+          ]),
+        )
+        for (const chunk of chunks)
+          chunk.code = withAllNames(
+            chunk.code,
+            basename(chunk.fileName),
+            (file) => known.get(file) ?? [],
           )
-        }
       },
     },
   }
