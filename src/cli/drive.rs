@@ -8,9 +8,8 @@ use serde::Serialize;
 use super::Outcome;
 use super::error::CliError;
 use super::input::{self, ScenarioArgs};
-use super::plan::assignment;
+use super::planner_args::PlannerArgs;
 use super::text::{self, TextOrJson, count, row};
-use crate::catalog;
 use crate::drive::{DRIVE, Did, Drive, DriveParams, DriveStep, Driver, End, Stuck};
 use crate::error::{Error, FormatError};
 use crate::exact::Reference;
@@ -34,18 +33,8 @@ Exit code 1 when the robot gave up.")]
 pub struct Args {
     #[command(flatten)]
     scenario: ScenarioArgs,
-    /// Id in the catalog, of a planner that goes from cell to cell
-    #[arg(long, value_name = "ID")]
-    planner: String,
-    /// A named parameter set of the planner
-    #[arg(long, value_name = "NAME")]
-    preset: Option<String>,
-    /// The same seed gives the same drive, bit for bit, on every machine
-    #[arg(long, default_value_t = 1, allow_negative_numbers = true)]
-    seed: u32,
-    /// A parameter of the planner, over preset and default; may be repeated
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]
-    set: Vec<(String, Value)>,
+    #[command(flatten)]
+    planner: PlannerArgs,
     /// What moves, in place of the scenario's `drive`
     #[arg(long, value_name = "F.json")]
     drive: Option<PathBuf>,
@@ -173,16 +162,16 @@ struct DriveResult<'a> {
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let params = args.params()?;
-    let entry = catalog::find(&args.planner)?;
-    let values: Values = args.set.iter().cloned().collect();
+    let PlannerArgs { preset, seed, .. } = &args.planner;
+    let (entry, values) = (args.planner.entry()?, args.planner.values());
     let scenario = args.load()?;
-    let mut driver = Driver::new(&scenario, entry.id, args.preset.as_deref(), &values, args.seed, params)?;
+    let mut driver = Driver::new(&scenario, entry.id, preset.as_deref(), &values, *seed, params)?;
     let drive = driver.run();
     let steps = driver.steps();
     let text = match args.format {
-        TextOrJson::Text => report(&scenario, entry.name, args.seed, &drive, steps),
+        TextOrJson::Text => report(&scenario, entry.name, *seed, &drive, steps),
         TextOrJson::Json => {
-            let result = DriveResult { format: "formicarium/drive@1", planner: entry.id, seed: args.seed, drive: &drive, steps };
+            let result = DriveResult { format: "formicarium/drive@1", planner: entry.id, seed: *seed, drive: &drive, steps };
             text::json(&result, 2)
         }
     };

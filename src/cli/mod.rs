@@ -15,6 +15,7 @@ mod output;
 mod page;
 mod plan;
 mod plan_format;
+mod planner_args;
 mod reading;
 mod robot;
 pub mod shared;

@@ -7,7 +7,6 @@ use std::thread;
 use crate::catalog;
 use crate::exact::{self, Reference};
 use crate::formats::run_result::{self, RunResult};
-use crate::params::{Value, Values};
 use crate::planner::{Effort, Objective, Planner, Record, Status};
 use crate::scenario::{Goal, Scenario, ScenarioSpec};
 
@@ -15,6 +14,7 @@ use super::driving;
 use super::error::CliError;
 use super::input::ScenarioArgs;
 use super::plan_format::{Format, path_file};
+use super::planner_args::PlannerArgs;
 use super::streams::say;
 use super::text::{self, row};
 use super::{Outcome, text::grouped};
@@ -37,18 +37,8 @@ Exit code 1 when no path was found.")]
 pub struct Args {
     #[command(flatten)]
     scenario: ScenarioArgs,
-    /// Id in the catalog
-    #[arg(long, value_name = "ID")]
-    planner: String,
-    /// A named parameter set of the planner
-    #[arg(long, value_name = "NAME")]
-    preset: Option<String>,
-    /// The same seed gives the same run, bit for bit, on every machine
-    #[arg(long, default_value_t = 1, allow_negative_numbers = true)]
-    seed: u32,
-    /// A parameter, over preset and default; may be repeated
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = assignment)]
-    set: Vec<(String, Value)>,
+    #[command(flatten)]
+    planner: PlannerArgs,
     /// Threads on which the ants of an iteration walk, 0 for all cores; the run is the same for any number
     #[arg(long, value_name = "N", default_value_t = 1)]
     threads: usize,
@@ -63,16 +53,9 @@ impl Args {
     }
 }
 
-/// `KEY=VALUE` of `--set`.
-pub fn assignment(text: &str) -> Result<(String, Value), String> {
-    let (key, value) =
-        text.split_once('=').ok_or_else(|| format!("`{text}` is no assignment: write key=value such as rho=0.1"))?;
-    Ok((key.trim().into(), Value::parse(value.trim())))
-}
-
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let values: Values = args.set.iter().cloned().collect();
-    let entry = catalog::find(&args.planner)?;
+    let PlannerArgs { preset, seed, .. } = &args.planner;
+    let (entry, values) = (args.planner.entry()?, args.planner.values());
     let scenario = args.scenario.load()?;
     args.format.check(&scenario.spec)?;
     if scenario.spec.drive.is_some() {
@@ -80,7 +63,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
             "note: things move in this scenario while a robot drives; this is a plan before its first step, `drive` has it drive",
         );
     }
-    let mut planner = catalog::build(&scenario, entry.id, args.preset.as_deref(), &values, args.seed)?;
+    let mut planner = catalog::build(&scenario, entry.id, preset.as_deref(), &values, *seed)?;
     if args.threads != 1 && !planner.walk_on(threads(args.threads)) {
         say(format!(
             "note: --threads changes nothing here: {} has no ants, or they share what changes while they walk",
@@ -92,7 +75,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     if let Format::Path(format) = args.format {
         return path_file(format, &last, planner.as_ref());
     }
-    let result = RunResult::of(entry.id, args.seed, &scenario, planner.as_ref());
+    let result = RunResult::of(entry.id, *seed, &scenario, planner.as_ref());
     let fine = result.metrics.is_some();
     let report = Report { args, scenario: &last, name: entry.name, planner: planner.as_ref(), result };
     let text = match args.format {
@@ -246,7 +229,7 @@ impl Report<'_> {
             row(out, "walls", format!("{}; {how}", text::count(changing.made().into(), "change", "changes")));
         }
         row(out, "effort", effort_text(&effort));
-        row(out, "seed", self.args.seed);
+        row(out, "seed", self.args.planner.seed);
         row(out, "digest", self.planner.digest().hex());
     }
 }

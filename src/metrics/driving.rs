@@ -119,7 +119,7 @@ mod tests {
         // East, southeast, south: two turns of 45 degrees.
         let d = driving(1.0, Some(rule), &[0, 1, 7, 12]);
         assert!(same(d.turning, FRAC_PI_2) && same(d.energy, 2.0 * (2.0 + 2f64.sqrt()) + 8.0 * FRAC_PI_2));
-        assert!(same(d.largest_curvature.unwrap(), 2.0 * (FRAC_PI_4 / 2.0).tan()));
+        assert!(same(d.largest_curvature.unwrap(), 2.0 * libm::tan(FRAC_PI_4 / 2.0)));
     }
 
     #[test]

@@ -55,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME", requires = "ablate")]
     pub preset: Option<String>,
     /// With --ablate: a parameter, over preset and default; may be repeated
-    #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::plan::assignment)]
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "ablate", value_parser = crate::cli::planner_args::assignment)]
     pub set: Vec<(String, Value)>,
     /// Folder for the files; made if it is missing [default with --merge: the journals' folder]
     #[arg(long, value_name = "DIR", required_unless_present_any = ["document", "results_template", "merge", "list_shards"])]

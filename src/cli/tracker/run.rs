@@ -38,7 +38,7 @@ pub struct Args {
     #[arg(long, value_name = "ID")]
     planner: Vec<String>,
     /// A parameter other than its default, of one --planner; may be repeated
-    #[arg(long, value_name = "KEY=VALUE", requires = "planner", value_parser = crate::cli::plan::assignment)]
+    #[arg(long, value_name = "KEY=VALUE", requires = "planner", value_parser = crate::cli::planner_args::assignment)]
     set: Vec<(String, Value)>,
     /// First and last seed
     #[arg(long, value_name = "FROM-TO", value_parser = seeds, default_value = "1-100")]
