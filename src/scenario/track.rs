@@ -117,18 +117,20 @@ impl Track {
         (first..=now).rev().map(|passed| self.place(passed)).find(|place| place.is_none_or(is_clear)).flatten()
     }
 
-    /// Squared distance in cells, centre to centre, from a cell to the nearest of those on which it stands.
-    fn squared_distance(&self, centre: Point, cell: Point) -> u32 {
-        let along = |centre: u32, at: u32| {
-            let (first, last) = (i64::from(centre) - i64::from((self.size - 1) / 2), i64::from(centre + self.size / 2));
-            (first - i64::from(at)).max(i64::from(at) - last).max(0) as u32
-        };
-        along(centre.x, cell.x).pow(2) + along(centre.y, cell.y).pow(2)
+    /// How far a cell is from the nearest of those on which it stands, along one axis; 0 within them.
+    fn beyond(&self, centre: u32, at: u32) -> u32 {
+        let (first, last) = (i64::from(centre) - i64::from((self.size - 1) / 2), i64::from(centre + self.size / 2));
+        (first - i64::from(at)).max(i64::from(at) - last).max(0) as u32
     }
 
-    /// Whether it stands on a cell while its centre is on another.
+    /// Squared distance in cells, centre to centre, from a cell of the map to the nearest of those on which it stands.
+    fn squared_distance(&self, centre: Point, cell: Point) -> u32 {
+        self.beyond(centre.x, cell.x).pow(2) + self.beyond(centre.y, cell.y).pow(2)
+    }
+
+    /// Whether it stands on a cell while its centre is on another. The cell may be any, even one beyond the map.
     pub fn covers(&self, centre: Point, cell: Point) -> bool {
-        self.squared_distance(centre, cell) == 0
+        self.beyond(centre.x, cell.x) == 0 && self.beyond(centre.y, cell.y) == 0
     }
 
     /// The cells of a map on which it stands.
@@ -232,6 +234,13 @@ mod tests {
             let all = (0..81).map(|c| Point::new(c % 9, c / 9));
             assert_eq!(all.filter(|&p| track.covers(centre, p)).collect::<Vec<_>>(), covered, "{size}");
         }
+    }
+
+    #[test]
+    fn a_goal_far_beyond_the_map_is_not_under_a_track() {
+        let far = Point::new(u32::MAX, 1);
+        assert!(!track(3, 2, AtEnd::Stay).covers(Point::new(2, 1), far));
+        assert!(track(3, 2, AtEnd::Stay).covers(Point::new(2, 1), Point::new(3, 2)));
     }
 
     /// Of a robot that is a point.
