@@ -240,6 +240,19 @@ fn inflation_is_nav2s_formula_cell_by_cell() {
 }
 
 #[test]
+fn a_cell_exactly_the_radius_away_is_blocked() {
+    for cells in 1..=12u32 {
+        for resolution in [0.05, 0.1, 0.02, 0.3] {
+            let grid = Grid::from_bytes(cells + 2, 1, &[vec![1], vec![0; cells as usize + 1]].concat()).unwrap();
+            // As somebody writes it: 0.15, not 0.15000000000000002.
+            let radius: f64 = format!("{:.2}", f64::from(cells) * resolution).parse().unwrap();
+            let costs = Robot { radius, inflation: None }.costs(&grid, resolution);
+            assert_eq!(costs[cells as usize..], [253, 0], "{cells} cells of {resolution} m");
+        }
+    }
+}
+
+#[test]
 fn the_robot_keeps_its_radius_and_pays_for_what_is_near() {
     // A wall with a gap of three cells; the robot of one cell's radius fits through its middle.
     let mut cells = vec![0u8; 15 * 9];

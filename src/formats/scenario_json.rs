@@ -90,6 +90,9 @@ fn complete(object: &mut Object) {
         ["blocked", "freed"].into_iter().for_each(|key| fill(change, key, json!([])));
     }
     if let Some(Value::Object(vehicle)) = object.get_mut("vehicle") {
+        let Vehicle { speed, seconds_per_turn, .. } = Vehicle::default();
+        fill(vehicle, "speed", json!(speed));
+        fill(vehicle, "seconds_per_turn", json!(seconds_per_turn));
         let rules = [("energy", json_value(&EnergyRule::default())), ("smoothing", json_value(&SmoothingRule::default()))];
         for (rule, default) in rules {
             let (Some(Value::Object(rule)), Value::Object(default)) = (vehicle.get_mut(rule), default) else { continue };
@@ -114,20 +117,30 @@ pub(super) fn read_spec(mut object: Object) -> Result<ScenarioSpec, FormatError>
     let spec: ScenarioSpec =
         serde_json::from_value(read.clone()).map_err(|e| field_error(e.to_string(), "the fields of docs/formats.md"))?;
     // Written out again, a scenario shows every field there is: what the file has beyond them is unknown.
-    match unknown_field(&read, &json_value(&spec), "") {
-        None => Ok(spec),
-        Some((field, known)) => Err(field_error(format!("there is no field `{field}`"), format!("only {known} here"))),
-    }
+    refused_field(&read, &json_value(&spec), "").map_or(Ok(spec), Err)
 }
 
-/// The first field of `read` that `known` lacks, with its path, and the names that stand there.
-fn unknown_field(read: &Value, known: &Value, path: &str) -> Option<(String, String)> {
+/// What is wrong with the first field of `read`, at a path, that `known` lacks, or that stands as a list where names are asked for.
+fn refused_field(read: &Value, known: &Value, path: &str) -> Option<FormatError> {
     match (read, known) {
-        (Value::Object(read), Value::Object(known)) => read.iter().find_map(|(key, value)| match known.get(key) {
-            Some(k) => unknown_field(value, k, &format!("{path}{key}.")),
-            None => Some((format!("{path}{}", quote(key)), known.keys().cloned().collect::<Vec<_>>().join(", "))),
+        (Value::Object(read), Value::Object(known)) => read.iter().find_map(|(key, value)| {
+            let at = if path.is_empty() { quote(key) } else { format!("{path}.{}", quote(key)) };
+            match known.get(key) {
+                Some(k) => refused_field(value, k, &at),
+                None if value.is_null() => {
+                    Some(field_error(format!("`{at}` is null"), "a field that is left out where there is none"))
+                }
+                None => {
+                    let names = known.keys().cloned().collect::<Vec<_>>().join(", ");
+                    Some(field_error(format!("there is no field `{at}`"), format!("only {names} here")))
+                }
+            }
         }),
-        (Value::Array(read), Value::Array(known)) => read.iter().zip(known).find_map(|(value, k)| unknown_field(value, k, path)),
+        (Value::Array(read), Value::Array(known)) => read.iter().zip(known).find_map(|(value, k)| refused_field(value, k, path)),
+        (Value::Array(_), Value::Object(known)) => {
+            let names = known.keys().cloned().collect::<Vec<_>>().join(", ");
+            Some(field_error(format!("`{path}` is a list"), format!("an object with the names {names}")))
+        }
         _ => None,
     }
 }
@@ -192,7 +205,7 @@ const FACTORS: Numbers = Numbers {
     field: "factors",
     one: "factor",
     null: false,
-    expected: r#""factors": [[1, 2.5, 1, …], …], one number for each cell, at least 1"#,
+    expected: r#""factors": [[1, 2.5, 1, …], …], one number for each cell, 1 to 1000"#,
 };
 
 fn read_numbers(numbers: &Value, spec: &ScenarioSpec, of: Numbers) -> Result<Vec<f32>, FormatError> {

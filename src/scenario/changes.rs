@@ -14,7 +14,7 @@ pub const MAX_CHANGES: usize = 1000;
 /// How far, in cells, a wall is felt: a step from beside it, and what an ant sees at that step's end (eight cells around).
 const FELT: u32 = 2;
 
-/// Cells that are blocked or freed between two iterations. Start and goals stay free.
+/// Cells that are blocked or freed between two iterations. Start and goals stay free, and as wide as the robot needs.
 ///
 /// ```
 /// use formicarium::map::{Grid, Point};
@@ -105,7 +105,20 @@ fn refusal(grid: &Grid, spec: &ScenarioSpec, cell: Point, block: bool) -> Option
     if grid.contains(cell) && (cell == spec.start || spec.goals.iter().any(|goal| goal.at == cell)) {
         return Some("neither the start nor a goal");
     }
+    if block && takes_room(spec, cell) {
+        return Some("a cell that leaves the robot its room at start and goals");
+    }
     unfit_for_change(grid, cell, block)
+}
+
+/// Whether a robot that stands at the start or a goal would touch a wall in this cell.
+fn takes_room(spec: &ScenarioSpec, cell: Point) -> bool {
+    let squared = |end: Point| {
+        let (dx, dy) = (u64::from(end.x.abs_diff(cell.x)), u64::from(end.y.abs_diff(cell.y)));
+        u32::try_from(dx.saturating_mul(dx).saturating_add(dy.saturating_mul(dy))).unwrap_or(u32::MAX)
+    };
+    let mut ends = spec.goals.iter().map(|goal| goal.at).chain([spec.start]);
+    spec.robot.is_some() && ends.any(|end| spec.touches(squared(end)))
 }
 
 /// The same whatever stands on the cell.

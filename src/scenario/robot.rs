@@ -1,10 +1,15 @@
 //! The robot that moves: how much room it needs, and how dear the cells near obstacles are to it.
 //!
-//! Radius and costs follow Nav2, so that its numbers can be used as they are: `InflationLayer::computeCost` of nav2_costmap_2d gives a cell
-//! at distance d from the nearest obstacle, centre to centre, 253 up to the inscribed radius r and ⌊252·exp(−s·(d − r))⌋ beyond it, s being
-//! the cost scaling factor, out to the inflation radius, in whole cells rounded up. A cell of 253 or more cannot be entered. What the map's
-//! file has left unknown and the reader has blocked counts as an obstacle, as with Nav2's `inflate_around_unknown`; the world beyond the
-//! border does not, as with Nav2.
+//! Costs follow Nav2: `InflationLayer::computeCost` of nav2_costmap_2d gives a cell at distance d from the nearest obstacle, centre to centre,
+//! 253 up to the inscribed radius r and ⌊252·exp(−s·(d − r))⌋ beyond it, s being the cost scaling factor, out to the inflation radius, in
+//! whole cells rounded up. A cell of 253 or more cannot be entered. What the map's file has left unknown and the reader has blocked counts
+//! as an obstacle, as with Nav2's `inflate_around_unknown`; the world beyond the border does not, as with Nav2.
+//!
+//! Where this is not Nav2 to the letter (docs/methodology.md says it to users):
+//! - r is what a user gives as the radius. Nav2 makes a padded polygon of 16 corners of its `robot_radius`, whose inscribed circle is a
+//!   little larger or smaller: 0.2255 m of 0.22 m with its `footprint_padding` of 0.01 m.
+//! - Cells up to r are blocked even where the inflation radius is smaller, or 0.
+//! - d is exact. Nav2 spreads from cell to cell, which misses the nearest obstacle now and then.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +26,9 @@ pub const LETHAL_COST: u8 = 254;
 
 /// Nav2's radius of a robot that nobody has described, in metres: `robot_radius` of nav2_costmap_2d.
 pub const NAV2_RADIUS: f64 = 0.1;
+/// By what part a distance may exceed the radius and be the same: three cells of 0.05 m are 0.15 m, though not in binary numbers.
+const SAME: f64 = 1e-9;
+
 /// Largest m of [`CostRule::Nav2Smac2d`].
 pub const MAX_MULTIPLIER: f64 = 500.0;
 
@@ -130,7 +138,7 @@ impl Robot {
 
     /// Whether it touches an obstacle whose centre is so far from its own, by the squared distance in cells of so many metres.
     pub fn touches(&self, squared: u32, resolution: f64) -> bool {
-        squared == 0 || libm::sqrt(f64::from(squared)) * resolution <= self.radius
+        squared == 0 || libm::sqrt(f64::from(squared)) * resolution <= self.radius * (1.0 + SAME)
     }
 
     /// A drawn map as the robot feels it: blocked where it does not fit; of a cell's own factor and that of inflation the larger one counts,
@@ -158,8 +166,7 @@ pub(super) fn check(grid: &Grid, spec: &ScenarioSpec) -> Result<(), ScenarioErro
         return Err(ScenarioError::WeightedTerrain);
     }
     let Some(robot) = spec.robot else { return Ok(()) };
-    let length =
-        |field, value: f64| quantity(field, value, (0.0..=FARTHEST).contains(&value), "0 or a positive number of metres");
+    let length = |field, value: f64| quantity(field, value, (0.0..=FARTHEST).contains(&value), "0 to 1000000 metres");
     length("robot.radius", robot.radius)?;
     let Some(Inflation { radius, cost_scaling, multiplier, .. }) = inflation else { return Ok(()) };
     length("robot.inflation.radius", radius)?;

@@ -59,3 +59,20 @@ fn changes_spare_other_ends_too() {
     let error = scenario.with_ends(at(2, 2), goal(0, 2)).unwrap_err();
     assert!(error.to_string().contains("changes[0].blocked[0]"), "{error}");
 }
+
+#[cfg(feature = "whole")]
+#[test]
+fn changes_leave_a_robot_its_room() {
+    let grid = Grid::open(6, 5).unwrap();
+    let mut spec = ScenarioSpec::new(&grid, at(0, 0), at(5, 4));
+    spec.robot = Some(Robot { radius: 1.0, inflation: None });
+    let walled = |x, y| {
+        let changes = vec![Change { at: 0, blocked: vec![at(x, y)], freed: vec![] }];
+        Scenario::new(grid.clone(), ScenarioSpec { changes, ..spec.clone() }).map(drop).map_err(|e| e.to_string())
+    };
+    for beside in [(1, 0), (0, 1), (4, 4), (5, 3)] {
+        let error = walled(beside.0, beside.1).unwrap_err();
+        assert!(error.contains("changes[0].blocked[0]") && error.contains("room"), "{error}");
+    }
+    assert_eq!((walled(1, 1), walled(2, 0)), (Ok(()), Ok(())), "no nearer than the radius");
+}

@@ -141,9 +141,22 @@ fn what_is_left_out_takes_its_default() {
 }
 
 #[test]
+fn half_a_vehicle_takes_the_other_half() {
+    let vehicle = read(&edited(|v| v["vehicle"] = json!({"energy": {"per_metre": 3}}))).unwrap().spec.vehicle;
+    assert_eq!((vehicle.speed, vehicle.seconds_per_turn, vehicle.energy.unwrap().per_metre), (1.0, 0.0, 3.0));
+}
+
+#[test]
 fn errors_name_the_field() {
     type Edit = fn(&mut Value);
-    let cases: [(Edit, &str, &str); 19] = [
+    let cases: [(Edit, &str, &str); 26] = [
+        (|v| v["robot"] = json!([0.5]), "syntax", "`robot` is a list"),
+        (|v| v["movement"] = json!([4, "always"]), "syntax", "`movement` is a list"),
+        (|v| v["vehicle"] = json!([0.5, 1]), "syntax", "`vehicle` is a list"),
+        (|v| v["goals"] = json!([[[2, 1], "a", 1, 1, 1]]), "syntax", "`goals` is a list"),
+        (|v| v["drive"] = json!([[], [], 4]), "syntax", "`drive` is a list"),
+        (|v| v["drive"] = json!({"tracks": [[[[1, 1]], 2, 0, 1, "stay"]]}), "syntax", "`drive.tracks` is a list"),
+        (|v| v["drive"] = json!(null), "syntax", "`drive` is null"),
         (|v| v["colour"] = json!("red"), "syntax", "`colour`"),
         (|v| v["movement"]["diagonal"] = json!(true), "syntax", "`movement.diagonal`"),
         (|v| v["goals"][0]["weight"] = json!(1), "syntax", "`goals.weight`"),

@@ -81,6 +81,8 @@ export const zhCNFileFaults: Phrases = {
   'broken JSON: {}': 'JSON 有误：{}',
   'the JSON is not an object': 'JSON 不是对象',
   'there is no field `{}`': '没有字段 {}',
+  '`{}` is null': '{} 为 null',
+  '`{}` is a list': '{} 是列表',
   '`map` is missing': '缺少 map',
   '`map.rows` is no list': 'map.rows 不是列表',
   '`map.{}` is no list': 'map.{} 不是列表',

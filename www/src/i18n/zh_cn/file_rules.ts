@@ -9,6 +9,8 @@ export const zhCNFileRules: Phrases = {
   'at most one': '至多一个',
   'one of the two': '二者之一',
   'as many': '数目相同',
+  'a field that is left out where there is none': '没有时应省去该字段',
+  'an object with the names {}': '含有这些名称的对象：{}',
   '0 and 1': '0 与 1',
   '0 or 1': '0 或 1',
   '{} to {}': '{} 至 {}',
@@ -75,8 +77,8 @@ export const zhCNFileRules: Phrases = {
     '{"rows": ["..@.", …]}，. 为空闲，@ 为障碍',
   '"heights": [[12.5, 13, null, …], …], one number for each cell, `null` for no data':
     '"heights": [[12.5, 13, null, …], …]，每格一个数，null 表示没有数据',
-  '"factors": [[1, 2.5, 1, …], …], one number for each cell, at least 1':
-    '"factors": [[1, 2.5, 1, …], …]，每格一个数，至少为 1',
+  '"factors": [[1, 2.5, 1, …], …], one number for each cell, 1 to 1000':
+    '"factors": [[1, 2.5, 1, …], …]，每格一个数，1 至 1000',
   'one map for each instance': '每个实例一张地图',
   'a comparison as `compare` or the page writes it': '由 compare 或本页写出的比较',
   'the fields of docs/formats.md': 'docs/formats.md 所列的字段',
