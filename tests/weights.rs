@@ -209,25 +209,28 @@ fn inflation_is_nav2s_formula_cell_by_cell() {
         let inflation = Inflation { radius: inflation_radius, cost_scaling: scaling, ..Inflation::NAV2 };
         let costs = Robot { radius, inflation: Some(inflation) }.costs(&grid, resolution);
         let reach = (inflation_radius / resolution).ceil() as i64;
+        // In whole millimetres: in binary numbers 6 · 0.05 m is more than 0.3 m.
+        let millimetres = |metres: f64| (metres * 1000.0).round() as i64;
+        let (cell, least) = (millimetres(resolution), millimetres(radius));
         let mut seen = [0u32; 4];
         for c in 0..grid.len() as Cell {
             let p = grid.point(c);
             let (x, y) = (i64::from(p.x), i64::from(p.y));
             // The nearest obstacle, looked for in every cell within reach: nothing farther counts.
-            let mut nearest = f64::INFINITY;
+            let mut squared = i64::MAX;
             for by in (y - reach).max(0)..=(y + reach).min(i64::from(grid.height()) - 1) {
                 for bx in (x - reach).max(0)..=(x + reach).min(i64::from(grid.width()) - 1) {
                     if !grid.is_free_at(bx, by) {
-                        nearest = nearest.min((((bx - x).pow(2) + (by - y).pow(2)) as f64).sqrt());
+                        squared = squared.min((bx - x).pow(2) + (by - y).pow(2));
                     }
                 }
             }
-            let metres = nearest * resolution;
-            let (expected, kind) = if nearest == 0.0 {
+            let metres = (squared as f64).sqrt() * resolution;
+            let (expected, kind) = if squared == 0 {
                 (254, 0)
-            } else if metres <= radius {
+            } else if squared < i64::MAX && squared * cell * cell <= least * least {
                 (253, 1)
-            } else if nearest <= reach as f64 {
+            } else if squared <= reach * reach {
                 (((253 - 1) as f64 * (-scaling * (metres - radius)).exp()) as u8, 2)
             } else {
                 (0, 3)
