@@ -1,5 +1,7 @@
 //! Everything that is wrong with a path, not the first thing alone ([`crate::path::audit`]): `formicarium/check@1`.
 
+mod way;
+
 use serde::Serialize;
 
 use crate::map::{Cell, Grid, Movement, Point};
@@ -7,6 +9,8 @@ use crate::metrics::Metrics;
 use crate::path::{PathKind, audit_slices, direction_between, in_sight};
 use crate::scenario::{Scenario, ScenarioSpec};
 use crate::smoothing::Smoothed;
+
+pub use way::WayFindings;
 
 /// What `format` says.
 const FORMAT: &str = "formicarium/check@1";
@@ -77,9 +81,8 @@ impl Findings {
         };
         let joints = |of: PathKind, wrong: &dyn Fn(Point, Point) -> bool| if kind == of { all(wrong) } else { Vec::new() };
         let outside = cells(&|p| !grid.contains(p));
-        let blocked = |grid: &Grid, p: Point| grid.contains(p) && grid.is_blocked(grid.cell(p));
-        let collisions = cells(&|p| blocked(drawn, p));
-        let narrow = cells(&|p| blocked(grid, p) && !blocked(drawn, p));
+        let collisions = cells(&|p| blocked_at(drawn, p));
+        let narrow = cells(&|p| blocked_at(grid, p) && !blocked_at(drawn, p));
         let jumps = joints(PathKind::Steps, &|from, to| direction_between(from, to).is_none());
         let corner_cuts = joints(PathKind::Steps, &|from, to| cuts_corner(grid, movement, from, to));
         let out_of_sight = joints(PathKind::Polyline, &|from, to| hidden(grid, movement, from, to));
@@ -108,6 +111,10 @@ impl Findings {
             smoothed,
         }
     }
+}
+
+fn blocked_at(grid: &Grid, p: Point) -> bool {
+    grid.contains(p) && grid.is_blocked(grid.cell(p))
 }
 
 /// The curve of a valid path, which comes by all goals of the scenario.

@@ -2,7 +2,8 @@
 
 #[cfg(feature = "whole")]
 mod driving;
-
+#[cfg(feature = "whole")]
+mod way;
 mod weighted_sum;
 
 use serde::Serialize;
@@ -13,6 +14,8 @@ use crate::scenario::Scenario;
 
 #[cfg(feature = "whole")]
 pub use driving::Driving;
+#[cfg(feature = "whole")]
+pub use way::{Place, WayMetrics, entered_blocked};
 pub use weighted_sum::{Terms, WeightedSum, angle, energy_rates};
 
 /// Weight of a turning step in V(d, r): equation (10) of the fire-fighting paper.
@@ -210,9 +213,14 @@ pub fn obstacles_around(scenario: &Scenario, cell: Cell) -> impl Iterator<Item =
 
 /// Smallest and mean clearance of the cells that a path crosses.
 fn clearance(grid: &Grid, path: &[Cell]) -> (f64, f64) {
+    clearance_of(grid, crossed(grid.width(), path))
+}
+
+/// The same of these cells; 0 of none.
+fn clearance_of(grid: &Grid, path: impl Iterator<Item = Cell>) -> (f64, f64) {
     let gaps = gaps_in_rows(grid);
     let (mut min, mut sum, mut cells) = (f64::INFINITY, 0.0, 0u32);
-    for c in crossed(grid.width(), path) {
+    for c in path {
         let d = libm::sqrt(f64::from(squared_distance(grid, &gaps, c)));
         min = min.min(d);
         sum += d;

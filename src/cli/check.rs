@@ -1,6 +1,7 @@
 //! `check`: is this a path, and how good is it?
 
 mod price;
+mod way;
 
 use std::path::PathBuf;
 
@@ -25,7 +26,8 @@ use price::Price;
 #[derive(clap::Args)]
 #[command(after_help = "\
 The path: JSON [[x, y], …], CSV lines x,y, MATLAB [x y; x y], or what `plan` writes as json, path-csv, path-json,
-nav-msgs, geojson or svg. Metres of a ROS path or of GeoJSON become the cells in which they lie.
+nav-msgs, geojson or svg. Metres of a ROS path or of GeoJSON become the cells in which they lie; where they are no
+centres of cells, as those of a smoothed path, it is measured as it is.
 Its points are neighbouring cells, or with --polyline the corners of a polyline; json, path-json, geojson and svg
 say which themselves.
 By slices each place has its level: [[x, y, level], …], lines x,y,level, a result's path and levels, or z in metres.
@@ -97,6 +99,7 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         map.spec.goals.iter_mut().for_each(|goal| goal.at = last);
     }
     args.terrain.apply(&mut map)?;
+    let between = metres.as_ref().and_then(|metres| metres.between_centres(&map.spec));
     if let Some(metres) = metres {
         // Only now it is known how high a level is.
         path = metres.on(&map.spec)?;
@@ -107,6 +110,9 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         return by_slices(args, map, &path);
     }
     let path = on_the_ground(&path)?;
+    if let Some(outcome) = between.and_then(|places| way::check(args, &map, &places)) {
+        return Ok(outcome);
+    }
     let findings = Findings::of(&map.grid, &map.spec, !map.ends_were_chosen(), &path, kind);
     let price = Price::of(&map, &path, &findings, args.judged());
     let (fine, checked) = (findings.ok, Checked { findings, price });
@@ -183,7 +189,7 @@ fn whole_text(Checked { findings, price }: &Checked, map: &Imported, points: usi
     if let Some(price) = price {
         price.text(&mut out);
     }
-    driving::smoothed(&mut out, &map.spec.vehicle, findings.smoothed.as_ref());
+    driving::smoothed(&mut out, &map.spec.vehicle, findings.smoothed.as_ref(), map.spec.scale());
     out
 }
 

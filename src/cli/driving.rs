@@ -4,7 +4,7 @@ use crate::metrics::Driving;
 use crate::scenario::{SmoothingRule, Vehicle};
 use crate::smoothing::Smoothed;
 
-use super::text::{grouped, row};
+use super::text::{self, grouped, row};
 
 /// Whether the path is to be a curve.
 #[derive(clap::Args)]
@@ -31,28 +31,39 @@ fn curvature(text: &str) -> Result<f64, String> {
 
 /// The lines about how a path is to drive.
 pub fn metrics(out: &mut String, driving: &Driving) {
-    let degrees = driving.turning.to_degrees();
-    row(out, "turning", format!("{:.4} rad = {degrees:.0}°, {}", driving.turning, largest(driving.largest_curvature)));
+    row(out, "turning", format!("{}, {}", turning(driving.turning), largest(driving.largest_curvature)));
     row(out, "smoothness", format!("{:.4} per m² (0 = straight)", driving.smoothness));
     row(out, "energy", format!("{:.4}", driving.energy));
 }
 
-/// The lines about the curve of a path, if it has one.
-pub fn smoothed(out: &mut String, vehicle: &Vehicle, curve: Option<&Smoothed>) {
+/// An angle in radians and degrees.
+pub fn turning(radians: f64) -> String {
+    format!("{radians:.4} rad = {:.0}°", radians.to_degrees())
+}
+
+/// The lines about the curve of a path on a map of this scale, if it has one.
+pub fn smoothed(out: &mut String, vehicle: &Vehicle, curve: Option<&Smoothed>, scale: Option<f64>) {
     let (Some(curve), Some(rule)) = (curve, vehicle.smoothing) else { return };
     if !curve.is_curve {
         row(out, "smoothed", "no curve is free here: the path stays as it is");
         return;
     }
     let saved = if curve.saved < 0.0 { "more" } else { "less" };
-    let points = grouped(curve.points.len() as u64);
-    row(out, "smoothed", format!("{:.4} cells, {:.4} {saved} than the path, {points} points", curve.length, curve.saved.abs()));
+    let (length, points) = (text::length(curve.length, scale), grouped(curve.points.len() as u64));
+    row(out, "smoothed", format!("{length}, {:.4} cells {saved} than the path, {points} points", curve.saved.abs()));
     let bound = match rule.max_curvature {
         0.0 => "without a bound".into(),
         bound if curve.meets_bound => format!("within the bound of {bound}"),
-        bound => format!("above the bound of {bound}: no wider turn was found"),
+        bound => {
+            format!("above the bound of {bound}: no wider turn is free; costs near obstacles or a larger radius make room for it")
+        }
     };
     row(out, "", format!("{}, {bound}", largest(curve.largest_curvature)));
+    if let Some(metrics) = &curve.metrics {
+        row(out, "", format!("clearance {}", text::clearance(metrics.min_clearance, metrics.mean_clearance, scale)));
+        let cost = metrics.cost.map_or_else(String::new, |cost| format!(", cost {cost:.4} cells"));
+        row(out, "", format!("driving time {}{cost}", text::seconds(metrics.travel_time)));
+    }
 }
 
 fn largest(curvature: Option<f64>) -> String {

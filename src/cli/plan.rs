@@ -113,7 +113,7 @@ impl Report<'_> {
                 self.gap_text(&mut out);
                 self.polyline_text(&mut out);
                 text::metrics(&mut out, metrics, spec.scale());
-                driving::smoothed(&mut out, &spec.vehicle, self.result.smoothed.as_ref());
+                driving::smoothed(&mut out, &spec.vehicle, self.result.smoothed.as_ref(), spec.scale());
             }
             None => {
                 if let Some(value) = self.result.reference.value() {

@@ -162,16 +162,16 @@ pub fn metrics(out: &mut String, m: &Metrics, scale: Option<f64>) {
     }
     row(out, "steps", grouped(m.steps.into()));
     row(out, "turns", format!("{}, turn index V = {}", m.turns, length(m.turn_index, scale.filter(|_| by_slices.is_none()))));
-    row(out, "clearance", clearance(m, scale));
+    row(out, "clearance", clearance(m.min_clearance, m.mean_clearance, scale));
     row(out, "arrival time", seconds(m.travel_time));
     if let Some(driving) = &m.driving {
         super::driving::metrics(out, driving);
     }
 }
 
-/// How near the path comes to walls.
-fn clearance(m: &Metrics, scale: Option<f64>) -> String {
-    let gaps = |metres: f64| format!("at least {:.2}, on average {:.2}", metres * m.min_clearance, metres * m.mean_clearance);
+/// How near a path comes to walls, in cells.
+pub fn clearance(least: f64, mean: f64, scale: Option<f64>) -> String {
+    let gaps = |metres: f64| format!("at least {:.2}, on average {:.2}", metres * least, metres * mean);
     let metres = scale.map_or_else(String::new, |metres| format!(" = {} m", gaps(metres)));
     format!("{} cells{metres}", gaps(1.0))
 }

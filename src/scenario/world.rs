@@ -68,11 +68,26 @@ impl ScenarioSpec {
 
     /// The middle of a cell in the world, in metres; none for a map whose place is not known.
     pub fn to_world(&self, at: Point) -> Option<[f64; 2]> {
+        self.place_to_world([f64::from(at.x), f64::from(at.y)])
+    }
+
+    /// A place, as column and row in cells, in the world, in metres; none for a map whose place is not known.
+    pub fn place_to_world(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let world = self.world.as_ref()?;
-        let east = (f64::from(at.x) + 0.5) * self.resolution;
-        let north = (f64::from(self.height) - f64::from(at.y) - 0.5) * self.resolution;
+        let east = (x + 0.5) * self.resolution;
+        let north = (f64::from(self.height) - y - 0.5) * self.resolution;
         let World { x, y, .. } = world.clone().moved(east, north);
         Some([x, y])
+    }
+
+    /// A place of the world as column and row in cells, the middles of cells being whole numbers; none where the map's place is not known.
+    pub fn to_place(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+        let world = self.world.as_ref()?;
+        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
+        let (dx, dy) = (x - world.x, y - world.y);
+        let column = (cos * dx + sin * dy) / self.resolution;
+        let row = (cos * dy - sin * dx) / self.resolution;
+        Some([column - 0.5, f64::from(self.height) - row - 0.5])
     }
 
     /// The cell that holds a place of the world; none beside the map, or where the map's place is not known.
@@ -109,5 +124,8 @@ mod tests {
             }
         }
         assert_eq!(spec.to_cell([100.0, 0.0]), None);
+        spec.world = Some(World { yaw: 0.0, ..World::at(-1.0, 2.0) });
+        assert_eq!(spec.to_place([-1.0, 3.5]), Some([-0.5, -0.5]), "the upper left corner");
+        assert_eq!(spec.to_place([-0.75, 2.25]), Some([0.0, 2.0]));
     }
 }

@@ -18,6 +18,7 @@ mod spline;
 use serde::Serialize;
 
 use crate::map::{Cell, Point};
+use crate::metrics::WayMetrics;
 use crate::path::corners;
 use crate::scenario::{Scenario, SmoothingRule};
 use polygon::Polygon;
@@ -40,14 +41,28 @@ pub struct Smoothed {
     pub largest_curvature: Option<f64>,
     /// Whether that is within the vehicle's bound; always where there is none.
     pub meets_bound: bool,
+    /// What driving along it comes to on a plane; none on a terrain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub metrics: Option<WayMetrics>,
     /// False where no curve is free, as may be on steep ground: the points are the path's corners then.
     pub is_curve: bool,
 }
 
 impl Smoothed {
-    /// Smooths a valid path of either kind by the vehicle's rule; none where the vehicle has none, by slices, and without a path.
+    /// Smooths a valid path of either kind by the vehicle's rule, and measures the curve; none where the vehicle has none, by slices, and
+    /// without a path.
     pub fn of(scenario: &Scenario, path: &[Cell]) -> Option<Self> {
-        smooth(scenario, path, scenario.spec.vehicle.smoothing?)
+        let curve = smooth(scenario, path, scenario.spec.vehicle.smoothing?)?;
+        let metrics = scenario.spec.terrain.is_none().then(|| WayMetrics::of(scenario, &curve.points));
+        Some(Self { metrics, ..curve })
+    }
+
+    /// Altitudes of its points in metres, on the ground of a terrain; empty on a plane.
+    pub fn altitudes(&self, scenario: &Scenario) -> Vec<f64> {
+        let Some(relief) = scenario.moves.relief() else { return Vec::new() };
+        let room = Room::new(scenario);
+        self.points.iter().map(|&at| room.height(relief, at) * scenario.spec.resolution).collect()
     }
 }
 
@@ -97,6 +112,7 @@ impl Smoothed {
             points,
             largest_curvature: curvature,
             meets_bound: rule.max_curvature == 0.0 || curvature.is_some_and(|c| c <= rule.max_curvature),
+            metrics: None,
             is_curve: true,
         }
     }

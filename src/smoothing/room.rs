@@ -83,7 +83,7 @@ impl<'a> Room<'a> {
     }
 
     /// Height of the ground in cells: bilinear between the centres of the four cells around, as far as their heights are known.
-    fn height(&self, relief: &Relief, [x, y]: At) -> f64 {
+    pub(super) fn height(&self, relief: &Relief, [x, y]: At) -> f64 {
         let (left, up) = (libm::floor(x), libm::floor(y));
         let (right_share, down_share) = (x - left, y - up);
         let (mut sum, mut known) = (0.0, 0.0);

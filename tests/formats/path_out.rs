@@ -5,11 +5,13 @@ use std::sync::Arc;
 use formicarium::error::ErrorReport;
 use formicarium::formats::{
     Companion, Kind, PathFormat, PathOnMap, PlannedPath, ReadOptions, TerrainOptions, import_piece, import_with, path_kind,
-    read_path_on, recognise,
+    read_path_on, read_places, recognise,
 };
 use formicarium::map::{Cell, Measure, Movement, Point};
-use formicarium::path::PathKind;
-use formicarium::scenario::{Goal, Scenario, ScenarioSpec, World};
+use formicarium::metrics::WayMetrics;
+use formicarium::path::{Path, PathKind};
+use formicarium::scenario::{Goal, Scenario, ScenarioSpec, SmoothingRule, World};
+use formicarium::smoothing::Smoothed;
 use serde_json::{Value, json};
 
 use super::{common, data, schema, terrains};
@@ -184,12 +186,6 @@ fn geojson_names_its_system_or_is_refused() {
     assert_eq!(feature["geometry"]["coordinates"], line);
     assert_eq!((&feature["properties"]["name"], &feature["properties"]["length_metres"]), (&json!("yard"), &json!(8.0)));
     assert_eq!(file.notices[0].kind, "geojson-crs");
-    // Degrees are as the RFC has them: without the member, without a remark.
-    let (degrees, path) = small("epsg:4326");
-    let file = PathFormat::Geojson.write(&PlannedPath::new(&degrees, &path, PathKind::Steps).unwrap()).unwrap();
-    assert!(!file.text.contains("crs") && file.notices.is_empty());
-    assert_eq!(read(&file.text, &degrees.spec).notices, []);
-
     let refused = |world: Option<World>| {
         let scenario = Scenario::new(scenario.grid.clone(), ScenarioSpec { world, ..scenario.spec.clone() }).unwrap();
         let planned = PlannedPath::new(&scenario, &path, PathKind::Steps).unwrap();
@@ -200,11 +196,73 @@ fn geojson_names_its_system_or_is_refused() {
         (None, "world", "not known"),
         (at(10.0, ""), "world.frame", "names no coordinate system"),
         (at(10.0, "map"), "world.frame", "`map` is no coordinate system"),
-        (at(181.0, "EPSG:4326"), "world.frame", "no longitude and latitude"),
+        (at(10.0, "EPSG:4326"), "world.frame", "in degrees"),
+        (at(10.0, "urn:ogc:def:crs:EPSG::4258"), "world.frame", "in degrees"),
     ] {
         let report = refused(world);
         assert!(report.field == field && report.message.contains(says) && !report.hint.is_empty(), "{report:?}");
     }
+}
+
+const OPEN: [&str; 4] = ["S.......", "........", "........", ".......G"];
+
+/// A corner that a vehicle rounds, on a map with a place.
+fn rounded(rows: [&str; 4], rule: Option<SmoothingRule>) -> (Arc<Scenario>, Path) {
+    let open = common::drawn(&rows, Movement::default());
+    let world = World { yaw: 0.7, frame: "EPSG:25832".into(), ..World::at(10.0, 20.0) };
+    let mut spec = ScenarioSpec { world: Some(world), resolution: 0.5, ..open.spec.clone() };
+    spec.vehicle.smoothing = rule;
+    // Along the upper row, then down.
+    (Arc::new(Scenario::new(open.grid.clone(), spec).unwrap()), vec![0, 7, 31])
+}
+
+#[test]
+fn a_smooth_curve_is_written_and_comes_back_as_it_is() {
+    let (scenario, path) = rounded(OPEN, Some(SmoothingRule { max_curvature: 1.0 }));
+    let curve = Smoothed::of(&scenario, &path).unwrap();
+    let measured = curve.metrics.unwrap();
+    assert!(curve.is_curve && (measured.length - curve.length).abs() < 1e-9);
+    for format in [PathFormat::PathCsv, PathFormat::PathJson, PathFormat::NavMsgs, PathFormat::Geojson] {
+        let file = format.write(&PlannedPath::new(&scenario, &path, PathKind::Polyline).unwrap()).unwrap();
+        assert_eq!(file.notices[0].kind, "path-curve", "{}", format.id());
+        assert!(recognise(file.text.as_bytes(), "file").unwrap().kind == Kind::Path, "{}", format.id());
+        let back = read(&file.text, &scenario.spec).metres.unwrap().between_centres(&scenario.spec).unwrap();
+        assert_eq!(back.len(), curve.points.len(), "{}", format.id());
+        let near = |(a, b): (&[f64; 2], &[f64; 2])| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
+        assert!(back.iter().zip(&curve.points).all(near), "{}", format.id());
+        let again = WayMetrics::of(&scenario, &back);
+        assert!((again.length - curve.length).abs() < 1e-9 && (again.turning - measured.turning).abs() < 1e-6, "{again:?}");
+        // A reader that asks for cells alone is told what it has.
+        assert!(
+            read_places(file.text.as_bytes()).unwrap_err().report().message.contains("metres") || format == PathFormat::Geojson,
+            "{}",
+            format.id()
+        );
+    }
+    let drawing = write(&scenario, &path, PathKind::Polyline, PathFormat::Svg);
+    let report = read_path_on(drawing.as_bytes(), &scenario.spec).unwrap_err().report();
+    assert!(report.message.contains("drawing of a curve"), "{report:?}");
+    let json: Value = serde_json::from_str(&write(&scenario, &path, PathKind::Polyline, PathFormat::PathJson)).unwrap();
+    assert_eq!(schema::violations(&schema::load("path"), &json), Vec::<String>::new());
+}
+
+#[test]
+fn a_curve_that_is_too_tight_is_told() {
+    let (scenario, path) = rounded(["S.......", "#######.", "#######.", "#######G"], Some(SmoothingRule { max_curvature: 0.01 }));
+    let file = PathFormat::NavMsgs.write(&PlannedPath::new(&scenario, &path, PathKind::Polyline).unwrap()).unwrap();
+    assert_eq!(file.notices.iter().map(|n| n.kind.as_str()).collect::<Vec<_>>(), ["path-curve", "path-tight"]);
+    let (scenario, path) = rounded(OPEN, None);
+    let file = PathFormat::NavMsgs.write(&PlannedPath::new(&scenario, &path, PathKind::Polyline).unwrap()).unwrap();
+    assert_eq!(file.notices, []);
+}
+
+#[test]
+fn tables_of_metres_are_read_by_their_names() {
+    let (scenario, _) = small("");
+    let back = read("time;x_m;y_m\n0;11;23\n1;11.4;23.2\n", &scenario.spec);
+    assert_eq!(back.metres.unwrap().places, [[11.0, 23.0, 0.0], [11.4, 23.2, 0.0]]);
+    let report = read_path_on(b"x_m,y_m\n1,2\n1,east\n", &scenario.spec).unwrap_err().report();
+    assert!(report.field == "line 3" && report.message.contains("`1,east`"), "{report:?}");
 }
 
 #[test]
@@ -217,6 +275,10 @@ fn a_line_of_another_program_is_read_and_no_other_shape() {
     for text in [
         line.to_owned(),
         format!(r#"{{"type":"FeatureCollection",{crs},"features":[{feature}]}}"#),
+        format!(
+            r#"{{"type":"FeatureCollection","features":[{}]}}"#,
+            feature.replace("\"properties\"", &format!("{crs},\"properties\""))
+        ),
         feature.replace("\"properties\"", &format!("{crs},\"properties\"")),
     ] {
         let back = read(&text, &scenario.spec);

@@ -10,6 +10,9 @@ const NAMES: [&[&str]; 3] = [
     &["level", "z", "height_level", "层"],
 ];
 
+/// Names of the columns of metres.
+const METRES: [&str; 3] = ["x_m", "y_m", "z_m"];
+
 /// Where column, row and level of a place stand in a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Columns {
@@ -32,16 +35,27 @@ fn names(line: &str) -> Option<Vec<String>> {
     if line.len() > LONGEST {
         return None;
     }
-    let bare = |name: &str| name.trim().trim_matches(['"', '\'', '%', '#']).trim().to_lowercase();
-    let separator = [',', ';', '\t'].into_iter().find(|&c| line.contains(c));
-    let fields: Vec<String> = match separator {
-        Some(separator) => line.split(separator).map(bare).collect(),
-        None => line.split_whitespace().map(bare).collect(),
-    };
+    let bare = |name: &&str| name.trim_matches(['"', '\'', '%', '#']).trim().to_lowercase();
+    let fields: Vec<String> = fields(line).iter().map(bare).collect();
     let is_name =
         |name: &String| name.is_empty() || name.starts_with(char::is_alphabetic) && !name.contains(['=', '[', '(', ':']);
     let named = fields.len() > 1 && fields.iter().all(is_name) && fields.iter().any(|name| !name.is_empty());
     named.then_some(fields)
+}
+
+/// Where x, y and z in metres stand in a line, and how many fields it has, where the names of a line say so and none names a column of cells.
+pub(super) fn in_metres(line: &str) -> Option<([Option<usize>; 3], usize)> {
+    let names = names(line).filter(|_| !is_header(line))?;
+    let places = METRES.map(|known| names.iter().position(|name| name == known));
+    (places[0].is_some() && places[1].is_some()).then_some((places, names.len()))
+}
+
+/// The fields of a line, which its first separator parts, or blanks where it has none.
+pub(super) fn fields(line: &str) -> Vec<&str> {
+    match [',', ';', '\t'].into_iter().find(|&c| line.contains(c)) {
+        Some(separator) => line.split(separator).map(str::trim).collect(),
+        None => line.split_whitespace().collect(),
+    }
 }
 
 /// Whether a line names a column of columns and one of rows.

@@ -35,7 +35,10 @@ pub(super) fn looks_like(text: &str) -> bool {
     let begin = beginning(text);
     let digit = |rest: &str| rest.trim_start_matches("np.int64(").starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let pairs = begin.find("[(").is_some_and(|at| digit(&begin[at + 2..]));
-    pairs || has_named_points(&begin) || ros::is_path(text) || text.lines().next().is_some_and(columns::is_header)
+    pairs
+        || has_named_points(&begin)
+        || ros::is_path(text)
+        || text.lines().next().is_some_and(|line| columns::is_header(line) || columns::in_metres(line).is_some())
 }
 
 /// The first letters of a text, without blanks.
@@ -70,11 +73,11 @@ pub fn read_path(bytes: &[u8]) -> Result<Vec<Point>, FormatError> {
 /// [`FormatError`] with the line of the first thing that is no place.
 pub fn read_places(bytes: &[u8]) -> Result<Vec<(Point, Option<u32>)>, FormatError> {
     let text = decode(bytes)?;
-    if let Some(path) = path_out::read_own(&text) {
-        return path.map(|path| path.places);
-    }
     if let Some((what, expected)) = in_metres(&text) {
         return Err(FormatError::syntax(0, what, expected));
+    }
+    if let Some(path) = path_out::read_own(&text) {
+        return path.map(|path| path.places);
     }
     if text.trim_start().starts_with('{') {
         return from_result(&text);
@@ -147,7 +150,11 @@ fn in_metres(text: &str) -> Option<(&'static str, &'static str)> {
         return Some(("a line of GeoJSON is in the map's coordinate system", "a map that knows its place in the world"));
     }
     let expected = "a map that knows its place in the world: check it against the ROS map";
-    ros::is_path(text).then_some(("a Path message of ROS is in metres", expected))
+    if ros::is_path(text) {
+        return Some(("a Path message of ROS is in metres", expected));
+    }
+    let is_metres = path_out::read_curve(text).is_some() || columns::in_metres(text.lines().next().unwrap_or("")).is_some();
+    is_metres.then_some(("the path is in metres", expected))
 }
 
 /// The places of a Path message of ROS or of a line of GeoJSON in metres; none for any other file.
@@ -156,11 +163,16 @@ fn in_metres(text: &str) -> Option<(&'static str, &'static str)> {
 /// [`FormatError`] with the line, the pose or the position at fault.
 pub fn read_world_path(bytes: &[u8]) -> Result<Option<WorldPath>, FormatError> {
     let text = decode(bytes)?;
-    match path_out::read_geojson(&text) {
-        Some(line) => line.map(|(path, _)| Some(path)),
-        None if ros::is_path(&text) => ros::read_path(&text).map(Some),
-        None => Ok(None),
+    if let Some(line) = path_out::read_geojson(&text) {
+        return line.map(|(path, _)| Some(path));
     }
+    if let Some(curve) = path_out::read_curve(&text) {
+        return curve.map(Some);
+    }
+    if ros::is_path(&text) {
+        return ros::read_path(&text).map(Some);
+    }
+    world::in_columns(&text)
 }
 
 /// A path as a map's cells, from any file that holds one.
@@ -211,6 +223,9 @@ pub fn path_kind(bytes: &[u8]) -> PathKind {
     let text = decode(bytes).unwrap_or_default();
     if let Some(Ok((_, kind))) = path_out::read_geojson(&text) {
         return kind;
+    }
+    if path_out::read_curve(&text).is_some() {
+        return PathKind::Polyline;
     }
     if let Some(Ok(path)) = path_out::read_own(&text) {
         return path.kind;

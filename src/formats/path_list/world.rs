@@ -1,7 +1,9 @@
 //! Paths in metres of the world, and the cells in which their places lie.
 
 use crate::error::{FormatError, Notice};
+use crate::formats::path_list::columns;
 use crate::formats::path_out::placed;
+use crate::formats::text::quote;
 use crate::map::Point;
 use crate::scenario::{ScenarioSpec, TerrainMoves, TerrainSpec};
 
@@ -33,6 +35,16 @@ impl WorldPath {
         Ok(places)
     }
 
+    /// Its places as column and row, the middles of cells being whole numbers, where they are more than a hundredth of a cell from them: what
+    /// was planned from cell to cell, and written and read as decimals, is nearer.
+    pub fn between_centres(&self, spec: &ScenarioSpec) -> Option<Vec<[f64; 2]>> {
+        const NEAR: f64 = 0.01;
+        let placed = placed(spec);
+        let places: Vec<[f64; 2]> = self.places.iter().filter_map(|&[x, y, _]| placed.to_place([x, y])).collect();
+        let is_off = |v: f64| (v - libm::round(v)).abs() > NEAR;
+        places.iter().any(|&[x, y]| is_off(x) || is_off(y)).then_some(places)
+    }
+
     /// What is worth saying of the path and a map: no place, or another frame; a ROS map alone names none.
     pub fn notices(&self, spec: &ScenarioSpec) -> Vec<Notice> {
         let Some(world) = &spec.world else {
@@ -44,6 +56,28 @@ impl WorldPath {
         let message = || format!("the path is in the frame {path}, the map in {map}: their metres were taken for the same");
         differ.then(|| Notice::new("path-frame", message()).with("path", path).with("map", map)).into_iter().collect()
     }
+}
+
+/// A table of metres, with a line of names that says which column is which; none for any other text.
+///
+/// # Errors
+/// [`FormatError::Syntax`] with the line of the first thing that is no place.
+pub(super) fn in_columns(text: &str) -> Result<Option<WorldPath>, FormatError> {
+    let (head, body) = text.split_once('\n').unwrap_or((text, ""));
+    let Some((columns, width)) = columns::in_metres(head) else { return Ok(None) };
+    let lines = body.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let place = |(index, line): (usize, &str)| {
+        let wrong = || {
+            let what = format!("`{}` is no place in metres", quote(line));
+            FormatError::syntax(index + 2, what, "a number in every column that is named")
+        };
+        let fields = columns::fields(line);
+        let number = |at: usize| fields.get(at)?.parse::<f64>().ok().filter(|v| v.is_finite());
+        let [x, y, z] = columns.map(|at| at.map(|at| number(at).ok_or_else(wrong)).transpose());
+        let place = [x?.unwrap_or(0.0), y?.unwrap_or(0.0), z?.unwrap_or(0.0)];
+        if fields.len() == width { Ok(place) } else { Err(wrong()) }
+    };
+    Ok(Some(WorldPath { places: lines.map(place).collect::<Result<_, _>>()?, frame: String::new() }))
 }
 
 /// Metres of a level, by slices.

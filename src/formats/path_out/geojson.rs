@@ -1,7 +1,7 @@
 //! GeoJSON (RFC 7946): a Feature whose geometry is a LineString, for maps whose frame is a coordinate system.
 //!
-//! The RFC knows WGS 84 in degrees alone. Coordinates of another system are written as they are, with the member `crs` of GeoJSON 2008, by which
-//! GDAL and QGIS know them.
+//! The RFC knows WGS 84 in degrees alone. A map is in metres, so its system is another one: coordinates are written as they are, east before
+//! north whatever the system's own order, with the member `crs` of GeoJSON 2008, by which GDAL and QGIS know them.
 
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -36,52 +36,43 @@ fn code_of(spec: &ScenarioSpec) -> Result<u32, FormatError> {
         "" => FormatError::field("world.frame", "the map names no coordinate system", PLACE),
         frame => FormatError::field("world.frame", format!("`{}` is no coordinate system with a code", quote(frame)), PLACE),
     };
-    system::code(&world.frame).ok_or_else(unknown)
+    let code = system::code(&world.frame).ok_or_else(unknown)?;
+    if system::is_in_degrees(code) {
+        let what = format!("EPSG:{code} is in degrees, and the map's place and cells are in metres");
+        return Err(FormatError::field("world.frame", what, "the code of the projected system in which the map's place is said"));
+    }
+    Ok(code)
 }
 
 /// Writes a path; of a single place its position stands twice, since a LineString has two.
 ///
 /// # Errors
-/// As [`check`] and [`PlannedPath::check_metres`]; where WGS 84 is said of what are no degrees.
+/// As [`check`] and [`PlannedPath::check_metres`].
 pub(super) fn write(path: &PlannedPath<'_>) -> Result<PathFile, FormatError> {
     let code = code_of(path.spec)?;
     path.check_metres()?;
-    if code == WGS_84 {
-        check_degrees(path)?;
-    }
     let mut positions: Vec<String> = path.metres.iter().map(|at| json!(at).to_string()).collect();
     if let [only] = &positions[..] {
         positions.push(only.clone());
     }
     let crs = json!({ "type": "name", "properties": { "name": system::urn(code) } });
-    let crs = if code == WGS_84 { String::new() } else { format!("  \"crs\": {crs},\n") };
     let properties = json!({
         "name": path.spec.name, "kind": path.kind, "length": path.length, "length_metres": path.length_metres,
         "resolution": path.spec.resolution,
     });
     let line = positions.join(",\n    ");
     let text = format!(
-        "{{\n  \"type\": \"Feature\",\n{crs}  \"properties\": {properties},\n  \"geometry\": {{\"type\": \"LineString\", \"coordinates\": [\n    {line}\n  ]}}\n}}\n"
+        "{{\n  \"type\": \"Feature\",\n  \"crs\": {crs},\n  \"properties\": {properties},\n  \"geometry\": {{\"type\": \"LineString\", \"coordinates\": [\n    {line}\n  ]}}\n}}\n"
     );
-    Ok(PathFile { text, notices: other_system(code).into_iter().collect() })
-}
-
-fn check_degrees(path: &PlannedPath<'_>) -> Result<(), FormatError> {
-    let wrong = path.metres.iter().find(|at| at[0].abs() > 180.0 || at[1].abs() > 90.0);
-    wrong.map_or(Ok(()), |at| {
-        let what = format!("({}, {}) is no longitude and latitude", at[0], at[1]);
-        Err(FormatError::field("world.frame", what, "the code of the system in which the map's place is said"))
-    })
+    Ok(PathFile { text, notices: vec![other_system(code)] })
 }
 
 /// That readers which know the RFC alone would take the coordinates for degrees.
-fn other_system(code: u32) -> Option<Notice> {
-    (code != WGS_84).then(|| {
-        let message = format!(
-            "the coordinates are of EPSG:{code}, named by the member `crs` of GeoJSON 2008: RFC 7946 knows degrees of WGS 84 alone, and a reader that leaves `crs` out would misplace the line"
-        );
-        Notice::new("geojson-crs", message).with("code", code)
-    })
+fn other_system(code: u32) -> Notice {
+    let message = format!(
+        "the coordinates are of EPSG:{code}, named by the member `crs` of GeoJSON 2008: RFC 7946 knows degrees of WGS 84 alone, and a reader that leaves `crs` out would misplace the line"
+    );
+    Notice::new("geojson-crs", message).with("code", code)
 }
 
 /// Whether a text is GeoJSON that may hold a line; of JSON that is broken or cut short, by the words in it.
@@ -118,7 +109,8 @@ pub(super) fn read(text: &str) -> Result<(WorldPath, PathKind), FormatError> {
     let position = |(index, at): (usize, &Value)| place(at).ok_or_else(|| no_line(format!("position {index} is no [x, y]")));
     let places = positions.iter().enumerate().map(position).collect::<Result<_, _>>()?;
     let kind = kind_of(feature["properties"]["kind"].as_str());
-    Ok((WorldPath { places, frame: frame(&all)? }, kind))
+    let crs = [&all["crs"], &feature["crs"]].into_iter().find(|crs| !crs.is_null()).unwrap_or(&Value::Null);
+    Ok((WorldPath { places, frame: frame(crs)? }, kind))
 }
 
 fn no_line(what: impl Into<String>) -> FormatError {
@@ -134,8 +126,8 @@ fn place(position: &Value) -> Option<[f64; 3]> {
     }
 }
 
-fn frame(all: &Value) -> Result<String, FormatError> {
-    let code = match &all["crs"] {
+fn frame(crs: &Value) -> Result<String, FormatError> {
+    let code = match crs {
         Value::Null => Some(WGS_84),
         crs => crs["properties"]["name"].as_str().and_then(system::code),
     };

@@ -3,8 +3,9 @@
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::{ANY_VERSION, FORMAT, PlannedPath, ReadPath, check_version, is_ours, kind_of, object, with_levels};
+use super::{ANY_VERSION, CURVE, FORMAT, PlannedPath, ReadPath, check_version, is_ours, kind_of, object, with_levels};
 use crate::error::FormatError;
+use crate::formats::path_list::WorldPath;
 use crate::map::Point;
 
 /// What a path needs to be read.
@@ -22,7 +23,10 @@ pub(super) fn write(path: &PlannedPath<'_>) -> String {
         ("frame", json!(spec.world.as_ref().map(|world| &world.frame))),
         ("length", json!(path.length)),
         ("length_metres", json!(path.length_metres)),
-        ("cells", json!(path.cells)),
+        match &path.curve {
+            Some(curve) => ("curve", json!(curve.points)),
+            None => ("cells", json!(path.cells)),
+        },
     ];
     let levels = path.levels.as_ref().map(|levels| ("levels", json!(levels)));
     let fields = fields.into_iter().chain(levels).chain([("metres", json!(path.metres))]);
@@ -49,6 +53,26 @@ pub(super) fn read(text: &str) -> Result<ReadPath, FormatError> {
     let cells: Vec<Point> = list("cells", path["cells"].take())?;
     let levels = path.get_mut("levels").map(Value::take).map(|levels| list("levels", levels)).transpose()?;
     Ok(ReadPath { places: with_levels(cells, levels)?, kind: kind_of(path["kind"].as_str()) })
+}
+
+/// Reads the metres of a curve; none for any other path.
+///
+/// # Errors
+/// As [`read`].
+pub(super) fn read_curve(text: &str) -> Option<Result<WorldPath, FormatError>> {
+    let mut path = object(text).ok().filter(|path| path["kind"] == CURVE)?;
+    let mut read = || {
+        check_version(path["format"].as_str().unwrap_or_default())?;
+        let places: Vec<Vec<f64>> = list("metres", path["metres"].take())?;
+        let place = |at: &Vec<f64>| match at[..] {
+            [x, y] => Ok([x, y, 0.0]),
+            [x, y, z] => Ok([x, y, z]),
+            _ => Err(FormatError::field("metres", "a place without x and y", "[x, y] or [x, y, z] in metres")),
+        };
+        let places = places.iter().map(place).collect::<Result<_, _>>()?;
+        Ok(WorldPath { places, frame: path["frame"].as_str().unwrap_or_default().into() })
+    };
+    Some(read())
 }
 
 fn list<T: for<'a> Deserialize<'a>>(field: &'static str, value: Value) -> Result<Vec<T>, FormatError> {

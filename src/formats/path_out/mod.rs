@@ -25,6 +25,9 @@ pub(super) use planned::placed;
 /// What the field `format` of a path says.
 const FORMAT: &str = "formicarium/path@1";
 
+/// What the kind of a path says that is written as its smooth curve.
+const CURVE: &str = "curve";
+
 /// What every version of it begins with.
 const ANY_VERSION: &str = "formicarium/path@";
 
@@ -105,13 +108,14 @@ impl PathFormat {
     /// As [`PathFormat::check`]; and where the map is so far from zero that its cells are not told apart in metres.
     pub fn write(self, path: &PlannedPath<'_>) -> Result<PathFile, FormatError> {
         let plain = |text| Ok(PathFile { text, notices: Vec::new() });
-        match self {
+        let PathFile { text, notices } = match self {
             Self::PathCsv => plain(csv::write(path)),
             Self::PathJson => plain(json::write(path)),
             Self::NavMsgs => nav_msgs::write(path),
             Self::Geojson => geojson::write(path),
             Self::Svg => plain(svg::write(path)),
-        }
+        }?;
+        Ok(PathFile { text, notices: [path.notices(), notices].concat() })
     }
 }
 
@@ -133,6 +137,14 @@ pub(super) fn read_own(text: &str) -> Option<Result<ReadPath, FormatError>> {
     } else {
         None
     }
+}
+
+/// Reads a curve in metres that was written here as JSON; none for any other text.
+///
+/// # Errors
+/// As [`read_own`].
+pub(super) fn read_curve(text: &str) -> Option<Result<WorldPath, FormatError>> {
+    if json::is_own(text) { json::read_curve(text) } else { None }
 }
 
 /// Reads a line of GeoJSON; none for any other text.

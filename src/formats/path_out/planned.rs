@@ -1,22 +1,28 @@
 //! A path on its map, with everything that its formats tell.
 
-use crate::error::FormatError;
+use crate::error::{FormatError, Notice};
 use crate::map::{Cell, Grid, Point};
 use crate::metrics::Metrics;
 use crate::path::{Flaw, PathKind, audit, audit_slices};
 use crate::scenario::{Scenario, ScenarioSpec, World};
+use crate::smoothing::Smoothed;
+
+use super::CURVE;
 
 /// A path that can be written.
 #[derive(Debug, Clone)]
 pub struct PlannedPath<'a> {
     pub(super) grid: &'a Grid,
     pub(super) spec: &'a ScenarioSpec,
-    /// `steps`, `polyline` or `slices`.
+    /// `steps`, `polyline`, `slices` or `curve`.
     pub(super) kind: &'static str,
     pub(super) cells: Vec<Point>,
     /// By slices alone.
     pub(super) levels: Option<Vec<u32>>,
-    /// x and y, on a terrain z: in the world, or from the lower left corner of a map whose place is not known.
+    /// Where the vehicle has a rule of smoothing, the curve in place of the cells.
+    pub(super) curve: Option<Smoothed>,
+    /// Of each cell, or of each point of the curve, x and y, on a terrain z: in the world, or from the lower left corner of a map whose place
+    /// is not known.
     pub(super) metres: Vec<Vec<f64>>,
     /// In cells, and in metres.
     pub(super) length: f64,
@@ -41,20 +47,36 @@ impl<'a> PlannedPath<'a> {
         let (grid, spec) = (&scenario.grid, &scenario.spec);
         let levels = scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect());
         let cells: Vec<Point> = scenario.cells_of(path).into_iter().map(|cell| grid.point(cell)).collect();
-        let placed = placed(spec);
-        let altitudes = scenario.altitudes(path);
-        let metres = |(index, &at): (usize, &Point)| {
-            let flat = placed.to_world(at).unwrap_or_default();
-            flat.into_iter().chain(altitudes.get(index).copied()).collect()
-        };
-        let metres = cells.iter().enumerate().map(metres).collect();
+        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
         let kind = match kind {
             _ if levels.is_some() => "slices",
             PathKind::Steps => "steps",
             PathKind::Polyline => "polyline",
         };
-        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
-        Some(Self { grid, spec, kind, cells, levels, metres, length, length_metres })
+        let centres: Vec<[f64; 2]> = cells.iter().map(|at| [f64::from(at.x), f64::from(at.y)]).collect();
+        let metres = in_metres(spec, &centres, &scenario.altitudes(path));
+        let planned = Self { grid, spec, kind, cells, levels, curve: None, metres, length, length_metres };
+        Some(planned.smoothed(scenario, path))
+    }
+
+    /// The same as the curve that the vehicle drives, where it has a rule of smoothing and a curve is free.
+    fn smoothed(self, scenario: &Scenario, path: &[Cell]) -> Self {
+        let Some(curve) = Smoothed::of(scenario, path).filter(|curve| curve.is_curve) else { return self };
+        let metres = in_metres(self.spec, &curve.points, &curve.altitudes(scenario));
+        let (length, length_metres) = (curve.length, curve.length * self.spec.resolution);
+        Self { kind: CURVE, metres, length, length_metres, curve: Some(curve), ..self }
+    }
+
+    /// That it is written as its curve, and whether that is as wide as was asked for; that there is none where one was.
+    pub(super) fn notices(&self) -> Vec<Notice> {
+        let Some(rule) = self.spec.vehicle.smoothing else { return Vec::new() };
+        let Some(curve) = &self.curve else {
+            return vec![Notice::new("path-no-curve", "no smooth curve is free: the path is written as it was planned")];
+        };
+        let written = Notice::new("path-curve", "the path is written as its smooth curve, in metres");
+        let message = || format!("the curve is tighter than {} per metre: no wider turn is free", rule.max_curvature);
+        let tight = (!curve.meets_bound).then(|| Notice::new("path-tight", message()).with("bound", rule.max_curvature));
+        [written].into_iter().chain(tight).collect()
     }
 
     /// A path as the page holds it: points, and on a terrain their altitudes in metres, which by slices tell the levels.
@@ -85,13 +107,23 @@ impl<'a> PlannedPath<'a> {
     /// [`FormatError::Field`].
     pub(super) fn check_metres(&self) -> Result<(), FormatError> {
         let placed = placed(self.spec);
-        let same = |(at, metres): (&Point, &Vec<f64>)| placed.to_cell([metres[0], metres[1]]) == Some(*at);
-        if self.cells.iter().zip(&self.metres).all(same) {
+        let same = |at: &Point| placed.to_world(*at).and_then(|metres| placed.to_cell(metres)) == Some(*at);
+        if self.cells.iter().all(same) {
             return Ok(());
         }
         let what = format!("cells of {} m are not told apart so far from zero", self.spec.resolution);
         Err(FormatError::field("world", what, "a place of the map nearer to zero"))
     }
+}
+
+/// Places in cells as metres, with the altitudes that there are.
+fn in_metres(spec: &ScenarioSpec, places: &[[f64; 2]], altitudes: &[f64]) -> Vec<Vec<f64>> {
+    let placed = placed(spec);
+    let metres = |(index, &at): (usize, &[f64; 2])| {
+        let flat = placed.place_to_world(at).unwrap_or_default();
+        flat.into_iter().chain(altitudes.get(index).copied()).collect()
+    };
+    places.iter().enumerate().map(metres).collect()
 }
 
 /// The scenario with a place: the lower left corner of a map whose place is not known is (0, 0), as it is in a ROS map that is written.

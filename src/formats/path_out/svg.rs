@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use super::{ANY_VERSION, FORMAT, PlannedPath, ReadPath, check_version, kind_of, svg_walls, with_levels};
+use super::{ANY_VERSION, CURVE, FORMAT, PlannedPath, ReadPath, check_version, kind_of, svg_walls, with_levels};
 use crate::error::FormatError;
 use crate::formats::text::quote;
 use crate::map::Point;
@@ -52,7 +52,10 @@ fn letter(spec: &ScenarioSpec) -> f64 {
 }
 
 fn line(path: &PlannedPath<'_>, out: &mut String, letter: f64) {
-    let points: Vec<String> = path.cells.iter().map(|at| format!("{},{}", at.x, at.y)).collect();
+    let points: Vec<String> = match &path.curve {
+        Some(curve) => curve.points.iter().map(|[x, y]| format!("{x},{y}")).collect(),
+        None => path.cells.iter().map(|at| format!("{},{}", at.x, at.y)).collect(),
+    };
     let _ = write!(out, "{LINE} data-kind=\"{}\" points=\"{}\"", path.kind, points.join(" "));
     if let Some(levels) = &path.levels {
         let levels: Vec<String> = levels.iter().map(u32::to_string).collect();
@@ -128,6 +131,13 @@ pub(super) fn read(text: &str) -> Result<ReadPath, FormatError> {
     check_version(element(text, "<svg").and_then(|svg| value(svg, MARK)).unwrap_or_default())?;
     let wrong = |what: &str| FormatError::field("polyline", what, EXPECTED);
     let line = element(text, LINE).ok_or_else(|| wrong("missing"))?;
+    if value(line, "data-kind=\"") == Some(CURVE) {
+        return Err(FormatError::field(
+            "polyline",
+            "the drawing of a curve",
+            "a curve as path-csv, path-json, nav-msgs or geojson",
+        ));
+    }
     let points = value(line, "points=\"").ok_or_else(|| wrong("no points"))?;
     let cells = points.split_ascii_whitespace().map(cell).collect::<Result<_, _>>()?;
     let levels = value(line, "data-levels=\"");

@@ -3,6 +3,14 @@
 /// WGS 84 in degrees.
 pub(super) const WGS_84: u32 = 4326;
 
+/// Well-known systems in degrees: ETRS89, NAD27, NAD83, WGS 84, CGCS2000.
+const IN_DEGREES: [u32; 5] = [4258, 4267, 4269, WGS_84, 4490];
+
+/// Whether a code is of a well-known system in degrees: no map in metres can be in it.
+pub(super) fn is_in_degrees(code: u32) -> bool {
+    IN_DEGREES.contains(&code)
+}
+
 /// The EPSG code in a frame's name: `EPSG:25832` or `urn:ogc:def:crs:EPSG::25832`, whatever its letters' case; of `CRS84` that of WGS 84. None
 /// for any other name.
 pub(super) fn code(frame: &str) -> Option<u32> {
