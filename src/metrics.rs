@@ -105,7 +105,7 @@ impl Metrics {
             turn_index: weighed(scenario.path_length(path), turning),
             min_clearance,
             mean_clearance,
-            travel_time: metres / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn,
+            travel_time: vehicle.travel_time(metres, turns),
             #[cfg(feature = "whole")]
             cost: scenario.moves.weights().map(|_| scenario.path_length(path)),
             terrain,

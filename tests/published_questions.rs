@@ -1,6 +1,9 @@
 //! The committed questions: every one can be asked, and its record is what the engine gives today.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "published_questions/public_maps.rs"]
+mod public_maps;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -84,7 +84,7 @@ impl Question {
         let at = |field: &str| format!("entries.{}.{field}", entry.id);
         for (instance, row) in &entry.published {
             self.check_instance_or_group(&at("published"), instance)?;
-            let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations];
+            let numbers = [row.length, row.cost, row.turns, row.turn_index, row.weight, row.iterations, row.arrival_time];
             if let Some(wrong) = numbers.into_iter().flatten().find(|v| !(v.is_finite() && v.is_sign_positive())) {
                 return Err(QuestionError::field(at(&format!("published.{instance}")), wrong, "numbers of at least 0"));
             }

@@ -42,15 +42,16 @@ impl Comparison {
         nowhere || (reference.is_proven() && self.gap(row).is_some_and(|gap| gap < 0.0))
     }
 
-    /// A measure of a run, as [`Row::value`] tells it, or whether it found the proven optimum. A planner without iterations has no iteration
-    /// of the best; those of a first stage are not counted, and a run whose best is of that stage
-    /// tells no iteration of the next.
+    /// A measure of a run, as [`Row::value`] tells it, whether it found the proven optimum, or when the map's vehicle arrives. A planner
+    /// without iterations has no iteration of the best; those of a first stage are not counted, and a run whose best is of that stage tells no
+    /// iteration of the next.
     pub fn value(&self, row: &Row, measure: RunMeasure) -> Option<f64> {
         match measure {
             RunMeasure::Optimal => {
                 let is_optimal = self.reference(row).is_proven() && self.gap(row) == Some(0.0);
                 Some(f64::from(u8::from(is_optimal)))
             }
+            RunMeasure::ArrivalTime => self.arrival_time(row),
             RunMeasure::IterationOfBest if self.needs_no_seed(row.task.entry) => None,
             RunMeasure::IterationOfBest => {
                 let before = self.question.entries.get(row.task.entry).and_then(|entry| entry.first_stage).unwrap_or(0);
@@ -60,6 +61,15 @@ impl Comparison {
             }
             other => row.value(other),
         }
+    }
+
+    /// Seconds that the map's vehicle takes, infinite without a path. None where turns are not told, and by slices, where the levels' metres
+    /// are not part of a row.
+    fn arrival_time(&self, row: &Row) -> Option<f64> {
+        let scenario = &self.maps.get(row.task.instance)?.scenario;
+        let Some(found) = &row.found else { return Some(f64::INFINITY) };
+        let metres = found.length * scenario.spec.resolution;
+        scenario.by_slices().is_none().then_some(scenario.spec.vehicle.travel_time(metres, found.turns?))
     }
 
     /// As [`crate::comparison::Entry::needs_no_seed`]; false of an entry that there is not.
@@ -72,3 +82,6 @@ impl Comparison {
         self.maps.get(row.task.instance).map_or(Reference::Unknown, |map| map.reference(row.task.entry))
     }
 }
+
+#[cfg(test)]
+mod tests;

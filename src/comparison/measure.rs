@@ -26,6 +26,8 @@ pub enum RunMeasure {
     Smoothness,
     /// What driving along it costs by the map's vehicle.
     Energy,
+    /// Seconds to the goal by the map's vehicle: metres / speed + turns · seconds per turn; by slices no run tells it.
+    ArrivalTime,
     /// Σ R in cells of a tour by several goals: each leg as walked times the weight of its goal.
     Weight,
     /// Smallest distance in cells from a cell that the path crosses to the nearest obstacle.
@@ -69,6 +71,7 @@ impl RunMeasure {
             Self::LargestCurvature => "largest curvature",
             Self::Smoothness => "smoothness",
             Self::Energy => "energy",
+            Self::ArrivalTime => "arrival time",
             Self::Weight => "weight R",
             Self::MinClearance => "smallest clearance",
             Self::MeanClearance => "mean clearance",
@@ -97,6 +100,7 @@ impl RunMeasure {
             Self::LargestCurvature => "largest-curvature",
             Self::Smoothness => "smoothness",
             Self::Energy => "energy",
+            Self::ArrivalTime => "arrival-time",
             Self::Weight => "weight",
             Self::MinClearance => "min-clearance",
             Self::MeanClearance => "mean-clearance",
@@ -123,7 +127,7 @@ impl RunMeasure {
     /// comes to differs little between planners that are any good; efforts and turns differ much from run to run.
     pub fn relevant(self) -> f64 {
         match self {
-            Self::Length | Self::Cost | Self::TurnIndex | Self::Energy | Self::Weight => 0.01,
+            Self::Length | Self::Cost | Self::TurnIndex | Self::Energy | Self::ArrivalTime | Self::Weight => 0.01,
             Self::Turns
             | Self::Turning
             | Self::LargestCurvature
@@ -143,6 +147,7 @@ impl RunMeasure {
             Self::Turns => row.turns,
             Self::TurnIndex => row.turn_index,
             Self::Weight => row.weight,
+            Self::ArrivalTime => row.arrival_time,
             Self::IterationOfBest => row.iterations,
             Self::Turning | Self::LargestCurvature | Self::Smoothness | Self::Energy => None,
             Self::MinClearance

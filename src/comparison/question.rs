@@ -166,6 +166,10 @@ pub struct Published {
     /// Iterations until the final best was found.
     #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
     pub iterations: Option<f64>,
+    /// Seconds to the goal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "number | null"))]
+    pub arrival_time: Option<f64>,
 }
 
 impl Entry {

@@ -188,7 +188,8 @@ fn moves(words: &Words, scenario: &Scenario) -> String {
 fn published(main: RunMeasure, row: &Published) -> String {
     let number = |v: Option<f64>| v.map_or_else(|| "–".into(), |v| v.to_string());
     let also = |name: &str, v: Option<f64>| v.map_or_else(String::new, |v| format!(", {name} = {v}"));
-    let extra = also("V", row.turn_index) + &also("R", row.weight);
+    let extra =
+        also("V", row.turn_index) + &also("R", row.weight) + &row.arrival_time.map_or_else(String::new, |v| format!(", {v} s"));
     format!("{} / {} / {}{extra}", number(main.published(row)), number(row.turns), number(row.iterations))
 }
 

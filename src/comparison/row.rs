@@ -223,8 +223,8 @@ impl Row {
     }
 
     /// A measure of the run, none where it is not known: a run from elsewhere may tell no turns. Without a path it is infinite, except for
-    /// shares, which are 0, and for ant moves. [`RunMeasure::Optimal`] is [`super::Comparison::value`]'s to tell, and a
-    /// [`RunMeasure::RunningTime`] is all runs' together.
+    /// shares, which are 0, and for ant moves. [`RunMeasure::Optimal`] and [`RunMeasure::ArrivalTime`] are
+    /// [`super::Comparison::value`]'s to tell, and a [`RunMeasure::RunningTime`] is all runs' together.
     pub fn value(&self, measure: RunMeasure) -> Option<f64> {
         let of_path = |value: fn(&Found) -> Option<f64>| self.found.as_ref().map_or(Some(f64::INFINITY), value);
         let of_driving = |value: fn(&Driving) -> f64| match &self.found {
@@ -251,7 +251,7 @@ impl Row {
             RunMeasure::PathsToBest => to_best(Axis::ConstructedPaths),
             RunMeasure::AntMoves => self.effort.on(Axis::AntMoves),
             RunMeasure::Success => Some(f64::from(u8::from(self.found.is_some()))),
-            RunMeasure::Optimal | RunMeasure::RunningTime => None,
+            RunMeasure::Optimal | RunMeasure::ArrivalTime | RunMeasure::RunningTime => None,
         }
     }
 }

@@ -71,6 +71,13 @@ pub struct Vehicle {
     pub smoothing: Option<SmoothingRule>,
 }
 
+impl Vehicle {
+    /// Seconds for so many metres with so many turns.
+    pub fn travel_time(self, metres: f64, turns: u32) -> f64 {
+        metres / self.speed + f64::from(turns) * self.seconds_per_turn
+    }
+}
+
 impl Default for Vehicle {
     fn default() -> Self {
         Self {

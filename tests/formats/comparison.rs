@@ -126,7 +126,8 @@ fn every_committed_question_fits_the_schema() {
     );
     let schema = json!({ "$ref": "#/$defs/question", "$defs": load("comparison")["$defs"] });
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("experiments");
-    let files = folder.read_dir().unwrap().map(|file| file.unwrap().path());
+    let folders = [folder.clone(), folder.join("public")];
+    let files = folders.iter().flat_map(|folder| folder.read_dir().unwrap().map(|file| file.unwrap().path()));
     let questions: Vec<_> = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml")).collect();
     assert!(questions.len() >= 6, "{questions:?}");
     for path in questions {

@@ -92,8 +92,14 @@ const WORDS: [(&str, &str); 32] = [
 ];
 
 /// Whole cells.
-const CELLS: [(&str, &str); 5] =
-    [("claim", "主张"), ("measure", "衡量标准"), ("length", "路径长度"), ("turns", "转弯次数"), ("cost", "路径代价")];
+const CELLS: [(&str, &str); 6] = [
+    ("claim", "主张"),
+    ("measure", "衡量标准"),
+    ("length", "路径长度"),
+    ("turns", "转弯次数"),
+    ("cost", "路径代价"),
+    ("arrival time", "到达时间"),
+];
 
 /// Prints a dictionary of the page as JSON; the page's own tool reads TypeScript.
 const AS_JSON: &str = "\

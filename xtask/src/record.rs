@@ -1,5 +1,7 @@
-//! `cargo xtask record`: runs the questions in experiments/ and experiments/tuning/ and leaves their records beside them. Broken off, it goes
-//! on where it was when it is started again: every finished run is kept in NAME.partial.
+//! `cargo xtask record`: runs the questions in experiments/, experiments/public/ and experiments/tuning/ and leaves their records beside them.
+//! Broken off, it goes on where it was when it is started again: every finished run is kept in NAME.partial.
+
+mod public;
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -14,7 +16,7 @@ use crate::tools::{self, root, run};
 
 #[derive(Args)]
 pub struct Options {
-    /// Only these questions, by their file names without `.toml`: `ship`, `tuning/ship`
+    /// Only these questions, by their file names without `.toml`: `ship`, `public/gazebo`, `tuning/ship`
     names: Vec<String>,
 }
 
@@ -56,11 +58,18 @@ pub fn record(options: &Options) -> Result<()> {
     let data = env::var_os("FORMICARIUM_DATA").filter(|data| !data.is_empty()).map(|data| root().join(data));
     let start = Instant::now();
     for name in &names {
+        if name.starts_with(public::FOLDER) {
+            match &data {
+                Some(data) => timed(name, || public::record(name, data))?,
+                None => left(name),
+            }
+            continue;
+        }
         timed(name, || run(compare(name).args(["--out", &records(name)])))?;
         let Some(public) = ON_PUBLIC_MAPS.iter().find(|public| public.question == name) else { continue };
         match &data {
             Some(data) => timed(&format!("{name} on public maps"), || on_public_maps(public, &data.join("papers")))?,
-            None => println!("record: {name} on public maps is left as it is, because FORMICARIUM_DATA is not set"),
+            None => left(&format!("{name} on public maps")),
         }
     }
     println!("record: {:.0} s in all", start.elapsed().as_secs_f64());
@@ -74,6 +83,10 @@ fn timed(what: &str, of: impl FnOnce() -> Result<()>) -> Result<()> {
     Ok(())
 }
 
+fn left(what: &str) {
+    println!("record: {what} is left as it is, because FORMICARIUM_DATA is not set");
+}
+
 fn question(name: &str) -> String {
     format!("experiments/{name}.toml")
 }
@@ -84,9 +97,9 @@ fn records(name: &str) -> String {
     format!("experiments/{folder}records")
 }
 
-/// Every question, in the order of the names; those of planners that were tuned are last.
+/// Every question, in the order of the names; those on public maps alone and of planners that were tuned are last.
 fn questions() -> Result<Vec<String>> {
-    Ok([questions_in("")?, questions_in("tuning/")?].concat())
+    Ok([questions_in("")?, questions_in(public::FOLDER)?, questions_in("tuning/")?].concat())
 }
 
 fn questions_in(part: &str) -> Result<Vec<String>> {
@@ -118,7 +131,7 @@ fn on_public_maps(public: &OnPublicMaps, papers: &Path) -> Result<()> {
         Maps::Textbook => vec![("textbook".into(), textbook(papers)?)],
     };
     let mut command = compare(public.question);
-    command.args(["--out", "experiments/records/public"]);
+    command.args(["--out", public::RECORDS]);
     for (id, map) in &maps {
         command.args(["--only", id, "--map", &format!("{}/{id}={}", public.group, map.display())]);
     }

@@ -115,6 +115,7 @@ pub(super) fn amount(words: &Words, measure: RunMeasure, v: f64) -> String {
         RunMeasure::Length
         | RunMeasure::Cost
         | RunMeasure::TurnIndex
+        | RunMeasure::ArrivalTime
         | RunMeasure::Weight
         | RunMeasure::MinClearance
         | RunMeasure::MeanClearance => length(v),

@@ -112,10 +112,10 @@ test('every source in the catalog, and what presets mean, has Chinese', async ()
   expect(stale, 'no longer in the catalog').toEqual([])
 })
 
-async function questions(): Promise<Question[]> {
+async function questions(folder = QUESTIONS): Promise<Question[]> {
   const { parse } = await import(TOML)
-  const files = readdirSync(QUESTIONS).filter((file) => file.endsWith('.toml'))
-  return files.map((file) => parse(readFileSync(join(QUESTIONS, file), 'utf8')))
+  const files = readdirSync(folder).filter((file) => file.endsWith('.toml'))
+  return files.map((file) => parse(readFileSync(join(folder, file), 'utf8')))
 }
 
 /** The name of a map; null for one that a generator has made, which is told by kind, size and seed. */
@@ -124,13 +124,16 @@ function nameOf(map: string): string | null {
   return /^[a-z]+-\d+x\d+-seed\d+$/.test(name) ? null : name
 }
 
-/** What the page shows of a question. */
-function textsOf({ title, paper, asks, instances, entries, claims = [], facts = [] }: Question) {
+/** What the page shows of a question; maps that are public are not here, so that they have no names. */
+function textsOf(
+  { title, paper, asks, instances, entries, claims = [], facts = [] }: Question,
+  named = (map: string): string | null => nameOf(map),
+) {
   return [
     title,
     paper,
     asks,
-    ...instances.flatMap(({ map, note }) => [nameOf(map), note]),
+    ...instances.flatMap(({ map, note }) => [named(map), note]),
     ...entries.flatMap(({ label, missing }) => [label, missing]),
     ...claims.flatMap(({ says, note }) => [says, note]),
     ...facts.map(({ says }) => says),
@@ -140,7 +143,12 @@ function textsOf({ title, paper, asks, instances, entries, claims = [], facts = 
 test('every text of the papers’ questions has Chinese', async () => {
   const all = await questions()
   expect(all.length).toBeGreaterThan(5)
-  const texts = all.flatMap(textsOf)
+  const onPublicMaps = await questions(join(QUESTIONS, 'public'))
+  expect(onPublicMaps.length).toBeGreaterThan(0)
+  const texts = [
+    ...all.flatMap((question) => textsOf(question)),
+    ...onPublicMaps.flatMap((question) => textsOf(question, () => null)),
+  ]
   expect(unknown(texts, zhCNQuestions), 'add these to www/src/i18n/zh_cn/questions.ts').toEqual([])
   const said = new Set<string | null | undefined>(texts)
   const stale = Object.keys(zhCNQuestions).filter((text) => !said.has(text))

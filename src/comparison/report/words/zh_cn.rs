@@ -212,6 +212,7 @@ fn measure(measure: RunMeasure) -> &'static str {
         RunMeasure::LargestCurvature => "最大曲率",
         RunMeasure::Smoothness => "平滑度",
         RunMeasure::Energy => "能耗",
+        RunMeasure::ArrivalTime => "到达时间",
         RunMeasure::Weight => "权重 R",
         RunMeasure::MinClearance => "最小间距",
         RunMeasure::MeanClearance => "平均间距",

@@ -36,6 +36,7 @@ export const enLabResults = {
       'largest-curvature': 'largest curvature (per m)',
       smoothness: 'smoothness (per m²)',
       energy: 'energy',
+      'arrival-time': 'arrival time (s)',
       weight: 'weight ΣR (cells)',
       'min-clearance': 'smallest clearance (cells)',
       'mean-clearance': 'mean clearance (cells)',

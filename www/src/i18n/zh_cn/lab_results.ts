@@ -39,6 +39,7 @@ export const zhCNLabResults: DictionaryShape<typeof enLabResults> = {
       'largest-curvature': '最大曲率（每米）',
       smoothness: '平滑度（每平方米）',
       energy: '能耗',
+      'arrival-time': '到达时间（秒）',
       weight: '权重 ΣR（格）',
       'min-clearance': '最小间距（格）',
       'mean-clearance': '平均间距（格）',
