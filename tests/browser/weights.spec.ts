@@ -30,6 +30,18 @@ async function openCard(page: Page): Promise<void> {
   await expect(page.getByTestId('factor-3')).toBeVisible()
 }
 
+/** Tells all that the page has announced from now on. */
+async function listening(page: Page): Promise<() => Promise<string[]>> {
+  const region = page.getByTestId('announcement')
+  const all = await region.evaluateHandle((region) => {
+    const heard: string[] = []
+    const options = { childList: true, characterData: true, subtree: true }
+    new MutationObserver(() => heard.push(region.textContent ?? '')).observe(region, options)
+    return heard
+  })
+  return () => all.jsonValue()
+}
+
 test.describe('weighted ground', () => {
   test('is drawn by brush, line and fill, erased, and undone', async ({ page }) => {
     const race = await openField(page)
@@ -119,6 +131,30 @@ test.describe('weighted ground', () => {
       String(summary?.metrics?.cost),
     )
     await expect(page.getByTestId('legend-1')).toContainText(/× 1\b.*× 10/s)
+  })
+
+  test('is what screen readers hear of a path', async ({ page }) => {
+    const race = await openField(page)
+    await openCard(page)
+    await page.getByTestId('ground-block').click()
+    await page.keyboard.press('Escape')
+    await race.drag([
+      [15, 0],
+      [18, 24],
+    ])
+    await page.getByTestId('remove-2').click()
+    await page.getByTestId('planner-1').selectOption('astar')
+    await race.ready()
+    const heard = await listening(page)
+    await page.getByTestId('run-to-end').click()
+    await expect.poll(() => race.attribute('play', 'data-phase')).toBe('finished')
+    const { summary } = await race.result(1)
+    const { cost = Number.NaN, length } = summary?.metrics ?? {}
+    expect(cost).toBeGreaterThan(length ?? Number.NaN)
+    await expect(page.getByTestId('announcement')).toContainText('All runs have ended')
+    expect((await heard()).filter((text) => text.includes('path'))).toEqual([
+      `A*: first path, Cost ${cost.toFixed(2)}`,
+    ])
   })
 
   test('is refused by planners that do not know it, by name', async ({ page }) => {
