@@ -172,6 +172,25 @@ test.describe('a drive', () => {
     )
   })
 
+  test('leaves the goal free, and says so', async ({ page }) => {
+    const race = await open(page)
+    await openDrive(page)
+    await page.getByTestId('add-walls').click()
+    await race.drag([[13, 4]])
+    await expect(page.locator('.toasts')).toContainText('not upon it')
+    expect(await driveOf(race)).toBeUndefined()
+    await race.drag([
+      [13, 2],
+      [13, 5],
+    ])
+    const cells = async () => (await driveOf(race))?.changes?.[0]?.blocked
+    await expect.poll(cells).toEqual([
+      [13, 2],
+      [13, 3],
+      [13, 5],
+    ])
+  })
+
   test('is drawn and driven with keys alone', async ({ page }) => {
     const race = await open(page)
     await openDrive(page)
@@ -241,8 +260,13 @@ test('what nobody can drive is told, and why', async ({ page }) => {
   await open(page, { ...session, panels: colony ? [{ ...colony, planner: 'fire' }] : [] })
   await page.getByTestId('lesson-menu').click()
   await page.getByTestId('lesson-drive').click()
-  await expect(page.getByTestId('drive-card').getByRole('alert')).toContainText('one goal')
+  await expect(page.getByTestId('drive-card').getByRole('alert')).toHaveText(
+    'A robot drives to one goal; this map has 2.',
+  )
   await expect(page.getByTestId('drive-play')).toBeDisabled()
+  // There is nothing to be drawn for a drive that cannot be.
+  await expect(page.getByTestId('add-obstacle')).toHaveCount(0)
+  await expectClean(page, 'a map on which nobody drives')
   await page.keyboard.press('Escape')
   await expect(page.getByTestId('drive-card')).toHaveCount(0)
 })
