@@ -142,6 +142,9 @@ test('a robot is given a map, raced, driven and sent on its way', async ({ page 
     await page.getByTestId('lesson-menu').click()
     await page.getByTestId('lesson-drive').click()
     await page.getByTestId('drive-planner').selectOption({ index: 1 })
+    // What stands on the map now are no values of a layer, but as large as ever.
+    await expect(page.getByTestId('scale-bar-2')).toBeVisible()
+    await expect(page.getByTestId('legend-2')).toBeHidden()
     const ahead = (await race.result(2)).path ?? []
     await page.getByTestId('add-walls').click()
     const wall = ahead.at(8)
