@@ -1,13 +1,10 @@
 /** A robot that drives where walls change and obstacles move: drawn, driven, undone, sent, and the same as on the command line. */
-import { execFileSync } from 'node:child_process'
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
-import { tmpdir } from 'node:os'
-import { join } from 'node:path'
 import { expect, type Page, test } from '@playwright/test'
 import type { Session } from '../../www/src/model/session'
 import { packBits } from '../../www/src/share/codec'
 import { seal } from '../../www/src/share/envelope'
 import { expectClean } from './axe'
+import { answered, commandLine } from './command_line'
 import { RacePage } from './race_page'
 import { sessionOf } from './units/sessions'
 
@@ -58,8 +55,7 @@ test.describe('a drive', () => {
   test('through an obstacle that was drawn comes to what the command line says', async ({
     page,
   }) => {
-    const cli = process.env.FORMICARIUM_CLI
-    test.skip(!cli, 'FORMICARIUM_CLI does not name the command line tool')
+    const cli = commandLine()
     const session = field()
     // Ground that costs more lies on the straight way.
     const factors = new Float32Array(112).fill(1)
@@ -90,10 +86,9 @@ test.describe('a drive', () => {
         await expect(page.getByTestId('drive-standing')).toContainText('At the start')
         await driveThrough(page)
       }
-      const told = onCommandLine(cli ?? '', (await race.exported('scenario')).bytes, [
-        ...['--planner', planner, '--seed', '7', '--format', 'json'],
-        ...set,
-      ])
+      const map = (await race.exported('scenario')).bytes
+      const args = ['drive', 'map.json', '--planner', planner, '--seed', '7', ...set]
+      const told = answered<Told>(cli, { 'map.json': map }, args)
       expect(await value(page, 'length')).toBe(told.length)
       expect(await value(page, 'best')).toBe(told.clairvoyant.value)
       expect(await value(page, 'ratio')).toBe(told.ratio)
@@ -177,6 +172,25 @@ test.describe('a drive', () => {
     )
   })
 
+  test('leaves the goal free, and says so', async ({ page }) => {
+    const race = await open(page)
+    await openDrive(page)
+    await page.getByTestId('add-walls').click()
+    await race.drag([[13, 4]])
+    await expect(page.locator('.toasts')).toContainText('not upon it')
+    expect(await driveOf(race)).toBeUndefined()
+    await race.drag([
+      [13, 2],
+      [13, 5],
+    ])
+    const cells = async () => (await driveOf(race))?.changes?.[0]?.blocked
+    await expect.poll(cells).toEqual([
+      [13, 2],
+      [13, 3],
+      [13, 5],
+    ])
+  })
+
   test('is drawn and driven with keys alone', async ({ page }) => {
     const race = await open(page)
     await openDrive(page)
@@ -246,8 +260,13 @@ test('what nobody can drive is told, and why', async ({ page }) => {
   await open(page, { ...session, panels: colony ? [{ ...colony, planner: 'fire' }] : [] })
   await page.getByTestId('lesson-menu').click()
   await page.getByTestId('lesson-drive').click()
-  await expect(page.getByTestId('drive-card').getByRole('alert')).toContainText('one goal')
+  await expect(page.getByTestId('drive-card').getByRole('alert')).toHaveText(
+    'A robot drives to one goal; this map has 2.',
+  )
   await expect(page.getByTestId('drive-play')).toBeDisabled()
+  // There is nothing to be drawn for a drive that cannot be.
+  await expect(page.getByTestId('add-obstacle')).toHaveCount(0)
+  await expectClean(page, 'a map on which nobody drives')
   await page.keyboard.press('Escape')
   await expect(page.getByTestId('drive-card')).toHaveCount(0)
 })
@@ -348,16 +367,4 @@ interface Told {
   replans: number
   waits: number
   effort: { cell_expansions: number; ant_moves: number }
-}
-
-/** The same drive from the scenario's file, by `formicarium drive`. */
-function onCommandLine(cli: string, scenario: Buffer, args: string[]): Told {
-  const folder = mkdtempSync(join(tmpdir(), 'drive-'))
-  try {
-    const file = join(folder, 'map.json')
-    writeFileSync(file, scenario)
-    return JSON.parse(execFileSync(cli, ['drive', file, ...args], { encoding: 'utf8' }))
-  } finally {
-    rmSync(folder, { recursive: true })
-  }
 }

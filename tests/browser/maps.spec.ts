@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test'
+import { expectClean } from './axe'
 import { RacePage } from './race_page'
 
 const MATRIX = ['0 0 0 0 0 0', '0 1 1 1 1 0', '0 1 0 0 1 0', '0 0 0 1 0 0'].join('\n')
@@ -78,6 +79,36 @@ test.describe('import', () => {
       [0, 3],
       [5, 0],
     ])
+  })
+
+  test('swamp is given a factor, or is as free as any other ground', async ({ page }) => {
+    const race = new RacePage(page)
+    const swamp = MOVINGAI.replace('...@..', '.S.@SS')
+    const { factors: none } = (await race.session()).scenario
+    expect(none).toBeNull()
+    await race.drop('small.map', swamp)
+    await expect(page.getByTestId('map-swamp')).toHaveValue('1')
+    await expect(page.getByTestId('map-notices')).toContainText('3 cells of swamp')
+    await page.getByTestId('map-swamp').fill('0.5')
+    await expect(page.getByTestId('map-dialog').getByRole('alert')).toContainText('1 to 1000')
+    await expect(page.getByTestId('map-open')).toBeDisabled()
+    await page.getByTestId('map-swamp').fill('2.5')
+    await expect(page.getByTestId('map-notices')).toContainText('factor 2.5')
+    await expectClean(page, 'a map with swamp')
+    await page.getByTestId('map-open').click()
+    await expect(page.getByTestId('map-dialog')).toBeHidden()
+    const { spec, factors } = (await race.session()).scenario
+    expect(spec.width).toBe(6)
+    expect(
+      [...(factors ?? [])].flatMap((factor, i) => (factor === 1 ? [] : [[i, factor]])),
+    ).toEqual([
+      [19, 2.5],
+      [22, 2.5],
+      [23, 2.5],
+    ])
+    await race.drop('small.map', swamp)
+    await page.getByTestId('map-open').click()
+    await expect.poll(async () => (await race.session()).scenario.factors).toBeNull()
   })
 
   test('what cannot be read is refused with line and hint, and nothing on screen is lost', async ({

@@ -59,6 +59,35 @@ test.describe('a part of the page', () => {
     })
 })
 
+test('metres without their Chinese are told in English, and in Chinese once it can be fetched', async ({
+  page,
+  context,
+}) => {
+  const failed: string[] = []
+  page.on('pageerror', ({ message }) => failed.push(message))
+  await page.addInitScript(() => Object.defineProperty(navigator, 'language', { value: 'zh-CN' }))
+  const words = /\/assets\/reading-.*\.js$/
+  await context.route(words, async (route) => {
+    const response = await route.fetch()
+    if (/\p{Script=Han}/u.test(await response.text())) await route.abort('internetdisconnected')
+    else await route.fulfill({ response })
+  })
+  const race = new RacePage(page)
+  await race.open()
+  const map = { format: 'formicarium/scenario@1', name: 'room', width: 6, height: 2 }
+  const ends = { resolution: 0.5, start: [0, 0], goals: [{ at: [5, 0] }] }
+  const text = JSON.stringify({ ...map, ...ends, map: { rows: ['......', '......'] } })
+  await race.evaluate((text) => window.formicarium.load(text), text)
+  await expect(page.getByTestId('optimum')).toContainText('2.50 m')
+  await context.unrouteAll({ behavior: 'wait' })
+  await race.menu('map-menu', 'open-resize')
+  await expect(page.getByTestId('robot-fields')).toBeVisible()
+  await race.leaveDialog()
+  await race.drag([[3, 1]])
+  await expect(page.getByTestId('optimum')).toContainText('2.50 米')
+  expect(failed).toEqual([])
+})
+
 test.describe('offline', () => {
   test('a planner that is not here says so, and comes with the connection', async ({
     page,

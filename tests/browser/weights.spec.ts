@@ -30,6 +30,18 @@ async function openCard(page: Page): Promise<void> {
   await expect(page.getByTestId('factor-3')).toBeVisible()
 }
 
+/** Tells all that the page has announced from now on. */
+async function listening(page: Page): Promise<() => Promise<string[]>> {
+  const region = page.getByTestId('announcement')
+  const all = await region.evaluateHandle((region) => {
+    const heard: string[] = []
+    const options = { childList: true, characterData: true, subtree: true }
+    new MutationObserver(() => heard.push(region.textContent ?? '')).observe(region, options)
+    return heard
+  })
+  return () => all.jsonValue()
+}
+
 test.describe('weighted ground', () => {
   test('is drawn by brush, line and fill, erased, and undone', async ({ page }) => {
     const race = await openField(page)
@@ -119,6 +131,31 @@ test.describe('weighted ground', () => {
       String(summary?.metrics?.cost),
     )
     await expect(page.getByTestId('legend-1')).toContainText(/× 1\b.*× 10/s)
+  })
+
+  test('is what screen readers hear of a path', async ({ page }) => {
+    const race = await openField(page)
+    await openCard(page)
+    await page.getByTestId('ground-block').click()
+    await page.keyboard.press('Escape')
+    await race.drag([
+      [15, 0],
+      [18, 24],
+    ])
+    await page.getByTestId('remove-2').click()
+    await page.getByTestId('planner-1').selectOption('ant-system')
+    await race.ready()
+    const heard = await listening(page)
+    await page.getByTestId('play').click()
+    const told = async () =>
+      (await heard()).flatMap((text) => /first path, (.*)/.exec(text)?.[1] ?? [])[0]
+    await expect.poll(told).toBeDefined()
+    await page.getByTestId('play').click()
+    // Of no path here is the length its cost: four columns cost three times as much.
+    const { history } = await race.result(1)
+    expect(history.map(([, best = Number.NaN]) => `Cost ${best.toFixed(2)}`)).toContain(
+      await told(),
+    )
   })
 
   test('is refused by planners that do not know it, by name', async ({ page }) => {

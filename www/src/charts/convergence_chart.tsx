@@ -18,8 +18,8 @@ import { makePlot, type PlotStyle, plotData } from './convergence_plot'
 import { CurveToggles } from './curve_toggles'
 import { levels, showIterationBest, showMean, showsCost } from './shown_curves'
 
-const ready = addReadingWords()
-export const fetchChart = () => ready.then(() => ConvergenceChart)
+const ready = () => addReadingWords()
+export const fetchChart = () => ready().then(() => ConvergenceChart)
 
 /** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160

@@ -24,8 +24,8 @@ import { nearest, type Profile as PathProfile, profileOf } from './profile_data'
 import { makeProfilePlot } from './profile_plot'
 import { ProfileReadout, pointAt, pointInWords } from './profile_readout'
 
-const ready = addReadingWords()
-export const fetchProfile = () => ready.then(() => Profile)
+const ready = () => addReadingWords()
+export const fetchProfile = () => ready().then(() => Profile)
 
 /** Curves are redrawn no more often than a reader can follow. */
 const REDRAW_MS = 160

@@ -2,6 +2,7 @@
 import type { CostRule, ReadOptions } from '@pkg/formicarium'
 import { limits } from '../model/facts'
 import { type Crop, cropFits, isWhole } from '../model/raster_part'
+import { PLAIN } from '../model/weights'
 import type { MapFile } from '../state'
 
 export interface MapChoices {
@@ -21,6 +22,8 @@ export interface MapChoices {
   costs: CostRule | null
   /** Of a rule that has one. */
   multiplier: number
+  /** What a way through swamp costs, in lengths. */
+  swampFactor: number
 }
 
 export const USUAL: MapChoices = {
@@ -33,6 +36,7 @@ export const USUAL: MapChoices = {
   unknown: 'blocked',
   costs: null,
   multiplier: 2,
+  swampFactor: PLAIN,
 }
 
 export const isPicture = ({ kind }: MapFile) => kind === 'picture'
@@ -40,13 +44,15 @@ export const isPicture = ({ kind }: MapFile) => kind === 'picture'
 export const isRobots = ({ kind }: MapFile) => kind === 'ros-map' || kind === 'occupancy-grid'
 
 export function optionsOf(file: MapFile, choices: MapChoices): ReadOptions {
-  const { matrix, cells, unknown, costs: rule, multiplier } = choices
+  const { matrix, cells, unknown, costs: rule, multiplier, swampFactor } = choices
   if (isRobots(file))
     return {
       unknown,
       ...(rule && { costs: { rule, multiplier } }),
       ...(cells !== null && { cells }),
     }
+  // At 1 it is as free as any other cell, and the map needs no factors.
+  if (file.swamp) return swampFactor === PLAIN ? {} : { swamp_factor: swampFactor }
   if (!isPicture(file)) return file.matrices.length > 1 ? { matrix } : {}
   const { threshold, lightIsBlocked, metresPerCell, crop } = choices
   return {

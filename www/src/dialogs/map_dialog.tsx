@@ -27,7 +27,7 @@ import {
   type Sides,
   USUAL,
 } from './map_choices'
-import { MatrixField, PictureFields, RobotFields } from './map_fields'
+import { MatrixField, PictureFields, RobotFields, SwampFields } from './map_fields'
 import { MapPreview } from './map_preview'
 import { useReading } from './map_reading'
 import { type ReadAs, ReadAsField } from './read_as_field'
@@ -151,6 +151,7 @@ function Reading({ file }: { file: MapFile }) {
           {isRobots(file) && (
             <RobotFields choices={choices} fits={fits} whole={whole} onChange={change} />
           )}
+          {file.swamp && <SwampFields choices={choices} onChange={change} />}
           {wrong === null && map && <Notices file={file} map={map} />}
         </>
       )}

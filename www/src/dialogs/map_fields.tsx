@@ -4,6 +4,7 @@ import { useId } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { type Crop, WATCHED_SIDE, wholeOf } from '../model/raster_part'
+import { MOST_FACTOR, PLAIN } from '../model/weights'
 import { Button } from '../ui/buttons'
 import { Labelled, NumberField, Segmented, Select } from '../ui/fields'
 import { CropFields } from './crop_fields'
@@ -154,6 +155,29 @@ export function RobotFields(props: FieldsProps) {
         <CellsHint {...props} />
       </fieldset>
     </>
+  )
+}
+
+/** MovingAI's format says that swamp is passable, not what it costs. */
+export function SwampFields({ choices, onChange }: Pick<FieldsProps, 'choices' | 'onChange'>) {
+  const set = (swampFactor: number) => onChange({ swampFactor })
+  const label = t('mapFile.swampFactor', { most: numbers.value.whole.format(MOST_FACTOR) })
+  return (
+    <fieldset class="field-set">
+      <legend>{t('mapFile.swamp')}</legend>
+      <div class="field-row">
+        <NumberField
+          label={label}
+          value={choices.swampFactor}
+          min={PLAIN}
+          max={MOST_FACTOR}
+          testId="map-swamp"
+          onChange={set}
+          onType={useRested(set)}
+        />
+      </div>
+      <p class="hint">{t('mapFile.swampHint')}</p>
+    </fieldset>
   )
 }
 

@@ -85,9 +85,7 @@ function SizeFields({ robot, resolution, onChange }: GroupProps) {
         )}
       </div>
       <p class="hint">
-        {robot && size === 'round'
-          ? t('weights.radiusHint', { radius: fine(robot.radius / resolution) })
-          : t('weights.pointHint')}
+        {robot && size === 'round' ? radiusHint(robot.radius / resolution) : t('weights.pointHint')}
       </p>
     </>
   )
@@ -201,6 +199,12 @@ const withRule = (before: Inflation | undefined, rule: CostRule): Inflation => (
   ...before,
   rule,
 })
+
+/** It counts what it tells: 1.00001 cells are told as one. */
+function radiusHint(cells: number): string {
+  const radius = fine(cells)
+  return t('weights.radiusHint', { radius, count: Number(radius) })
+}
 
 /** A radius is told to the millimetre. */
 const fine = (value: number) => String(Number(value.toPrecision(4)))

@@ -7,14 +7,13 @@ import { Card } from '../lesson/card'
 import { panels } from '../state'
 import { mapIsFixed } from '../state/embedding'
 import { Select } from '../ui/fields'
-import { FormError } from '../ui/form_error'
 import { panelTitle } from '../words/planner_words'
 import { choosePanel, closeDrive, drivingPanel, failure, keepDriving } from './drive'
 import { edited } from './moving'
 import { MovingList } from './moving_list'
 import { MapKey, Numbers } from './numbers'
 import { Settings } from './settings'
-import { standingWords } from './standing_words'
+import { isUndrivable, standingWords } from './standing_words'
 import { Transport } from './transport'
 
 export function DriveCard() {
@@ -35,7 +34,7 @@ export function DriveCard() {
       onClose={closeDrive}
       onKey={leaveEditing}
     >
-      {panel ? <Body panelId={panel.id} /> : <p class="hint">{t('drive.needsPanel')}</p>}
+      {panel ? <Body panelId={panel.id} /> : <p class="hint">{standingWords()}</p>}
     </Card>
   )
 }
@@ -44,10 +43,15 @@ function Body({ panelId }: { panelId: number }) {
   return (
     <>
       <Transport />
-      <p role="status" class="drive-standing" data-testid="drive-standing">
-        {standingWords()}
-      </p>
-      {failure.value && <FormError error={failure.value} />}
+      {failure.value ? (
+        <p role="alert" class="field-error">
+          {standingWords()}
+        </p>
+      ) : (
+        <p role="status" class="drive-standing" data-testid="drive-standing">
+          {standingWords()}
+        </p>
+      )}
       {panels.value.length > 1 && (
         <Select
           label={t('drive.planner')}
@@ -57,6 +61,14 @@ function Body({ panelId }: { panelId: number }) {
           onChange={(id) => choosePanel(Number(id))}
         />
       )}
+      {!isUndrivable() && <Drivable />}
+    </>
+  )
+}
+
+function Drivable() {
+  return (
+    <>
       <Numbers />
       {!mapIsFixed.value && <MovingList />}
       <Settings />

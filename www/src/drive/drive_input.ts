@@ -5,7 +5,6 @@ import type { Cell } from '../model/cell'
 import { lineCells, sameCell } from '../model/edit'
 import { full } from '../model/moving'
 import { mapIsFixed } from '../state/embedding'
-import { drivingPanel } from './drive'
 import { brushWalls, edited, extendTrack, movingNow } from './moving'
 
 let gesture = 0
@@ -13,9 +12,10 @@ let last: Cell | null = null
 /** The press began on a cell of the walls in hand: it takes cells out. */
 let leaves = false
 
-export function driveHandlers(panelId: number): MapHandlers | null {
+/** On every panel, as they all show the same map: what is in hand is no wall anywhere. */
+export function driveHandlers(): MapHandlers | null {
   const hand = edited.peek()
-  if (!hand || drivingPanel.peek()?.id !== panelId || mapIsFixed.peek()) return null
+  if (!hand || mapIsFixed.peek()) return null
   return hand.list === 'tracks' ? TRACK : WALLS
 }
 

@@ -4,8 +4,8 @@ import { addLessonWords } from '../i18n/lesson'
 import { DriveCard } from './card'
 import { DriveOnMap } from './on_map'
 
-const ready = Promise.all([addDriveWords(), addLessonWords()])
+const ready = () => Promise.all([addDriveWords(), addLessonWords()])
 
-export const fetchDriveCard = () => ready.then(() => DriveCard)
-export const fetchDriveOnMap = () => ready.then(() => DriveOnMap)
-export const fetchFitting = () => ready.then(() => import('./fit'))
+export const fetchDriveCard = () => ready().then(() => DriveCard)
+export const fetchDriveOnMap = () => ready().then(() => DriveOnMap)
+export const fetchFitting = () => ready().then(() => import('./fit'))

@@ -5,6 +5,7 @@ import { mapOf, wholeBox } from '../engine/tools'
 import { t } from '../i18n/drive'
 import type { Cell } from '../model/cell'
 import { toEngineError } from '../model/errors'
+import { isGoal } from '../model/goals'
 import {
   brushed,
   crossing,
@@ -15,6 +16,7 @@ import {
   type Walls,
   withMoving,
 } from '../model/moving'
+import type { Scenario } from '../model/session'
 import { announce, commit, notify, scenario } from '../state'
 import { mapIsFixed } from '../state/embedding'
 import { driveBox, setupNow } from './drive'
@@ -106,6 +108,7 @@ export function extendTrack(to: Cell, gesture: number): void {
 export function brushWalls(cells: Cell[], leave: boolean, gesture: number): void {
   const [now, hand] = [scenario.peek(), edited.peek()]
   if (!now || hand?.list !== 'changes') return
+  tellOfGoals(now, cells, leave)
   const before = movingOf(now)
   const fresh: Walls = { at_step: stepOfNew.peek(), blocked: [], freed: [] }
   const changes = hand.index === null ? inOrder(before.changes, fresh) : before.changes
@@ -123,6 +126,12 @@ export function brushWalls(cells: Cell[], leave: boolean, gesture: number): void
   }
   edited.value = { list: 'changes', index }
   make(made, gesture)
+}
+
+/** Walls come beside a goal, not upon it. */
+function tellOfGoals(now: Scenario, cells: Cell[], leave: boolean): void {
+  if (leave || paint.peek() !== 'block' || !cells.some((cell) => isGoal(now, cell))) return
+  notify('info', t('drive.goalStays'))
 }
 
 const isEmpty = (change?: Moving['changes'][number]) =>

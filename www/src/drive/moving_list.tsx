@@ -6,10 +6,10 @@ import type { Cell } from '../model/cell'
 import { full } from '../model/moving'
 import { notifyError } from '../state'
 import { Button, IconButton } from '../ui/buttons'
-import { FormError } from '../ui/form_error'
 import { type Edited, edited, makeExample, movingNow, refusal, remove } from './moving'
 import { TrackFields, WallFields } from './moving_fields'
 import { showCell } from './show_cell'
+import { failureWords } from './standing_words'
 
 export function MovingList() {
   const { tracks, changes } = movingNow()
@@ -62,7 +62,11 @@ export function MovingList() {
           />
         </div>
       )}
-      {refusal.value && <FormError error={refusal.value} />}
+      {refusal.value && (
+        <p role="alert" class="field-error">
+          {failureWords(refusal.value)}
+        </p>
+      )}
     </section>
   )
 }

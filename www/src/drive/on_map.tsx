@@ -21,10 +21,10 @@ export function DriveOnMap({ panelId, size, cursor }: OnMapProps) {
   useLayoutEffect(() => {
     const holder = anchor.current?.parentElement
     if (!holder) return
-    return listenToMap(holder, size, cursor, () => driveHandlers(panelId))
+    return listenToMap(holder, size, cursor, driveHandlers)
   }, [panelId])
   const isHere = drivingPanel.value?.id === panelId && !inRelief.value
-  const takesPresses = isHere && edited.value !== null
+  const takesPresses = !inRelief.value && edited.value !== null
   return (
     <>
       <span ref={anchor} class="lesson-anchor" data-mode={takesPresses ? 'drive' : ''} hidden />

@@ -36,7 +36,10 @@ export function addEnglish(words: object): void {
 type More = () => Promise<object>
 const chineseToCome = new Set<More>()
 
-/** Adds the text of a part that is fetched on demand: English at once, Chinese when it is the language. */
+/**
+ * Adds the text of a part that is fetched on demand: English at once, Chinese when it is the language. What could not be fetched is tried
+ * again with each call, so a part asks whenever it is wanted.
+ */
 export async function addWords(english: object, chinese: More): Promise<void> {
   addEnglish(english)
   chineseToCome.add(chinese)

@@ -47,9 +47,15 @@ let ready: Promise<typeof Lab> | null = null
 
 /** The view with its text. Also opens the comparison in the address, or the one this tab had open. */
 export function fetchLab(): Promise<typeof Lab> {
-  ready ??= Promise.all([addLabWords(), addReadingsWords(), fetchNames()]).then(() => {
-    void openAddress()
-    return Lab
-  })
+  ready ??= Promise.all([addLabWords(), addReadingsWords(), fetchNames()]).then(
+    () => {
+      void openAddress()
+      return Lab
+    },
+    (error: unknown) => {
+      ready = null
+      throw error
+    },
+  )
   return ready
 }

@@ -10,7 +10,7 @@ import { OnMap } from './on_map'
 import { TargetField } from './target_field'
 import { TargetStrip } from './target_strip'
 
-const ready = Promise.all([addLessonWords(), addPlaybackWords()])
+const ready = () => Promise.all([addLessonWords(), addPlaybackWords()])
 
 const PIECES = {
   tools: LessonTools,
@@ -22,4 +22,4 @@ const PIECES = {
 
 // biome-ignore lint/suspicious/noExplicitAny: each place knows what its piece takes
 export const fetchPiece = (piece: LessonPiece): Promise<ComponentType<any>> =>
-  ready.then(() => PIECES[piece])
+  ready().then(() => PIECES[piece])

@@ -1,15 +1,18 @@
 /** Tells screen readers how a race goes: its start, first and better paths, its end. */
+import type { Objective } from '@pkg/formicarium'
 import { effect, untracked } from '@preact/signals'
 import { t } from '../i18n'
 import { announce, liveTick, type Panel, panels, phase } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
+import { objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
+import { OTHER_VALUES } from './readout'
 
 /** Better paths come faster than anybody can hear of them: one in so many milliseconds is told. */
 const PAUSE_MS = 4000
 
-/** Of each panel the length that was last told; none before its first path. */
+/** Of each panel the value that was last told, by its own objective; none before its first path. */
 const told = new Map<number, number>()
 let toldAt = 0
 
@@ -30,19 +33,19 @@ export function announceRuns(): void {
 /** Before a first path a run has begun anew, and what was told of it is forgotten. */
 function tellPaths(): void {
   for (const panel of panels.peek()) {
-    const length = panel.live.peek().summary?.metrics?.length
-    if (length === undefined) told.delete(panel.id)
-    else tellPath(panel, length)
+    const { summary } = panel.live.peek()
+    if (summary?.value == null) told.delete(panel.id)
+    else tellPath(panel, summary.objective, summary.value)
   }
 }
 
-function tellPath({ id }: Panel, length: number): void {
+function tellPath({ id }: Panel, objective: Objective, value: number): void {
   const last = told.get(id)
   const now = performance.now()
-  if (last !== undefined && (length >= last || now - toldAt < PAUSE_MS)) return
-  told.set(id, length)
+  if (last !== undefined && (value >= last || now - toldAt < PAUSE_MS)) return
+  told.set(id, value)
   toldAt = now
-  const words = { planner: panelTitle(id), length: lengthShown(length) }
+  const words = { planner: panelTitle(id), value: valueWords(objective, value) }
   announce(t(last === undefined ? 'notices.firstPath' : 'notices.betterPath', words))
 }
 
@@ -53,10 +56,17 @@ function results(): string {
     .join(', ')
 }
 
-/** The gap; the length where there is no reference. */
+/** What the path is judged by, and what it comes to. */
+function valueWords(objective: Objective, value: number): string {
+  const label = OTHER_VALUES[objectiveWord(objective)] ?? 'metrics.length'
+  return `${t(label)} ${lengthShown(value)}`
+}
+
+/** The gap; the value where there is no reference. */
 function outcome(panel: Panel): string {
   const gap = panelGap(panel)
   if (gap !== null) return gapShown(gap)
-  const length = panel.live.peek().summary?.metrics?.length
-  return length === undefined ? t('gap.noPathYet') : lengthShown(length)
+  const { summary } = panel.live.peek()
+  if (summary?.value == null) return t('gap.noPathYet')
+  return valueWords(summary.objective, summary.value)
 }

@@ -10,10 +10,10 @@ export { MoveArrows } from './move_arrows'
 export { MoveTable, percent } from './move_table'
 export { byDirection, type Move } from './moves'
 
-const ready = addPlaybackWords()
+const ready = () => addPlaybackWords()
 
-export const fetchScrubber = () => ready.then(() => Scrubber)
-export const fetchPastChip = () => ready.then(() => PastChip)
-export const fetchInspector = () => ready.then(() => Inspector)
-export const fetchDifference = () => ready.then(() => DifferencePanel)
-export const fetchCompareButton = () => ready.then(() => CompareButton)
+export const fetchScrubber = () => ready().then(() => Scrubber)
+export const fetchPastChip = () => ready().then(() => PastChip)
+export const fetchInspector = () => ready().then(() => Inspector)
+export const fetchDifference = () => ready().then(() => DifferencePanel)
+export const fetchCompareButton = () => ready().then(() => CompareButton)

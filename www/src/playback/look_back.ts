@@ -4,7 +4,8 @@ import { client } from '../engine/panel_clients'
 import { addPlaybackWords, t } from '../i18n/playback'
 import { flushLive, leavePast, lookedAt, notify, type Panel, panels, pause, phase } from '../state'
 
-void addPlaybackWords()
+/** Until they can be fetched there is English. */
+addPlaybackWords().catch(() => {})
 
 /** Some panel is still on its way to the iteration. */
 export const recomputing = signal(false)

@@ -73,6 +73,7 @@ function groundWords(now: Scenario, cell: Cell): string | null {
 
 export async function startGroundWords(): Promise<void> {
   await addWeightWords()
+  if (ground.words) return
   ground.words = groundWords
   offerRoom()
 }

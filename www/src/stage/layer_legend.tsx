@@ -21,8 +21,8 @@ import type { CanvasSize } from './panel_view'
 import { ScaleBar } from './scale_bar'
 import { OfWeights } from './weights_legend'
 
-const ready = Promise.all([addReadingWords(), startGroundWords()])
-export const fetchLegend = () => ready.then(() => LayerLegend)
+const ready = () => Promise.all([addReadingWords(), startGroundWords()])
+export const fetchLegend = () => ready().then(() => LayerLegend)
 
 /** Of the heights of a terrain, of the factors of weighted ground. */
 const ground = computed(() => {

@@ -40,6 +40,8 @@ export interface FoundFile extends NamedBytes {
 export interface MapFile extends FoundFile {
   /** The matrices of a text that holds several. */
   matrices: MatrixInfo[]
+  /** Whether it has swamp, which may be given a factor. */
+  swamp: boolean
   /** Of a ROS map the picture that it names. */
   image: NamedBytes | null
   /** The name of that picture in the description; empty for any other map. */

@@ -273,6 +273,7 @@ async function openOne(
   const map: MapFile = {
     ...named,
     matrices,
+    swamp: false,
     image,
     names: needs,
     needs: image ? null : needs || null,
@@ -281,13 +282,17 @@ async function openOne(
   }
   const leavesChoice = ASKED.has(file.kind) || !file.certain || matrices.length > 1
   turn.check()
-  if (asked && leavesChoice && file.kind !== 'unknown') mapFile.value = map
-  else {
-    const read = await readMap(map, {})
-    turn.check()
-    await openMap(map, {}, read)
+  if (asked && leavesChoice && file.kind !== 'unknown') {
+    mapFile.value = map
+    return
   }
+  const read = await readMap(map, {})
+  turn.check()
+  if (asked && hasSwamp(read)) mapFile.value = { ...map, swamp: true }
+  else await openMap(map, {}, read)
 }
+
+const hasSwamp = ({ warnings }: Imported) => warnings.some(({ kind }) => kind === 'swamp')
 
 /** None where they cannot be told: the import says why. */
 export const matricesOf = ({ bytes }: NamedBytes) => lateTools.listMatrices(bytes).catch(() => [])

@@ -66,14 +66,17 @@ export function distanceWords(metres: number): string {
 
 const ofLength = (cells: number) => t('lengths.metres', { value: lengthNumber(cells) })
 
-void addReadingWords().then(() => {
-  isReady.value = true
-  effect(() => {
-    const length = metresPerCell.value === null ? null : ofLength
-    const place = scaleNow.value === null ? groundOfCell : placeOfCell
-    metreWords.value = { length, place }
+/** Without their dictionary they are told in English; it is asked for again with the next words that come. */
+addReadingWords()
+  .catch(() => {})
+  .then(() => {
+    isReady.value = true
+    effect(() => {
+      const length = metresPerCell.value === null ? null : ofLength
+      const place = scaleNow.value === null ? groundOfCell : placeOfCell
+      metreWords.value = { length, place }
+    })
   })
-})
 
 type Place = NonNullable<typeof metreWords.value>['place']
 

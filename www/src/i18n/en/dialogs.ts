@@ -220,6 +220,10 @@ export const enDialogs = {
     costsHint:
       'Cells between free and occupied cost more than their length, as the planner counts.',
     noCostsHint: 'Thresholds tell free cells from walls.',
+    swamp: 'Swamp',
+    swampFactor: 'Factor, 1 to {{most}}',
+    swampHint:
+      'A way through swamp costs so many times its length; with 1 it is as free as any other ground.',
     unknownNotes: {
       blocked: 'Where no sensor has looked, nothing goes: as a careful robot plans.',
       free: 'Where no sensor has looked, paths may lead: as a robot that explores plans.',

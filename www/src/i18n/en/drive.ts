@@ -11,6 +11,12 @@ export const enDrive = {
   restart: 'Back to the start',
   pace: 'Steps a second',
   needsPanel: 'Add a planner first: it drives the robot.',
+  grounds: {
+    goals: 'A robot drives to one goal; this map has {{value}}.',
+    inflation:
+      'Costs near obstacles would move with what moves: switch them off in “Size and moves”. The robot’s radius counts.',
+    slices: 'By slices nobody drives: a robot goes from cell to cell.',
+  },
   preparing: 'Putting the robot on the map…',
   atStart: 'At the start.',
   move: 'Step {{step}}: it moves.',
@@ -57,6 +63,7 @@ export const enDrive = {
     'Draw its way on the map: press and drag from cell to cell, or Enter at the cell cursor. Each press goes on from its end.',
   drawWalls:
     'Press and drag over cells, or Enter at the cell cursor. A press on a cell that changes takes it out again.',
+  goalStays: 'Walls come beside a goal, not upon it.',
   size: 'Cells a side',
   fromStep: 'From step',
   stepsPerCell: 'Steps a cell',

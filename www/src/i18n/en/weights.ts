@@ -10,7 +10,9 @@ export const enWeights = {
   robot: 'Robot',
   sizes: { point: 'A point', round: 'Round' },
   radius: 'Radius (m)',
-  radiusHint:
+  radiusHint_one:
+    '{{radius}} cell. Cells whose centre is no farther from that of a wall are too narrow.',
+  radiusHint_other:
     '{{radius}} cells. Cells whose centre is no farther from that of a wall are too narrow.',
   pointHint: 'It fits wherever a cell is free.',
   cost: 'Costs near obstacles',

@@ -210,6 +210,9 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     multiplier: '代价行进倍数',
     costsHint: '介于空闲与占用之间的格子按该规划器的算法，代价高于其长度。',
     noCostsHint: '由阈值区分空闲格子与墙。',
+    swamp: '沼泽',
+    swampFactor: '系数，1 至 {{most}}',
+    swampHint: '通过沼泽的代价是其长度的这么多倍；为 1 时与其他地面一样空闲。',
     unknownNotes: {
       blocked: '传感器没有看到的地方不能通行：谨慎的机器人这样规划。',
       free: '路径可以通过传感器没有看到的地方：探索中的机器人这样规划。',

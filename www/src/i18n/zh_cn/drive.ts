@@ -13,6 +13,12 @@ export const zhCNDrive: DictionaryShape<typeof enDrive> = {
   restart: '回到起点',
   pace: '每秒步数',
   needsPanel: '请先添加规划器：由它驾驶机器人。',
+  grounds: {
+    goals: '机器人只驶向一个目标；这张地图有 {{value}} 个。',
+    inflation:
+      '障碍物附近的代价会随移动的东西而变：请在“尺寸与移动规则”中关闭。机器人的半径照常计入。',
+    slices: '按切片无法行驶：机器人逐格移动。',
+  },
   preparing: '正在把机器人放到地图上…',
   atStart: '在起点。',
   move: '第 {{step}} 步：移动。',
@@ -55,6 +61,7 @@ export const zhCNDrive: DictionaryShape<typeof enDrive> = {
   drawTrack:
     '在地图上画出它的轨迹：按住并逐格拖动，或在单元格光标处按 Enter。每次按下都从末端接着画。',
   drawWalls: '按住并拖过格子，或在单元格光标处按 Enter。按在会变的格子上则把它取消。',
+  goalStays: '墙可以出现在目标旁，不能出现在目标上。',
   size: '边长（格）',
   fromStep: '从第几步',
   stepsPerCell: '每格步数',

@@ -12,7 +12,7 @@ export const zhCNWeights: DictionaryShape<typeof enWeights> = {
   robot: '机器人',
   sizes: { point: '点', round: '圆形' },
   radius: '半径（米）',
-  radiusHint: '{{radius}} 格。中心到墙格中心的距离不大于半径的格子太窄。',
+  radiusHint_other: '{{radius}} 格。中心到墙格中心的距离不大于半径的格子太窄。',
   pointHint: '只要格子空闲就放得下。',
   cost: '障碍物附近的代价',
   rules: { off: '关闭', 'nav2-smac-2d': 'Nav2 SmacPlanner2D', 'nav2-navfn': 'Nav2 NavFn' },

@@ -55,7 +55,7 @@ export function FrontsTab({ analysis }: { analysis: Analysis }) {
   const plot = library.value
   return (
     <>
-      <div class="result-choices">
+      <div class="result-choices front-choices">
         <MapChoice analysis={analysis} />
         <Measures asked={asked} />
         <Reference asked={asked} fronts={fronts} />
