@@ -131,6 +131,9 @@ impl Report<'_> {
     fn amount(&self, value: f64) -> String {
         match self.planner.objective() {
             Objective::SliceCost => format!("{value:.4} cells and levels"),
+            // What is dear is no longer.
+            Objective::Weighted => text::length(value, None),
+            _ if self.scenario.moves.weights().is_some() => text::length(value, None),
             _ => self.length(value),
         }
     }

@@ -9,10 +9,12 @@ use super::input;
 #[derive(clap::Args, Clone, Default)]
 #[command(next_help_heading = "Robot")]
 pub struct RobotArgs {
-    /// Radius in metres: cells that are no farther from an obstacle are blocked [default: the map's, else a point]
+    /// Radius in metres: cells that are no farther from an obstacle are blocked; Nav2 pads its robot_radius: 0.22 there is
+    /// 0.2255 here [default: the map's, else a point, with costs 0.1]
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     robot_radius: Option<f64>,
-    /// Cells near obstacles cost more, as a planner of Nav2 counts: nav2-smac-2d or nav2-navfn [default: the map's, else no more]
+    /// Cells near obstacles cost more, by the rule of a planner of Nav2: nav2-smac-2d or nav2-navfn; `check` counts as that planner
+    /// does, all else what a path crosses [default: the map's, else no more]
     #[arg(long, value_name = "RULE", hide_possible_values = true, value_parser = input::cost_rules())]
     cost: Option<CostRule>,
     /// How far from obstacles cells cost more, in metres [default: the map's, else 0.55, as Nav2's]

@@ -161,7 +161,15 @@ pub fn metrics(out: &mut String, m: &Metrics, scale: Option<f64>) {
         row(out, "climb", format!("{:.1} m up, {:.1} m down, at most {:.1}°", terrain.climb, terrain.descent, terrain.steepest));
     }
     row(out, "steps", grouped(m.steps.into()));
-    row(out, "turns", format!("{}, turn index V = {}", m.turns, length(m.turn_index, scale.filter(|_| by_slices.is_none()))));
+    row(
+        out,
+        "turns",
+        format!(
+            "{}, turn index V = {}",
+            m.turns,
+            length(m.turn_index, scale.filter(|_| by_slices.is_none() && m.cost.is_none()))
+        ),
+    );
     row(out, "clearance", clearance(m.min_clearance, m.mean_clearance, scale));
     row(out, "arrival time", seconds(m.travel_time));
     if let Some(driving) = &m.driving {

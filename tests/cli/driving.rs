@@ -34,7 +34,7 @@ fn smooth_gives_a_curve_and_changes_nothing_else() {
     let text = |smooth: &str| folder.run(&[&PLAN[..], &[smooth]].concat()).ends(0);
     text("--smooth").says(&["smoothed      ", "less than the path", "without a bound"]);
     text("--smooth=1.5").says(&["within the bound of 1.5"]);
-    text("--smooth=0.01").says(&["above the bound of 0.01: no wider turn was found"]);
+    text("--smooth=0.01").says(&["above the bound of 0.01: no wider turn is free"]);
     for wrong in ["--smooth=-1", "--smooth=wide", "--smooth=NaN"] {
         folder.run(&[&PLAN[..], &[wrong]].concat()).ends(2).says(&["is no curvature"]);
     }

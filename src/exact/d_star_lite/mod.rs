@@ -15,7 +15,7 @@
 //! What the paper leaves to exact numbers: of cells on one straight way sums and estimates are equal on paper and differ in the last bit
 //! here, and a cell that is passed over for it would leave a wrong way standing. So estimates are a millionth smaller ([`SHARE`]): still
 //! consistent, and every cell on a way comes strictly before the start. After a change, rhs is worked out anew for all cells around it,
-//! in place of the edges one by one (lines 39 to 45): the same values.
+//! in place of the edges one by one (lines 40 to 47): the same values.
 
 mod queue;
 

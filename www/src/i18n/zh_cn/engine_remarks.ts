@@ -47,6 +47,9 @@ export const zhCNRemarks = {
       '{{count}} 格的灰度为 205，即 map_saver 所写的未知；nav2 把透明度通道算作第四种颜色，因此它们成为空闲；请把图片另存为不带透明度的格式。',
     'path-unplaced': '地图在世界中的位置未知：左下角取为 (0, 0)，与 convert 写出的 ROS 地图一致。',
     'path-map-unplaced': '地图在世界中的位置未知：路径的米制坐标从左下角算起。',
+    'path-curve': '路径以平滑曲线写出，单位为米。',
+    'path-tight': '曲线的曲率超过每米 {{bound}}：没有更宽的转弯可走。',
+    'path-no-curve': '没有可走的平滑曲线：路径按规划结果写出。',
     'path-frame': '路径的坐标系是 {{path}}，地图的是 {{map}}：二者的米制坐标按相同处理。',
     'geojson-crs':
       '坐标属于 EPSG:{{code}}，由 GeoJSON 2008 的成员 crs 给出：RFC 7946 只有 WGS 84 的度数，不读 crs 的程序会把线放错位置。',

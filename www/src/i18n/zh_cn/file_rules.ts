@@ -97,7 +97,6 @@ export const zhCNFileRules: Phrases = {
   'a map with `world` in its scenario, whose `frame` is a code such as EPSG:25832; path-json and nav-msgs need none':
     '场景中有 world 的地图，其 frame 是 EPSG:25832 之类的代码；path-json 与 nav-msgs 不需要',
   'a place of the map nearer to zero': '离原点更近的地图位置',
-  "the code of the system in which the map's place is said": '地图位置所用坐标系的代码',
   'a Feature, or a collection of one, whose geometry is a LineString of [x, y] or [x, y, z]':
     '一个要素，或只有一个要素的集合，其几何为 [x, y] 或 [x, y, z] 组成的 LineString',
   'a name such as urn:ogc:def:crs:EPSG::25832': 'urn:ogc:def:crs:EPSG::25832 之类的名称',
@@ -171,6 +170,12 @@ export const zhCNFileRules: Phrases = {
     '一条消息：ros2 topic echo --once --full-length /plan',
   'the whole message: ros2 topic echo --once --full-length /map':
     '完整的消息：ros2 topic echo --once --full-length /map',
+  'a number in every column that is named': '每个有名称的列各一个数',
+  'a curve as path-csv, path-json, nav-msgs or geojson':
+    '以 path-csv、path-json、nav-msgs 或 geojson 写出的曲线',
+  "the code of the projected system in which the map's place is said":
+    '地图位置所用投影坐标系的代码',
+  '[x, y] or [x, y, z] in metres': '以米为单位的 [x, y] 或 [x, y, z]',
   'one number for each cell': '每格一个数',
   'one for each cell': '每格一个',
   '−1, or 0 to 100': '−1，或 0 至 100',
