@@ -1,7 +1,7 @@
 //! How long the map takes to repeat itself, and what is too much to search. Values against brute force: `tests/drive`.
 
 use super::*;
-use crate::map::{Movement, Point};
+use crate::map::{Grid, Movement, Point};
 use crate::scenario::{AtEnd, DriveChange, ScenarioSpec, Track};
 
 fn track(cells: u32, from_step: u32, steps_per_cell: u32, at_end: AtEnd) -> Track {
@@ -15,7 +15,7 @@ fn the_span_of_a_drive_by_hand() {
         let change = |&at_step: &u32| DriveChange { at_step, blocked: vec![Point::new(1, 1)], freed: Vec::new() };
         Time::of(&DriveSpec { changes: walls.iter().map(change).collect(), tracks, sight: None })
     };
-    let of = |settled, period| Some(Time { settled, period });
+    let of = |settled, period| Ok(Time { settled, period });
     assert_eq!(time(Vec::new(), &[]), of(0, 1));
     assert_eq!(time(Vec::new(), &[3, 8]), of(8, 1));
     assert_eq!(time(vec![track(4, 10, 2, AtEnd::Stay)], &[3]), of(18, 1));
@@ -23,21 +23,47 @@ fn the_span_of_a_drive_by_hand() {
     let (there, round) = (track(4, 0, 2, AtEnd::BackAndForth), track(2, 5, 4, AtEnd::Loop));
     assert_eq!(time(vec![there.clone(), round], &[]), of(13, 24));
     let primes = [997, 991, 983].map(|steps| track(2, 0, steps, AtEnd::Loop)).to_vec();
-    assert_eq!(time(primes, &[]), None, "two thousand million steps");
+    let most = MOST_STATES as u32;
+    assert_eq!(time(primes, &[]), Err(TooMuch::Period { most }), "two thousand million steps");
     let (time, steps) = (Time { settled: 13, period: 24 }, [0, 12, 35, 36]);
     assert_eq!(steps.map(|step| time.after(step)), [1, 13, 36, 13]);
 }
 
+/// From corner to corner of a row of an open map; these cells are walls from the first step to this one.
+fn shut(side: u32, until: u32, cells: &[(u32, u32)]) -> Scenario {
+    let grid = Grid::open(side, side).expect("a map");
+    let cells: Vec<Point> = cells.iter().map(|&(x, y)| Point::new(x, y)).collect();
+    let change = |at_step, blocked, freed| DriveChange { at_step, blocked, freed };
+    let changes = vec![change(0, cells.clone(), Vec::new()), change(until, Vec::new(), cells)];
+    let plain = Scenario::on(grid.clone(), Movement::default(), Point::new(0, 0), Point::new(side - 1, 0)).expect("usable");
+    let spec = ScenarioSpec { drive: Some(DriveSpec { changes, ..DriveSpec::default() }), ..plain.spec };
+    Scenario::new(grid, spec).expect("usable")
+}
+
 #[test]
 fn what_is_too_much_is_unknown() {
-    let drive = |side: u32, at_step: u32| {
-        let grid = Grid::open(side, side).expect("a map");
-        let changes = vec![DriveChange { at_step, blocked: vec![Point::new(1, 1)], freed: Vec::new() }];
-        let plain = Scenario::on(grid.clone(), Movement::default(), Point::new(0, 0), Point::new(side - 1, 0)).expect("usable");
-        let spec = ScenarioSpec { drive: Some(DriveSpec { changes, ..DriveSpec::default() }), ..plain.spec };
-        clairvoyant(&Scenario::new(grid, spec).expect("usable"))
-    };
-    assert_eq!(drive(20, 40), Reference::Proven { value: 19.0 });
-    assert_eq!(drive(64, 1024), Reference::Unknown);
-    assert_eq!(drive(64, 1023), Reference::Proven { value: 63.0 }, "4096 cells times 1024 steps");
+    let (gate, proven) = ([(5, 0), (5, 1)], |value| Reference::Proven { value });
+    assert_eq!(clairvoyant(&shut(20, 40, &gate)), proven(19.0));
+    assert_eq!(clairvoyant(&shut(64, 1023, &gate)), proven(63.0), "4096 cells times 1024 steps");
+    // Round the gate it is longer, so it is worth while to wait; and that no shorter way opens is known at once.
+    assert_eq!(clairvoyant(&shut(64, 1025, &gate)), proven(63.0), "more states, of which few are searched");
+    assert_eq!(clairvoyant(&shut(64, 1025, &[(63, 1)])), proven(63.0));
+    // The goal itself is shut: it cannot be told how late one arrives without every step until then.
+    let goal = shut(64, 1100, &[(63, 0)]);
+    let (cells, most) = (4096, MOST_STATES as u32);
+    assert_eq!(best_in_advance(&goal), Err(TooMuch::States { cells, steps: 1025, most }));
+    assert_eq!(clairvoyant(&goal), Reference::Unknown);
+}
+
+#[test]
+fn cells_out_of_reach_do_not_count() {
+    // A corridor of 300 cells in a map of 90,000: all of them times the steps would be too many.
+    let cells: Vec<u8> = (0..90_000).map(|cell| u8::from(cell >= 300)).collect();
+    let grid = Grid::from_bytes(300, 300, &cells).expect("a map");
+    let plain = Scenario::on(grid.clone(), Movement::default(), Point::new(0, 0), Point::new(299, 0)).expect("usable");
+    let tracks = vec![track(1, 0, 900, AtEnd::Leave)];
+    let tracks = tracks.into_iter().map(|one| Track { cells: vec![Point::new(200, 0)], ..one }).collect();
+    let spec = ScenarioSpec { drive: Some(DriveSpec { tracks, ..DriveSpec::default() }), ..plain.spec };
+    let corridor = Scenario::new(grid, spec).expect("usable");
+    assert_eq!(clairvoyant(&corridor), Reference::Proven { value: 299.0 });
 }
