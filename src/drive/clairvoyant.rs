@@ -18,40 +18,29 @@ use moments::Moments;
 use places::Places;
 use time::Time;
 
-/// Most states, cells that can be reached times steps, that are searched; each is 17 bytes, on weighted ground 21.
+/// Most states, cells at steps, that are searched; each is 16 bytes.
 pub const MOST_STATES: u64 = 1 << 22;
+
+/// Most cells of the maps of all steps that are kept, of those that can be reached; each is a byte, on weighted ground 5.
+pub const MOST_KEPT: u64 = 1 << 25;
 
 /// Most cells of all maps on which room and costs of a robot are worked out: some seconds.
 pub const MOST_FELT: u64 = 1 << 28;
 
-/// Why the best drive in advance is not searched for to the end.
+/// Why the best drive in advance is not searched for to the end. `steps` are those whose maps had been made by then.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[allow(missing_docs, reason = "the fields are told with their variants")]
 pub enum TooMuch {
-    /// Cells that can be reached times steps of which maps differ.
-    States {
-        /// Cells that can be reached at some step.
-        cells: u32,
-        /// Steps that had been searched when it was given up.
-        steps: u32,
-        /// [`MOST_STATES`].
-        most: u32,
-    },
-    /// The robot's room and costs on the maps of too many steps.
-    Felt {
-        /// Cells of the map.
-        cells: u32,
-        /// Steps that had been searched when it was given up.
-        steps: u32,
-        /// [`MOST_FELT`].
-        most: u32,
-    },
-    /// All timetables together begin anew only after more than so many steps.
-    Period {
-        /// [`MOST_STATES`].
-        most: u32,
-    },
+    /// More than `most` = [`MOST_STATES`] states of so many cells that can be reached times steps.
+    States { cells: u32, steps: u32, most: u32 },
+    /// Cells that can be reached times steps are more than `most` = [`MOST_KEPT`].
+    Kept { cells: u32, steps: u32, most: u32 },
+    /// Cells of the map times steps are more than `most` = [`MOST_FELT`], and on each the robot's room would have to be worked out.
+    Felt { cells: u32, steps: u32, most: u32 },
+    /// All timetables together begin anew only after more than `most` = [`MOST_STATES`] steps.
+    Period { most: u32 },
 }
 
 /// Length in cells of the shortest drive to the goal of a robot that knows every change and every timetable; on weighted ground and with
@@ -136,7 +125,7 @@ impl<'a> Search<'a> {
                 return Ok(Some(open.cost));
             }
             let place = self.places.number(open.cell).expect("a cell that was reached");
-            if (open.cost, open.taken) == self.moments.get(open.step).known[place] {
+            if (open.cost, open.taken) == self.moments.get(open.step).known(place) {
                 self.expand(open);
                 self.check()?;
             }
@@ -147,24 +136,24 @@ impl<'a> Search<'a> {
     /// # Errors
     /// [`TooMuch`] once more is searched than is sensible.
     fn check(&self) -> Result<(), TooMuch> {
-        let (cells, all, steps) = (self.places.len() as u32, self.scenario.grid.len() as u32, self.moments.count);
-        if steps * u64::from(cells) > MOST_STATES {
-            return Err(TooMuch::States { cells, steps: steps as u32, most: MOST_STATES as u32 });
+        let (reached, all, made) = (self.places.len() as u32, self.scenario.grid.len() as u32, self.moments.count);
+        let (steps, is_felt) = (made as u32, self.scenario.spec.robot.is_some());
+        if self.moments.states > MOST_STATES {
+            return Err(TooMuch::States { cells: reached, steps, most: MOST_STATES as u32 });
         }
-        if self.scenario.spec.robot.is_some() && steps * u64::from(all) > MOST_FELT {
-            return Err(TooMuch::Felt { cells: all, steps: steps as u32, most: MOST_FELT as u32 });
+        if made * u64::from(reached) > MOST_KEPT {
+            return Err(TooMuch::Kept { cells: reached, steps, most: MOST_KEPT as u32 });
+        }
+        if is_felt && made * u64::from(all) > MOST_FELT {
+            return Err(TooMuch::Felt { cells: all, steps, most: MOST_FELT as u32 });
         }
         Ok(())
     }
 
     fn offer(&mut self, cost: f64, taken: u32, step: u32, cell: Cell) {
         let Some(place) = self.places.number(cell).filter(|&place| self.estimate[place].is_finite()) else { return };
-        let known = &mut self.moments.at(step, &self.places).known[place];
-        let (least, fewest) = *known;
-        if cost < least || (cost == least && taken < fewest) {
-            *known = (cost, taken);
-            let f = cost + self.estimate[place];
-            self.open.push(Open { f, cost, taken, step, cell });
+        if self.moments.reach(step, place, (cost, taken), &self.places) {
+            self.open.push(Open { f: cost + self.estimate[place], cost, taken, step, cell });
         }
     }
 

@@ -43,7 +43,7 @@ mod pilot;
 mod result;
 mod surroundings;
 
-pub use clairvoyant::{MOST_FELT, MOST_STATES, TooMuch, best_in_advance, clairvoyant};
+pub use clairvoyant::{MOST_FELT, MOST_KEPT, MOST_STATES, TooMuch, best_in_advance, clairvoyant};
 pub use driver::Driver;
 pub use params::{DriveParams, Replan};
 pub use result::{Did, Drive, DriveStep, End, Stuck};

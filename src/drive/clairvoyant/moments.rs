@@ -8,13 +8,19 @@ use crate::scenario::{DriveSpec, Scenario};
 /// How far a step reaches, in cells.
 const STEP: u32 = 2;
 
+/// How many places, one after the other, are noted together.
+pub(super) const TOGETHER: usize = 16;
+
+/// Least cost and fewest steps to a place; infinite where it was not reached.
+type Known = (f64, u32);
+
 /// A step of a drive: the map as the robot feels it while all go by their timetables, and what is known of each place.
 pub(super) struct Moment {
     blocked: Vec<bool>,
     /// Factors of weighted ground; none where all are 1.
     factors: Option<Vec<f32>>,
-    /// Least cost and fewest steps known.
-    pub known: Vec<(f64, u32)>,
+    /// Of places that were reached, and those beside them.
+    known: Vec<Option<Box<[Known; TOGETHER]>>>,
 }
 
 impl Moment {
@@ -23,7 +29,7 @@ impl Moment {
         Self {
             blocked: each().map(|cell| felt.blocked()[cell]).collect(),
             factors: felt.factors().map(|factors| each().map(|cell| factors[cell]).collect()),
-            known: vec![(f64::INFINITY, u32::MAX); places.len()],
+            known: vec![None; places.len().div_ceil(TOGETHER)],
         }
     }
 
@@ -34,6 +40,10 @@ impl Moment {
     pub fn factor(&self, place: usize) -> f64 {
         self.factors.as_ref().map_or(1.0, |factors| f64::from(factors[place]))
     }
+
+    pub fn known(&self, place: usize) -> Known {
+        self.known[place / TOGETHER].as_ref().map_or((f64::INFINITY, u32::MAX), |known| known[place % TOGETHER])
+    }
 }
 
 /// All steps, and the walls that they have.
@@ -42,8 +52,9 @@ pub(super) struct Moments<'a> {
     moving: &'a DriveSpec,
     /// By step.
     made: Vec<Option<Box<Moment>>>,
-    /// How many are made.
+    /// How many are made, and of how many places something is noted in them.
     pub count: u64,
+    pub states: u64,
     /// The walls as drawn, by the number of changes made.
     walls: Vec<Option<Grid>>,
 }
@@ -51,7 +62,7 @@ pub(super) struct Moments<'a> {
 impl<'a> Moments<'a> {
     pub fn new(scenario: &'a Scenario, moving: &'a DriveSpec) -> Self {
         let walls = vec![None; moving.changes.len() + 1];
-        Self { scenario, moving, made: Vec::new(), count: 0, walls }
+        Self { scenario, moving, made: Vec::new(), count: 0, states: 0, walls }
     }
 
     /// A step that was made.
@@ -59,8 +70,24 @@ impl<'a> Moments<'a> {
         self.made[step as usize].as_deref().expect("a state is offered at a step that was made")
     }
 
-    /// A step; makes it where it is not made yet.
-    pub fn at(&mut self, step: u32, places: &Places) -> &mut Moment {
+    /// Notes that a place is reached at a step at this cost, in so many steps; true where that is better than what was known.
+    pub fn reach(&mut self, step: u32, place: usize, (cost, taken): Known, places: &Places) -> bool {
+        self.make(step, places);
+        let moment = self.made[step as usize].as_deref_mut().expect("it was made");
+        let (least, fewest) = moment.known(place);
+        if cost > least || (cost == least && taken >= fewest) {
+            return false;
+        }
+        let known = moment.known[place / TOGETHER].get_or_insert_with(|| {
+            self.states += TOGETHER as u64;
+            Box::new([(f64::INFINITY, u32::MAX); TOGETHER])
+        });
+        known[place % TOGETHER] = (cost, taken);
+        true
+    }
+
+    /// Makes a step where it is not made yet.
+    fn make(&mut self, step: u32, places: &Places) {
         let index = step as usize;
         if self.made.len() <= index {
             self.made.resize_with(index + 1, || None);
@@ -70,7 +97,6 @@ impl<'a> Moments<'a> {
             self.made[index] = Some(Box::new(Moment::of(&felt, places)));
             self.count += 1;
         }
-        self.made[index].as_deref_mut().expect("it was made")
     }
 
     /// The map of a step as it is; where the robot is, all keep clear of it.

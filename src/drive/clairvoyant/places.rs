@@ -23,18 +23,15 @@ pub(super) struct Places {
 impl Places {
     pub fn of(scenario: &Scenario, moving: &DriveSpec) -> Self {
         let widest = widest(scenario, moving);
-        let (mut numbers, mut cells) = (vec![NONE; widest.len()], vec![scenario.start]);
-        numbers[scenario.start as usize] = 0;
-        let mut next = 0;
-        while let Some(&cell) = cells.get(next) {
-            for near in around(&widest, cell).filter(|&near| !widest.is_blocked(near)) {
-                if numbers[near as usize] == NONE {
-                    numbers[near as usize] = cells.len() as u32;
-                    cells.push(near);
-                }
-            }
-            next += 1;
-        }
+        let mut cells = flooded(&widest, scenario.start);
+        // Four by four: what lies near each other is reached together.
+        let block = |&cell: &Cell| {
+            let Point { x, y } = widest.point(cell);
+            (y / 4, x / 4, y, x)
+        };
+        cells.sort_unstable_by_key(block);
+        let mut numbers = vec![NONE; widest.len()];
+        cells.iter().zip(0..).for_each(|(&cell, number)| numbers[cell as usize] = number);
         Self { cells, numbers, widest }
     }
 
@@ -63,6 +60,21 @@ impl Places {
     }
 }
 
+/// The free cells that hang together with one, at their sides or corners.
+fn flooded(grid: &Grid, from: Cell) -> Vec<Cell> {
+    let (mut seen, mut cells, mut next) = (vec![false; grid.len()], vec![from], 0);
+    seen[from as usize] = true;
+    while let Some(&cell) = cells.get(next) {
+        for near in around(grid, cell).filter(|&near| !grid.is_blocked(near)) {
+            if !std::mem::replace(&mut seen[near as usize], true) {
+                cells.push(near);
+            }
+        }
+        next += 1;
+    }
+    cells
+}
+
 /// Free where the robot has room between the walls of some step.
 fn widest(scenario: &Scenario, moving: &DriveSpec) -> Grid {
     let (mut walls, mut widest) = (scenario.drawn.clone(), scenario.drawn.clone());
@@ -78,7 +90,7 @@ fn widest(scenario: &Scenario, moving: &DriveSpec) -> Grid {
     widest
 }
 
-/// The up to eight neighbours of a cell.
+/// A cell and its up to eight neighbours.
 fn around(grid: &Grid, cell: Cell) -> impl Iterator<Item = Cell> + use<> {
     let Point { x, y } = grid.point(cell);
     let (width, height) = (grid.width(), grid.height());

@@ -29,12 +29,16 @@ fn the_span_of_a_drive_by_hand() {
     assert_eq!(steps.map(|step| time.after(step)), [1, 13, 36, 13]);
 }
 
-/// From corner to corner of a row of an open map; these cells are walls from the first step to this one.
-fn shut(side: u32, until: u32, cells: &[(u32, u32)]) -> Scenario {
+/// From corner to corner of a row of an open map on which cells get walls, and others lose theirs, at these steps.
+fn walled(side: u32, changes: &[(u32, &[(u32, u32)], &[(u32, u32)])]) -> Scenario {
     let grid = Grid::open(side, side).expect("a map");
-    let cells: Vec<Point> = cells.iter().map(|&(x, y)| Point::new(x, y)).collect();
-    let change = |at_step, blocked, freed| DriveChange { at_step, blocked, freed };
-    let changes = vec![change(0, cells.clone(), Vec::new()), change(until, Vec::new(), cells)];
+    let points = |cells: &[(u32, u32)]| cells.iter().map(|&(x, y)| Point::new(x, y)).collect();
+    let change = |&(at_step, blocked, freed): &(u32, &[(u32, u32)], &[(u32, u32)])| DriveChange {
+        at_step,
+        blocked: points(blocked),
+        freed: points(freed),
+    };
+    let changes = changes.iter().map(change).collect();
     let plain = Scenario::on(grid.clone(), Movement::default(), Point::new(0, 0), Point::new(side - 1, 0)).expect("usable");
     let spec = ScenarioSpec { drive: Some(DriveSpec { changes, ..DriveSpec::default() }), ..plain.spec };
     Scenario::new(grid, spec).expect("usable")
@@ -43,16 +47,18 @@ fn shut(side: u32, until: u32, cells: &[(u32, u32)]) -> Scenario {
 #[test]
 fn what_is_too_much_is_unknown() {
     let (gate, proven) = ([(5, 0), (5, 1)], |value| Reference::Proven { value });
-    assert_eq!(clairvoyant(&shut(20, 40, &gate)), proven(19.0));
-    assert_eq!(clairvoyant(&shut(64, 1023, &gate)), proven(63.0), "4096 cells times 1024 steps");
-    // Round the gate it is longer, so it is worth while to wait; and that no shorter way opens is known at once.
-    assert_eq!(clairvoyant(&shut(64, 1025, &gate)), proven(63.0), "more states, of which few are searched");
-    assert_eq!(clairvoyant(&shut(64, 1025, &[(63, 1)])), proven(63.0));
-    // The goal itself is shut: it cannot be told how late one arrives without every step until then.
-    let goal = shut(64, 1100, &[(63, 0)]);
-    let (cells, most) = (4096, MOST_STATES as u32);
-    assert_eq!(best_in_advance(&goal), Err(TooMuch::States { cells, steps: 1025, most }));
-    assert_eq!(clairvoyant(&goal), Reference::Unknown);
+    let shut = |side, until| walled(side, &[(0, &gate, &[]), (until, &[], &gate)]);
+    assert_eq!(clairvoyant(&shut(20, 40)), proven(19.0));
+    assert_eq!(clairvoyant(&shut(64, 1023)), proven(63.0), "4096 cells times 1024 steps");
+    assert_eq!(clairvoyant(&shut(64, 5000)), proven(63.0), "it is worth while to wait, and few states are searched for it");
+    // A wall that shuts before anybody can be there: that no wait helps is known once every step is searched.
+    let wall: Vec<(u32, u32)> = (0..63).map(|y| (60, y)).collect();
+    let late = walled(64, &[(3, &wall, &[]), (1200, &[(1, 60)], &[])]);
+    let most = MOST_STATES as u32;
+    assert!(matches!(best_in_advance(&late), Err(TooMuch::States { cells: 4096, most: m, .. }) if m == most));
+    assert_eq!(clairvoyant(&late), Reference::Unknown);
+    let early = walled(64, &[(3, &wall, &[]), (40, &[(1, 60)], &[])]);
+    assert!(matches!(clairvoyant(&early), Reference::Proven { value } if value > 100.0));
 }
 
 #[test]

@@ -38,6 +38,22 @@ impl<'a> PlannedPath<'a> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(scenario: &'a Scenario, path: &[Cell], kind: PathKind) -> Option<Self> {
+        let kind = match kind {
+            _ if scenario.by_slices().is_some() => "slices",
+            PathKind::Steps => "steps",
+            PathKind::Polyline => "polyline",
+        };
+        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
+        Some(Self::measured(scenario, path, kind, [length, length_metres]))
+    }
+
+    /// The way of a robot by steps, of this length in cells. Where walls change and obstacles move it may pass over cells that are blocked on
+    /// the scenario's own map.
+    pub fn driven(scenario: &'a Scenario, way: &[Cell], length: f64) -> Self {
+        Self::measured(scenario, way, "steps", [length, length * scenario.spec.resolution])
+    }
+
+    fn measured(scenario: &'a Scenario, path: &[Cell], kind: &'static str, [length, length_metres]: [f64; 2]) -> Self {
         let (grid, spec) = (&scenario.grid, &scenario.spec);
         let levels = scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect());
         let cells: Vec<Point> = scenario.cells_of(path).into_iter().map(|cell| grid.point(cell)).collect();
@@ -48,13 +64,7 @@ impl<'a> PlannedPath<'a> {
             flat.into_iter().chain(altitudes.get(index).copied()).collect()
         };
         let metres = cells.iter().enumerate().map(metres).collect();
-        let kind = match kind {
-            _ if levels.is_some() => "slices",
-            PathKind::Steps => "steps",
-            PathKind::Polyline => "polyline",
-        };
-        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
-        Some(Self { grid, spec, kind, cells, levels, metres, length, length_metres })
+        Self { grid, spec, kind, cells, levels, metres, length, length_metres }
     }
 
     /// A path as the page holds it: points, and on a terrain their altitudes in metres, which by slices tell the levels.

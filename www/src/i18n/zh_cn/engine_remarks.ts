@@ -48,6 +48,7 @@ export const zhCNRemarks = {
     'path-unplaced': '地图在世界中的位置未知：左下角取为 (0, 0)，与 convert 写出的 ROS 地图一致。',
     'path-map-unplaced': '地图在世界中的位置未知：路径的米制坐标从左下角算起。',
     'path-frame': '路径的坐标系是 {{path}}，地图的是 {{map}}：二者的米制坐标按相同处理。',
+    'path-frame-unnamed': '路径的坐标系是 {{path}}，地图没有说明坐标系：二者的米制坐标按相同处理。',
     'geojson-crs':
       '坐标属于 EPSG:{{code}}，由 GeoJSON 2008 的成员 crs 给出：RFC 7946 只有 WGS 84 的度数，不读 crs 的程序会把线放错位置。',
     'ros-first-message': '文件中有多条消息：读取了第一条。',
