@@ -27,20 +27,43 @@ pub const MOST_KEPT: u64 = 1 << 25;
 /// Most cells of all maps on which room and costs of a robot are worked out: some seconds.
 pub const MOST_FELT: u64 = 1 << 28;
 
-/// Why the best drive in advance is not searched for to the end. `steps` are those whose maps had been made by then.
+/// Why the best drive in advance is not searched for to the end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[allow(missing_docs, reason = "the fields are told with their variants")]
 pub enum TooMuch {
-    /// More than `most` = [`MOST_STATES`] states of so many cells that can be reached times steps.
-    States { cells: u32, steps: u32, most: u32 },
-    /// Cells that can be reached times steps are more than `most` = [`MOST_KEPT`].
-    Kept { cells: u32, steps: u32, most: u32 },
-    /// Cells of the map times steps are more than `most` = [`MOST_FELT`], and on each the robot's room would have to be worked out.
-    Felt { cells: u32, steps: u32, most: u32 },
-    /// All timetables together begin anew only after more than `most` = [`MOST_STATES`] steps.
-    Period { most: u32 },
+    /// There are more states.
+    States {
+        /// Cells that can be reached.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_STATES`].
+        most: u32,
+    },
+    /// Cells that can be reached times steps are more.
+    Kept {
+        /// Cells that can be reached.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_KEPT`].
+        most: u32,
+    },
+    /// Cells of the map times steps are more, and a robot's room is worked out on each.
+    Felt {
+        /// Cells of the map.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_FELT`].
+        most: u32,
+    },
+    /// All timetables together begin anew only after more steps.
+    Period {
+        /// [`MOST_STATES`].
+        most: u32,
+    },
 }
 
 /// Length in cells of the shortest drive to the goal of a robot that knows every change and every timetable; on weighted ground and with
@@ -112,8 +135,7 @@ impl<'a> Search<'a> {
     fn new(scenario: &'a Scenario, moving: &'a DriveSpec, time: Time) -> Self {
         let (places, is_weighted) = (Places::of(scenario, moving), is_weighted(scenario));
         let is_small = time.steps() * places.len() as u64 <= MOST_STATES;
-        let estimate =
-            if is_small && !is_weighted { places.open_distances(scenario) } else { places.distances(scenario) };
+        let estimate = if is_small && !is_weighted { places.open_distances(scenario) } else { places.distances(scenario) };
         let moments = Moments::new(scenario, moving);
         Self { scenario, time, places, estimate, is_weighted, moments, open: BinaryHeap::new() }
     }

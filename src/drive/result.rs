@@ -126,9 +126,7 @@ pub(super) fn ratio(length: f64, best: f64) -> f64 {
 
 /// Turns of a drive, and its seconds so far.
 pub(super) fn travel(spec: &ScenarioSpec, steps: &[DriveStep]) -> (u32, f64) {
-    let between = |a: &DriveStep, b: &DriveStep| {
-        (i64::from(b.at.x) - i64::from(a.at.x), i64::from(b.at.y) - i64::from(a.at.y))
-    };
+    let between = |a: &DriveStep, b: &DriveStep| (i64::from(b.at.x) - i64::from(a.at.x), i64::from(b.at.y) - i64::from(a.at.y));
     let moves: Vec<_> = steps.windows(2).map(|pair| between(&pair[0], &pair[1])).filter(|&by| by != (0, 0)).collect();
     let turns = moves.windows(2).filter(|pair| pair[0] != pair[1]).count() as u32;
     let waits = steps.iter().filter(|step| step.did == Did::Wait).count() as f64;

@@ -112,7 +112,8 @@ fn costs_near_obstacles_are_driven_and_told() {
     folder.write("room.csv", "0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n");
     let costs = ["--robot-radius", "0.4", "--cost", "nav2-smac-2d", "--inflation-radius", "2", "--cost-scaling", "0.5"];
     let drive = |more: &[&str]| {
-        let args = ["drive", "room.csv", "--planner", "d-star-lite", "--from", "0,1", "--to", "6,1", "--obstacle", "3,2,end=stay"];
+        let args =
+            ["drive", "room.csv", "--planner", "d-star-lite", "--from", "0,1", "--to", "6,1", "--obstacle", "3,2,end=stay"];
         folder.run(&[&args[..], &costs, more].concat()).ends(0)
     };
     drive(&[]).says(&["cost", "every move counts its length", "times as much"]);

@@ -15,7 +15,11 @@ pub fn text(scenario: &Scenario, name: &str, seed: u32, drive: &Drive, steps: &[
     row(&mut out, "end", end(drive.end, steps));
     row(&mut out, "length", format!("{:.4} cells = {:.4} m", drive.length, drive.length * spec.resolution));
     if let Some(cost) = drive.cost {
-        row(&mut out, "cost", format!("{cost:.4} cells: every move counts its length times the factors of its cells as they were then"));
+        row(
+            &mut out,
+            "cost",
+            format!("{cost:.4} cells: every move counts its length times the factors of its cells as they were then"),
+        );
     }
     let (moves, waits) = (count(drive.moves.into(), "move", "moves"), count(drive.waits.into(), "wait", "waits"));
     row(&mut out, "steps", format!("{moves}, {waits}"));

@@ -43,7 +43,8 @@ impl WorldPath {
         let (path, map) = (&self.frame, &world.frame);
         let differ = |map: &str| !path.is_empty() && !path.trim_start_matches('/').eq_ignore_ascii_case(map);
         if map.is_empty() {
-            let message = || format!("the path is in the frame {path}, and the map names none: their metres were taken for the same");
+            let message =
+                || format!("the path is in the frame {path}, and the map names none: their metres were taken for the same");
             return differ("map").then(|| Notice::new("path-frame-unnamed", message()).with("path", path)).into_iter().collect();
         }
         let message = || format!("the path is in the frame {path}, the map in {map}: their metres were taken for the same");
