@@ -27,6 +27,16 @@ pub const MOST_KEPT: u64 = 1 << 25;
 /// Most cells of all maps on which room and costs of a robot are worked out: some seconds.
 pub const MOST_FELT: u64 = 1 << 28;
 
+/// What is searched at most.
+#[derive(Clone, Copy)]
+struct Limits {
+    states: u64,
+    kept: u64,
+    felt: u64,
+}
+
+const MOST: Limits = Limits { states: MOST_STATES, kept: MOST_KEPT, felt: MOST_FELT };
+
 /// Why the best drive in advance is not searched for to the end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
@@ -78,9 +88,13 @@ pub enum TooMuch {
 /// # Errors
 /// [`TooMuch`]: it was given up.
 pub fn best_in_advance(scenario: &Scenario) -> Result<Option<f64>, TooMuch> {
+    best_within(scenario, MOST)
+}
+
+fn best_within(scenario: &Scenario, limits: Limits) -> Result<Option<f64>, TooMuch> {
     let nothing = DriveSpec::default();
     let moving = scenario.spec.drive.as_ref().unwrap_or(&nothing);
-    Search::new(scenario, moving, Time::of(moving)?).run()
+    Search::new(scenario, moving, Time::of(moving)?, limits).run()
 }
 
 /// The same as a reference of results, unknown where the search is given up.
@@ -129,15 +143,16 @@ struct Search<'a> {
     is_weighted: bool,
     moments: Moments<'a>,
     open: BinaryHeap<Open>,
+    limits: Limits,
 }
 
 impl<'a> Search<'a> {
-    fn new(scenario: &'a Scenario, moving: &'a DriveSpec, time: Time) -> Self {
+    fn new(scenario: &'a Scenario, moving: &'a DriveSpec, time: Time, limits: Limits) -> Self {
         let (places, is_weighted) = (Places::of(scenario, moving), is_weighted(scenario));
-        let is_small = time.steps() * places.len() as u64 <= MOST_STATES;
+        let is_small = time.steps() * places.len() as u64 <= limits.states;
         let estimate = if is_small && !is_weighted { places.open_distances(scenario) } else { places.distances(scenario) };
         let moments = Moments::new(scenario, moving);
-        Self { scenario, time, places, estimate, is_weighted, moments, open: BinaryHeap::new() }
+        Self { scenario, time, places, estimate, is_weighted, moments, open: BinaryHeap::new(), limits }
     }
 
     fn run(mut self) -> Result<Option<f64>, TooMuch> {
@@ -159,15 +174,15 @@ impl<'a> Search<'a> {
     /// [`TooMuch`] once more is searched than is sensible.
     fn check(&self) -> Result<(), TooMuch> {
         let (reached, all, made) = (self.places.len() as u32, self.scenario.grid.len() as u32, self.moments.count);
-        let (steps, is_felt) = (made as u32, self.scenario.spec.robot.is_some());
-        if self.moments.states > MOST_STATES {
-            return Err(TooMuch::States { cells: reached, steps, most: MOST_STATES as u32 });
+        let (steps, Limits { states, kept, felt }) = (made as u32, self.limits);
+        if self.moments.states > states {
+            return Err(TooMuch::States { cells: reached, steps, most: states as u32 });
         }
-        if made * u64::from(reached) > MOST_KEPT {
-            return Err(TooMuch::Kept { cells: reached, steps, most: MOST_KEPT as u32 });
+        if made * u64::from(reached) > kept {
+            return Err(TooMuch::Kept { cells: reached, steps, most: kept as u32 });
         }
-        if is_felt && made * u64::from(all) > MOST_FELT {
-            return Err(TooMuch::Felt { cells: all, steps, most: MOST_FELT as u32 });
+        if self.scenario.spec.robot.is_some() && made * u64::from(all) > felt {
+            return Err(TooMuch::Felt { cells: all, steps, most: felt as u32 });
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::map::{Grid, Movement, Point};
-use crate::scenario::{AtEnd, DriveChange, ScenarioSpec, Track};
+use crate::scenario::{AtEnd, DriveChange, Robot, ScenarioSpec, Track};
 
 fn track(cells: u32, from_step: u32, steps_per_cell: u32, at_end: AtEnd) -> Track {
     let cells = (0..cells).map(|x| Point::new(x, 0)).collect();
@@ -51,14 +51,28 @@ fn what_is_too_much_is_unknown() {
     assert_eq!(clairvoyant(&shut(20, 40)), proven(19.0));
     assert_eq!(clairvoyant(&shut(64, 1023)), proven(63.0), "4096 cells times 1024 steps");
     assert_eq!(clairvoyant(&shut(64, 5000)), proven(63.0), "it is worth while to wait, and few states are searched for it");
+    assert!(matches!(best_in_advance(&shut(64, 9000)), Err(TooMuch::Kept { cells: 4096, .. })));
+    assert_eq!(clairvoyant(&shut(64, 9000)), Reference::Unknown);
+}
+
+#[test]
+fn every_limit_is_told_by_name() {
     // A wall that shuts before anybody can be there: that no wait helps is known once every step is searched.
-    let wall: Vec<(u32, u32)> = (0..63).map(|y| (60, y)).collect();
-    let late = walled(64, &[(3, &wall, &[]), (1200, &[(1, 60)], &[])]);
-    let most = MOST_STATES as u32;
-    assert!(matches!(best_in_advance(&late), Err(TooMuch::States { cells: 4096, most: m, .. }) if m == most));
-    assert_eq!(clairvoyant(&late), Reference::Unknown);
-    let early = walled(64, &[(3, &wall, &[]), (40, &[(1, 60)], &[])]);
-    assert!(matches!(clairvoyant(&early), Reference::Proven { value } if value > 100.0));
+    let wall: Vec<(u32, u32)> = (0..19).map(|y| (16, y)).collect();
+    let late = walled(20, &[(3, &wall, &[]), (120, &[(1, 16)], &[])]);
+    let found = best_in_advance(&late);
+    assert!(matches!(found, Ok(Some(value)) if value > 40.0), "{found:?}");
+    let limited = |limits| best_within(&late, limits);
+    assert!(matches!(limited(Limits { states: 9_000, ..MOST }), Err(TooMuch::States { cells: 400, most: 9_000, .. })));
+    assert_eq!(limited(Limits { kept: 399, ..MOST }), Err(TooMuch::Kept { cells: 400, steps: 2, most: 399 }));
+    assert_eq!(limited(Limits { felt: 399, ..MOST }), found, "a point needs no room");
+    // Few states are kept, by the best path where all is free that ever is: what it searches is as exact.
+    let few = best_within(&late, Limits { states: 48_399, ..MOST });
+    assert_eq!(few.map(|best| best.map(|b| (b * 1e9).round())), found.map(|best| best.map(|b| (b * 1e9).round())));
+    let robot = Some(Robot { radius: 0.5, inflation: None });
+    let round = Scenario::new(late.drawn.clone(), ScenarioSpec { robot, ..late.spec.clone() }).expect("it has room");
+    let felt = best_within(&round, Limits { felt: 399, ..MOST });
+    assert_eq!(felt, Err(TooMuch::Felt { cells: 400, steps: 2, most: 399 }));
 }
 
 #[test]
