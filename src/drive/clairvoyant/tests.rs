@@ -29,15 +29,14 @@ fn the_span_of_a_drive_by_hand() {
     assert_eq!(steps.map(|step| time.after(step)), [1, 13, 36, 13]);
 }
 
+/// A step, cells that get a wall then, and cells that lose theirs.
+type Walls<'a> = (u32, &'a [(u32, u32)], &'a [(u32, u32)]);
+
 /// From corner to corner of a row of an open map on which cells get walls, and others lose theirs, at these steps.
-fn walled(side: u32, changes: &[(u32, &[(u32, u32)], &[(u32, u32)])]) -> Scenario {
+fn walled(side: u32, changes: &[Walls]) -> Scenario {
     let grid = Grid::open(side, side).expect("a map");
     let points = |cells: &[(u32, u32)]| cells.iter().map(|&(x, y)| Point::new(x, y)).collect();
-    let change = |&(at_step, blocked, freed): &(u32, &[(u32, u32)], &[(u32, u32)])| DriveChange {
-        at_step,
-        blocked: points(blocked),
-        freed: points(freed),
-    };
+    let change = |&(at_step, blocked, freed): &Walls| DriveChange { at_step, blocked: points(blocked), freed: points(freed) };
     let changes = changes.iter().map(change).collect();
     let plain = Scenario::on(grid.clone(), Movement::default(), Point::new(0, 0), Point::new(side - 1, 0)).expect("usable");
     let spec = ScenarioSpec { drive: Some(DriveSpec { changes, ..DriveSpec::default() }), ..plain.spec };
