@@ -12,7 +12,7 @@ use formicarium::map::{CornerRule, Grid, Movement, Moves, Point};
 use formicarium::params::Values;
 use formicarium::path::{PathKind, audit, points};
 use formicarium::planner::{Granularity, Planner};
-use formicarium::scenario::{Change, Scenario, ScenarioSpec};
+use formicarium::scenario::{Change, Inflation, Robot, Scenario, ScenarioSpec};
 
 /// Numbers below a bound, one after the other.
 struct Draws(u64);
@@ -49,7 +49,7 @@ fn change(draws: &mut Draws, grid: &Grid, robot: Point, goal: Point) -> Change {
 
 /// The scenario after a change, with the robot elsewhere.
 fn after(scenario: &Scenario, change: &Change, robot: Point) -> Arc<Scenario> {
-    let mut grid = scenario.grid.clone();
+    let mut grid = scenario.drawn.clone();
     change.blocked.iter().for_each(|&p| grid.set_blocked(grid.cell(p), true));
     change.freed.iter().for_each(|&p| grid.set_blocked(grid.cell(p), false));
     let spec = ScenarioSpec { start: robot, ..scenario.spec.clone() };
@@ -82,7 +82,7 @@ fn drive(mut scenario: Arc<Scenario>, count: u32, draws: &mut Draws, what: &str)
         let ahead = draws.below(5) as usize;
         let way = search.best().map_or_else(Vec::new, |best| points(&scenario, &best.path));
         let robot = way.get(ahead.min(way.len().saturating_sub(1))).copied().unwrap_or(scenario.spec.start);
-        let change = change(draws, &scenario.grid, robot, scenario.spec.goals[0].at);
+        let change = change(draws, &scenario.drawn, robot, scenario.spec.goals[0].at);
         scenario = after(&scenario, &change, robot);
         search.adapt(&change, &scenario);
     }
@@ -110,6 +110,29 @@ fn surfaces_with_steps_of_every_length_are_driven_as_short() {
         let steep = [90.0, 40.0][draws.below(2) as usize];
         let scenario = terrains::hilly(width, height, seed as u32, 3.0, movement, steep);
         drive(scenario, 8, &mut draws, &format!("{width} × {height} hills by seed {seed}, up to {steep}°, {movement:?}"));
+    }
+}
+
+/// The same question on ground with factors, of a robot with costs near obstacles, or both.
+fn dear(scenario: &Scenario, draws: &mut Draws) -> Arc<Scenario> {
+    let kind = draws.below(3);
+    let factors = (0..scenario.grid.len()).map(|_| [1.0, 1.0, 1.25, 3.0][draws.below(4) as usize]).collect();
+    let grid = scenario.drawn.clone();
+    let grid = if kind == 0 { grid } else { grid.with_factors(factors).expect("in range") };
+    let inflation = Inflation { radius: 1.0 + f64::from(draws.below(4)), cost_scaling: 0.5, ..Inflation::NAV2 };
+    let robot = (kind != 1).then_some(Robot { radius: 0.4, inflation: Some(inflation) });
+    Arc::new(Scenario::new(grid, ScenarioSpec { robot, ..scenario.spec.clone() }).expect("usable"))
+}
+
+#[test]
+fn costs_that_change_with_obstacles_are_repaired() {
+    let movements = movements();
+    for seed in 0..200 {
+        let mut draws = Draws(u64::from(seed) + 31_000);
+        let (side, density) = (5 + draws.below(16), [0.0, 0.1, 0.25][draws.below(3) as usize]);
+        let plain = common::random(side, density, seed, movements[seed as usize % movements.len()]);
+        let scenario = dear(&plain, &mut draws);
+        drive(scenario, 10, &mut draws, &format!("{side} × {side} cells by seed {seed}"));
     }
 }
 

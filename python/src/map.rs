@@ -38,7 +38,7 @@ impl Map {
     fn imported(&self) -> Imported {
         let Scenario { drawn, spec, .. } = &*self.scenario;
         let notices = if self.has_ends { Vec::new() } else { vec![Notice::new("ends-chosen", "")] };
-        Imported { kind: Kind::Scenario, grid: drawn.clone(), spec: spec.clone(), notices }
+        Imported { kind: Kind::Scenario, grid: drawn.clone(), spec: spec.clone(), notices, unknown: None }
     }
 }
 

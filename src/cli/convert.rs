@@ -170,7 +170,7 @@ pub fn write(path: &Path, format: Format, map: &Imported) -> Result<(), CliError
 fn write_ros(yaml: &Path, map: &Imported) -> Result<(), CliError> {
     let pgm = yaml.with_extension("pgm");
     output::check(Some(&pgm))?;
-    let files = ros::write(&map.grid, &map.spec, &input::file_name(&pgm));
+    let files = ros::write(&map.grid, map.unknown.as_ref(), &map.spec, &input::file_name(&pgm));
     output::write(Some(&pgm), &files.pgm)?;
     output::write(Some(yaml), files.yaml.as_bytes())
 }

@@ -1,5 +1,8 @@
 //! `drive`: a robot that drives where things move.
 
+mod obstacle;
+mod report;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,15 +11,17 @@ use serde::Serialize;
 use super::Outcome;
 use super::error::CliError;
 use super::input::{self, ScenarioArgs};
+use super::plan_format::{self, Format, write_path};
 use super::planner_args::PlannerArgs;
-use super::text::{self, TextOrJson, count, row};
-use crate::drive::{DRIVE, Did, Drive, DriveParams, DriveStep, Driver, End, Stuck};
+use super::streams::say;
+use super::text;
+use crate::drive::{DRIVE, Drive, DriveParams, DriveStep, Driver, End};
 use crate::error::{Error, FormatError};
-use crate::exact::Reference;
-use crate::formats::MAX_TEXT_BYTES;
-use crate::map::Point;
+use crate::formats::{MAX_TEXT_BYTES, PathFormat, PlannedPath};
+use crate::map::Cell;
 use crate::params::{Params, Value, Values};
-use crate::scenario::{AtEnd, DriveSpec, Scenario, ScenarioSpec, Track};
+use crate::scenario::{DriveSpec, Scenario, ScenarioSpec, Track};
+use obstacle::Obstacle;
 
 /// Has a robot drive where walls change and obstacles move, planning again on its way
 #[derive(clap::Args)]
@@ -26,8 +31,9 @@ Examples:
   formicarium drive maze.csv --planner ant-system --from 0,0 --to 19,19 --obstacle 4,4:12,4,end=leave,from=3 --iterations 10
   formicarium drive site.json --planner astar --sight 5 --hold 3 --format json
   formicarium drive arena.map --scen arena.map.scen:200 --planner d-star-lite --drive traffic.json
+  formicarium drive lab.yaml --planner d-star-lite --from -2m,-0.5m --to 2m,0.5m --obstacle 0m,-1m:0m,1m --format nav-msgs
 
-An obstacle goes in straight lines from cell to cell: X,Y:X,Y:…, then size=N, from=STEP, each=STEPS on a cell,
+An obstacle goes in straight lines from cell to cell: X,Y:X,Y:…, in cells or in metres, then size=N, from=STEP, each=STEPS on a cell,
 end=stay|back-and-forth|loop|leave. --drive is a JSON object as `drive` in a scenario; docs/formats.md has its fields.
 Exit code 1 when the robot gave up.")]
 pub struct Args {
@@ -39,8 +45,8 @@ pub struct Args {
     #[arg(long, value_name = "F.json")]
     drive: Option<PathBuf>,
     /// One more obstacle that moves, there and back unless `end` says otherwise; may be repeated
-    #[arg(long, value_name = "X,Y:X,Y…[,KEY=VALUE…]", value_parser = obstacle)]
-    obstacle: Vec<Track>,
+    #[arg(long, value_name = "X,Y:X,Y…[,KEY=VALUE…]", value_parser = obstacle::read, allow_hyphen_values = true)]
+    obstacle: Vec<Obstacle>,
     /// From how far the robot sees a change, in cells [default: the scenario's, else it knows at once]
     #[arg(long, value_name = "CELLS", allow_negative_numbers = true)]
     sight: Option<f64>,
@@ -62,14 +68,14 @@ pub struct Args {
     /// Moves and waits after which it gives up [default: 10000]
     #[arg(long, value_name = "STEPS", allow_negative_numbers = true)]
     longest: Option<f64>,
-    /// text, or json with every step
-    #[arg(long, value_enum, hide_possible_values = true, default_value_t = TextOrJson::Text)]
-    format: TextOrJson,
+    /// text, or json with every step; or the way that was driven for other programs: path-csv, path-json, nav-msgs (ROS 2), geojson, svg
+    #[arg(long, hide_possible_values = true, default_value = "text", value_parser = plan_format::of_drives())]
+    format: Format,
 }
 
 impl Args {
     pub fn wants_json(&self) -> bool {
-        self.format == TextOrJson::Json
+        self.format == Format::Json
     }
 
     fn params(&self) -> Result<DriveParams, CliError> {
@@ -83,12 +89,17 @@ impl Args {
 
     /// The scenario with what moves in it.
     fn load(&self) -> Result<Arc<Scenario>, CliError> {
+        if self.scenario.asks_for_a_curve() {
+            let message = "a robot drives from cell to cell: --smooth has no effect on its way";
+            return Err(CliError::usage(message, "leave it out; `plan --smooth` has the curve of a path"));
+        }
         let scenario = self.scenario.load()?;
         let mut moving = match &self.drive {
             Some(path) => read(path)?,
             None => scenario.spec.drive.clone().unwrap_or_default(),
         };
-        moving.tracks.extend(self.obstacle.iter().cloned());
+        let tracks = self.obstacle.iter().map(|obstacle| obstacle.on(&scenario.spec));
+        moving.tracks.extend(tracks.collect::<Result<Vec<Track>, _>>()?);
         moving.sight = self.sight.or(moving.sight);
         let spec = ScenarioSpec { drive: Some(moving), ..scenario.spec.clone() };
         Ok(Arc::new(Scenario::new(scenario.drawn.clone(), spec)?))
@@ -101,52 +112,6 @@ fn read(path: &Path) -> Result<DriveSpec, CliError> {
         let syntax = |e: serde_json::Error| FormatError::syntax(e.line(), e.to_string(), r#"{"changes": […], "tracks": […]}"#);
         serde_json::from_slice(bytes).map_err(|e| Error::from(syntax(e)))
     })
-}
-
-/// Reads `X,Y:X,Y:…` and what follows by name.
-fn obstacle(text: &str) -> Result<Track, String> {
-    let wrong = || format!("`{text}` is no obstacle: write cells such as 10,3:10,15 and then size=2,from=4,each=3,end=leave");
-    let (cells, named) = match text.split_once('=') {
-        Some((before, _)) => text.split_at(before.rfind(',').ok_or_else(wrong)?),
-        None => (text, ""),
-    };
-    let mut track = Track { cells: Vec::new(), size: 1, from_step: 0, steps_per_cell: 1, at_end: AtEnd::BackAndForth };
-    for corner in cells.split(':') {
-        go_straight(&mut track.cells, input::point(corner)?).ok_or_else(wrong)?;
-    }
-    for pair in named.split(',').filter(|pair| !pair.is_empty()) {
-        let (key, value) = pair.split_once('=').ok_or_else(wrong)?;
-        let number = || value.parse().map_err(|_| wrong());
-        match key {
-            "size" => track.size = number()?,
-            "from" => track.from_step = number()?,
-            "each" => track.steps_per_cell = number()?,
-            "end" => track.at_end = at_end(value).ok_or_else(wrong)?,
-            _ => return Err(wrong()),
-        }
-    }
-    Ok(track)
-}
-
-fn at_end(id: &str) -> Option<AtEnd> {
-    [("stay", AtEnd::Stay), ("back-and-forth", AtEnd::BackAndForth), ("loop", AtEnd::Loop), ("leave", AtEnd::Leave)]
-        .into_iter()
-        .find_map(|(name, end)| (name == id).then_some(end))
-}
-
-/// Goes on to a cell along a row, a column or a diagonal; none where it lies on none of them, or beyond any map.
-fn go_straight(cells: &mut Vec<Point>, to: Point) -> Option<()> {
-    let from = cells.last().copied().unwrap_or(to);
-    let (dx, dy) = (i64::from(to.x) - i64::from(from.x), i64::from(to.y) - i64::from(from.y));
-    let far = dx.abs().max(dy.abs());
-    let straight = dx == 0 || dy == 0 || dx.abs() == dy.abs();
-    if !straight || far > i64::from(crate::map::MAX_SIDE) {
-        return None;
-    }
-    let along = |v: u32, d: i64, k: i64| (i64::from(v) + d.signum() * k) as u32;
-    let first = i64::from(!cells.is_empty());
-    cells.extend((first..=far).map(|k| Point::new(along(from.x, dx, k), along(from.y, dy, k))));
-    Some(())
 }
 
 /// A drive as `drive --format json` prints it.
@@ -165,102 +130,31 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
     let PlannerArgs { preset, seed, .. } = &args.planner;
     let (entry, values) = (args.planner.entry()?, args.planner.values());
     let scenario = args.load()?;
+    args.format.check(&scenario.spec)?;
     let mut driver = Driver::new(&scenario, entry.id, preset.as_deref(), &values, *seed, params)?;
-    let drive = driver.run();
-    let steps = driver.steps();
+    if let Format::Path(format) = args.format {
+        while driver.step().is_some() {}
+        return way_file(format, &scenario, &driver);
+    }
+    let (drive, steps) = (driver.run(), driver.steps());
     let text = match args.format {
-        TextOrJson::Text => report(&scenario, entry.name, *seed, &drive, steps),
-        TextOrJson::Json => {
+        Format::Json => {
             let result = DriveResult { format: "formicarium/drive@1", planner: entry.id, seed: *seed, drive: &drive, steps };
             text::json(&result, 2)
         }
+        _ => report::text(&scenario, entry.name, *seed, &drive, steps),
     };
     Ok(Outcome { text, fine: drive.end == Some(End::Arrived) })
 }
 
-fn report(scenario: &Scenario, name: &str, seed: u32, drive: &Drive, steps: &[DriveStep]) -> String {
-    let (grid, spec) = (&scenario.grid, &scenario.spec);
-    let on = if spec.name.is_empty() { String::new() } else { format!(" on {}", spec.name) };
-    let mut out = format!("A drive by {name}{on} ({} × {})\n\n", grid.width(), grid.height());
-    row(&mut out, "from, to", format!("{} → {}", text::cell(spec.start), text::cell(spec.goals[0].at)));
-    if let Some(moving) = &spec.drive {
-        let (walls, tracks) = (moving.changes.len() as u64, moving.tracks.len() as u64);
-        let sight = moving.sight.map_or_else(String::new, |sight| format!("; it sees {sight} cells far"));
-        let walls = count(walls, "change of walls", "changes of walls");
-        row(&mut out, "what moves", format!("{walls}, {}{sight}", count(tracks, "obstacle", "obstacles")));
+/// The way that was driven, on the map before its first step.
+fn way_file(format: PathFormat, scenario: &Scenario, driver: &Driver) -> Result<Outcome, CliError> {
+    let mut cells: Vec<Cell> = driver.steps().iter().map(|step| scenario.grid.cell(step.at)).collect();
+    cells.dedup();
+    let arrived = driver.end() == Some(End::Arrived);
+    if !arrived {
+        say("note: the robot gave up; this is its way until then");
     }
-    row(&mut out, "end", end(drive.end, steps));
-    row(&mut out, "length", format!("{:.4} cells = {:.4} m", drive.length, drive.length * spec.resolution));
-    row(
-        &mut out,
-        "steps",
-        format!("{}, {}", count(drive.moves.into(), "move", "moves"), count(drive.waits.into(), "wait", "waits")),
-    );
-    row(&mut out, "in advance", in_advance(drive));
-    row(&mut out, "planned again", count(drive.replans.into(), "time", "times"));
-    row(&mut out, "effort", super::plan::effort_text(&drive.effort));
-    row(&mut out, "way", way(steps));
-    row(&mut out, "seed", seed);
-    row(&mut out, "digest", &drive.digest);
-    out
-}
-
-fn end(end: Option<End>, steps: &[DriveStep]) -> String {
-    let at = steps.last().map_or_else(String::new, |last| format!(" at {} after {}", text::cell(last.at), last.step));
-    match end {
-        None => "on its way".into(),
-        Some(End::Arrived) => "arrived".into(),
-        Some(End::Stuck(why)) => format!(
-            "gave up{at} steps: {}",
-            match why {
-                Stuck::NoPath => "no path leads to the goal, as far as it knows",
-                Stuck::NotFound => "the planner found no path in its iterations",
-                Stuck::NoRoom => "it touches a wall that was not there before",
-                Stuck::GoalTaken => "something stands on the goal, as far as it knows",
-                Stuck::Held => "the next cell stayed taken",
-                Stuck::TooLong => "it may drive no longer",
-            }
-        ),
-    }
-}
-
-/// What somebody would have driven who knew everything in advance.
-fn in_advance(drive: &Drive) -> String {
-    match (drive.clairvoyant, drive.ratio) {
-        (Reference::Proven { value }, Some(ratio)) => format!("{value:.4} cells at best; this drive is {ratio:.4} times as long"),
-        (Reference::Proven { value } | Reference::Unproven { value }, _) => format!("{value:.4} cells at best"),
-        (Reference::NoPath, _) => "no drive arrives".into(),
-        (Reference::Unknown, _) => "unknown: too many steps times cells to search".into(),
-    }
-}
-
-/// Its cells; `·` for a wait.
-fn way(steps: &[DriveStep]) -> String {
-    let mut out = String::new();
-    for step in steps {
-        match step.did {
-            Did::Start => out += &text::cell(step.at),
-            Did::Move => out += &format!(" {}", text::cell(step.at)),
-            Did::Wait => out += " ·",
-        }
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn obstacles_are_read_as_they_are_written() {
-        let cells = |text| obstacle(text).map(|track| track.cells.iter().map(|p| (p.x, p.y)).collect::<Vec<_>>());
-        assert_eq!(cells("3,4"), Ok(vec![(3, 4)]));
-        assert_eq!(cells("3,4:5,4:5,3"), Ok(vec![(3, 4), (4, 4), (5, 4), (5, 3)]));
-        assert_eq!(cells("3,4:1,2"), Ok(vec![(3, 4), (2, 3), (1, 2)]));
-        let full = obstacle("3,4:5,4,size=2,from=7,each=3,end=loop").expect("an obstacle");
-        assert_eq!((full.cells.len(), full.size, full.from_step, full.steps_per_cell, full.at_end), (3, 2, 7, 3, AtEnd::Loop));
-        for wrong in ["", "3", "3,4:5,5:9,9", "3,4,size", "3,4,width=2", "3,4,size=x", "3,4,end=go", "0,0:99999,0", "size=2"] {
-            assert!(obstacle(wrong).is_err(), "{wrong}");
-        }
-    }
+    let written = write_path(format, &PlannedPath::driven(scenario, &cells, driver.last().length))?;
+    Ok(Outcome { fine: arrived, ..written })
 }

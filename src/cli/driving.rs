@@ -15,6 +15,11 @@ pub struct DrivingArgs {
 }
 
 impl DrivingArgs {
+    /// Whether a curve is asked for here.
+    pub fn asks_for_a_curve(&self) -> bool {
+        self.smooth.is_some()
+    }
+
     /// Lets the arguments override a map's vehicle.
     pub fn apply(&self, vehicle: &mut Vehicle) {
         let Some(asked) = self.smooth else { return };

@@ -83,7 +83,7 @@ pub fn make(kind: Generator, size: (u32, u32), seed: u32, density: Option<f64>) 
     let (width, height) = size;
     let made = generate(kind, width, height, seed, density.unwrap_or(if kind.is_terrain() { 0.5 } else { 0.3 }))?;
     let spec = made.spec(format!("{}-{width}x{height}-seed{seed}", kind.id()));
-    Ok(Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new() })
+    Ok(Imported { kind: Kind::Scenario, grid: made.grid, spec, notices: Vec::new(), unknown: None })
 }
 
 /// Puts the ends and the moves that are given in the place of the generator's, and tells whether any are.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::error::{Error, FormatError, Notice};
 use crate::formats::{self, Imported, MAX_TEXT_BYTES, ScenLine};
 use crate::map::{CornerRule, Moves, Point, Window};
-use crate::scenario::{CostRule, Goal, Scenario};
+use crate::scenario::{CostRule, Goal, Scenario, ScenarioSpec};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::driving::DrivingArgs;
@@ -63,8 +63,8 @@ impl RouteArgs {
 
     /// Lets the arguments override a map's ends and rules.
     pub fn apply(&self, map: &mut Imported) -> Result<(), CliError> {
-        let start = self.from.map(|place| place.on(map)).transpose()?;
-        let goals = self.to.iter().map(|place| place.on(map)).collect::<Result<Vec<_>, _>>()?;
+        let start = self.from.map(|place| place.on(&map.spec)).transpose()?;
+        let goals = self.to.iter().map(|place| place.on(&map.spec)).collect::<Result<Vec<_>, _>>()?;
         set_ends(map, start, &goals);
         self.movement.apply(map);
         let assumed = self.robot.apply(&mut map.spec);
@@ -84,10 +84,10 @@ pub enum Place {
 
 impl Place {
     /// Its cell on a map.
-    fn on(self, map: &Imported) -> Result<Point, CliError> {
+    pub fn on(self, spec: &ScenarioSpec) -> Result<Point, CliError> {
         match self {
             Self::Cell(at) => Ok(at),
-            Self::Metres([x, y]) => map.spec.to_cell([x, y]).ok_or_else(|| match map.spec.world {
+            Self::Metres([x, y]) => spec.to_cell([x, y]).ok_or_else(|| match spec.world {
                 Some(_) => CliError::usage(format!("({x} m, {y} m) lies beside the map"), "give a place on the map"),
                 None => {
                     let hint = "give a cell such as 3,12; a ROS map and an OccupancyGrid say where they lie";
@@ -178,7 +178,7 @@ pub fn window(text: &str) -> Result<Window, String> {
 }
 
 /// Reads `x,y`, or `1.5m,-2m`.
-fn place(text: &str) -> Result<Place, String> {
+pub fn place(text: &str) -> Result<Place, String> {
     let metres = |part: &str| part.trim().strip_suffix('m')?.trim().parse().ok().filter(|v: &f64| v.is_finite());
     match text.split_once(',').and_then(|(x, y)| metres(x).zip(metres(y))) {
         Some((x, y)) => Ok(Place::Metres([x, y])),
@@ -195,6 +195,11 @@ pub fn point(text: &str) -> Result<Point, String> {
 }
 
 impl ScenarioArgs {
+    /// Whether `--smooth` asks for a curve.
+    pub fn asks_for_a_curve(&self) -> bool {
+        self.driving.asks_for_a_curve()
+    }
+
     /// Reads and validates the scenario, and prints notes about it.
     pub fn load(&self) -> Result<Arc<Scenario>, CliError> {
         let path = self.map.as_deref().or(self.scenario.as_deref()).unwrap_or(Path::new("-"));

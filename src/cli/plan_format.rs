@@ -1,7 +1,7 @@
-//! What `plan` prints: about the run, or its path as a file for other programs.
+//! What `plan` and `drive` print: about the run, or its path as a file for other programs.
 
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::formats::{PathFormat, PlannedPath};
 use crate::planner::Planner;
@@ -56,6 +56,15 @@ impl Format {
     }
 }
 
+/// Reads what `drive` prints: a drive has no rows by iteration.
+pub fn of_drives() -> impl TypedValueParser<Value = Format> {
+    let formats = || Format::value_variants().iter().filter(|format| **format != Format::Csv);
+    PossibleValuesParser::new(formats().filter_map(ValueEnum::to_possible_value)).map(move |id| {
+        let found = formats().find(|format| format.to_possible_value().is_some_and(|value| value.get_name() == id));
+        found.copied().unwrap_or(Format::Text)
+    })
+}
+
 /// The best path of a planner that has ended, as a file; `scenario` is the map as its changes have left it.
 pub fn path_file(format: PathFormat, scenario: &Scenario, planner: &dyn Planner) -> Result<Outcome, CliError> {
     let kind = planner.objective().path_kind();
@@ -64,7 +73,12 @@ pub fn path_file(format: PathFormat, scenario: &Scenario, planner: &dyn Planner)
         say("note: no path was found, so there is none to write");
         return Ok(Outcome { text: String::new(), fine: false });
     };
-    let file = format.write(&path)?;
+    write_path(format, &path)
+}
+
+/// A path as a file; what was assumed is said.
+pub fn write_path(format: PathFormat, path: &PlannedPath<'_>) -> Result<Outcome, CliError> {
+    let file = format.write(path)?;
     text::notes(&file.notices);
     Ok(Outcome::fine(file.text))
 }

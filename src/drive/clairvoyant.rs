@@ -1,71 +1,118 @@
-//! The shortest drive of somebody who knows in advance what will move.
+//! The best drive of somebody who knows in advance what will move.
+
+mod moments;
+mod places;
+mod time;
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::surroundings::{Walls, map_at, steps};
-use crate::exact::{Distance, Estimate, Reference};
-use crate::map::{Cell, Grid};
+use serde::Serialize;
+
+use super::surroundings::{is_passable, is_weighted};
+use crate::exact::Reference;
+use crate::map::{ALL_DIRECTIONS, Cell, Direction, Point, mean_factor, offset, step_length};
 use crate::scenario::{DriveSpec, Scenario};
 
-/// Most states, cells times steps, that are searched; each is 16 bytes.
+use moments::Moments;
+use places::Places;
+use time::Time;
+
+/// Most states, cells at steps, that are searched; each is 16 bytes.
 pub const MOST_STATES: u64 = 1 << 22;
 
-/// Length in cells of the shortest drive to the goal of a robot that knows every change and every timetable. It may wait wherever it likes;
-/// a wait costs no length, and of drives of equal length the one of fewer steps counts. Unknown for more than [`MOST_STATES`] states.
+/// Most cells of the maps of all steps that are kept, of those that can be reached; each is a byte, on weighted ground 5.
+pub const MOST_KEPT: u64 = 1 << 25;
+
+/// Most cells of all maps on which room and costs of a robot are worked out: some seconds.
+pub const MOST_FELT: u64 = 1 << 28;
+
+/// What is searched at most.
+#[derive(Clone, Copy)]
+struct Limits {
+    states: u64,
+    kept: u64,
+    felt: u64,
+}
+
+const MOST: Limits = Limits { states: MOST_STATES, kept: MOST_KEPT, felt: MOST_FELT };
+
+/// Why the best drive in advance is not searched for to the end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum TooMuch {
+    /// There are more states.
+    States {
+        /// Cells that can be reached.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_STATES`].
+        most: u32,
+    },
+    /// Cells that can be reached times steps are more.
+    Kept {
+        /// Cells that can be reached.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_KEPT`].
+        most: u32,
+    },
+    /// Cells of the map times steps are more, and a robot's room is worked out on each.
+    Felt {
+        /// Cells of the map.
+        cells: u32,
+        /// Steps whose maps had been made by then.
+        steps: u32,
+        /// [`MOST_FELT`].
+        most: u32,
+    },
+    /// All timetables together begin anew only after more steps.
+    Period {
+        /// [`MOST_STATES`].
+        most: u32,
+    },
+}
+
+/// Length in cells of the shortest drive to the goal of a robot that knows every change and every timetable; on weighted ground and with
+/// costs near obstacles what the cheapest one costs. None where no drive arrives. The robot may wait wherever it likes; a wait costs nothing,
+/// and of equal drives the one of fewer steps counts.
 ///
-/// A* over (cell, step), by the distance to the goal on an open map. Once all walls have changed and all tracks are gone through, the map repeats itself with the least common
-/// multiple of their periods, and the last step leads back to the first of that span: so the search has an end and is exact all the same.
-pub fn clairvoyant(scenario: &Scenario) -> Reference {
+/// A* over (cell, step). Once all walls have changed and all tracks are gone through, the map repeats itself with the least common multiple
+/// of their periods, and the last step leads back to the first of that span: so the search has an end and is exact all the same. It
+/// estimates by the distance on an open map; where there may be too many states, and where ground is not plain, by the best path on the map
+/// of all that is ever free, so that few states are searched where nothing but a wait is asked.
+///
+/// # Errors
+/// [`TooMuch`]: it was given up.
+pub fn best_in_advance(scenario: &Scenario) -> Result<Option<f64>, TooMuch> {
+    best_within(scenario, MOST)
+}
+
+fn best_within(scenario: &Scenario, limits: Limits) -> Result<Option<f64>, TooMuch> {
     let nothing = DriveSpec::default();
     let moving = scenario.spec.drive.as_ref().unwrap_or(&nothing);
-    let Some(time) = Time::of(moving).filter(|time| time.steps() * scenario.grid.len() as u64 <= MOST_STATES) else {
-        return Reference::Unknown;
-    };
-    Search::new(scenario, moving, time).run().map_or(Reference::NoPath, |value| Reference::Proven { value })
+    Search::new(scenario, moving, Time::of(moving)?, limits).run()
 }
 
-/// The steps at which maps differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Time {
-    /// The first step of the span that repeats itself.
-    settled: u32,
-    /// Its length; 1 where nothing moves any longer.
-    period: u32,
+/// The same as a reference of results, unknown where the search is given up.
+pub fn clairvoyant(scenario: &Scenario) -> Reference {
+    reference(best_in_advance(scenario))
 }
 
-impl Time {
-    /// None where the span is longer than could be searched.
-    fn of(moving: &DriveSpec) -> Option<Self> {
-        let walls = moving.changes.last().map_or(0, |change| change.at_step);
-        let settled = moving.tracks.iter().map(|track| track.settled()).fold(walls, u32::max);
-        let periods = moving.tracks.iter().filter_map(|track| track.period());
-        let period = periods.map(u64::from).try_fold(1, |all: u64, one| {
-            let both = all / common_divisor(all, one) * one;
-            (both <= MOST_STATES).then_some(both)
-        })?;
-        Some(Self { settled, period: period as u32 })
-    }
-
-    fn steps(self) -> u64 {
-        u64::from(self.settled) + u64::from(self.period)
-    }
-
-    fn after(self, step: u32) -> u32 {
-        if u64::from(step) + 1 < self.steps() { step + 1 } else { self.settled }
-    }
-}
-
-fn common_divisor(a: u64, b: u64) -> u64 {
-    if b == 0 { a } else { common_divisor(b, a % b) }
+/// What was found as a reference.
+pub(super) fn reference(found: Result<Option<f64>, TooMuch>) -> Reference {
+    found.map_or(Reference::Unknown, |best| best.map_or(Reference::NoPath, |value| Reference::Proven { value }))
 }
 
 /// A cell at a step, and what it costs to be there.
 #[derive(Clone, Copy, PartialEq)]
 struct Open {
-    /// The length and the estimate of the rest.
+    /// The cost and the estimate of the rest.
     f: f64,
-    length: f64,
+    cost: f64,
     taken: u32,
     step: u32,
     cell: Cell,
@@ -89,70 +136,101 @@ impl Eq for Open {}
 
 struct Search<'a> {
     scenario: &'a Scenario,
-    moving: &'a DriveSpec,
     time: Time,
-    estimate: Distance,
-    /// Of each step: the walls as drawn, and the map by all timetables as the robot feels it.
-    walls: Vec<Grid>,
-    maps: Vec<Grid>,
-    /// Least length and steps known, by step and cell.
-    known: Vec<(f64, u32)>,
+    places: Places,
+    /// By place: no way to the goal costs less.
+    estimate: Vec<f64>,
+    is_weighted: bool,
+    moments: Moments<'a>,
     open: BinaryHeap<Open>,
+    limits: Limits,
 }
 
 impl<'a> Search<'a> {
-    fn new(scenario: &'a Scenario, moving: &'a DriveSpec, time: Time) -> Self {
-        let mut all = Walls::new(scenario.drawn.clone());
-        let walls: Vec<Grid> = (0..time.steps() as u32).map(|step| all.at(step, &moving.changes).clone()).collect();
-        let felt = |(walls, step): (&Grid, u32)| scenario.spec.felt(&map_at(&scenario.spec, walls, &moving.tracks, step, None));
-        let maps = walls.iter().zip(0..).map(felt).collect();
-        let known = vec![(f64::INFINITY, u32::MAX); time.steps() as usize * scenario.grid.len()];
-        let estimate = Distance::of(scenario);
-        Self { scenario, moving, time, estimate, walls, maps, known, open: BinaryHeap::new() }
+    fn new(scenario: &'a Scenario, moving: &'a DriveSpec, time: Time, limits: Limits) -> Self {
+        let (places, is_weighted) = (Places::of(scenario, moving), is_weighted(scenario));
+        let is_small = time.steps() * places.len() as u64 <= limits.states;
+        let estimate = if is_small && !is_weighted { places.open_distances(scenario) } else { places.distances(scenario) };
+        let moments = Moments::new(scenario, moving);
+        Self { scenario, time, places, estimate, is_weighted, moments, open: BinaryHeap::new(), limits }
     }
 
-    fn run(mut self) -> Option<f64> {
+    fn run(mut self) -> Result<Option<f64>, TooMuch> {
         self.offer(0.0, 0, 0, self.scenario.start);
         while let Some(open) = self.open.pop() {
             if open.cell == self.scenario.goal {
-                return Some(open.length);
+                return Ok(Some(open.cost));
             }
-            if (open.length, open.taken) == self.known[self.state(open.step, open.cell)] {
+            let place = self.places.number(open.cell).expect("a cell that was reached");
+            if (open.cost, open.taken) == self.moments.get(open.step).known(place) {
                 self.expand(open);
+                self.check()?;
             }
         }
-        None
+        Ok(None)
     }
 
-    fn state(&self, step: u32, cell: Cell) -> usize {
-        step as usize * self.scenario.grid.len() + cell as usize
+    /// # Errors
+    /// [`TooMuch`] once more is searched than is sensible.
+    fn check(&self) -> Result<(), TooMuch> {
+        let (reached, all, made) = (self.places.len() as u32, self.scenario.grid.len() as u32, self.moments.count);
+        let (steps, Limits { states, kept, felt }) = (made as u32, self.limits);
+        if self.moments.states > states {
+            return Err(TooMuch::States { cells: reached, steps, most: states as u32 });
+        }
+        if made * u64::from(reached) > kept {
+            return Err(TooMuch::Kept { cells: reached, steps, most: kept as u32 });
+        }
+        if self.scenario.spec.robot.is_some() && made * u64::from(all) > felt {
+            return Err(TooMuch::Felt { cells: all, steps, most: felt as u32 });
+        }
+        Ok(())
     }
 
-    fn offer(&mut self, length: f64, taken: u32, step: u32, cell: Cell) {
-        let state = self.state(step, cell);
-        let (shortest, fewest) = self.known[state];
-        if length < shortest || (length == shortest && taken < fewest) {
-            self.known[state] = (length, taken);
-            let at = self.scenario.grid.point(cell);
-            let f = length + self.estimate.to_goal(at.x, at.y);
-            self.open.push(Open { f, length, taken, step, cell });
+    fn offer(&mut self, cost: f64, taken: u32, step: u32, cell: Cell) {
+        let Some(place) = self.places.number(cell).filter(|&place| self.estimate[place].is_finite()) else { return };
+        if self.moments.reach(step, place, (cost, taken), &self.places) {
+            self.open.push(Open { f: cost + self.estimate[place], cost, taken, step, cell });
         }
     }
 
     /// Where the robot is in the way of what moves, that gives way to it: there the map is another one.
     fn expand(&mut self, open: Open) {
-        let Open { length, taken, step, cell, .. } = open;
-        let timetable = &self.maps[step as usize];
-        let gives_way = timetable.is_blocked(cell);
-        let robot = timetable.point(cell);
-        let (scenario, walls) = (self.scenario, &self.walls[step as usize]);
-        let spec = &scenario.spec;
-        let around = gives_way.then(|| spec.felt(&map_at(spec, walls, &self.moving.tracks, step, Some(robot))));
-        let map = around.as_ref().unwrap_or(timetable);
-        let moves = steps(scenario, map, cell).map(|(d, to)| (length + scenario.moves.length(cell, d), to));
-        let ways: Vec<(f64, Cell)> = std::iter::once((length, cell)).chain(moves).collect();
+        let Open { cost, taken, step, cell, .. } = open;
+        let robot = self.scenario.grid.point(cell);
+        let place = |at: Point| self.places.number(self.scenario.grid.cell(at));
+        let gives_way = place(robot).is_none_or(|place| self.moments.get(step).is_blocked(place));
+        let steps = if gives_way {
+            let around = self.moments.around(step, robot);
+            self.steps(robot, |at| !around.is_blocked(at), |at| around.factor(at))
+        } else {
+            let timetable = self.moments.get(step);
+            let is_free = |at: Point| place(at).is_some_and(|place| !timetable.is_blocked(place));
+            self.steps(robot, is_free, |at| place(at).map_or(1.0, |place| timetable.factor(place)))
+        };
         let later = self.time.after(step);
-        ways.into_iter().for_each(|(length, cell)| self.offer(length, taken + 1, later, cell));
+        self.offer(cost, taken + 1, later, cell);
+        steps.into_iter().for_each(|(length, to)| self.offer(cost + length, taken + 1, later, to));
+    }
+
+    /// The steps that are allowed from a cell, each with its cost and the cell that it leads to, by what is free and dear around.
+    fn steps(&self, at: Point, is_free: impl Fn(Point) -> bool, factor: impl Fn(Point) -> f64) -> Vec<(f64, Cell)> {
+        let Scenario { grid, spec, moves, .. } = self.scenario;
+        let near = |dx: i32, dy: i32| {
+            let near = Point::new(at.x.checked_add_signed(dx)?, at.y.checked_add_signed(dy)?);
+            grid.contains(near).then_some(near)
+        };
+        let goes = |d: Direction| spec.movement.allows_where(d, |dx, dy| near(dx, dy).is_some_and(&is_free));
+        let cost = |d: Direction| match self.is_weighted {
+            true => step_length(d) * mean_factor(d, |dx, dy| near(dx, dy).map_or(1.0, &factor)),
+            false => moves.length(grid.cell(at), d),
+        };
+        let step = |d: Direction| {
+            let (dx, dy) = offset(d);
+            let to = near(dx, dy).map(|to| grid.cell(to)).filter(|_| goes(d))?;
+            is_passable(self.scenario, grid.cell(at), to).then(|| (cost(d), to))
+        };
+        (0..ALL_DIRECTIONS as Direction).filter_map(step).collect()
     }
 }
 

@@ -3,13 +3,12 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use super::clairvoyant::clairvoyant;
+use super::clairvoyant::{TooMuch, best_in_advance, reference};
 use super::params::{DriveParams, Replan};
 use super::pilot::Pilot;
-use super::result::{Did, Drive, DriveStep, End, Stuck, digest, ratio};
-use super::surroundings::{Walls, differences, is_allowed, look, map_at, step_length};
+use super::result::{Did, Drive, DriveStep, End, Stuck, digest, ratio, travel};
+use super::surroundings::{Walls, differences, is_allowed, is_weighted, look, map_at, step_between};
 use crate::error::{Error, ScenarioError};
-use crate::exact::Reference;
 use crate::map::{Cell, Grid, Point};
 use crate::params::Values;
 use crate::path::Path;
@@ -27,7 +26,7 @@ pub struct Driver {
     /// The map as it is, and as the robot knows it.
     now: Grid,
     known: Grid,
-    /// Both as the robot feels them: blocked where it does not fit.
+    /// Both as the robot feels them: blocked where it does not fit, dearer near obstacles.
     felt: [Grid; 2],
     /// Whether it has learnt of a change since it planned last.
     news: bool,
@@ -39,7 +38,7 @@ pub struct Driver {
     held: u32,
     steps: Vec<DriveStep>,
     end: Option<End>,
-    best: OnceCell<Reference>,
+    best: OnceCell<Result<Option<f64>, TooMuch>>,
 }
 
 impl Driver {
@@ -77,7 +76,8 @@ impl Driver {
             params,
             pilot,
         };
-        driver.see(Did::Start, 0.0, None);
+        let weighted = is_weighted(&driver.scenario).then_some(0.0);
+        driver.see(Did::Start, (0.0, weighted), None);
         Ok(driver)
     }
 
@@ -144,7 +144,7 @@ impl Driver {
     }
 
     fn go(&mut self, next: Cell, planned: Option<Effort>) {
-        let length = step_length(&self.scenario, self.at, next);
+        let step = step_between(&self.scenario, &self.felt[0], self.at, next);
         self.at = next;
         (self.waited, self.held) = (0, 0);
         if let Ok(path) = &mut self.path {
@@ -153,25 +153,32 @@ impl Driver {
         if next == self.scenario.goal {
             self.end = Some(End::Arrived);
         }
-        self.see(Did::Move, length, planned);
+        self.see(Did::Move, step, planned);
     }
 
     fn wait(&mut self, planned: Option<Effort>) {
         self.waited += 1;
-        self.see(Did::Wait, 0.0, planned);
+        self.see(Did::Wait, (0.0, None), planned);
     }
 
-    /// What moves goes on, the robot looks around, and the step is noted.
-    fn see(&mut self, did: Did, length: f64, planned: Option<Effort>) {
+    /// What moves goes on, the robot looks around, and the step of this length and cost is noted.
+    fn see(&mut self, did: Did, (length, cost): (f64, Option<f64>), planned: Option<Effort>) {
         let (step, at) = (self.steps.len() as u32, self.now.point(self.at));
         let walls = self.walls.at(step, &self.moving.changes);
         let now = map_at(&self.scenario.spec, walls, &self.moving.tracks, step, Some(at));
         let (blocked, freed) = differences(&self.now, &now);
         self.now = now;
-        self.news |= look(&mut self.known, &self.now, at, self.moving.sight);
-        self.felt = [&self.now, &self.known].map(|map| self.scenario.spec.felt(map));
+        let is_news = look(&mut self.known, &self.now, at, self.moving.sight);
+        self.news |= is_news;
+        if !(blocked.is_empty() && freed.is_empty()) {
+            self.felt[0] = self.scenario.spec.felt(&self.now);
+        }
+        if is_news {
+            self.felt[1] = self.scenario.spec.felt(&self.known);
+        }
         let length = self.length() + length;
-        self.steps.push(DriveStep { step, did, at, length, planned, blocked, freed });
+        let cost = self.cost().map(|before| before + cost.unwrap_or(0.0)).or(cost);
+        self.steps.push(DriveStep { step, did, at, length, cost, planned, blocked, freed });
     }
 
     /// Moves and waits so far.
@@ -236,17 +243,22 @@ impl Driver {
     /// What the drive comes to so far. The reference is searched for when it is first asked for.
     pub fn drive(&self) -> Drive {
         let (length, waits) = (self.length(), self.steps.iter().filter(|step| step.did == Did::Wait).count() as u32);
-        let reference = *self.best.get_or_init(|| clairvoyant(&self.scenario));
-        let best = reference.value().filter(|_| self.end == Some(End::Arrived));
+        let found = *self.best.get_or_init(|| best_in_advance(&self.scenario));
+        let best = found.ok().flatten().filter(|_| self.end == Some(End::Arrived));
+        let (turns, travel_time) = travel(&self.scenario.spec, &self.steps);
         Drive {
             end: self.end,
             length,
+            cost: self.cost(),
             moves: self.taken() - waits,
             waits,
+            turns,
+            travel_time,
             replans: self.pilot.plans().saturating_sub(1),
             effort: self.pilot.effort(),
-            clairvoyant: reference,
-            ratio: best.map(|best| ratio(length, best)),
+            clairvoyant: reference(found),
+            too_much: found.err(),
+            ratio: best.map(|best| ratio(self.cost().unwrap_or(length), best)),
             digest: digest(&self.steps, self.end).hex(),
         }
     }
@@ -255,15 +267,16 @@ impl Driver {
     fn length(&self) -> f64 {
         self.steps.last().map_or(0.0, |step| step.length)
     }
+
+    /// What it has cost, in cells; none where ways cost their length.
+    fn cost(&self) -> Option<f64> {
+        self.steps.last().and_then(|step| step.cost)
+    }
 }
 
-/// Whether a robot can drive in a scenario: from cell to cell, to one goal, and without costs that move with obstacles.
+/// Whether a robot can drive in a scenario: from cell to cell, and to one goal.
 fn check(scenario: &Scenario) -> Result<(), ScenarioError> {
-    let inflates = scenario.spec.robot.is_some_and(|robot| robot.inflation.is_some());
     let (field, value, allowed) = match scenario.goals.len() {
-        1 if inflates => {
-            ("robot.inflation", "costs near obstacles".to_owned(), "absent: they would move with what moves; its radius counts")
-        }
         1 if scenario.by_slices().is_none() => return Ok(()),
         1 => ("terrain.slices", "by slices".to_owned(), "absent: a robot drives from cell to cell"),
         count => ("goals", count.to_string(), "a list of one goal"),

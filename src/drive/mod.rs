@@ -8,7 +8,10 @@
 //! 3. the robot looks around, as far as it sees. What it does not see it takes for what it last was.
 //!
 //! So the map of a step depends on the step and on the robot's cell alone, and the best drive of somebody who knows everything in advance
-//! can be searched for exactly: [`clairvoyant`].
+//! can be searched for exactly: [`best_in_advance`].
+//!
+//! On weighted ground, and where cells near obstacles cost more, a move costs its length times the mean factor of its cells on the map as the
+//! robot feels it when it moves: what moves is an obstacle like any other. A wait costs nothing.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -40,7 +43,7 @@ mod pilot;
 mod result;
 mod surroundings;
 
-pub use clairvoyant::{MOST_STATES, clairvoyant};
+pub use clairvoyant::{MOST_FELT, MOST_KEPT, MOST_STATES, TooMuch, best_in_advance, clairvoyant};
 pub use driver::Driver;
 pub use params::{DriveParams, Replan};
 pub use result::{Did, Drive, DriveStep, End, Stuck};

@@ -2,11 +2,13 @@
 
 use serde::Serialize;
 
+use super::clairvoyant::TooMuch;
 use crate::digest::Digest;
 use crate::exact::Reference;
 use crate::map::Point;
 use crate::metrics::SAME_LENGTH;
 use crate::planner::Effort;
+use crate::scenario::ScenarioSpec;
 
 /// What a robot did in a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -34,6 +36,10 @@ pub struct DriveStep {
     pub at: Point,
     /// Length of its way so far, in cells.
     pub length: f64,
+    /// On weighted ground, and with costs near obstacles: what its way has cost so far, in cells; absent where it costs its length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub cost: Option<f64>,
     /// What the planning before it has spent; absent where it kept its path.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(target_arch = "wasm32", tsify(optional))]
@@ -76,7 +82,7 @@ pub enum End {
     Stuck(Stuck),
 }
 
-/// What a drive comes to. Lengths in cells.
+/// What a drive comes to. Lengths and costs in cells.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct Drive {
@@ -84,17 +90,30 @@ pub struct Drive {
     pub end: Option<End>,
     /// Length of its way.
     pub length: f64,
+    /// On weighted ground, and with costs near obstacles: what its way has cost; absent where it costs its length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub cost: Option<f64>,
     /// Steps in which it moved.
     pub moves: u32,
     /// Steps in which it waited.
     pub waits: u32,
+    /// Moves in another direction than the move before, whatever waits lie between.
+    pub turns: u32,
+    /// Arrival time in seconds, or the time so far: metres / speed + turns · seconds per turn + waits, each of which lasts as long as a straight
+    /// move by one cell.
+    pub travel_time: f64,
     /// How often it has planned after the first time.
     pub replans: u32,
     /// What all plannings have spent.
     pub effort: Effort,
-    /// The shortest drive of somebody who knows in advance what will move: see [`super::clairvoyant`].
+    /// The best drive of somebody who knows in advance what will move, by cost where there is one: see [`super::best_in_advance`].
     pub clairvoyant: Reference,
-    /// The length as a multiple of that; null unless it has arrived and the reference is known.
+    /// Why that is unknown; absent where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub too_much: Option<TooMuch>,
+    /// The cost, or the length, as a multiple of that; null unless it has arrived and the reference is known.
     pub ratio: Option<f64>,
     /// 16 hexadecimal digits over every step and the end.
     pub digest: String,
@@ -103,6 +122,16 @@ pub struct Drive {
 /// length / best; 1 where they differ by no more than what adding has rounded.
 pub(super) fn ratio(length: f64, best: f64) -> f64 {
     if (length - best).abs() < SAME_LENGTH { 1.0 } else { length / best }
+}
+
+/// Turns of a drive, and its seconds so far.
+pub(super) fn travel(spec: &ScenarioSpec, steps: &[DriveStep]) -> (u32, f64) {
+    let between = |a: &DriveStep, b: &DriveStep| (i64::from(b.at.x) - i64::from(a.at.x), i64::from(b.at.y) - i64::from(a.at.y));
+    let moves: Vec<_> = steps.windows(2).map(|pair| between(&pair[0], &pair[1])).filter(|&by| by != (0, 0)).collect();
+    let turns = moves.windows(2).filter(|pair| pair[0] != pair[1]).count() as u32;
+    let waits = steps.iter().filter(|step| step.did == Did::Wait).count() as f64;
+    let (length, vehicle) = (steps.last().map_or(0.0, |last| last.length), spec.vehicle);
+    (turns, (length + waits) * spec.resolution / vehicle.speed + f64::from(turns) * vehicle.seconds_per_turn)
 }
 
 /// Over every step, what was planned for it, and the end.
@@ -114,7 +143,7 @@ pub(super) fn digest(steps: &[DriveStep], end: Option<End>) -> Digest {
             digest.u32(iterations);
             [constructed_paths, ant_moves, cell_expansions].into_iter().for_each(|v| digest.bytes(&v.to_le_bytes()));
         }
-        digest.f64(step.length);
+        digest.f64(step.cost.unwrap_or(step.length));
     }
     digest.u32(match end {
         None => 0,

@@ -1,6 +1,6 @@
 //! The map around the robot, step by step.
 
-use crate::map::{ALL_DIRECTIONS, Cell, Direction, Grid, Point, offset};
+use crate::map::{Cell, Direction, Grid, Point, mean_factor, step_length};
 use crate::path::direction_between;
 use crate::scenario::{DriveChange, Scenario, ScenarioSpec, Track};
 
@@ -45,30 +45,33 @@ pub(super) fn map_at(spec: &ScenarioSpec, walls: &Grid, tracks: &[Track], step: 
     grid
 }
 
+/// Whether ways cost more than their length: on ground that is drawn dearer, or near obstacles. On a terrain they do not.
+pub(super) fn is_weighted(scenario: &Scenario) -> bool {
+    scenario.drawn.factors().is_some() || scenario.spec.robot.is_some_and(|robot| robot.inflation.is_some())
+}
+
 /// Whether a step between two cells is allowed on a map that the scenario's has become.
 pub(super) fn is_allowed(scenario: &Scenario, grid: &Grid, from: Cell, to: Cell) -> bool {
     let (a, b) = (grid.point(from), grid.point(to));
     let goes = |d: Direction| scenario.spec.movement.allows(grid, i64::from(a.x), i64::from(a.y), d);
-    let passable = || scenario.moves.relief().is_none_or(|relief| relief.is_passable(from, to));
-    direction_between(a, b).is_some_and(goes) && passable()
+    direction_between(a, b).is_some_and(goes) && is_passable(scenario, from, to)
 }
 
-/// Length in cells of a step between two cells; 0 where no step leads from one to the other.
-pub(super) fn step_length(scenario: &Scenario, from: Cell, to: Cell) -> f64 {
+/// Whether the ground between two cells is not too steep.
+pub(super) fn is_passable(scenario: &Scenario, from: Cell, to: Cell) -> bool {
+    scenario.moves.relief().is_none_or(|relief| relief.is_passable(from, to))
+}
+
+/// Length and cost of an allowed step, in cells, the cost on a map as it is felt and none where ways cost their length.
+pub(super) fn step_between(scenario: &Scenario, felt: &Grid, from: Cell, to: Cell) -> (f64, Option<f64>) {
     // The map has changed: what is allowed on the scenario's own says nothing.
-    let direction = direction_between(scenario.grid.point(from), scenario.grid.point(to));
-    direction.map_or(0.0, |d| scenario.moves.length(from, d))
-}
-
-/// The steps from a cell that are allowed on such a map, each with the cell that it leads to.
-pub(super) fn steps<'a>(scenario: &'a Scenario, grid: &'a Grid, from: Cell) -> impl Iterator<Item = (Direction, Cell)> + 'a {
-    let at = grid.point(from);
-    (0..ALL_DIRECTIONS as Direction).filter_map(move |d| {
-        let (dx, dy) = offset(d);
-        let to = Point::new(at.x.checked_add_signed(dx)?, at.y.checked_add_signed(dy)?);
-        let to = grid.contains(to).then(|| grid.cell(to))?;
-        is_allowed(scenario, grid, from, to).then_some((d, to))
-    })
+    let Some(d) = direction_between(felt.point(from), felt.point(to)) else { return (0.0, None) };
+    if !is_weighted(scenario) {
+        return (scenario.moves.length(from, d), None);
+    }
+    let by = |dx: i32, dy: i32| from.wrapping_add_signed(dy * felt.width() as i32 + dx) as usize;
+    let factor = |dx, dy| felt.factors().map_or(1.0, |factors| f64::from(factors[by(dx, dy)]));
+    (step_length(d), Some(step_length(d) * mean_factor(d, factor)))
 }
 
 /// What a robot comes to know of the map as it is; true where that is news. Without `sight` it sees all of it.

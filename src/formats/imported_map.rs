@@ -16,6 +16,8 @@ pub struct Imported {
     pub spec: ScenarioSpec,
     /// What was assumed, chosen or left out.
     pub notices: Vec<Notice>,
+    /// Of a ROS map, the cells that nobody has looked at and that count as blocked, as the blocked cells of a grid; none where there are none.
+    pub unknown: Option<Grid>,
 }
 
 impl Imported {
@@ -51,6 +53,9 @@ impl Imported {
         self.grid = self.grid.cropped(window)?;
         let (width, height) = size.unwrap_or((window.width, window.height));
         self.grid = self.grid.resampled(width, height)?;
+        if let Some(unknown) = self.unknown {
+            self.unknown = Some(unknown.cropped(window)?.resampled(width, height)?);
+        }
         let scaled = |at: u32, from: u32, of: u32, to: u32| {
             (u64::from(at.checked_sub(from)?) * u64::from(to) / u64::from(of)).try_into().ok()
         };
@@ -85,11 +90,12 @@ impl Imported {
         Ok(self)
     }
 
-    /// Swaps free and blocked cells. Ends that the file names stay free, others are chosen anew.
+    /// Swaps free and blocked cells, and unknown ones are free like all that were blocked. Ends that the file names stay free, others are chosen anew.
     ///
     /// # Errors
     /// [`FormatError::NoFreeCell`].
     pub fn invert(mut self) -> Result<Self, FormatError> {
+        self.unknown = None;
         let chosen = self.ends_were_chosen();
         let goal = self.spec.goals.first().map_or(self.spec.start, |g| g.at);
         for cell in 0..self.grid.len() as u32 {

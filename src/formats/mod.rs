@@ -266,7 +266,7 @@ pub fn format_of(text: &str) -> Option<String> {
 
 fn scenario(text: &str) -> Result<Imported, FormatError> {
     let (grid, spec) = scenario_json::read(text)?;
-    Ok(Imported { kind: Kind::Scenario, grid, spec, notices: Vec::new() })
+    Ok(Imported { kind: Kind::Scenario, grid, spec, notices: Vec::new(), unknown: None })
 }
 
 fn complete(
@@ -280,7 +280,7 @@ fn complete(
     let ends = ends::complete(&grid, start, goal)?;
     notices.extend(ends.notice);
     let spec = ScenarioSpec { name: stem(name).into(), ..ScenarioSpec::new(&grid, ends.start, ends.goal) };
-    Ok(Imported { kind, grid, spec, notices })
+    Ok(Imported { kind, grid, spec, notices, unknown: None })
 }
 
 /// Reads a MovingAI `.scen`.

@@ -30,4 +30,4 @@ pub use relief::{Relief, Stretch};
 pub use resample::Window;
 pub use shading::{LEVEL_LIGHT, Shading};
 pub use slices::{MAX_LEVELS, MAX_REACH, Measure, SliceRules, Slices, Way};
-pub use weights::{Charge, MAX_FACTOR, Weights};
+pub use weights::{Charge, MAX_FACTOR, Weights, mean_factor};

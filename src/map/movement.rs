@@ -136,17 +136,19 @@ pub struct Movement {
 impl Movement {
     /// Whether the step from a free cell (x, y) in direction `d` is allowed.
     pub fn allows(self, grid: &Grid, x: i64, y: i64, d: Direction) -> bool {
+        self.allows_where(d, |dx, dy| grid.is_free_at(x + i64::from(dx), y + i64::from(dy)))
+    }
+
+    /// The same on a map that is told cell by cell: whether the one by (dx, dy) from where the step begins is free.
+    pub fn allows_where(self, d: Direction, is_free: impl Fn(i32, i32) -> bool) -> bool {
         let (dx, dy) = offset(d);
-        let (dx, dy) = (i64::from(dx), i64::from(dy));
-        if !grid.is_free_at(x + dx, y + dy) {
+        if !is_free(dx, dy) {
             return false;
         }
         if d as usize >= DIRECTIONS {
-            return self.moves == Moves::Sixteen
-                && beside_far(d).iter().all(|&(bx, by)| grid.is_free_at(x + i64::from(bx), y + i64::from(by)));
+            return self.moves == Moves::Sixteen && beside_far(d).iter().all(|&(bx, by)| is_free(bx, by));
         }
-        !is_diagonal(d)
-            || (self.moves != Moves::Four && self.corner_rule.allows(grid.is_free_at(x + dx, y), grid.is_free_at(x, y + dy)))
+        !is_diagonal(d) || (self.moves != Moves::Four && self.corner_rule.allows(is_free(dx, 0), is_free(0, dy)))
     }
 }
 

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use super::grid::{Cell, Grid};
-use super::movement::{DIRECTIONS, Direction, beside_far, step_length};
+use super::movement::{DIRECTIONS, Direction, beside_far, offset, step_length};
 
 /// Largest factor of a cell: beyond it a wall is meant.
 pub const MAX_FACTOR: f32 = 1000.0;
@@ -21,6 +21,17 @@ pub enum Charge {
     /// The one that it enters, for its whole length; steps to neighbours alone. So SmacPlanner2D of Nav2 counts
     /// (`Node2D::getTraversalCost`, nav2_smac_planner).
     Entered,
+}
+
+/// Mean factor of the cells that a step in direction `d` crosses, by the factor of the cell that lies by (dx, dy) from its first one.
+#[inline]
+pub fn mean_factor(d: Direction, factor: impl Fn(i32, i32) -> f64) -> f64 {
+    let (dx, dy) = offset(d);
+    if (d as usize) < DIRECTIONS {
+        return (factor(0, 0) + factor(dx, dy)) * 0.5;
+    }
+    let [near, far] = beside_far(d).map(|(dx, dy)| factor(dx, dy));
+    (factor(0, 0) + near + far + factor(dx, dy)) * 0.25
 }
 
 /// What each cell of a map costs.
@@ -69,11 +80,7 @@ impl Weights {
         if self.charge == Charge::Entered {
             return length * self.of(to);
         }
-        if (d as usize) < DIRECTIONS {
-            return length * ((self.of(from) + self.of(to)) * 0.5);
-        }
-        let [near, far] = beside_far(d).map(|(dx, dy)| from.wrapping_add_signed(dy * self.width + dx));
-        length * ((self.of(from) + self.of(near) + self.of(far) + self.of(to)) * 0.25)
+        length * mean_factor(d, |dx, dy| self.of(from.wrapping_add_signed(dy * self.width + dx)))
     }
 
     /// Cost of the straight segment between the centres of two cells, in cells; of a step what [`Weights::step`] says.

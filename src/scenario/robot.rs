@@ -141,6 +141,12 @@ impl Robot {
         squared == 0 || libm::sqrt(f64::from(squared)) * resolution <= self.radius * (1.0 + SAME)
     }
 
+    /// How many cells of so many metres an obstacle lies away at most that blocks a cell or makes it dearer.
+    pub(super) fn reach(&self, resolution: f64) -> u32 {
+        let farthest = self.inflation.map_or(self.radius, |inflation| inflation.radius.max(self.radius));
+        libm::ceil(farthest / resolution) as u32
+    }
+
     /// A drawn map as the robot feels it: blocked where it does not fit; of a cell's own factor and that of inflation the larger one counts,
     /// as layers of a costmap are put together.
     pub(super) fn feels(&self, drawn: &Grid, resolution: f64) -> Grid {

@@ -233,6 +233,12 @@ impl ScenarioSpec {
         self.robot.map_or(squared == 0, |robot| robot.touches(squared, self.resolution))
     }
 
+    /// How far away, in cells, an obstacle is felt by the robot; none for a point.
+    #[cfg(feature = "whole")]
+    pub(crate) fn reach(&self) -> Option<u32> {
+        self.robot.map(|robot| robot.reach(self.resolution))
+    }
+
     /// A drawn map as the robot of a checked spec feels it: blocked where it does not fit, dearer where an obstacle is near.
     pub(crate) fn felt(&self, drawn: &Grid) -> Grid {
         #[cfg(feature = "whole")]

@@ -81,31 +81,62 @@ impl ScenarioSpec {
     }
 
     /// A place of the world as column and row in cells, the middles of cells being whole numbers; none where the map's place is not known.
-    pub fn to_place(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-        let world = self.world.as_ref()?;
-        let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
-        let (dx, dy) = (x - world.x, y - world.y);
-        let column = (cos * dx + sin * dy) / self.resolution;
-        let row = (cos * dy - sin * dx) / self.resolution;
-        Some([column - 0.5, f64::from(self.height) - row - 0.5])
+    pub fn to_place(&self, at: [f64; 2]) -> Option<[f64; 2]> {
+        let [right, above] = self.from_corner(at)?;
+        Some([right - 0.5, f64::from(self.height) - above - 0.5])
     }
 
-    /// The cell that holds a place of the world; none beside the map, or where the map's place is not known.
-    pub fn to_cell(&self, [x, y]: [f64; 2]) -> Option<Point> {
+    /// How many cells right of the lower left corner and above it a place of the world lies, along the map's own axes.
+    fn from_corner(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let world = self.world.as_ref()?;
         let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
         let (dx, dy) = (x - world.x, y - world.y);
-        let column = libm::floor((cos * dx + sin * dy) / self.resolution);
-        let row = f64::from(self.height) - 1.0 - libm::floor((cos * dy - sin * dx) / self.resolution);
-        let within = (0.0..f64::from(self.width)).contains(&column) && (0.0..f64::from(self.height)).contains(&row);
-        within.then(|| Point::new(column as u32, row as u32))
+        Some([(cos * dx + sin * dy) / self.resolution, (cos * dy - sin * dx) / self.resolution])
     }
+
+    /// The cell that holds a place of the world; none beside the map, or where the map's place is not known. A place on the edge of two cells, or
+    /// so near to it that decimal numbers cannot tell, belongs to the one to the right, or above.
+    pub fn to_cell(&self, at: [f64; 2]) -> Option<Point> {
+        let [right, above] = self.from_corner(at)?;
+        let (column, above) = (number_of(right, self.width)?, number_of(above, self.height)?);
+        Some(Point::new(column, self.height - 1 - above))
+    }
+}
+
+/// In which of `count` cells in a row a place lies that is so many cells from their beginning; none beside them. In binary (-0.5 + 2.8) / 0.05 is
+/// less than 46.
+fn number_of(cells: f64, count: u32) -> Option<u32> {
+    /// Cells from an edge within which a place lies on it.
+    const ON_EDGE: f64 = 1e-6;
+    let beyond = libm::floor(cells + ON_EDGE);
+    // Beyond the last edge there is no cell.
+    let number = if beyond < f64::from(count) { beyond } else { libm::floor(cells) };
+    (0.0..f64::from(count)).contains(&number).then_some(number as u32)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::map::Grid;
+
+    #[test]
+    fn on_an_edge_the_cell_beyond_counts_as_in_decimal_numbers() {
+        let grid = Grid::open(120, 100).unwrap();
+        let mut spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(3, 2));
+        (spec.resolution, spec.world) = (0.05, Some(World::at(-2.8, -2.8)));
+        assert_eq!(spec.to_cell([-0.5, -0.5]), Some(Point::new(46, 53)));
+        // Each edge of a cell by its decimal number, whatever its neighbours' bits are.
+        for k in 0..120 {
+            let x = format!("{:.2}", -2.8 + 0.05 * f64::from(k)).parse().unwrap();
+            assert_eq!(spec.to_cell([x, -2.8]), Some(Point::new(k, 99)), "{x}");
+        }
+        assert_eq!(spec.to_cell([-0.500_01, -0.5]).map(|p| p.x), Some(45), "a hundredth of a millimetre is no rounding");
+        // The map's own border: nothing lies beyond the last edge, and a rounding does not throw a place off the first one.
+        let inside = 1e-9;
+        assert_eq!(spec.to_cell([3.2 - inside, 2.2 - inside]), Some(Point::new(119, 0)));
+        assert_eq!(spec.to_cell([3.2 + inside, 0.0]), None);
+        assert_eq!(spec.to_cell([-2.8 - inside, -2.8]), Some(Point::new(0, 99)));
+    }
 
     #[test]
     fn cells_go_to_the_world_and_back() {

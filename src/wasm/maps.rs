@@ -218,11 +218,11 @@ pub fn export_ros(spec: Ts<ScenarioSpec>, cells: &Bytes, image: &Text) -> Answer
     let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
     let grid = grid(spec.width, spec.height, cells, [None, None])?;
     let scenario = Scenario::new(grid, ScenarioSpec { terrain: None, ..spec }).map_err(throw)?;
-    let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.drawn, &scenario.spec, &image.read("image")?);
+    let formats::ros::RosMap { yaml, pgm } = formats::ros::write(&scenario.drawn, None, &scenario.spec, &image.read("image")?);
     Ok(object(&RosFiles { yaml, pgm }))
 }
 
-pub(super) fn imported(formats::Imported { kind, grid, spec, notices }: formats::Imported) -> Ts<Imported> {
+pub(super) fn imported(formats::Imported { kind, grid, spec, notices, .. }: formats::Imported) -> Ts<Imported> {
     let (heights, factors) = (height_bytes(&grid), factor_bytes(&grid));
     object(&Imported { kind, spec, cells: grid.to_bytes(), heights, factors, warnings: notices })
 }

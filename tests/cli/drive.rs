@@ -94,9 +94,77 @@ fn drive_refuses_by_name() {
     refused(&["astar", "--sight", "-2"], &["drive.sight = -2"]);
     refused(&["astar", "--drive", "broken.json"], &["broken.json", "speed"]);
     refused(&["astar", "--to", "4,1", "--to", "2,0"], &["goals = 2", "one goal"]);
+    refused(&["astar", "--smooth"], &["--smooth has no effect", "plan --smooth"]);
+    refused(&["astar", "--smooth=2"], &["--smooth has no effect"]);
+    refused(&["astar", "--obstacle", "1m,1m:2m,1m"], &["does not say where it lies"]);
+    refused(&["astar", "--format", "csv"], &["path-csv", "nav-msgs"]);
+    refused(&["astar", "--format", "geojson"], &["the map's place in the world is not known", "path-json"]);
     folder.write("shut.json", &scenario(r#"{"changes":[{"at_step":3,"blocked":[[4,1]]}]}"#));
     folder
         .run(&["drive", "shut.json", "--planner", "astar"])
         .ends(2)
         .says(&["drive.changes = (4, 1)", "every goal free in the end"]);
+}
+
+#[test]
+fn costs_near_obstacles_are_driven_and_told() {
+    let folder = Folder::with_map("drive-costs");
+    folder.write("room.csv", "0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n");
+    let costs = ["--robot-radius", "0.4", "--cost", "nav2-smac-2d", "--inflation-radius", "2", "--cost-scaling", "0.5"];
+    let drive = |more: &[&str]| {
+        let args =
+            ["drive", "room.csv", "--planner", "d-star-lite", "--from", "0,1", "--to", "6,1", "--obstacle", "3,2,end=stay"];
+        folder.run(&[&args[..], &costs, more].concat()).ends(0)
+    };
+    drive(&[]).says(&["cost", "every move counts its length", "times as much"]);
+    let json = drive(&["--format", "json"]).json();
+    assert_eq!(schema::violations(&schema::load("drive"), &json), Vec::<String>::new());
+    let (cost, length) = (json["cost"].as_f64().expect("a cost"), json["length"].as_f64().expect("a length"));
+    assert!(cost > length && length >= 6.0, "{json}");
+    assert_eq!((json["steps"][0]["cost"].as_f64(), json["ratio"].as_f64()), (Some(0.0), Some(1.0)), "nothing else moves");
+    // The same ground as a plan on the map with the obstacle drawn as a wall.
+    folder.write("wall.csv", "0,0,0,0,0,0,0\n0,0,0,0,0,0,0\n0,0,0,1,0,0,0\n");
+    let args = ["plan", "wall.csv", "--planner", "astar", "--from", "0,1", "--to", "6,1", "--format", "json"];
+    let plan = folder.run(&[&args[..], &costs].concat()).ends(0).json();
+    assert!((plan["metrics"]["cost"].as_f64().expect("a cost") - cost).abs() < 1e-9, "{plan}");
+}
+
+#[test]
+fn a_drive_tells_when_it_arrives() {
+    let folder = Folder::with_map("drive-time");
+    folder.write("still.json", &scenario("{}"));
+    let visit = ["drive", "still.json", "--planner", "d-star-lite", "--obstacle", "2,1:2,0,each=3,end=leave"];
+    let time = |more: &[&str]| {
+        let json = folder.run(&[&visit[..], &["--format", "json"], more].concat()).ends(0).json();
+        assert_eq!((&json["waits"], &json["turns"]), (&json!(3), &json!(0)));
+        json["travel_time"].as_f64().expect("seconds")
+    };
+    // Four moves and three waits of a metre each.
+    assert_eq!([time(&[]), time(&["--speed", "2"]), time(&["--speed", "2", "--resolution", "0.5"])], [7.0, 3.5, 1.75]);
+    folder.run(&visit).ends(0).says(&["arrival time", "7.00 s"]);
+    folder.write("corner.csv", "0,0,0\n1,1,0\n1,1,0\n");
+    let corner = ["drive", "corner.csv", "--planner", "astar", "--from", "0,0", "--to", "2,2", "--seconds-per-turn", "1.5"];
+    folder.run(&corner).ends(0).says(&["turns", "5.50 s"]);
+}
+
+#[test]
+fn a_way_that_was_driven_is_written_for_other_programs() {
+    let folder = Folder::with_map("drive-path");
+    folder.write("still.json", &scenario("{}"));
+    let visit = ["drive", "still.json", "--planner", "d-star-lite", "--obstacle", "2,1:2,0,each=3,end=leave", "--format"];
+    let written = |format: &str| folder.run(&[&visit[..], &[format]].concat()).ends(0).out;
+    assert_eq!(written("path-csv"), "x,y,x_m,y_m\n0,1,0.5,0.5\n1,1,1.5,0.5\n2,1,2.5,0.5\n3,1,3.5,0.5\n4,1,4.5,0.5\n");
+    for format in ["path-json", "nav-msgs", "svg"] {
+        folder.write("way", &written(format));
+        folder.run(&["check", "way", "--map", "still.json"]).ends(0).says(&["4.0000"]);
+    }
+    folder.write("placed.json", &scenario("{}").replace(r#""width""#, r#""world":{"x":0,"y":0,"frame":"EPSG:25832"},"width""#));
+    let line = folder.run(&["drive", "placed.json", "--planner", "astar", "--format", "geojson"]).ends(0).json();
+    assert_eq!(line["geometry"]["coordinates"].as_array().map(Vec::len), Some(5));
+    // Walls that are there no longer when it passes, and a robot that gives up.
+    folder.write("opens.json", &scenario(r#"{"changes":[{"at_step":1,"blocked":[[2,1]]},{"at_step":3,"freed":[[2,1]]}]}"#));
+    let opens = ["drive", "opens.json", "--planner", "astar", "--format", "path-csv"];
+    folder.run(&opens).ends(0).says(&["4,1,4.5,0.5"]);
+    let stuck = folder.run(&[&opens[..], &["--patience", "1"]].concat()).ends(1);
+    assert_eq!(stuck.says(&["the robot gave up; this is its way until then"]).out, "x,y,x_m,y_m\n0,1,0.5,0.5\n1,1,1.5,0.5\n");
 }

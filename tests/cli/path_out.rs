@@ -99,3 +99,25 @@ fn another_version_is_refused_and_nothing_is_turned() {
     }
     folder.run(&["plan", "path", "--planner", "astar"]).ends(2).says(&["this is a path, not a map"]);
 }
+
+#[test]
+fn metres_lie_in_the_same_cells_of_a_piece_of_a_map() {
+    let Some(data) = std::env::var_os("FORMICARIUM_DATA").map(std::path::PathBuf::from) else {
+        return println!("skipped: FORMICARIUM_DATA is not set, so there is no map of TurtleBot3");
+    };
+    let folder = Folder::with_map("path-crop");
+    let whole = data.join("rosmap/turtlebot3_map.yaml").display().to_string();
+    folder.run(&["convert", &whole, "crop.yaml", "--crop", "140,130,120,110"]).ends(0);
+    let plan = |map: &str, more: &[&str]| {
+        let args = ["plan", map, "--planner", "astar", "--from", "-2m,-0.5m", "--to", "2m,0.5m", "--format", "json"];
+        folder.run(&[&args[..], more].concat()).ends(0)
+    };
+    let places = |map: &str| {
+        let json = plan(map, &[]).json();
+        (json["optimum"].as_f64().expect("an optimum"), json["path"].as_array().map(Vec::len))
+    };
+    assert_eq!(places("crop.yaml"), places(&whole));
+    let unknown = |map: &str| plan(map, &[]).err;
+    assert!(unknown(&whole).contains("138722 unknown"));
+    assert!(!unknown("crop.yaml").contains(" 0 unknown"), "what nobody has looked at is no wall in a ROS map either");
+}

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use formicarium::drive::{Did, Drive, DriveParams, Driver, End, Replan, Stuck};
 use formicarium::map::{CornerRule, Movement, Moves, Point};
 use formicarium::params::Values;
-use formicarium::scenario::{AtEnd, DriveChange, DriveSpec, Inflation, Robot, Scenario, ScenarioSpec, Track};
+use formicarium::scenario::{AtEnd, DriveChange, DriveSpec, Robot, Scenario, ScenarioSpec, Track};
 
 use super::common::drawn;
 use super::moving::{track, with};
@@ -90,11 +90,6 @@ fn a_robot_with_a_radius_keeps_it_and_what_moves_keeps_away_from_it() {
     let drive = driver.drive();
     assert_eq!(drive.end, Some(End::Arrived), "once the visitor has left by its timetable");
     assert!(drive.waits > 0 && drive.moves >= 6, "{drive:?}");
-    let inflating = Robot { radius: 0.5, inflation: Some(Inflation::NAV2) };
-    let spec = ScenarioSpec { robot: Some(inflating), ..moving.spec.clone() };
-    let costs = Arc::new(Scenario::new(moving.drawn.clone(), spec).expect("usable"));
-    let refused = Driver::new(&costs, "astar", None, &Values::new(), 1, patient(1)).err().expect("costs would move");
-    assert!(refused.to_string().contains("robot.inflation"), "{refused}");
 }
 
 #[test]

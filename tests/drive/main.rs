@@ -5,6 +5,7 @@ mod by_hand;
 mod clairvoyant;
 #[path = "../common/mod.rs"]
 mod common;
+mod dear;
 mod every_drive;
 mod moving;
 mod planners;

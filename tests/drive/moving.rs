@@ -67,7 +67,7 @@ fn square(track: &Track, centre: Point, grid: &Grid) -> Vec<Point> {
 
 /// The map at a step with the robot on a cell.
 pub fn map_at(scenario: &Scenario, step: u32, robot: Point) -> Grid {
-    let (nothing, mut grid) = (DriveSpec::default(), scenario.grid.clone());
+    let (nothing, mut grid) = (DriveSpec::default(), scenario.drawn.clone());
     let drive = scenario.spec.drive.as_ref().unwrap_or(&nothing);
     for change in drive.changes.iter().filter(|change| change.at_step <= step) {
         change.blocked.iter().for_each(|&p| grid.set_blocked(grid.cell(p), true));
@@ -75,8 +75,9 @@ pub fn map_at(scenario: &Scenario, step: u32, robot: Point) -> Grid {
     }
     for track in &drive.tracks {
         let before = timetable(track, step);
-        let covers = |place: &Option<Point>| place.is_some_and(|centre| square(track, centre, &grid).contains(&robot));
-        let place = before.iter().rev().find(|place| !covers(place)).copied().flatten();
+        let touches = |at: &Point| at == &robot || scenario.spec.robot.is_some_and(|one| at.distance(robot) <= one.radius);
+        let touched = |place: &Option<Point>| place.is_some_and(|centre| square(track, centre, &grid).iter().any(touches));
+        let place = before.iter().rev().find(|place| !touched(place)).copied().flatten();
         let cells = place.map_or_else(Vec::new, |centre| square(track, centre, &grid));
         cells.into_iter().for_each(|p| grid.set_blocked(grid.cell(p), true));
     }

@@ -153,7 +153,11 @@ fn a_path_message_is_what_ros_prints() {
     let (named, path) = small("odom/2 \"x\": y");
     let text = write(&named, &path, PathKind::Steps, PathFormat::NavMsgs);
     assert!(text.contains(r#"frame_id: "odom/2 \"x\": y""#));
-    assert_eq!(read(&text, &scenario.spec).notices, [], "the map names no frame");
+    let kinds = |text: &str| read(text, &scenario.spec).notices.into_iter().map(|n| n.kind).collect::<Vec<_>>();
+    assert_eq!(kinds(&text), ["path-frame-unnamed"], "the map names no frame, and map_server calls it `map`");
+    for usual in ["map", "/map", ""] {
+        assert_eq!(kinds(&text.replace(r#""odom/2 \"x\": y""#, &format!("{usual:?}"))), Vec::<String>::new(), "{usual}");
+    }
     let other = read(&text, &small("EPSG:25832").0.spec);
     assert_eq!(other.notices.iter().map(|n| n.kind.as_str()).collect::<Vec<_>>(), ["path-frame"]);
 }
@@ -168,7 +172,7 @@ fn a_map_without_a_place_lies_at_zero_and_that_is_said() {
     let back = read(&file.text, &plain.spec);
     assert_eq!(back.notices.iter().map(|n| n.kind.as_str()).collect::<Vec<_>>(), ["path-map-unplaced"]);
     // The ROS map of it lies there too.
-    let ros = formicarium::formats::ros::write(&plain.grid, &plain.spec, "a.pgm");
+    let ros = formicarium::formats::ros::write(&plain.grid, None, &plain.spec, "a.pgm");
     assert!(ros.yaml.contains("origin: [0.0, 0.0, 0.0]"));
     let json: Value = serde_json::from_str(&PathFormat::PathJson.write(&path).unwrap().text).unwrap();
     assert_eq!((&json["frame"], &json["metres"][0]), (&Value::Null, &json!([0.5, 0.5])));

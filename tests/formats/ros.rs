@@ -1,8 +1,8 @@
 //! Maps of ROS: counts and corners as an independent reading in Python gives them, and what is refused by name.
 
 use formicarium::error::ErrorReport;
-use formicarium::formats::{Companion, Imported, Kind, ReadOptions, import_with, ros, sniff};
-use formicarium::map::Point;
+use formicarium::formats::{Companion, Imported, Kind, ReadOptions, TerrainOptions, import_with, ros, sniff};
+use formicarium::map::{Point, Window};
 
 use super::{data, refused, rows};
 
@@ -53,11 +53,30 @@ fn published_maps_have_the_cells_and_corners_of_an_independent_reading() {
             assert!((found - listed).abs() < 1e-6, "{name}: {ends:?}");
         }
         // Written and read again: the same cells, the same place.
-        let files = ros::write(&map.grid, &map.spec, "again.pgm");
+        let files = ros::write(&map.grid, map.unknown.as_ref(), &map.spec, "again.pgm");
         let again = read(&files.yaml, &files.pgm, &ReadOptions::default()).unwrap();
         assert_eq!((&again.grid, again.spec.resolution), (&map.grid, map.spec.resolution), "{name}");
         assert_eq!(again.spec.world, map.spec.world, "{name}");
+        assert_eq!((counts(&again), &again.unknown), (counts(&map), &map.unknown), "{name}: unknown cells stay unknown");
     }
+}
+
+#[test]
+fn a_piece_of_a_map_keeps_what_is_unknown_unless_it_is_asked_to_be_free() {
+    let description = LAB;
+    let picture = pgm(&[0, 205, 254, 254, 205, 254]);
+    let map = read(description, &picture, &ReadOptions::default()).unwrap();
+    let window = Window { x: 1, y: 0, width: 5, height: 1 };
+    let piece = map.clone().piece(TerrainOptions { crop: Some(window), size: None }).unwrap();
+    let gray = |map: &Imported| {
+        let pgm = ros::write(&map.grid, map.unknown.as_ref(), &map.spec, "a.pgm").pgm;
+        pgm[pgm.len() - map.grid.len()..].to_vec()
+    };
+    assert_eq!(gray(&map), [0, 205, 254, 254, 205, 254]);
+    assert_eq!(gray(&piece), [205, 254, 254, 205, 254]);
+    let free = ReadOptions { unknown: ros::Unknown::Free, ..ReadOptions::default() };
+    assert_eq!(gray(&read(description, &picture, &free).unwrap()), [0, 254, 254, 254, 254, 254]);
+    assert_eq!(gray(&map.invert().unwrap()), [254, 254, 0, 0, 254, 0], "what was blocked is free, whatever it was");
 }
 
 #[test]

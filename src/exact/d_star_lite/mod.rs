@@ -9,8 +9,9 @@
 //! | `ComputeShortestPath`, one pass of its loop | [`DStarLite::expand`] |
 //! | `Main`, moving and changed edges | [`Planner::adapt`] |
 //!
-//! It searches from the goal to the start. When walls change, or the start moves, it goes on with what it knows: only cells whose distance
-//! to the goal has changed, and lies on the way, are expanded again. Every step is as long as the scenario says, in its own direction.
+//! It searches from the goal to the start. When walls change, with them what cells near them cost, or the start moves, it goes on with what
+//! it knows: only cells whose distance to the goal has changed, and lies on the way, are expanded again. Every step is as long as the scenario
+//! says, in its own direction.
 //!
 //! What the paper leaves to exact numbers: of cells on one straight way sums and estimates are equal on paper and differ in the last bit
 //! here, and a cell that is passed over for it would leave a wrong way standing. So estimates are a millionth smaller ([`SHARE`]): still

@@ -45,16 +45,22 @@ impl WorldPath {
         places.iter().any(|&[x, y]| is_off(x) || is_off(y)).then_some(places)
     }
 
-    /// What is worth saying of the path and a map: no place, or another frame; a ROS map alone names none.
+    /// What is worth saying of the path and a map: no place, or another frame; the description of a ROS map names none, and map_server
+    /// publishes it as `map`.
     pub fn notices(&self, spec: &ScenarioSpec) -> Vec<Notice> {
         let Some(world) = &spec.world else {
             let message = "the map's place in the world is not known: the path's metres count from its lower left corner";
             return vec![Notice::new("path-map-unplaced", message)];
         };
         let (path, map) = (&self.frame, &world.frame);
-        let differ = !path.is_empty() && !map.is_empty() && !path.eq_ignore_ascii_case(map);
+        let differ = |map: &str| !path.is_empty() && !path.trim_start_matches('/').eq_ignore_ascii_case(map);
+        if map.is_empty() {
+            let message =
+                || format!("the path is in the frame {path}, and the map names none: their metres were taken for the same");
+            return differ("map").then(|| Notice::new("path-frame-unnamed", message()).with("path", path)).into_iter().collect();
+        }
         let message = || format!("the path is in the frame {path}, the map in {map}: their metres were taken for the same");
-        differ.then(|| Notice::new("path-frame", message()).with("path", path).with("map", map)).into_iter().collect()
+        differ(map).then(|| Notice::new("path-frame", message()).with("path", path).with("map", map)).into_iter().collect()
     }
 }
 

@@ -44,19 +44,28 @@ impl<'a> PlannedPath<'a> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(scenario: &'a Scenario, path: &[Cell], kind: PathKind) -> Option<Self> {
-        let (grid, spec) = (&scenario.grid, &scenario.spec);
-        let levels = scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect());
-        let cells: Vec<Point> = scenario.cells_of(path).into_iter().map(|cell| grid.point(cell)).collect();
-        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
         let kind = match kind {
-            _ if levels.is_some() => "slices",
+            _ if scenario.by_slices().is_some() => "slices",
             PathKind::Steps => "steps",
             PathKind::Polyline => "polyline",
         };
+        let Metrics { length, length_metres, .. } = if path.is_empty() { return None } else { Metrics::of(scenario, path) };
+        Some(Self::measured(scenario, path, kind, [length, length_metres]).smoothed(scenario, path))
+    }
+
+    /// The way of a robot by steps, of this length in cells. Where walls change and obstacles move it may pass over cells that are blocked on
+    /// the scenario's own map.
+    pub fn driven(scenario: &'a Scenario, way: &[Cell], length: f64) -> Self {
+        Self::measured(scenario, way, "steps", [length, length * scenario.spec.resolution])
+    }
+
+    fn measured(scenario: &'a Scenario, path: &[Cell], kind: &'static str, [length, length_metres]: [f64; 2]) -> Self {
+        let (grid, spec) = (&scenario.grid, &scenario.spec);
+        let levels = scenario.by_slices().map(|slices| path.iter().map(|&place| slices.at(place).2).collect());
+        let cells: Vec<Point> = scenario.cells_of(path).into_iter().map(|cell| grid.point(cell)).collect();
         let centres: Vec<[f64; 2]> = cells.iter().map(|at| [f64::from(at.x), f64::from(at.y)]).collect();
         let metres = in_metres(spec, &centres, &scenario.altitudes(path));
-        let planned = Self { grid, spec, kind, cells, levels, curve: None, metres, length, length_metres };
-        Some(planned.smoothed(scenario, path))
+        Self { grid, spec, kind, cells, levels, curve: None, metres, length, length_metres }
     }
 
     /// The same as the curve that the vehicle drives, where it has a rule of smoothing and a curve is free.

@@ -144,6 +144,7 @@ impl Placed {
         let rows = self.states.height;
         let (states, grown, shrunk) = self.states.shrunk(options.cells)?;
         let (grid, counted) = states.grid(options.unknown, options.costs)?;
+        let unknown = states.unknown(options.unknown)?;
         let mut notices = self.notices;
         notices.extend(counted);
         notices.extend(shrunk);
@@ -153,6 +154,7 @@ impl Placed {
         let below = f64::from(states.height * grown - rows) * self.resolution;
         imported.spec.resolution = resolution;
         imported.spec.world = Some(self.world.moved(0.0, -below));
+        imported.unknown = unknown;
         Ok(imported)
     }
 }

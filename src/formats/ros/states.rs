@@ -107,6 +107,18 @@ impl States {
         Ok((grid, vec![counted, self.tell_of_costs(costs)]))
     }
 
+    /// The unknown cells as the blocked ones of a grid, where they count as walls; none where there are none.
+    ///
+    /// # Errors
+    /// [`crate::error::ScenarioError::MapSize`].
+    pub fn unknown(&self, unknown: Unknown) -> Result<Option<Grid>, FormatError> {
+        if unknown == Unknown::Free || !self.cells.contains(&UNKNOWN) {
+            return Ok(None);
+        }
+        let cells: Vec<u8> = self.cells.iter().map(|&state| u8::from(state == UNKNOWN)).collect();
+        Ok(Some(Grid::from_bytes(self.width, self.height, &cells)?))
+    }
+
     /// How many cells cost more than their length.
     fn tell_of_costs(&self, costs: Costs) -> Notice {
         let dear = || self.cells.iter().filter(|&&state| (1..UNKNOWN).contains(&state));

@@ -51,6 +51,7 @@ export const zhCNRemarks = {
     'path-tight': '曲线的曲率超过每米 {{bound}}：没有更宽的转弯可走。',
     'path-no-curve': '没有可走的平滑曲线：路径按规划结果写出。',
     'path-frame': '路径的坐标系是 {{path}}，地图的是 {{map}}：二者的米制坐标按相同处理。',
+    'path-frame-unnamed': '路径的坐标系是 {{path}}，地图没有说明坐标系：二者的米制坐标按相同处理。',
     'geojson-crs':
       '坐标属于 EPSG:{{code}}，由 GeoJSON 2008 的成员 crs 给出：RFC 7946 只有 WGS 84 的度数，不读 crs 的程序会把线放错位置。',
     'ros-first-message': '文件中有多条消息：读取了第一条。',
