@@ -584,7 +584,9 @@ test.describe('in Chinese', () => {
     const words = (await dialog(page).textContent()) ?? ''
     const latin = words.match(/[A-Za-z_]{2,}/g) ?? []
     expect(
-      latin.filter((word) => !/^(ROS|Nav|SmacPlanner|NavFn|small|yaml|image|resolution|origin)$/.test(word)),
+      latin.filter(
+        (word) => !/^(ROS|Nav|SmacPlanner|NavFn|small|yaml|image|resolution|origin)$/.test(word),
+      ),
     ).toEqual([])
   })
 })

@@ -78,12 +78,12 @@ fn line(from: Point, to: Point) -> Vec<Point> {
 }
 
 fn joined(gaps: u64, kind: PathKind) -> Notice {
-    let (id, what) = match kind {
-        PathKind::Steps => ("path-joined", "places that are further apart than a step"),
-        PathKind::Polyline => ("path-polyline-joined", "corners of a polyline"),
+    let of = |what: &str| format!("{what} were joined by the cells between them ({gaps} times): its length counts those steps");
+    let notice = match kind {
+        PathKind::Steps => Notice::new("path-joined", of("places that are further apart than a step")),
+        PathKind::Polyline => Notice::new("path-polyline-joined", of("corners of a polyline")),
     };
-    let message = format!("{what} were joined by the cells between them ({gaps} times): its length counts those steps");
-    Notice::new(id, message).with("count", gaps)
+    notice.with("count", gaps)
 }
 
 #[cfg(test)]

@@ -127,6 +127,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       picture: '图片，按阈值读取（.png、.jpg、.webp、.bmp、.pgm、.pbm、.ppm）',
       ros: 'ROS 地图：描述文件与图片一起（.yaml 加 .pgm 或 .png）；OccupancyGrid 消息（.yaml）',
       raster: '高程：ESRI ASCII 栅格（.asc）、GeoTIFF（.tif）、SRTM（.hgt）、表格（.csv）',
+      path: '所示地图上的路径：格子或米（.csv、.json）、ROS Path 消息（.yaml）、GeoJSON 的线（.geojson）',
       order: '待定次序的地点：TSPLIB 实例（.tsp），可附带巡回（.tour）',
       json: 'Formicarium 场景、会话或比较（.json）',
       archive: '以上任何文件的压缩包（.zip、.gz）或文件夹',
@@ -273,6 +274,10 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     tooManyFiles: '文件超过 {{most}} 个：一个也没有打开。',
     tooManyFilesHint: '请只拖入含有地图的文件夹。',
     oneOrder: '一次只打开一个次序问题；未打开：{{names}}',
+    onePath: '一次只打开一条路径，且须先有其地图；未打开：{{names}}',
+    pathBrought: '{{name}} 现在是 {{map}} 上的手绘路径。',
+    pathTooLong: '路径有 {{count}} 格；手绘路径至多 {{most}} 格。',
+    pathTooLongHint: '请只打开其中一段。',
     leftOut: '格式未知，未打开：{{names}}',
     tooManyRuns: '{{name}} 中的运行超过页面所能读取的：{{size}} MB',
     tooManyRunsHint: {

@@ -55,7 +55,7 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
       cost: '最小代价',
     },
     proving: '{{what}}：求证中…',
-    refused: '{{what}}：无法求得',
+    refused: '{{what}}：无，因为此处无法规划',
     unknown: '{{what}}：此规模下未知',
     unreachable: '起点与终点之间没有通路',
     goalUnreachable: '至少有一个目标无法到达',

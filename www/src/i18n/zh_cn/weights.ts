@@ -28,6 +28,7 @@ export const zhCNWeights: DictionaryShape<typeof enWeights> = {
   noRoom: { start: '机器人在起点处放不下。', goal: '机器人在某个目标处放不下。' },
   smaller: '半径 {{radius}} 米',
   move: '移到最近的放得下的格子',
+  needsRoom: '要让机器人放得下吗？',
   orSmaller: '也可以在“尺寸与移动规则”中把机器人改小。',
   willMove: '放不下的会移到最近的放得下的格子。',
   nowhere: '没有机器人放得下的格子。',
