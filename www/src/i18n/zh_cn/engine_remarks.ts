@@ -293,6 +293,11 @@ export const zhCNRemarks = {
       hint: '移动或删除其中一个',
     },
     'goal-on-start': { message: '起点位于 ({{x}}, {{y}})', hint: '请选择另一格' },
+    'start-on-goal': { message: '目标位于 ({{x}}, {{y}})', hint: '请选择另一格' },
+    'place-in-metres': {
+      message: '“{{value}}”不是位置',
+      hint: '请写列与行，例如 11, 4，或米，例如 2m, 0.5m',
+    },
     place: { message: '“{{value}}”不是位置', hint: '请写列与行，例如 11, 4' },
     quantity: {
       message: '不能使用 {{field}} = {{value}}',
