@@ -230,7 +230,7 @@ test.describe('a robot', () => {
     await page.getByTestId('inflation-nav2-navfn').click()
     await page.getByTestId('inflation-cost_scaling').fill('0')
     await expect(page.getByTestId('resize-dialog').getByRole('alert')).toContainText(/above 0/i)
-    await expectClean(page, 'Size and moves with a robot')
+    await expectClean(page, 'Size, moves and robot with a robot')
   })
 
   test('comes back from a link', async ({ page, browser }) => {

@@ -1,4 +1,4 @@
-/** How a path is to drive, in "Size and moves": a smooth curve over it, and what driving costs. */
+/** How a path is to drive, in "Size, moves and robot": a smooth curve over it, and what driving costs. */
 import '../styles/raster.css'
 import type { EnergyRule, Vehicle } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'

@@ -1,4 +1,4 @@
-/** The robot in "Size and moves": how much room it needs, and what cells near obstacles cost it. */
+/** The robot in "Size, moves and robot": how much room it needs, and what cells near obstacles cost it. */
 import '../styles/raster.css'
 import type { CostRule, Inflation, Robot } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'

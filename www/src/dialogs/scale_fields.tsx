@@ -1,4 +1,4 @@
-/** How large cells are, how fast one moves, and in which unit lengths are read: a group of “Size and moves”. */
+/** How large cells are, how fast one moves, and in which unit lengths are read: a group of “Size, moves and robot”. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'
 import { t } from '../i18n/dialogs'

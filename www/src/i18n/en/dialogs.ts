@@ -103,7 +103,7 @@ export const enDialogs = {
       import: 'Import',
       export: 'Export',
       generate: 'Generate a map',
-      shape: 'Size and moves',
+      shape: 'Size, moves and robot',
       shapeTerrain: 'Size, moves and terrain',
     },
     generateNow: 'Generate',

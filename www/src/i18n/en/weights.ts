@@ -32,7 +32,7 @@ export const enWeights = {
   smaller: 'Radius {{radius}} m',
   move: 'Move to the nearest cell that fits',
   needsRoom: 'Shall the robot get room?',
-  orSmaller: 'Or make the robot smaller in “Size and moves”.',
+  orSmaller: 'Or make the robot smaller in “Size, moves and robot”.',
   willMove: 'What does not fit moves to the nearest cell that does.',
   nowhere: 'There is no cell in which the robot fits.',
   moved: 'Moved to where the robot fits',

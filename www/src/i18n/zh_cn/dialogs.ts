@@ -96,7 +96,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
       import: '导入',
       export: '导出',
       generate: '生成地图',
-      shape: '尺寸与移动规则',
+      shape: '尺寸、移动与机器人',
       shapeTerrain: '尺寸、移动与地形',
     },
     generateNow: '生成',

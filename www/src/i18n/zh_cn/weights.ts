@@ -29,7 +29,7 @@ export const zhCNWeights: DictionaryShape<typeof enWeights> = {
   smaller: '半径 {{radius}} 米',
   move: '移到最近的放得下的格子',
   needsRoom: '要让机器人放得下吗？',
-  orSmaller: '也可以在“尺寸与移动规则”中把机器人改小。',
+  orSmaller: '也可以在“尺寸、移动与机器人”中把机器人改小。',
   willMove: '放不下的会移到最近的放得下的格子。',
   nowhere: '没有机器人放得下的格子。',
   moved: '已移到机器人放得下的地方',
