@@ -21,7 +21,7 @@ export function offerRoom(): void {
     offered = null
     if (!notice || mapIsFixed.peek()) return
     const action = { label: t('weights.move'), run: () => void moveEnds().catch(notifyError) }
-    offered = notify('info', t('weights.needsRoom'), { hint: t('weights.orSmaller'), action })
+    offered = notify('warning', t('weights.needsRoom'), { hint: t('weights.orSmaller'), action })
   })
 }
 
