@@ -221,6 +221,9 @@ export const enDialogs = {
     costsHint:
       'Cells between free and occupied cost more than their length, as the planner counts.',
     noCostsHint: 'Thresholds tell free cells from walls.',
+    extent: 'Part',
+    extents: { all: 'All of it', known: 'Crop to what is known' },
+    extentHint: 'Cropped, it stays where it is in the world, with one row of unknown cells around.',
     unknownNotes: {
       blocked: 'Where no sensor has looked, nothing goes: as a careful robot plans.',
       free: 'Where no sensor has looked, paths may lead: as a robot that explores plans.',

@@ -211,6 +211,9 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     multiplier: '代价行进倍数',
     costsHint: '介于空闲与占用之间的格子按该规划器的算法，代价高于其长度。',
     noCostsHint: '由阈值区分空闲格子与墙。',
+    extent: '范围',
+    extents: { all: '全部', known: '裁剪到已知部分' },
+    extentHint: '裁剪后在世界中的位置不变，四周留一圈未知格。',
     unknownNotes: {
       blocked: '传感器没有看到的地方不能通行：谨慎的机器人这样规划。',
       free: '路径可以通过传感器没有看到的地方：探索中的机器人这样规划。',
