@@ -63,6 +63,20 @@ test('cells of a table become the path by hand, with its length, its gap and a w
   await expect.poll(() => drawnOf(race)).toBeUndefined()
 })
 
+test('two columns of bare numbers are cells where they lie on the map, and nothing else', async ({
+  page,
+}) => {
+  const race = await openYard(page)
+  await race.importByButton('own.csv', `${AROUND.map(String).join('\n')}\n`)
+  await expect(standing(page)).toContainText('Complete: length 12.00 m')
+  expect((await drawnOf(race))?.path).toEqual(AROUND)
+  // Walls are a map, and beside the map it is what it was before.
+  await race.importByButton('walls.csv', '0,1\n0,0\n1,0\n')
+  await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(2)
+  await race.importByButton('heights.csv', '70,80\n75,90\n60,61\n')
+  await expect(page.getByTestId('terrain-dialog')).toBeVisible()
+})
+
 test('what the page has saved it opens again', async ({ page }) => {
   const race = await openYard(page)
   await page.getByTestId('planner-1').selectOption('astar')

@@ -11,7 +11,7 @@ import type { TerrainPart } from '../model/tool_calls'
 import type { ToldByLink } from '../share/comparison_link'
 import { linkIn } from '../share/link_in_text'
 import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
-import { openPath } from './brought_path'
+import { openPath, withBarePaths } from './brought_path'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
@@ -208,7 +208,9 @@ function nothingWithin(name: string): EngineError {
 
 /** Whether there was anything to open. */
 async function openFound(turn: Turn, found: Looked['found'], opening: Together): Promise<boolean> {
-  const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
+  const files = await withBarePaths(
+    found.filter((file): file is FoundFile => file.kind !== 'carrier'),
+  )
   const named = await picturesNamed(files)
   const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
