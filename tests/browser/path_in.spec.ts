@@ -109,6 +109,28 @@ test('metres lie in cells; what is further apart than a step is joined, and that
   await expect(page.getByTestId('toast-success')).toContainText('further apart than a step')
 })
 
+test('a path from elsewhere to elsewhere may have start and goal at its ends', async ({ page }) => {
+  const race = await openYard(page)
+  // The other way round.
+  const back = [...AROUND].reverse()
+  await race.importByButton('back.csv', `x,y\n${back.map(String).join('\n')}\n`)
+  await expect(standing(page)).toContainText('The path begins at (4, 1), not at the start')
+  await page
+    .getByTestId('toast-success')
+    .getByRole('button', { name: /to its ends/ })
+    .click()
+  await expect(standing(page)).toContainText('Complete: length 12.00 m')
+  const { start, goals } = (await race.session()).scenario.spec
+  expect([start, goals[0]?.at]).toEqual([
+    [4, 1],
+    [0, 1],
+  ])
+  // One step of the map.
+  await page.getByTestId('draw-done').click()
+  await page.getByTestId('undo').click()
+  expect((await race.session()).scenario.spec.start).toEqual([0, 1])
+})
+
 test('a path that comes with its map is opened on it', async ({ page }) => {
   const race = new RacePage(page)
   await race.openAtRest()

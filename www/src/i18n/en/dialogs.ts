@@ -291,6 +291,7 @@ export const enDialogs = {
     oneOrder: 'One order problem is opened at a time; not opened: {{names}}',
     onePath: 'A path is opened one at a time, and once its map is there; not opened: {{names}}',
     pathBrought: '{{name}} is the path by hand on {{map}} now.',
+    pathEnds: 'Move start and goal to its ends',
     pathTooLong: 'The path has {{count}} cells; one by hand has at most {{most}}.',
     pathTooLongHint: 'Open a part of it.',
     leftOut: 'Not opened, as it is no known file: {{names}}',

@@ -279,6 +279,7 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     oneOrder: '一次只打开一个次序问题；未打开：{{names}}',
     onePath: '一次只打开一条路径，且须先有其地图；未打开：{{names}}',
     pathBrought: '{{name}} 现在是 {{map}} 上的手绘路径。',
+    pathEnds: '把起点与目标移到它的两端',
     pathTooLong: '路径有 {{count}} 格；手绘路径至多 {{most}} 格。',
     pathTooLongHint: '请只打开其中一段。',
     leftOut: '格式未知，未打开：{{names}}',
