@@ -45,7 +45,7 @@ pub use comparison_json::ComparisonDocument;
 pub use imported_map::Imported;
 pub use kind::Kind;
 pub use options::{FigureOptions, ReadOptions};
-pub use path_list::{PathOnMap, WorldPath, path_kind, read_path, read_path_on, read_places, read_world_path};
+pub use path_list::{PathOnMap, WorldPath, path_kind, read_path, read_path_on, read_places, read_steps_on, read_world_path};
 pub use path_out::{PathFile, PathFormat, PlannedPath};
 use picture::PictureOptions;
 pub use recognise::{Recognition, recognise, sniff};

@@ -72,7 +72,7 @@ pub use maps::{
 #[cfg(feature = "whole")]
 pub use order::{OrderRun, read_order};
 #[cfg(feature = "whole")]
-pub use path_file::{path_formats, write_path};
+pub use path_file::{path_formats, read_path, write_path};
 #[cfg(feature = "whole")]
 pub use results::{join_results, match_results, results_template};
 pub use run::{Run, paint_map};

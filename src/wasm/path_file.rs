@@ -1,4 +1,4 @@
-//! Paths as files for other programs.
+//! Paths as files of other programs.
 
 use serde::Serialize;
 use tsify::{Ts, Tsify};
@@ -8,7 +8,8 @@ use super::arguments::{self, Bytes, Heights};
 use super::drawn::Cells;
 use super::{Answer, object, scenario, throw};
 use crate::error::{Error, ErrorReport, Notice};
-use crate::formats::{PathFormat, PlannedPath};
+use crate::formats::{PathFormat, PlannedPath, read_steps_on};
+use crate::map::Point;
 use crate::planner::Objective;
 use crate::scenario::ScenarioSpec;
 
@@ -34,6 +35,24 @@ pub struct PathText {
     pub text: String,
     /// What was assumed.
     pub warnings: Vec<Notice>,
+}
+
+/// A path that a file holds.
+#[derive(Serialize, Tsify)]
+pub struct PathSteps {
+    /// Its cells, from neighbour to neighbour.
+    #[tsify(type = "[number, number][]")]
+    pub path: Vec<Point>,
+    /// What was assumed.
+    pub warnings: Vec<Notice>,
+}
+
+/// Reads a path of this map, to be measured as one by hand; see [`read_steps_on`]. Throws for what is none, and for places beside the map.
+#[wasm_bindgen]
+pub fn read_path(spec: Ts<ScenarioSpec>, file: &Bytes) -> Answer<Ts<PathSteps>> {
+    let spec: ScenarioSpec = arguments::value(&spec, "spec")?;
+    let (path, warnings) = read_steps_on(&file.read("file")?, &spec).map_err(throw)?;
+    Ok(object(&PathSteps { path, warnings }))
 }
 
 /// Every format of paths, with why this map cannot give it.

@@ -343,6 +343,51 @@ test('what no longer fits a map is left out, with a word, and comes back with un
   await expect.poll(() => driveOf(race)).toEqual(before)
 })
 
+test('costs near obstacles are the reason named in Chinese, and no obstacle is offered', async ({
+  page,
+}) => {
+  const session = field()
+  session.scenario.spec.robot = {
+    radius: 0,
+    inflation: { radius: 1, cost_scaling: 1, rule: 'nav2-navfn', multiplier: 2 },
+  }
+  const race = await open(page, session)
+  await race.menu('language', 'language-zh-CN')
+  await page.getByTestId('lesson-menu').click()
+  await page.getByTestId('lesson-drive').click()
+  const alert = page.getByTestId('drive-card').getByRole('alert')
+  await expect(alert).toContainText('行驶时不能使用 障碍物附近的代价')
+  await expect(alert).toContainText('请关闭障碍物附近的代价')
+  await expect(alert).not.toContainText('目标')
+  await expect(page.getByTestId('drive-example')).toBeDisabled()
+})
+
+test('an obstacle tells its size apart from its track', async ({ page }) => {
+  const session = field()
+  const cells: [number, number][] = [
+    [8, 1],
+    [8, 2],
+    [8, 3],
+  ]
+  session.scenario.spec.drive = { changes: [], tracks: [{ cells, size: 2 }] }
+  await open(page, session)
+  await page.getByTestId('lesson-menu').click()
+  await page.getByTestId('lesson-drive').click()
+  await expect(page.getByTestId('obstacle-1')).toContainText('Obstacle 1, 2 × 2: track of 3 cells')
+})
+
+test('on a phone a card opens in front of the sheet, which makes room for it @phone', async ({
+  page,
+}) => {
+  await open(page)
+  await page.getByTestId('column').tap()
+  await expect(page.getByTestId('close-column')).toBeVisible()
+  await page.getByTestId('lesson-menu').tap()
+  await page.getByTestId('lesson-drive').tap()
+  await expect(page.getByTestId('drive-card')).toBeInViewport()
+  await expect(page.getByTestId('close-column')).toBeHidden()
+})
+
 test('on a phone the card stands below the map, and nothing is too small @phone', async ({
   page,
 }) => {

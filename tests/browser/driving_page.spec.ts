@@ -238,7 +238,7 @@ test('numbers that the engine does not take are refused in its words', async ({ 
   await expect(page.getByTestId('driving-wrong')).toContainText(/0 or a positive number/)
   await expect(page.getByTestId('energy-per_radian')).toHaveAttribute('aria-invalid', 'true')
   await expect(page.getByTestId('quantity-wrong')).toBeHidden()
-  await expectClean(page, 'Size and moves with a vehicle')
+  await expectClean(page, 'Size, moves and robot with a vehicle')
   await page.getByTestId('energy-per_radian').fill('1')
   await expect(page.getByTestId('resize')).toBeEnabled()
 })

@@ -108,6 +108,28 @@ async function release(page: Page): Promise<void> {
 test.describe('a robot’s map', () => {
   test.beforeEach(async ({ page }) => new RacePage(page).openAtRest())
 
+  test('is cropped to what it knows, and stays where it is in the world', async ({ page }) => {
+    const race = new RacePage(page)
+    await race.dropTogether([
+      ['turtlebot3_map.yaml', robots('turtlebot3_map.yaml')],
+      ['turtlebot3_map.pgm', robots('turtlebot3_map.pgm')],
+    ])
+    await expect(page.getByTestId('map-size')).toContainText('384 × 384')
+    const free = await page.getByTestId('map-free').innerText()
+    await page.getByTestId('map-extent-known').click()
+    await expect(page.getByTestId('map-size')).not.toContainText('384')
+    // All that was free still is.
+    const count = (text: string) => text.split('·')[0]
+    expect(count(await page.getByTestId('map-free').innerText())).toBe(count(free))
+    await expectClean(page, 'the dialog of a robot’s map')
+    await open(page)
+    const [width = 0, height = 0] = await size(race)
+    expect(Math.max(width, height)).toBeLessThan(150)
+    const { world, start } = (await race.session()).scenario.spec
+    expect(world?.x).toBeGreaterThan(-5)
+    expect(await race.isWall(start)).toBe(false)
+  })
+
   test('description and picture are one map, with its place in the world', async ({ page }) => {
     const race = new RacePage(page)
     await undone(race, async () => {

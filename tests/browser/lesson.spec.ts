@@ -289,6 +289,27 @@ test.describe('a path by hand', () => {
   })
 })
 
+test('where ground costs more, a path by hand tells the cost that its gap is about', async ({
+  page,
+}) => {
+  const session = small()
+  session.scenario.factors = new Float32Array(48).fill(1)
+  session.scenario.factors.fill(3, 16, 24)
+  const race = new RacePage(page)
+  await race.openAtRest(`./#x=${await seal(packBits(session, '0.1.0'))}`)
+  await race.menu('lesson-menu', 'lesson-draw')
+  await expect(page.getByTestId('draw-card')).toBeVisible()
+  const standing = page.getByTestId('draw-standing')
+  await expect(standing).toHaveAttribute('role', 'status')
+  await race.drag([
+    [0, 0],
+    [0, 5],
+    [7, 5],
+  ])
+  // Twelve steps of half a metre, of which two are half in ground of factor 3.
+  await expect(standing).toContainText(/length 6\.00 m.*Cost 7\.00 m\. .* above the reference/)
+})
+
 test('while a path is drawn, undo everywhere is the path’s; afterwards it is the map’s', async ({
   page,
 }) => {

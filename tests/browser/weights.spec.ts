@@ -267,7 +267,54 @@ test.describe('a robot', () => {
     await page.getByTestId('inflation-nav2-navfn').click()
     await page.getByTestId('inflation-cost_scaling').fill('0')
     await expect(page.getByTestId('resize-dialog').getByRole('alert')).toContainText(/above 0/i)
-    await expectClean(page, 'Size and moves with a robot')
+    await expectClean(page, 'Size, moves and robot with a robot')
+  })
+
+  test('whose radius is none is refused at its field, in its own words in Chinese', async ({
+    page,
+  }) => {
+    const race = await openField(page)
+    await openShape(race)
+    await page.getByTestId('robot-round').click()
+    const radius = page.getByTestId('robot-radius')
+    await radius.fill('-1')
+    const wrong = page.getByTestId('robot-wrong')
+    await expect(wrong).toContainText(/robot\.radius = -1 cannot be used/i)
+    await expect(radius).toHaveAttribute('aria-invalid', 'true')
+    await expect(page.getByTestId('robot-fields')).not.toContainText('-1 cells')
+    await expect(page.getByTestId('resize')).toBeDisabled()
+    await radius.press('Enter')
+    await expect(page.getByTestId('resize-dialog')).toBeVisible()
+    expect((await race.session()).scenario.spec.robot).toBeUndefined()
+    await page.keyboard.press('Escape')
+    await race.menu('language', 'language-zh-CN')
+    await openShape(race)
+    await page.getByTestId('robot-round').click()
+    await radius.fill('-1')
+    await expect(wrong).toContainText('不能使用 半径（米） = -1')
+  })
+
+  test('without room is told once above the maps, in Chinese, and the offer goes once there is', async ({
+    page,
+  }) => {
+    const race = await openField(page)
+    await race.menu('language', 'language-zh-CN')
+    await openShape(race)
+    await page.getByTestId('robot-round').click()
+    await page.getByTestId('robot-radius').fill('2')
+    await page.getByTestId('resize').click()
+    const { start } = (await race.session()).scenario.spec
+    await race.drag([[start[0] + 1, start[1]]])
+    const strip = page.locator('.race-strip')
+    await expect(strip).toContainText('机器人在起点')
+    await expect(strip).toContainText('最短路径：无，原因见旁')
+    expect(await strip.innerText()).not.toMatch(/robot|obstacle/)
+    const offer = page.getByTestId('toast-warning')
+    await expect(offer).not.toContainText('障碍物')
+    // Cured by another way than the offer.
+    await page.getByTestId('undo').click()
+    await expect(strip).not.toContainText('机器人在起点')
+    await expect(offer).toBeHidden()
   })
 
   test('comes back from a link', async ({ page, browser }) => {

@@ -3,6 +3,7 @@
 //! message of ROS and a line of GeoJSON are in metres: [`read_world_path`].
 
 mod columns;
+mod steps;
 mod world;
 
 use std::borrow::Cow;
@@ -18,6 +19,7 @@ use crate::path::PathKind;
 use crate::planner::Objective;
 use crate::scenario::ScenarioSpec;
 use columns::Columns;
+pub use steps::read_steps_on;
 pub use world::WorldPath;
 
 /// What a path looks like, for error messages.

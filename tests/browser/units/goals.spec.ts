@@ -5,6 +5,7 @@ import { askSame, goalName, goalWeight } from '../../../www/src/model/goals'
 import { resized } from '../../../www/src/model/resize'
 import type { Scenario } from '../../../www/src/model/session'
 import { settleGoals } from '../../../www/src/model/settle_goals'
+import { placeOf } from '../../../www/src/model/world'
 import { placeError, quantityError, readPlace } from '../../../www/src/panels/goal_input'
 import { brushFor, stroke } from '../../../www/src/stage/brush'
 import { sessionOf } from './sessions'
@@ -161,16 +162,50 @@ test.describe('what is typed into the table of goals', () => {
   })
 
   test('places are column and row', () => {
-    expect(readPlace('11, 4')).toEqual([11, 4])
-    expect(readPlace('(11 4)')).toEqual([11, 4])
-    expect(readPlace('3;7')).toEqual([3, 7])
-    expect(readPlace('3')).toBeNull()
-    expect(readPlace('-3, 1')).toBeNull()
+    const spec = { ...open().spec, resolution: 1 }
+    for (const text of ['11, 4', '(11 4)']) expect(readPlace(spec, text)).toEqual([11, 4])
+    expect(readPlace(spec, '3;7')).toEqual([3, 7])
+    for (const text of ['3', '-3, 1', '2m, 1m', '2 m']) expect(readPlace(spec, text)).toBeNull()
+    expect(placeError(spec, 0, '2m, 1m')?.kind).toBe('place')
+  })
+
+  test('on a map that has a scale, places are in metres, too', () => {
+    const plain = open().spec
+    const robots = { ...plain, resolution: 0.5, world: { x: -1, y: 2, yaw: 0, frame: '' } }
+    for (const at of [
+      [0, 0],
+      [3, 2],
+    ] as const) {
+      const [x = 0, y = 0] = placeOf(robots, [...at]) ?? []
+      for (const text of [`${x}m, ${y}m`, `(${x} m ${y} m)`, `${x}米，${y}米`.replace('，', ',')])
+        expect(readPlace(robots, text)).toEqual(at)
+    }
+    const turned = { ...robots, world: { ...robots.world, yaw: 0.7 } }
+    const [x = 0, y = 0] = placeOf(turned, [3, 2]) ?? []
+    expect(readPlace(turned, `${x}m, ${y}m`)).toEqual([3, 2])
+    // From the lower left corner where the map's place is not known.
+    const corner = readPlace({ ...plain, resolution: 0.5 }, '0.7m, 0.1m')
+    expect(corner).toEqual([1, plain.height - 1])
+    expect(readPlace(robots, '−1m, 2m')).toEqual([0, robots.height - 1])
+    expect(readPlace(robots, '1m, 2')).toBeNull()
+    expect(placeError(robots, 0, '1m, 2')?.kind).toBe('place-in-metres')
+    expect(placeError(robots, 0, '-9m, 2m')?.kind).toBe('outside-map')
+  })
+
+  test('the start takes any place that no goal has', () => {
+    const { spec } = open()
+    const [goal] = spec.goals
+    expect(placeError(spec, 'start', goal?.at.join(', ') ?? '')?.kind).toBe('start-on-goal')
+    expect(placeError(spec, 'start', spec.start.join(', '))).toBeNull()
+    expect(placeError(spec, 'start', '9999, 1')).toMatchObject({
+      kind: 'outside-map',
+      field: 'start',
+    })
   })
 
   test('a place is inside the map and nobody else’s', () => {
     const { spec: two } = after(open(), add(1, [3, 3]))
-    expect(placeError(two, 0, 'here')?.kind).toBe('place')
+    expect(placeError(two, 0, 'here')?.kind).toBe('place-in-metres')
     expect(placeError(two, 0, '10, 0')?.kind).toBe('outside-map')
     expect(placeError(two, 0, '3, 3')?.kind).toBe('goal-twice')
     expect(placeError(two, 0, '0, 0')?.kind).toBe('goal-on-start')

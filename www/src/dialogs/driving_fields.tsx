@@ -1,4 +1,4 @@
-/** How a path is to drive, in "Size and moves": a smooth curve over it, and what driving costs. */
+/** How a path is to drive, in "Size, moves and robot": a smooth curve over it, and what driving costs. */
 import '../styles/raster.css'
 import type { EnergyRule, Vehicle } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'
@@ -8,7 +8,8 @@ import { addDrivingWords, t } from '../i18n/driving'
 import { MOST_ENERGY } from '../share/session_vehicle'
 import type { Rules } from '../state/movement_rules'
 import { NumberField, Segmented } from '../ui/fields'
-import { DRIVING_LABELS, type DrivingQuantity, isOfDriving, type WrongQuantity } from './quantities'
+import { DRIVING_LABELS, type WrongQuantity } from './quantities'
+import { checkedBy, Wrong } from './wrong_field'
 
 const MODES = ['off', 'on'] as const
 /** Digits of a radius that was told as a curvature. */
@@ -88,11 +89,11 @@ function CurveFields({ vehicle, wrong, onChange }: GroupProps) {
             live
             testId="turning-radius"
             onChange={setRadius}
-            {...checked('max_curvature', wrong, id)}
+            {...checkedBy('max_curvature', wrong, id)}
           />
         )}
       </div>
-      <Wrong wrong={wrong} of={['max_curvature']} id={id} />
+      <Wrong wrong={wrong} of={['max_curvature']} id={id} testId="driving-wrong" />
       <p class="hint">{t(`driving.curveHints.${smoothing ? 'on' : 'off'}`)}</p>
     </fieldset>
   )
@@ -130,12 +131,12 @@ function EnergyFields({ vehicle, wrong, usual, onChange }: GroupProps & { usual:
               live
               testId={`energy-${key}`}
               onChange={(value) => onChange({ ...others, energy: { ...energy, [key]: value } })}
-              {...checked(key, wrong, id)}
+              {...checkedBy(key, wrong, id)}
             />
           ))}
         </div>
       )}
-      <Wrong wrong={wrong} of={COEFFICIENTS} id={id} />
+      <Wrong wrong={wrong} of={COEFFICIENTS} id={id} testId="driving-wrong" />
       <p class="hint">{t(`driving.energyHints.${energy ? 'on' : 'off'}`, usually)}</p>
     </fieldset>
   )
@@ -161,26 +162,6 @@ function Switch({ what, on, onChange }: SwitchProps) {
         if ((value === 'on') !== on) onChange(value === 'on')
       }}
     />
-  )
-}
-
-function checked(key: DrivingQuantity, wrong: WrongQuantity | null, id: string) {
-  const invalid = wrong?.field === key
-  return { invalid, describedBy: invalid ? `${id}-wrong` : undefined }
-}
-
-interface WrongProps {
-  wrong: WrongQuantity | null
-  of: readonly DrivingQuantity[]
-  id: string
-}
-
-function Wrong({ wrong, of, id }: WrongProps) {
-  if (!wrong || !isOfDriving(wrong.field) || !of.includes(wrong.field)) return null
-  return (
-    <p class="field-error" role="alert" id={`${id}-wrong`} data-testid="driving-wrong">
-      {wrong.why()}
-    </p>
   )
 }
 

@@ -16,13 +16,14 @@ const FORMATS = [
   'picture',
   'ros',
   'raster',
+  'path',
   'order',
   'json',
   'archive',
   'link',
 ] as const
 /** What the file picker offers first. */
-const ENDINGS = `${MAP_ENDINGS},.scen,.tsp,.atsp,.tour`
+const ENDINGS = `${MAP_ENDINGS},.scen,.tsp,.atsp,.tour,.geojson,.svg`
 
 export function ImportDialog() {
   const [text, setText] = useState('')

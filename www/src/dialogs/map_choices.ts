@@ -18,6 +18,8 @@ export interface MapChoices {
   cells: number | null
   /** Of a robot's map. */
   unknown: 'blocked' | 'free'
+  /** Whether all around what it knows is left out. */
+  knownOnly: boolean
   /** By which rule its values are costs; null: thresholds tell free cells from walls. */
   costs: CostRule | null
   /** Of a rule that has one. */
@@ -34,6 +36,7 @@ export const USUAL: MapChoices = {
   crop: null,
   cells: null,
   unknown: 'blocked',
+  knownOnly: false,
   costs: null,
   multiplier: 2,
   swampFactor: PLAIN,

@@ -9,7 +9,7 @@ import { WATCHED_SIDE } from '../model/raster_part'
 import { type MapFile, mapFile } from '../state'
 import { bytesOf } from '../state/file_bytes'
 import { sameName } from '../state/file_paths'
-import { openMap, readMap } from '../state/open_files'
+import { openMap } from '../state/open_files'
 import { Button } from '../ui/buttons'
 import { Dialog } from '../ui/dialog'
 import { useFilePicker } from '../ui/file_picker'
@@ -29,7 +29,7 @@ import {
 } from './map_choices'
 import { MatrixField, PictureFields, RobotFields, SwampFields } from './map_fields'
 import { MapPreview } from './map_preview'
-import { useReading } from './map_reading'
+import { readPart, useReading } from './map_reading'
 import { type ReadAs, ReadAsField } from './read_as_field'
 
 export function MapDialog({ file }: { file: MapFile }) {
@@ -52,7 +52,7 @@ function Reading({ file }: { file: MapFile }) {
   const fits = choicesFit(choices, whole)
   const fit = fits.crop && fits.cells && fits.metres
   const options = optionsOf(file, choices)
-  const { answer: map, settled, error } = useReading(file, fit ? options : null)
+  const { answer: map, settled, error } = useReading(file, fit ? options : null, choices.knownOnly)
   const shown = useMemo(() => map && mapToShow(map), [map])
   const [as, setAs] = useState<ReadAs>('picture')
   const asFigure = as === 'figure'
@@ -74,7 +74,11 @@ function Reading({ file }: { file: MapFile }) {
       return
     setOpening(true)
     try {
-      const read = asFigure ? figure.take() : settled && map ? map : readMap(file, options)
+      const read = asFigure
+        ? figure.take()
+        : settled && map
+          ? map
+          : readPart(file, options, choices.knownOnly)
       await openMap(file, options, await read)
     } catch (thrown) {
       setRefused(thrown)

@@ -146,6 +146,22 @@ export function RobotFields(props: FieldsProps) {
         </div>
         <p class="hint">{t(`mapFile.unknownNotes.${choices.unknown}`)}</p>
       </fieldset>
+      <fieldset class="field-set">
+        <legend>{t('mapFile.extent')}</legend>
+        <div class="field-row">
+          <Segmented
+            label={t('mapFile.extent')}
+            value={choices.knownOnly ? 'known' : 'all'}
+            options={(['all', 'known'] as const).map((extent) => ({
+              value: extent,
+              label: t(`mapFile.extents.${extent}`),
+              testId: `map-extent-${extent}`,
+            }))}
+            onChange={(extent) => onChange({ knownOnly: extent === 'known' })}
+          />
+        </div>
+        <p class="hint">{t('mapFile.extentHint')}</p>
+      </fieldset>
       <CostsFields choices={choices} onChange={onChange} />
       <fieldset class="field-set">
         <legend>{t('raster.cells')}</legend>

@@ -115,7 +115,7 @@ function Form({ now }: { now: Scenario }) {
         onChange={set}
         onUnit={setUnit}
       />
-      <RobotFields scenario={now} rules={rules} onChange={set} />
+      <RobotFields scenario={now} rules={rules} wrong={wrong} onChange={set} />
       {!terrain?.slices && <DrivingFields rules={rules} wrong={wrong} onChange={set} />}
       {placeless && (
         <p class="field-error" role="alert" data-testid="no-place">

@@ -1,6 +1,7 @@
-/** The robot in "Size and moves": how much room it needs, and what cells near obstacles cost it. */
+/** The robot in "Size, moves and robot": how much room it needs, and what cells near obstacles cost it. */
 import '../styles/raster.css'
 import type { CostRule, Inflation, Robot } from '@pkg/formicarium'
+import { useId } from 'preact/hooks'
 import { lateTools } from '../engine/late_tools'
 import { addWeightWords, t } from '../i18n/weights'
 import { endsWithRoom, fittingRadius, withoutRoom } from '../model/robot_room'
@@ -11,38 +12,53 @@ import { Button } from '../ui/buttons'
 import { NumberField, Segmented } from '../ui/fields'
 import { FormError } from '../ui/form_error'
 import { useLatest } from './latest_answer'
+import { isOfRobot, type RobotQuantity, type WrongQuantity } from './quantities'
+import { checkedBy, Wrong } from './wrong_field'
 
 /** Nav2's `robot_radius`, in metres; a map of larger cells begins with one of them. */
 const NAV2_RADIUS = 0.1
 /** Nav2's `inflation_radius`, `cost_scaling_factor` and `cost_travel_multiplier`. */
 const NAV2: Required<Omit<Inflation, 'rule'>> = { radius: 0.55, cost_scaling: 10, multiplier: 2 }
 const RULES = ['off', 'nav2-smac-2d', 'nav2-navfn'] as const
+const OF_INFLATION = [
+  'robot.inflation.radius',
+  'robot.inflation.cost_scaling',
+  'robot.inflation.multiplier',
+] as const satisfies RobotQuantity[]
 
 export const fetchRobotFields = () => addWeightWords().then(() => RobotFields)
 
 interface RobotFieldsProps {
   scenario: Scenario
   rules: Rules
+  wrong: WrongQuantity | null
   onChange: (change: Partial<Rules>) => void
 }
 
-export function RobotFields({ scenario, rules, onChange }: RobotFieldsProps) {
+export function RobotFields({ scenario, rules, wrong, onChange }: RobotFieldsProps) {
   const { robot } = rules
-  const change = (next: Robot | undefined) => onChange({ robot: next })
+  const group = {
+    robot,
+    resolution: rules.resolution,
+    wrong,
+    onChange: (next: Robot | undefined) => onChange({ robot: next }),
+  }
   return (
     <>
       <fieldset class="field-set" data-testid="robot-fields">
         <legend>{t('weights.robot')}</legend>
-        <SizeFields robot={robot} resolution={rules.resolution} onChange={change} />
+        <SizeFields {...group} />
       </fieldset>
       {/* What a step costs on a terrain is not defined: there they can only be taken away. */}
       {(!rules.terrain || robot?.inflation) && (
         <fieldset class="field-set">
           <legend>{t('weights.cost')}</legend>
-          <InflationFields robot={robot} resolution={rules.resolution} onChange={change} />
+          <InflationFields {...group} />
         </fieldset>
       )}
-      {robot && <Room scenario={scenario} rules={rules} onChange={onChange} />}
+      {robot && !(wrong && isOfRobot(wrong.field)) && (
+        <Room scenario={scenario} rules={rules} onChange={onChange} />
+      )}
     </>
   )
 }
@@ -51,10 +67,12 @@ interface GroupProps {
   robot: Robot | undefined
   /** Metres a cell. */
   resolution: number
+  wrong: WrongQuantity | null
   onChange: (robot: Robot | undefined) => void
 }
 
-function SizeFields({ robot, resolution, onChange }: GroupProps) {
+function SizeFields({ robot, resolution, wrong, onChange }: GroupProps) {
+  const id = useId()
   const size = robot && robot.radius !== 0 ? 'round' : 'point'
   const setRadius = (radius: number) => onChange(lean({ ...robot, radius }))
   return (
@@ -81,17 +99,24 @@ function SizeFields({ robot, resolution, onChange }: GroupProps) {
             live
             testId="robot-radius"
             onChange={setRadius}
+            {...checkedBy('robot.radius', wrong, id)}
           />
         )}
       </div>
-      <p class="hint">
-        {robot && size === 'round' ? radiusHint(robot.radius / resolution) : t('weights.pointHint')}
-      </p>
+      <Wrong wrong={wrong} of={['robot.radius']} id={id} testId="robot-wrong" />
+      {wrong?.field !== 'robot.radius' && (
+        <p class="hint">
+          {robot && size === 'round'
+            ? radiusHint(robot.radius / resolution)
+            : t('weights.pointHint')}
+        </p>
+      )}
     </>
   )
 }
 
-function InflationFields({ robot, resolution, onChange }: GroupProps) {
+function InflationFields({ robot, resolution, wrong, onChange }: GroupProps) {
+  const id = useId()
   const inflation = robot?.inflation
   const rule = inflation?.rule ?? 'off'
   const set = (next: Inflation | undefined) =>
@@ -110,7 +135,8 @@ function InflationFields({ robot, resolution, onChange }: GroupProps) {
           onChange={(value) => set(value === 'off' ? undefined : withRule(inflation, value))}
         />
       </div>
-      {inflation && <CostFields inflation={inflation} onChange={set} />}
+      {inflation && <CostFields inflation={inflation} wrong={wrong} id={id} onChange={set} />}
+      <Wrong wrong={wrong} of={OF_INFLATION} id={id} testId="robot-wrong" />
       <p class="hint">
         {t(`weights.ruleHints.${rule}`)}
         {inflation && inflation.radius <= resolution && (
@@ -123,10 +149,12 @@ function InflationFields({ robot, resolution, onChange }: GroupProps) {
 
 interface CostProps {
   inflation: Inflation
+  wrong: WrongQuantity | null
+  id: string
   onChange: (inflation: Inflation) => void
 }
 
-function CostFields({ inflation, onChange }: CostProps) {
+function CostFields({ inflation, wrong, id, onChange }: CostProps) {
   const field = (key: 'radius' | 'cost_scaling' | 'multiplier', label: string, max: number) => (
     <NumberField
       label={label}
@@ -136,6 +164,7 @@ function CostFields({ inflation, onChange }: CostProps) {
       live
       testId={`inflation-${key}`}
       onChange={(value) => onChange({ ...inflation, [key]: value })}
+      {...checkedBy(`robot.inflation.${key}`, wrong, id)}
     />
   )
   return (
@@ -148,7 +177,7 @@ function CostFields({ inflation, onChange }: CostProps) {
 }
 
 /** What the engine says of it, and whether the robot has room at start and goals. */
-function Room({ scenario, rules, onChange }: RobotFieldsProps) {
+function Room({ scenario, rules, onChange }: Omit<RobotFieldsProps, 'wrong'>) {
   const map = underRules(scenario, rules)
   const asked = map && !Object.values(numbersOf(rules)).some(Number.isNaN)
   const { answer, error, settled } = useLatest<FeltCells>(

@@ -1,4 +1,4 @@
-/** How large cells are, how fast one moves, and in which unit lengths are read: a group of “Size and moves”. */
+/** How large cells are, how fast one moves, and in which unit lengths are read: a group of “Size, moves and robot”. */
 import type { ScenarioSpec } from '@pkg/formicarium'
 import { useId } from 'preact/hooks'
 import { t } from '../i18n/dialogs'
@@ -7,8 +7,11 @@ import type { LengthUnit } from '../state/length_unit'
 import type { Rules } from '../state/movement_rules'
 import { Labelled, NumberField, Segmented } from '../ui/fields'
 import { distanceWords } from '../words/metres'
-import { isOfDriving, type Quantity, type WrongQuantity } from './quantities'
+import type { Quantity, WrongQuantity } from './quantities'
+import { checkedBy, Wrong } from './wrong_field'
 
+/** What is wrong with anything that has no field is said here, too. */
+const OF_SCALE = ['resolution', 'speed', 'seconds_per_turn', null] as const
 /** Digits of what an import has computed. */
 const DIGITS = 6
 
@@ -27,9 +30,8 @@ export function ScaleFields({ spec, rules, unit, wrong, onChange, onUnit }: Scal
   const checked = (field: Quantity) => ({
     min: 0,
     max: 1e6,
-    invalid: wrong?.field === field,
-    describedBy: wrong?.field === field ? `${id}-wrong` : undefined,
     live: true,
+    ...checkedBy(field, wrong, id),
   })
   return (
     <fieldset class="rule-group">
@@ -69,11 +71,7 @@ export function ScaleFields({ spec, rules, unit, wrong, onChange, onUnit }: Scal
           {...checked('seconds_per_turn')}
         />
       </div>
-      {wrong && !isOfDriving(wrong.field) && (
-        <p class="field-error" role="alert" id={`${id}-wrong`} data-testid="quantity-wrong">
-          {wrong.why()}
-        </p>
-      )}
+      <Wrong wrong={wrong} of={OF_SCALE} id={id} testId="quantity-wrong" />
       <p class="hint">{`${wholeWords(rules)} ${t('scale.time')}`}</p>
       <UnitField spec={spec} rules={rules} unit={unit} onUnit={onUnit} />
     </fieldset>

@@ -6,6 +6,7 @@ import type { Cell } from '../model/cell'
 import { full } from '../model/moving'
 import { notifyError } from '../state'
 import { Button, IconButton } from '../ui/buttons'
+import { failure } from './drive'
 import { type Edited, edited, makeExample, movingNow, refusal, remove } from './moving'
 import { TrackFields, WallFields } from './moving_fields'
 import { showCell } from './show_cell'
@@ -20,12 +21,13 @@ export function MovingList() {
       <h4>{t('drive.moving')}</h4>
       {tracks.length + changes.length === 0 && <Nothing />}
       <ul>
-        {tracks.map(({ cells, at_end }, i) => (
+        {tracks.map(({ cells, size, at_end }, i) => (
           <Item
             key={`t${i}`}
             what={{ list: 'tracks', index: i }}
             label={t('drive.obstacle', {
               number: i + 1,
+              size: size ?? 1,
               count: cells.length,
               end: t(`drive.ends.${at_end ?? 'stay'}`),
             })}
@@ -79,6 +81,7 @@ function Nothing() {
         icon={Sparkles}
         label={t('drive.example')}
         testId="drive-example"
+        disabled={failure.value !== null}
         onClick={() => void makeExample().catch(notifyError)}
       />
     </p>

@@ -24,6 +24,8 @@ export const lateTools = {
   /** The text of a path for other programs. */
   writePath: (map: Scenario, found: FoundPath, format: PathFormat) =>
     wholeBox().call('writePath', mapOf(map), found, format),
+  /** The path that a file holds, by steps on this map. */
+  readPath: (spec: Scenario['spec'], bytes: Uint8Array) => wholeBox().call('readPath', spec, bytes),
   /** The entries of an ablation, each with its part in it. */
   ablation: (planner: string, preset: string | null, set: ParamValues) =>
     wholeBox().call('ablation', planner, preset, set),

@@ -16,7 +16,7 @@ interface Coded extends Described {
 const CHINESE = /\p{Script=Han}/u
 
 /** What an error tells in words of its own. */
-const IN_WORDS = ['what', 'expected', 'max', 'found']
+const IN_WORDS = ['what', 'expected', 'max', 'found', 'value']
 
 /** What browsers say, each in its own words, when a part of the page could not be fetched. */
 const UNFETCHED = /dynamically imported module|importing a module script|unable to preload/i
@@ -26,12 +26,12 @@ export function describeError(error: unknown): Described {
     const args: Record<string, string> = {
       ...error.args,
       ...groundOf(error),
-      field: engineText(`paramNames.${error.field}`, error.field ?? ''),
+      field: engineText(`paramNames.${error.field}`, phrase(error.field ?? '')),
     }
     for (const key of IN_WORDS) if (args[key]) args[key] = phrase(args[key])
     const known = `found.${args.found?.toLowerCase().replace(/[^a-z0-9]+/g, '-')}`
     if (args.found) args.found = engineText(`${known}.name`, args.found)
-    const hint = engineText(`errors.${error.kind}.hint`, error.hint, args)
+    const hint = engineText(`errors.${error.kind}.hint`, phrase(error.hint), args)
     return {
       message: sentence(engineText(`errors.${error.kind}.message`, error.message, args)),
       hint: sentence(engineText(`${known}.hint`, hint)),
@@ -54,8 +54,12 @@ function groundOf({ args }: Coded): { ground?: string } {
   return args?.ground ? { ground: engineText(`grounds.${args.ground}`, args.ground) } : {}
 }
 
+/** An error that came as a notice has its field among its arguments. */
 export function describeNotice({ kind, message, args }: Notice): string {
-  return sentence(engineText(`notices.${kind}`, message, { message: phrase(message), ...args }))
+  const told = engineText(`notices.${kind}`, '', { message: phrase(message), ...args })
+  return told
+    ? sentence(told)
+    : describeError({ kind, message, hint: '', field: args.field, args }).message
 }
 
 function isCoded(error: unknown): error is Coded {

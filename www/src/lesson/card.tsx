@@ -7,7 +7,7 @@ import { ChevronDown, ChevronUp } from 'lucide'
 import type { ComponentChildren } from 'preact'
 import { useEffect, useLayoutEffect } from 'preact/hooks'
 import { t } from '../i18n/lesson'
-import { lessonMode, panelColour } from '../state'
+import { compact, lessonMode, openColumn, panelColour } from '../state'
 import { openDialog } from '../state/dialogs'
 import { CloseButton, IconButton } from '../ui/buttons'
 
@@ -69,6 +69,10 @@ interface FrameProps extends Pick<CardProps, 'title' | 'line' | 'testId' | 'onCl
 export function CardFrame(props: FrameProps) {
   const { colour, title, line, testId } = props
   const isFolded = folded.value
+  useEffect(() => {
+    // The sheet lies over it.
+    if (compact.peek()) openColumn(false)
+  }, [])
   return (
     <section
       class="lesson-card"

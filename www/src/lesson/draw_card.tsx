@@ -10,6 +10,7 @@ import { Button, IconButton } from '../ui/buttons'
 import { UndoButtons } from '../ui/undo_buttons'
 import { gapOf } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
+import { OTHER_VALUES, objectiveWord } from '../words/objective_words'
 import { Card } from './card'
 import { drawKey } from './draw_input'
 import {
@@ -127,13 +128,21 @@ function standingWords(): string {
     turns: whole.format(metrics.turns),
     clearance: lengthShown(metrics.min_clearance),
   })
-  return `${told} ${gapWords()}`
+  return [told, ...valueWords()].join(' ')
 }
 
-function gapWords(): string {
+/** What it is measured by, where that is not its length, and how that compares. */
+function valueWords(): string[] {
   const objective = objectives.value.find((each) => handValue(each) !== null)
-  const gap = objective ? gapOf(handValue(objective), references.value[objective] ?? null) : null
-  if (gap === null) return ''
-  if (gap <= 0) return t('lesson.draw.best')
-  return t('lesson.draw.gap', { gap: numbers.value.percent.format(gap).replace('+', '') })
+  const value = objective ? handValue(objective) : null
+  if (!objective || value === null) return []
+  const what = OTHER_VALUES[objectiveWord(objective)]
+  const valued = what ? [t('lesson.draw.valued', { what: t(what), value: lengthShown(value) })] : []
+  const gap = gapOf(value, references.value[objective] ?? null)
+  if (gap === null) return valued
+  const compared =
+    gap <= 0
+      ? t('lesson.draw.best')
+      : t('lesson.draw.gap', { gap: numbers.value.percent.format(gap).replace('+', '') })
+  return [...valued, compared]
 }

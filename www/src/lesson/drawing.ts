@@ -1,5 +1,5 @@
 /** A path that is drawn piece by piece: each press, drag or key is a piece, and can be taken back. */
-import { batch, signal } from '@preact/signals'
+import { batch, effect, signal, untracked } from '@preact/signals'
 import { type LessonBox, newLessonBox } from '../engine/lesson_box'
 import { describeError } from '../i18n/errors'
 import { t } from '../i18n/lesson'
@@ -8,7 +8,8 @@ import { sameCell } from '../model/edit'
 import type { DrawnPath } from '../model/lesson'
 import { MOST_CELLS_DRAWN } from '../model/lesson'
 import type { Scenario } from '../model/session'
-import { announce, lesson, lessonMode, scenario } from '../state'
+import { announce, lesson, lessonMode, panels, scenario } from '../state'
+import { broughtPath } from '../state/brought_path'
 import { changeLesson } from './change_lesson'
 
 /** Where the card is. */
@@ -32,6 +33,22 @@ export function startDrawing(panelId: number): void {
     refusal.value = ''
     lessonMode.value = 'draw'
   })
+}
+
+/** A path of a file is one piece, whole. */
+export function keepTaking(): void {
+  effect(() => {
+    const path = broughtPath.value
+    if (path) untracked(() => take(path))
+  })
+}
+
+function take(path: DrawnPath): void {
+  broughtPath.value = null
+  if (drawn() !== own) forgetPieces()
+  remember(drawn())
+  keep(path)
+  startDrawing(panels.peek()[0]?.id ?? 0)
 }
 
 export function stopDrawing(): void {

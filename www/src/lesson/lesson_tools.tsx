@@ -5,7 +5,7 @@ import { inRelief, lessonMode, panels, plannerEntry } from '../state'
 import { show } from '../state/dialogs'
 import { Icon } from '../ui/icon'
 import { Menu, MenuItem } from '../ui/menu'
-import { startDrawing } from './drawing'
+import { keepTaking, startDrawing } from './drawing'
 import { follow, keepFollowing } from './follow'
 import { keepAsking, startGuessing } from './guess'
 import { keepMeasuring } from './hand_panel'
@@ -16,6 +16,7 @@ tellWhenMet()
 keepFollowing()
 keepAsking()
 keepMeasuring()
+keepTaking()
 
 export function LessonTools() {
   return (

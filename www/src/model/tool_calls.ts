@@ -15,6 +15,7 @@ import type {
   Objective,
   PathFormat,
   PathFormatFacts,
+  PathSteps,
   PathText,
   ReadOptions,
   Recognised,
@@ -92,6 +93,8 @@ export interface MapCalls {
   /** Every format of paths, with why maps of this kind cannot give it. */
   pathFormats(spec: ScenarioSpec): PathFormatFacts[]
   writePath(map: WholeMap, found: FoundPath, format: PathFormat): PathText
+  /** Throws for what is no path on this map. */
+  readPath(spec: ScenarioSpec, bytes: Uint8Array): PathSteps
   /** Rules of movement by slices that suit a terrain. */
   fittingSlices(...args: [...map: WholeMap, verticalUnit: number]): SliceRules
   ablation(planner: string, preset: string | null, set: ParamValues): AblationEntry[]

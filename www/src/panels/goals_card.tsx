@@ -1,4 +1,4 @@
-/** The goals as a table: what each is called, how urgent it is, where it lies. */
+/** Start and goals as a table: where each lies; of goals also what they are called, and how urgent they are. */
 import type { EngineError, Goal } from '@pkg/formicarium'
 import { useSignal, useSignalEffect } from '@preact/signals'
 import { MapPinPlus, X } from 'lucide'
@@ -6,8 +6,10 @@ import { useEffect } from 'preact/hooks'
 import { numbers } from '../i18n'
 import { t } from '../i18n/column'
 import { errorText } from '../i18n/errors'
+import type { Cell as MapCell } from '../model/cell'
 import { limits } from '../model/facts'
 import { goalName, goalWeight } from '../model/goals'
+import { scaleOf } from '../model/world'
 import { activeGoal, applyEdit, goalsShown, scenario, soughtPart, tool } from '../state'
 import { bringIntoSight } from '../ui/bring_into_sight'
 import { Button, CloseButton, IconButton } from '../ui/buttons'
@@ -19,16 +21,18 @@ const QUANTITIES = ['area', 'strength', 'danger'] as const
 const SYMBOLS = { area: 's', strength: 'w', danger: 'a' } as const
 
 export default function GoalsCard() {
-  const goals = scenario.value?.spec.goals ?? []
+  const spec = scenario.value?.spec
+  const goals = spec?.goals ?? []
+  const hasScale = spec !== undefined && scaleOf(spec) !== null
   // One message at a time: for the field that was refused last.
-  const refusal = useSignal<{ index: number; error: EngineError } | null>(null)
+  const refusal = useSignal<EngineError | null>(null)
   useSignalEffect(() => {
     if (soughtPart.value !== 'goals') return
     soughtPart.value = null
     bringIntoSight(GOALS_ID)
   })
-  const refuse = (index: number) => (error: EngineError | null) => {
-    refusal.value = error && { index, error }
+  const refuse = (error: EngineError | null) => {
+    refusal.value = error
   }
   return (
     <section
@@ -54,14 +58,18 @@ export default function GoalsCard() {
         <table class="goal-table">
           <Head />
           <tbody>
+            <StartRow refuse={refuse} />
             {goals.map((goal, index) => (
-              <Row key={index} goal={goal} index={index} refuse={refuse(index)} />
+              <Row key={index} goal={goal} index={index} refuse={refuse} />
             ))}
           </tbody>
         </table>
-        {refusal.value && <Refusal error={refusal.value.error} />}
-        <p class="hint goal-hint">{t('goals.hint')}</p>
       </section>
+      {refusal.value && <Refusal error={refusal.value} />}
+      <p class="hint goal-hint">
+        {t('goals.hint')}
+        {hasScale && <> {t('goals.metresHint')}</>}
+      </p>
     </section>
   )
 }
@@ -94,17 +102,36 @@ function Head() {
         <th scope="col" title={t('goals.hints.weight')}>
           {t('goals.weight')} <i>b</i>
         </th>
-        <th scope="col">{t('goals.place')}</th>
         <td />
       </tr>
     </thead>
   )
 }
 
-interface RowProps {
+interface RefusingProps {
+  refuse: (error: EngineError | null) => void
+}
+
+function StartRow({ refuse }: RefusingProps) {
+  const spec = scenario.value?.spec
+  if (!spec) return null
+  return (
+    <tr>
+      <th scope="row">{t('goals.start')}</th>
+      <Place
+        end="start"
+        at={spec.start}
+        label={t('goals.placeOfStart')}
+        testId="start-place"
+        refuse={refuse}
+      />
+    </tr>
+  )
+}
+
+interface RowProps extends RefusingProps {
   goal: Goal
   index: number
-  refuse: (error: EngineError | null) => void
 }
 
 function Row({ goal, index, refuse }: RowProps) {
@@ -116,72 +143,97 @@ function Row({ goal, index, refuse }: RowProps) {
     applyEdit({ kind: 'change-goal', index, change: changed })
     return true
   }
+  const row = { 'data-active': activeGoal.value === index, onFocusIn: () => takeUp(index) }
   return (
-    <tr data-active={activeGoal.value === index} onFocusIn={() => takeUp(index)}>
-      <td>
-        <Cell
-          class="goal-name"
-          label={t('goals.nameOf', { name })}
-          value={goal.name}
-          testId={`goal-name-${index + 1}`}
-          accept={(text) => change({ name: text.slice(0, 200) })}
-        />
-      </td>
-      {QUANTITIES.map((key) => (
-        <td key={key}>
+    <>
+      <tr {...row}>
+        <td>
           <Cell
-            label={t('goals.quantityOf', { what: t(`goals.${key}`), name })}
-            value={String(goal[key])}
-            testId={`goal-${key}-${index + 1}`}
-            numeric
-            accept={(text) => {
-              const error = quantityError(goal, key, text)
-              if (!error) return change({ [key]: Number(text) })
-              refuse(error)
-              return false
-            }}
+            class="goal-name"
+            label={t('goals.nameOf', { name })}
+            value={goal.name}
+            testId={`goal-name-${index + 1}`}
+            accept={(text) => change({ name: text.slice(0, 200) })}
           />
         </td>
-      ))}
-      <td class="goal-weight" data-testid={`goal-weight-${index + 1}`}>
-        {numbers.value.weight.format(goalWeight(goal))}
-      </td>
-      <td>
-        <Cell
-          class="goal-place"
+        {QUANTITIES.map((key) => (
+          <td key={key}>
+            <Cell
+              label={t('goals.quantityOf', { what: t(`goals.${key}`), name })}
+              value={String(goal[key])}
+              testId={`goal-${key}-${index + 1}`}
+              numeric
+              accept={(text) => {
+                const error = quantityError(goal, key, text)
+                if (!error) return change({ [key]: Number(text) })
+                refuse(error)
+                return false
+              }}
+            />
+          </td>
+        ))}
+        <td class="goal-weight" data-testid={`goal-weight-${index + 1}`}>
+          {numbers.value.weight.format(goalWeight(goal))}
+        </td>
+        <td>
+          <IconButton
+            icon={X}
+            label={t('goals.remove', { name })}
+            tone="quiet"
+            size={16}
+            disabled={spec.goals.length < 2}
+            testId={`goal-remove-${index + 1}`}
+            onClick={() => applyEdit({ kind: 'remove-goal', index })}
+          />
+        </td>
+      </tr>
+      <tr {...row} class="goal-second">
+        <th scope="row">{t('goals.place')}</th>
+        <Place
+          end={index}
+          at={goal.at}
           label={t('goals.placeOf', { name })}
-          value={goal.at.join(', ')}
           testId={`goal-place-${index + 1}`}
-          accept={(text) => {
-            const error = placeError(spec, index, text)
-            const at = readPlace(text)
-            refuse(error)
-            if (!error && at) applyEdit({ kind: 'goal', index, at })
-            return error === null
-          }}
+          refuse={refuse}
         />
-        <Where goal={goal} />
-      </td>
-      <td>
-        <IconButton
-          icon={X}
-          label={t('goals.remove', { name })}
-          tone="quiet"
-          size={16}
-          disabled={spec.goals.length < 2}
-          testId={`goal-remove-${index + 1}`}
-          onClick={() => applyEdit({ kind: 'remove-goal', index })}
-        />
-      </td>
-    </tr>
+      </tr>
+    </>
   )
 }
 
-/** In metres, on a map that has a scale. */
-function Where({ goal }: { goal: Goal }) {
+interface PlaceProps extends RefusingProps {
+  /** The start, or the index of a goal. */
+  end: 'start' | number
+  at: MapCell
+  label: string
+  testId: string
+}
+
+/** As column and row; beneath in metres, on a map that has a scale. */
+function Place({ end, at, label, testId, refuse }: PlaceProps) {
   const now = scenario.value
-  const words = now ? placeShown(now, goal.at) : []
-  return words.length > 0 && <span class="goal-where">{words.join(' · ')}</span>
+  if (!now) return null
+  const accept = (text: string) => {
+    const error = placeError(now.spec, end, text)
+    const to = readPlace(now.spec, text)
+    refuse(error)
+    if (error || !to) return false
+    applyEdit(end === 'start' ? { kind: 'start', at: to } : { kind: 'goal', index: end, at: to })
+    return true
+  }
+  const where = placeShown(now, at).join(' · ')
+  return (
+    <td class="goal-at" colSpan={5}>
+      <Cell
+        class="goal-place"
+        label={label}
+        value={at.join(', ')}
+        testId={testId}
+        accept={accept}
+      />
+      {where !== '' && <span class="goal-where">{where}</span>}
+    </td>
+  )
 }
 
 /** The goal tool moves the goal that is being worked on. */

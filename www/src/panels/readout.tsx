@@ -1,9 +1,9 @@
 import type { Reference, RunSummary } from '@pkg/formicarium'
-import { numbers, type TextKey, t } from '../i18n'
+import { numbers, t } from '../i18n'
 import { type Panel, referenceOf, referenceRefusal, shownOf } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
-import { type ObjectiveWord, objectiveWord } from '../words/objective_words'
+import { OTHER_VALUES, objectiveWord } from '../words/objective_words'
 import { isSearch, panelTitle } from '../words/planner_words'
 
 /** The panel's result at a glance: how far from the best there is, how long, how far it has come. */
@@ -31,15 +31,6 @@ export function Readout({ panel, place }: { panel: Panel; place: number }) {
       <ProgressBar panel={panel} />
     </div>
   )
-}
-
-/** Short names of objectives that are no length. */
-export const OTHER_VALUES: Partial<Record<ObjectiveWord, TextKey>> = {
-  'turn-index': 'metrics.turnIndex',
-  weighted: 'metrics.weighted',
-  'tour-weight': 'metrics.weightShort',
-  'slice-cost': 'metrics.costShort',
-  cost: 'metrics.costShort',
 }
 
 /** The value that the gap is about, where it is not the length. */

@@ -4,9 +4,8 @@ import { t } from '../i18n'
 import type { Verification } from '../model/scripting'
 import { type Panel, type Phase, phase, shownOf } from '../state'
 import { Icon } from '../ui/icon'
-import { objectiveWord } from '../words/objective_words'
+import { OTHER_VALUES, objectiveWord } from '../words/objective_words'
 import { isSearch } from '../words/planner_words'
-import { OTHER_VALUES } from './readout'
 
 type StatusWord =
   | 'refused'

@@ -20,7 +20,7 @@ interface RampProps {
 }
 
 export function Ramp({ title, note, ends, colours, write }: RampProps) {
-  const [low, high] = ends.map(write)
+  const [low, high] = ends.map((value) => write(isNothing(value, ends) ? 0 : value))
   return (
     <div
       class="legend-ramp"
@@ -38,6 +38,12 @@ export function Ramp({ title, note, ends, colours, write }: RampProps) {
     </div>
   )
 }
+
+/** Beside the other end of the scale such a value is zero: what trails have evaporated to, say. */
+const VANISHING = 1e-6
+
+const isNothing = (value: number, ends: LayerEnds) =>
+  Math.abs(value) < VANISHING * Math.max(...ends.map(Math.abs))
 
 interface SwatchProps {
   title: string

@@ -1,15 +1,15 @@
-/** Offers a way out when the robot does not fit where a path begins or ends. Started with the legend. */
+/** Offers a way out when the robot does not fit where a path begins or ends, which is said above the maps. Started with the legend. */
 import { effect } from '@preact/signals'
 import { lateTools } from '../engine/late_tools'
-import { describeNotice } from '../i18n/errors'
 import { t } from '../i18n/weights'
 import { endsWithRoom } from '../model/robot_room'
-import { announce, commit, notify, notifyError, scenario, scenarioNotices } from '../state'
+import { announce, commit, dismiss, notify, notifyError, scenario, scenarioNotices } from '../state'
 import { mapIsFixed } from '../state/embedding'
 
 const NARROW = /^(start|goal)-too-narrow$/
 
 let told = ''
+let offered: number | null = null
 
 export function offerRoom(): void {
   effect(() => {
@@ -17,9 +17,11 @@ export function offerRoom(): void {
     const key = notice ? JSON.stringify(notice) : ''
     if (key === told) return
     told = key
+    if (offered !== null) dismiss(offered)
+    offered = null
     if (!notice || mapIsFixed.peek()) return
     const action = { label: t('weights.move'), run: () => void moveEnds().catch(notifyError) }
-    notify('warning', describeNotice(notice), { hint: t('weights.orSmaller'), action })
+    offered = notify('warning', t('weights.needsRoom'), { hint: t('weights.orSmaller'), action })
   })
 }
 

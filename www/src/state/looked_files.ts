@@ -83,6 +83,7 @@ const OPENED = new Set([
   'movingai-scen',
   'tsplib',
   'tsplib-tour',
+  'path',
 ])
 export const canBeOpened = (file: FoundFile | Carrier) =>
   OPENED.has(file.kind) || (file.kind !== 'carrier' && file.map)

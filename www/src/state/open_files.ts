@@ -11,6 +11,7 @@ import type { TerrainPart } from '../model/tool_calls'
 import type { ToldByLink } from '../share/comparison_link'
 import { linkIn } from '../share/link_in_text'
 import { loadSession, notify, readied, scenario, setScenario, showView } from '.'
+import { openPath, withBarePaths } from './brought_path'
 import { closeDialog } from './dialogs'
 import { bytesOf, MAX_BYTES, refuseLarge } from './file_bytes'
 import { fileName, stemOf } from './file_paths'
@@ -188,7 +189,7 @@ async function openTogether(
 /** Of files that were named one by one, the reader hears which are none of ours. */
 function tellLeftOut(
   files: NamedBytes[],
-  why: 'opening.leftOut' | 'opening.oneOrder' = 'opening.leftOut',
+  why: 'opening.leftOut' | 'opening.oneOrder' | 'opening.onePath' = 'opening.leftOut',
 ): void {
   const names = files.map(({ name }) => fileName(name)).join(', ')
   if (names !== '') notify('warning', t(why, { names }))
@@ -207,7 +208,9 @@ function nothingWithin(name: string): EngineError {
 
 /** Whether there was anything to open. */
 async function openFound(turn: Turn, found: Looked['found'], opening: Together): Promise<boolean> {
-  const files = found.filter((file): file is FoundFile => file.kind !== 'carrier')
+  const files = await withBarePaths(
+    found.filter((file): file is FoundFile => file.kind !== 'carrier'),
+  )
   const named = await picturesNamed(files)
   const orders = files.filter(({ kind }) => kind === 'tsplib')
   const maps = files.filter((file) => file.map && !named.has(file))
@@ -236,7 +239,16 @@ async function openFound(turn: Turn, found: Looked['found'], opening: Together):
     mapChoice.value = { files: maps, others: files.filter((file) => !maps.includes(file)) }
   else if (first) await openOne(turn, first, files, opening)
   else for (const scen of scens) await openScen(scen, turn)
+  await openPathOf(turn, files)
   return found.length > 0
+}
+
+/** One path at a time, and none while a dialog asks about its map. */
+async function openPathOf(turn: Turn, files: FoundFile[]): Promise<void> {
+  const paths = files.filter(({ kind }) => kind === 'path')
+  const [first, ...others] = isAsking() ? [] : paths
+  if (first) await openPath(turn, first)
+  tellLeftOut(first ? others : paths, 'opening.onePath')
 }
 
 /** One map of several that came together. */

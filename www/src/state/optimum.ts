@@ -96,8 +96,8 @@ async function remarks(asked: Scenario): Promise<Notice[]> {
 }
 
 function noticeOf(thrown: unknown): Notice {
-  const { kind, message, args } = toEngineError(thrown)
-  return { kind, message, args }
+  const { kind, field, message, args } = toEngineError(thrown)
+  return { kind, message, args: { ...args, field } }
 }
 
 /** One after the other, quick ones first. */

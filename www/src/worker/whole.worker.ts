@@ -41,6 +41,7 @@ const calls: ToolCalls & MapCalls & OrderCalls & LessonCalls & DriveCalls = {
   pathFormats: (spec) => engine.path_formats(spec),
   writePath: (map, { path, altitudes, objective }, format) =>
     engine.write_path(...map, path, Float32Array.from(altitudes ?? []), objective, format),
+  readPath: (spec, bytes) => engine.read_path(spec, bytes),
   ablation: (planner, preset, set) => engine.ablation(planner, preset, set),
   joinResults: (document, bytes, name, instance, leaveOut) =>
     engine.join_results(document, bytes, name, instance, leaveOut),

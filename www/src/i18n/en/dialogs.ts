@@ -103,7 +103,7 @@ export const enDialogs = {
       import: 'Import',
       export: 'Export',
       generate: 'Generate a map',
-      shape: 'Size and moves',
+      shape: 'Size, moves and robot',
       shapeTerrain: 'Size, moves and terrain',
     },
     generateNow: 'Generate',
@@ -135,6 +135,7 @@ export const enDialogs = {
       picture: 'Picture, by a threshold (.png, .jpg, .webp, .bmp, .pgm, .pbm, .ppm)',
       ros: 'ROS map: description and picture together (.yaml with .pgm or .png); OccupancyGrid message (.yaml)',
       raster: 'Heights: ESRI ASCII grid (.asc), GeoTIFF (.tif), SRTM (.hgt), table (.csv)',
+      path: 'Path on the map on show: cells or metres (.csv, .json), ROS Path message (.yaml), line of GeoJSON (.geojson)',
       order: 'Places to be put in an order: TSPLIB instance (.tsp), with or without a tour (.tour)',
       json: 'Formicarium scenario, session or comparison (.json)',
       archive: 'Any of these in an archive (.zip, .gz) or a folder',
@@ -224,6 +225,9 @@ export const enDialogs = {
     swampFactor: 'Factor, 1 to {{most}}',
     swampHint:
       'A way through swamp costs so many times its length; with 1 it is as free as any other ground.',
+    extent: 'Part',
+    extents: { all: 'All of it', known: 'Crop to what is known' },
+    extentHint: 'Cropped, it stays where it is in the world, with one row of unknown cells around.',
     unknownNotes: {
       blocked: 'Where no sensor has looked, nothing goes: as a careful robot plans.',
       free: 'Where no sensor has looked, paths may lead: as a robot that explores plans.',
@@ -289,6 +293,11 @@ export const enDialogs = {
     tooManyFiles: 'More than {{most}} files: none was opened.',
     tooManyFilesHint: 'Drop the folder that holds the map, without what lies around it.',
     oneOrder: 'One order problem is opened at a time; not opened: {{names}}',
+    onePath: 'A path is opened one at a time, and once its map is there; not opened: {{names}}',
+    pathBrought: '{{name}} is the path by hand on {{map}} now.',
+    pathEnds: 'Move start and goal to its ends',
+    pathTooLong: 'The path has {{count}} cells; one by hand has at most {{most}}.',
+    pathTooLongHint: 'Open a part of it.',
     leftOut: 'Not opened, as it is no known file: {{names}}',
     tooManyRuns: '{{name}} has more runs than the page takes: {{size}} MB',
     tooManyRunsHint: {

@@ -114,6 +114,7 @@ export const enLesson = {
     steps_other: '{{count}} steps',
     missing: 'Still to come by: the goal at ({{x}}, {{y}}).',
     complete: 'Complete: length {{length}}, {{turns}} turns, least clearance {{clearance}}.',
+    valued: '{{what}} {{value}}.',
     gap: '{{gap}} above the reference.',
     best: 'As good as the reference.',
     flaw: 'No path on this map. {{why}} Clear it, or take pieces back.',

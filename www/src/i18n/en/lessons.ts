@@ -71,7 +71,7 @@ export const enLessons = {
       question:
         'Why does the path by hand not count? How much shorter would the shortest one be if one cell beside the step had to be free, or none?',
       answer:
-        'Both free: {{bothFree}} cells. One free: {{oneFree}}, as corners may be shaved; between the walls both cells beside the step are blocked, and the gap stays closed. None: {{always}}, which is {{saved}} less than with both, straight through a gap into which no real robot fits.\nThe colony finds the shortest path in at least {{found}} of {{seeds}} runs under each rule. Lengths of two papers can be compared only if their rules are the same. Change the rule: Map, Size and moves.',
+        'Both free: {{bothFree}} cells. One free: {{oneFree}}, as corners may be shaved; between the walls both cells beside the step are blocked, and the gap stays closed. None: {{always}}, which is {{saved}} less than with both, straight through a gap into which no real robot fits.\nThe colony finds the shortest path in at least {{found}} of {{seeds}} runs under each rule. Lengths of two papers can be compared only if their rules are the same. Change the rule: Map, “Size, moves and robot”.',
     },
     goals: {
       title: 'Five fires, two orders',

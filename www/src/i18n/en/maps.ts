@@ -41,7 +41,7 @@ export const enMaps = {
     startOverNote: 'First map, first planners, first settings',
     make: 'Make and change',
     generate: 'Generate a map…',
-    shape: 'Size and moves…',
+    shape: 'Size, moves and robot…',
     shapeTerrain: 'Size, moves and terrain…',
     clear: 'Clear all walls',
     invert: 'Swap walls and free cells',

@@ -36,7 +36,7 @@ export const en = {
       cost: 'Least cost',
     },
     proving: '{{what}}: being proven…',
-    refused: '{{what}}: cannot be asked for',
+    refused: '{{what}}: none, for the reason beside it',
     unknown: '{{what}}: not known at this size',
     unreachable: 'No path from start to goal exists',
     goalUnreachable: 'At least one goal cannot be reached',

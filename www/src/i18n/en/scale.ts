@@ -1,4 +1,4 @@
-/** How large cells are and how fast one moves: of the dialog “Size and moves”. */
+/** How large cells are and how fast one moves: of the dialog “Size, moves and robot”. */
 export const enScale = {
   title: 'Scale and speed',
   cell: 'Cell size (m)',

@@ -53,7 +53,7 @@ export const zhCNDrive: DictionaryShape<typeof enDrive> = {
   noExample: '这里无法让障碍横穿：路径太短，或没有路径。',
   addObstacle: '添加障碍',
   addWalls: '添加墙变化',
-  obstacle_other: '障碍 {{number}}：{{count}} 格，{{end}}',
+  obstacle_other: '障碍 {{number}}，{{size}} × {{size}}：轨迹 {{count}} 格，{{end}}',
   walls: '第 {{step}} 步的墙：堵住 {{blocked}} 格，放开 {{freed}} 格',
   remove: '移除：{{what}}',
   removed: '已移除。',

@@ -52,6 +52,8 @@ export const zhCNRemarks = {
     'path-no-curve': '没有可走的平滑曲线：路径按规划结果写出。',
     'path-frame': '路径的坐标系是 {{path}}，地图的是 {{map}}：二者的米制坐标按相同处理。',
     'path-frame-unnamed': '路径的坐标系是 {{path}}，地图没有说明坐标系：二者的米制坐标按相同处理。',
+    'path-joined': '有 {{count}} 处相邻位置相距超过一步，已用其间的格子连接：长度按这些步计算。',
+    'path-polyline-joined': '折线的 {{count}} 段已用其间的格子连接：长度按这些步计算。',
     'geojson-crs':
       '坐标属于 EPSG:{{code}}，由 GeoJSON 2008 的成员 crs 给出：RFC 7946 只有 WGS 84 的度数，不读 crs 的程序会把线放错位置。',
     'ros-first-message': '文件中有多条消息：读取了第一条。',
@@ -295,6 +297,11 @@ export const zhCNRemarks = {
       hint: '移动或删除其中一个',
     },
     'goal-on-start': { message: '起点位于 ({{x}}, {{y}})', hint: '请选择另一格' },
+    'start-on-goal': { message: '目标位于 ({{x}}, {{y}})', hint: '请选择另一格' },
+    'place-in-metres': {
+      message: '“{{value}}”不是位置',
+      hint: '请写列与行，例如 11, 4，或米，例如 2m, 0.5m',
+    },
     place: { message: '“{{value}}”不是位置', hint: '请写列与行，例如 11, 4' },
     quantity: {
       message: '不能使用 {{field}} = {{value}}',
@@ -304,10 +311,8 @@ export const zhCNRemarks = {
       message: '不能按 {{field}} = {{value}} 改动墙体',
       hint: '请检查格子与迭代次数',
     },
-    drive: {
-      message: '不能按 {{field}} = {{value}} 行驶',
-      hint: '请检查障碍的格子与步数；只能有一个目标，规划器须逐格前进',
-    },
+    // What is allowed depends on the field: fields.ts has it.
+    drive: { message: '行驶时不能使用 {{field}} = {{value}}' },
     memory: {
       message: '需要 {{megabytes}} MB 内存，超过可用的 {{max}} MB',
       hint: '请减少数量，或裁剪、缩小地图',

@@ -84,6 +84,9 @@ export const zhCNFileRules: Phrases = {
   'the fields of docs/formats.md': 'docs/formats.md 所列的字段',
 
   // Paths.
+  'places without levels: column and row': '不带层的位置：列与行',
+  'at least its start and its goal': '至少有起点与目标',
+  'a shorter path': '更短的路径',
   'one level for each cell': '每格一个层',
   'places on the map: check against the one that the path was planned on':
     '地图上的位置：请与规划此路径的地图一起检验',

@@ -113,6 +113,7 @@ export const zhCNLesson: DictionaryShape<typeof enLesson> = {
     steps_other: '{{count}} 步',
     missing: '还要经过目标 ({{x}}, {{y}})。',
     complete: '已完成：长度 {{length}}，转弯 {{turns}} 次，最小间隙 {{clearance}}。',
+    valued: '{{what}} {{value}}。',
     gap: '比参考值高 {{gap}}。',
     best: '与参考值一样好。',
     flaw: '在此地图上不是路径。{{why}}请清除，或撤销几段。',

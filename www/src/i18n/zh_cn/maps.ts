@@ -42,7 +42,7 @@ export const zhCNMaps: DictionaryShape<typeof enMaps> = {
     startOverNote: '最初的地图、规划器与设置',
     make: '制作与修改',
     generate: '生成地图…',
-    shape: '尺寸与移动规则…',
+    shape: '尺寸、移动与机器人…',
     shapeTerrain: '尺寸、移动与地形…',
     clear: '清除所有墙',
     invert: '交换墙与空地',
