@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::spec::MOST;
 use super::{Vehicle, quantity};
 use crate::error::ScenarioError;
 
@@ -37,16 +38,22 @@ pub struct SmoothingRule {
     pub max_curvature: f64,
 }
 
+/// Largest part of an energy: in joules a metre up of a hundred tonnes is a million.
+const MOST_ENERGY: f64 = 1e9;
+
 /// # Errors
-/// [`ScenarioError::Quantity`] for a number that is negative or not finite.
+/// [`ScenarioError::Quantity`] for a number that is negative, too large or not finite.
 pub(super) fn check_driving(vehicle: &Vehicle) -> Result<(), ScenarioError> {
-    let at_least_0 = |field, value: f64, allowed| quantity(field, value, value >= 0.0, allowed);
     if let Some(rule) = vehicle.energy {
-        at_least_0("vehicle.energy.per_metre", rule.per_metre, "0 or a positive number")?;
-        at_least_0("vehicle.energy.per_radian", rule.per_radian, "0 or a positive number")?;
-        at_least_0("vehicle.energy.per_metre_up", rule.per_metre_up, "0 or a positive number")?;
+        let energy = |field, value: f64| {
+            quantity(field, value, (0.0..=MOST_ENERGY).contains(&value), "0 or a positive number, up to 1000000000")
+        };
+        energy("vehicle.energy.per_metre", rule.per_metre)?;
+        energy("vehicle.energy.per_radian", rule.per_radian)?;
+        energy("vehicle.energy.per_metre_up", rule.per_metre_up)?;
     }
     vehicle.smoothing.map_or(Ok(()), |rule| {
-        at_least_0("vehicle.smoothing.max_curvature", rule.max_curvature, "0 for no bound, or a positive number per metre")
+        let allowed = "0 for no bound, or a positive number per metre, up to 1000000";
+        quantity("vehicle.smoothing.max_curvature", rule.max_curvature, (0.0..=MOST).contains(&rule.max_curvature), allowed)
     })
 }

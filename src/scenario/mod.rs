@@ -276,7 +276,7 @@ fn quantity(field: &'static str, value: f64, ok: bool, allowed: &'static str) ->
 
 /// The cells of the goals.
 fn goal_cells(grid: &Grid, goals: &[Goal]) -> Result<Vec<Cell>, ScenarioError> {
-    const POSITIVE: &str = "a positive number";
+    const POSITIVE: &str = "a positive number, up to 1000000";
     if !(1..=MAX_GOALS).contains(&goals.len()) {
         return Err(ScenarioError::GoalCount { got: goals.len(), most: MAX_GOALS });
     }
@@ -288,7 +288,7 @@ fn goal_cells(grid: &Grid, goals: &[Goal]) -> Result<Vec<Cell>, ScenarioError> {
         }
         cells.push(cell);
         for (field, value) in [("area", goal.area), ("strength", goal.strength), ("danger", goal.danger)] {
-            quantity(field, value, value > 0.0, POSITIVE)?;
+            quantity(field, value, value > 0.0 && value <= spec::MOST, POSITIVE)?;
         }
         quantity("weight of a goal", goal.weight(), goal.weight() > 0.0, "a positive number: 1 / (area · strength · danger)")?;
     }

@@ -91,6 +91,12 @@ impl Default for Vehicle {
     }
 }
 
+/// Largest quantity of a scenario, in its unit: what is larger is a slip.
+pub(super) const MOST: f64 = 1e6;
+
+/// Longest name of a map or a goal, in letters.
+const LONGEST_NAME: usize = 1000;
+
 /// A scenario without its cells, as files and the page hold it.
 ///
 /// ```
@@ -191,10 +197,15 @@ impl ScenarioSpec {
         if (self.width, self.height) != (grid.width(), grid.height()) {
             return Err(ScenarioError::CellCount { width: self.width, height: self.height, got: grid.len() });
         }
-        quantity("resolution", self.resolution, self.resolution > 0.0, "a positive number of metres")?;
-        quantity("speed", self.vehicle.speed, self.vehicle.speed > 0.0, "a positive number of metres per second")?;
-        let turn = self.vehicle.seconds_per_turn;
-        quantity("seconds_per_turn", turn, turn >= 0.0, "0 or a positive number of seconds")?;
+        let within = |value: f64| value > 0.0 && value <= MOST;
+        quantity("resolution", self.resolution, within(self.resolution), "a positive number of metres, up to 1000000")?;
+        let Vehicle { speed, seconds_per_turn, .. } = self.vehicle;
+        quantity("speed", speed, within(speed), "a positive number of metres per second, up to 1000000")?;
+        let turns = (0.0..=MOST).contains(&seconds_per_turn);
+        quantity("seconds_per_turn", seconds_per_turn, turns, "0 or a positive number of seconds, up to 1000000")?;
+        let names = std::iter::once(&self.name).chain(self.goals.iter().map(|goal| &goal.name));
+        let longest = names.map(|name| name.chars().count()).max().unwrap_or(0);
+        quantity("name", longest as f64, longest <= LONGEST_NAME, "one of at most 1000 letters")?;
         #[cfg(feature = "whole")]
         check_driving(&self.vehicle)?;
         self.world.as_ref().map_or(Ok(()), World::check)?;

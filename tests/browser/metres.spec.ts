@@ -188,7 +188,7 @@ test('quantities that cannot be used are refused at their fields, in the engineâ
     ['resolution', '0', 'a positive number of metres'],
     ['speed-metres', '-2', 'a positive number of metres per second'],
     ['turn-seconds', '-1', '0 or a positive number of seconds'],
-    ['speed-metres', '2000000', 'At most 1,000,000'],
+    ['speed-metres', '2000000', 'up to 1000000'],
   ] as const) {
     const input = page.getByTestId(field)
     const before = await input.inputValue()

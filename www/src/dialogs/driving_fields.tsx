@@ -5,7 +5,6 @@ import { useId } from 'preact/hooks'
 import { tools } from '../engine/tools'
 import { numbers } from '../i18n'
 import { addDrivingWords, t } from '../i18n/driving'
-import { MOST_ENERGY } from '../share/session_vehicle'
 import type { Rules } from '../state/movement_rules'
 import { NumberField, Segmented } from '../ui/fields'
 import { DRIVING_LABELS, type WrongQuantity } from './quantities'
@@ -127,7 +126,6 @@ function EnergyFields({ vehicle, wrong, usual, onChange }: GroupProps & { usual:
               label={t(DRIVING_LABELS[key])}
               value={energy[key]}
               min={0}
-              max={MOST_ENERGY}
               live
               testId={`energy-${key}`}
               onChange={(value) => onChange({ ...others, energy: { ...energy, [key]: value } })}

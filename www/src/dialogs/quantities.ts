@@ -1,18 +1,13 @@
 /** Checks how large cells are, how fast one moves and what the robot is like, as the engine does. */
 import type { EngineError, ScenarioSpec } from '@pkg/formicarium'
 import { tools } from '../engine/tools'
-import { numbers } from '../i18n'
 import { t } from '../i18n/dialogs'
 import { t as tOfDriving } from '../i18n/driving'
 import { errorText } from '../i18n/errors'
 import { t as tOfRobot } from '../i18n/weights'
 import { goalAt } from '../model/session'
-import { MOST_ENERGY } from '../share/session_vehicle'
 import type { Rules } from '../state/movement_rules'
 import { useLatest } from './latest_answer'
-
-/** As large as a link may hold. */
-const MOST = 1e6
 
 const LABELS = {
   resolution: 'scale.cell',
@@ -64,18 +59,7 @@ export async function wrongQuantity(
   spec: ScenarioSpec,
   { resolution, vehicle, robot }: Rules,
 ): Promise<WrongQuantity | null> {
-  const { energy, smoothing, ...pace } = vehicle
-  const large =
-    firstAbove(MOST, { resolution, ...pace, ...smoothing }) ??
-    firstAbove(MOST_ENERGY, { ...energy })
-  if (large) return large
   return tools.check(smallest({ ...spec, resolution, vehicle, robot })).then(() => null, refusal)
-}
-
-function firstAbove(limit: number, all: Partial<Record<Quantity, number>>): WrongQuantity | null {
-  const large = (Object.keys(all) as Quantity[]).find((field) => (all[field] ?? 0) > limit)
-  if (!large) return null
-  return { field: large, why: () => t('scale.most', { most: numbers.value.whole.format(limit) }) }
 }
 
 /** In Chinese it names the field as the form does. */

@@ -11,18 +11,28 @@ export function Numbers() {
   const { whole, length } = numbers.value
   const { waits, plans, expansions, antMoves } = tally.value
   const found = summary.value
-  const driven = standing.value?.last.length ?? 0
+  const last = standing.value?.last
+  const [driven, cost, seconds] = [last?.length ?? 0, last?.cost, found?.travel_time]
   const replans = Math.max(0, plans - 1)
   const searches = isSearch(drivingPanel.value?.setup.planner ?? '')
   return (
     <dl class="drive-numbers" aria-label={t('drive.numbers')} data-testid="drive-numbers">
       <Fact name="length" text={lengthShown(driven)} value={driven} />
-      <Fact name="best" hint="drive.bestHint" text={bestWords()} value={bestOf()} />
+      {cost !== undefined && (
+        <Fact name="cost" hint="drive.costHint" text={length.format(cost)} value={cost} />
+      )}
+      <Fact name="best" hint={reasonOr('drive.bestHint')} text={bestWords()} value={bestOf()} />
       <Fact
         name="ratio"
         hint="drive.ratioHint"
         text={found?.ratio == null ? '–' : length.format(found.ratio)}
         value={found?.ratio ?? ''}
+      />
+      <Fact
+        name="arrival"
+        hint="drive.arrivalHint"
+        text={seconds === undefined ? '–' : t('drive.seconds', { seconds: length.format(seconds) })}
+        value={seconds ?? ''}
       />
       <Fact name="replans" text={whole.format(replans)} value={replans} />
       <Fact name="waits" text={whole.format(waits)} value={waits} />
@@ -35,7 +45,16 @@ export function Numbers() {
   )
 }
 
-type Name = 'length' | 'best' | 'ratio' | 'replans' | 'waits' | 'expansions' | 'antMoves'
+type Name =
+  | 'length'
+  | 'cost'
+  | 'best'
+  | 'ratio'
+  | 'arrival'
+  | 'replans'
+  | 'waits'
+  | 'expansions'
+  | 'antMoves'
 
 interface FactProps {
   name: Name
@@ -64,8 +83,17 @@ function bestWords(): string {
   if (!isOver.value) return t('drive.later')
   const best = summary.value?.clairvoyant
   if (!best) return t('drive.working')
-  if ('value' in best) return lengthShown(best.value)
+  if ('value' in best)
+    return summary.value?.cost === undefined
+      ? lengthShown(best.value)
+      : numbers.value.length.format(best.value)
   return t(best.kind === 'no-path' ? 'drive.noPath' : 'drive.unknown')
+}
+
+/** Why the best in advance is not known, or else this. */
+function reasonOr(otherwise: DriveKey): DriveKey {
+  const why = summary.value?.too_much?.kind
+  return why ? `drive.tooMuch.${why}` : otherwise
 }
 
 /** Only what can be there. */

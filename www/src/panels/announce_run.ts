@@ -5,9 +5,8 @@ import { t } from '../i18n'
 import { announce, liveTick, type Panel, panels, phase } from '../state'
 import { gapShown, panelGap } from '../words/gap_words'
 import { lengthShown } from '../words/lengths'
-import { objectiveWord } from '../words/objective_words'
+import { OTHER_VALUES, objectiveWord } from '../words/objective_words'
 import { panelTitle } from '../words/planner_words'
-import { OTHER_VALUES } from './readout'
 
 /** Better paths come faster than anybody can hear of them: one in so many milliseconds is told. */
 const PAUSE_MS = 4000

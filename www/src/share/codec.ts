@@ -98,6 +98,7 @@ export async function unpack(bytes: Uint8Array, generate: Generate): Promise<Ses
       ? readOwn(reader, described, version === WEIGHTED)
       : readEdits(reader, described, generate)
   const scenario = { spec, ...(await ground), origin }
+  if (reader.left > 0) throw damaged('it goes on behind its end')
   return { ...rest, scenario: changes ? afterChanges(scenario, changes) : scenario }
 }
 

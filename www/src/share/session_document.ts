@@ -178,7 +178,7 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
       value === undefined ? 1 : real(value, `${field}.${key}`, Number.MIN_VALUE, 1e6)
     return {
       at: cell(at, `${field}.at`, width, height),
-      name: text(name, `${field}.name`, 200),
+      name: text(name, `${field}.name`, 1000),
       area: weight(area, 'area'),
       strength: weight(strength, 'strength'),
       danger: weight(danger, 'danger'),
@@ -186,7 +186,7 @@ function readSpec(fields: Fields, limits: Limits): ScenarioSpec {
   })
   if (goals.length === 0) throw invalid('scenario.goals', 'must name a goal')
   return {
-    name: text(fields.name, 'scenario.name', 200),
+    name: text(fields.name, 'scenario.name', 1000),
     width,
     height,
     resolution: real(fields.resolution, 'scenario.resolution', Number.MIN_VALUE, 1e6),

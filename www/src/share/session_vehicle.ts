@@ -5,7 +5,7 @@ import { type Fields, fieldsOf, real } from './field_checks'
 const FIELD = 'scenario.vehicle'
 const MOST = 1e6
 /** In joules a metre up of a hundred tonnes is a million. */
-export const MOST_ENERGY = 1e9
+const MOST_ENERGY = 1e9
 
 export function readVehicle({ speed, seconds_per_turn, energy, smoothing }: Fields): Vehicle {
   return {

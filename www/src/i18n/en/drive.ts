@@ -36,9 +36,24 @@ export const enDrive = {
   length: 'Way driven',
   best: 'Best in advance',
   bestHint:
-    'The shortest drive of somebody who knows from the beginning what will move. Searched for at the end.',
+    'The shortest drive, on dear ground the cheapest, of somebody who knows from the beginning what will move. Searched for at the end.',
+  tooMuch: {
+    states:
+      'Unknown: too many cells at too many steps. A smaller map, or one cropped to what is known, has it.',
+    kept: 'Unknown: too many maps of too many cells. A smaller map, or one cropped to what is known, has it.',
+    felt: "Unknown: the robot's room and costs on so many maps take too long. A smaller map has it.",
+    period:
+      'Unknown: all that moves begins anew only after too many steps. Tracks of equal lengths have it.',
+  },
+  cost: 'Cost driven',
+  costHint:
+    'Each move counts its length times the factors of its cells, as the map was at that step.',
+  arrival: 'Arrival after',
+  arrivalHint:
+    'Metres / speed + turns × seconds per turn + waits, each as long as a straight move.',
+  seconds: '{{seconds}} s',
   ratio: 'Ratio',
-  ratioHint: 'Way driven / best in advance',
+  ratioHint: 'Way driven / best in advance; on dear ground of their costs',
   replans: 'Planned again',
   waits: 'Waits',
   expansions: 'Cells looked at',

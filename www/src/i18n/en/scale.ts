@@ -4,7 +4,6 @@ export const enScale = {
   cell: 'Cell size (m)',
   speed: 'Speed (m/s)',
   turn: 'Time for a turn (s)',
-  most: 'At most {{most}} can be used.',
   whole: 'The map measures {{x}} × {{y}}.',
   time: 'Travel time = metres / speed + turns · time for a turn.',
   unit: 'Lengths in',

@@ -6,7 +6,6 @@ export const zhCNScale: DictionaryShape<typeof enScale> = {
   cell: '格边长（米）',
   speed: '速度（米/秒）',
   turn: '每次转弯用时（秒）',
-  most: '不能超过 {{most}}。',
   whole: '地图大小为 {{x}} × {{y}}。',
   time: '行进时间 = 米数 / 速度 + 转弯次数 · 每次转弯用时。',
   unit: '长度单位',
