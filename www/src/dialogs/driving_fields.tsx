@@ -126,6 +126,7 @@ function EnergyFields({ vehicle, wrong, usual, onChange }: GroupProps & { usual:
               label={t(DRIVING_LABELS[key])}
               value={energy[key]}
               min={0}
+              max={1e9}
               live
               testId={`energy-${key}`}
               onChange={(value) => onChange({ ...others, energy: { ...energy, [key]: value } })}
