@@ -11,11 +11,11 @@ use crate::map::{Cell, CornerRule, Grid, Movement, Moves, Point};
 
 /// A slope at the end of a wedge.
 #[derive(Debug, Clone, Copy)]
-struct Slope {
-    rise: i32,
-    run: i32,
+pub(super) struct Slope {
+    pub(super) rise: i32,
+    pub(super) run: i32,
     /// Whether the slope itself does not belong to the wedge.
-    is_open: bool,
+    pub(super) is_open: bool,
 }
 
 impl Slope {
@@ -25,30 +25,30 @@ impl Slope {
     }
 
     /// The higher of two lower ends.
-    fn or_higher(self, other: Self) -> Self {
+    pub(super) fn or_higher(self, other: Self) -> Self {
         if self.is_below(other) || (!other.is_below(self) && other.is_open) { other } else { self }
     }
 
     /// The lower of two upper ends.
-    fn or_lower(self, other: Self) -> Self {
+    pub(super) fn or_lower(self, other: Self) -> Self {
         if other.is_below(self) || (!self.is_below(other) && other.is_open) { other } else { self }
     }
 
     /// How high it is at `twice_x` half columns, in half rows, as a quotient.
-    fn at(self, twice_x: i32) -> (i64, i64) {
+    pub(super) fn at(self, twice_x: i32) -> (i64, i64) {
         (i64::from(self.rise) * i64::from(twice_x), i64::from(self.run))
     }
 }
 
 /// What is open to sight between two slopes.
 #[derive(Debug, Clone, Copy)]
-struct Wedge {
-    low: Slope,
-    high: Slope,
+pub(super) struct Wedge {
+    pub(super) low: Slope,
+    pub(super) high: Slope,
 }
 
 impl Wedge {
-    fn is_empty(self) -> bool {
+    pub(super) fn is_empty(self) -> bool {
         let is_point = !self.low.is_below(self.high);
         is_point && (self.high.is_below(self.low) || self.low.is_open || self.high.is_open)
     }
