@@ -13,6 +13,9 @@ use super::frontier::Frontier;
 use super::search::contour;
 use crate::map::Cell;
 use crate::metrics::{SAME_LENGTH, WeightedSum};
+use crate::path::Path;
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed, held};
 use crate::scenario::Scenario;
 
@@ -22,12 +25,24 @@ pub(super) type State = u32;
 /// Parent of the start.
 const NO_PARENT: State = State::MAX;
 
+/// A way that is known before a search begins.
+#[derive(Debug, Clone)]
+pub(super) struct Known {
+    pub(super) path: Path,
+    /// In cells.
+    pub(super) length: f64,
+    /// Cells that were expanded to find it.
+    pub(super) expansions: u64,
+}
+
 /// What a search does.
 pub(super) trait Rules: Clone + Send {
     /// What the result is measured by.
     const OBJECTIVE: Objective;
     /// What a path that it has found to the end is.
     const FOUND: Status;
+    /// Whether its estimate never exceeds the rest of the cost, so that the least f is a bound.
+    const IS_CERTIFIED: bool = false;
     /// States for each cell.
     const STATES_PER_CELL: u32 = 1;
 
@@ -36,6 +51,10 @@ pub(super) trait Rules: Clone + Send {
     /// The state in which the search begins.
     fn start(&self, scenario: &Scenario) -> State {
         scenario.start * Self::STATES_PER_CELL
+    }
+    /// A way that was found while it was prepared; none is longer among those that it looks for.
+    fn known(&self) -> Option<&Known> {
+        None
     }
     /// The weights, where its objective is the weighted sum.
     fn sum(&self) -> Option<WeightedSum> {
@@ -85,6 +104,9 @@ impl PartialEq for Open {
 }
 
 impl Eq for Open {}
+
+/// Longer than what rounding and [`SAME_LENGTH`] make of a way's length, in cells.
+const HAIR: f64 = 1e-6;
 
 /// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
 const BUCKETS_PER_CONTOUR: f64 = 4.0;
@@ -219,12 +241,18 @@ pub(super) struct BestFirst<R> {
     tree: Tree,
     /// f at which the contour at work ends.
     contour: f64,
+    /// The smallest f of what was open when it stopped.
+    least: f64,
     progress: Progress,
 }
 
 impl<R: Rules> BestFirst<R> {
     pub(super) fn new(scenario: Arc<Scenario>, rules: R) -> Self {
-        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, progress: Progress::default() }
+        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, least: 0.0, progress: Progress::default() }
+    }
+
+    pub(super) fn rules(&self) -> &R {
+        &self.rules
     }
 
     fn close_contour(&mut self, least: Option<f64>) {
@@ -248,13 +276,19 @@ impl<R: Rules> BestFirst<R> {
         self.progress.record(Record::of_search(self.progress.effort.iterations, length));
     }
 
+    /// The way to the goal that the search has found, or the one that was known.
+    fn best_way(&self) -> Option<Path> {
+        let found = self.tree.arrived != NO_PARENT;
+        let known = || self.rules.known().map(|known| known.path.clone());
+        if found { Some(self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect()) } else { known() }
+    }
+
     /// `lost` or `found` is what it is without a way to the goal, or with one.
     fn finish(&mut self, lost: Status, found: Status) {
-        if !self.tree.bound.is_finite() {
+        let Some(path) = self.best_way() else {
             self.progress.status = lost;
             return;
-        }
-        let path: Vec<Cell> = self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect();
+        };
         let length = self.scenario.path_length(&path);
         // Nothing is shorter than not to move at all.
         self.progress.status = if length == 0.0 { Status::Optimal } else { found };
@@ -276,6 +310,11 @@ impl<R: Rules> Contours for BestFirst<R> {
         let scenario = &*self.scenario;
         self.rules.prepare(scenario);
         self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
+        if let Some(known) = self.rules.known() {
+            // A hair longer, so that the best way is found even where it is the known one.
+            self.tree.bound = known.length + HAIR;
+            self.progress.effort.cell_expansions += known.expansions;
+        }
         let to_goal = self.rules.to_goal(scenario, scenario.start);
         self.tree.open.base = libm::floor(to_goal);
         self.tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR / contour(scenario);
@@ -285,11 +324,12 @@ impl<R: Rules> Contours for BestFirst<R> {
 
     fn advance_one(&mut self) -> bool {
         let least = self.tree.least();
-        let Some((state, _)) = least.filter(|&(_, f)| f < self.contour) else {
+        let Some((state, f)) = least.filter(|&(_, f)| f < self.contour) else {
             self.close_contour(least.map(|(_, f)| f));
             return false;
         };
         if self.rules.is_spent() {
+            self.least = f;
             self.stop();
             return false;
         }
@@ -318,6 +358,19 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
 
     fn objective(&self) -> Objective {
         R::OBJECTIVE
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        let status = self.progress.status;
+        if !R::IS_CERTIFIED || !status.is_finished() || status == Status::NoPath {
+            return None;
+        }
+        let (best, expansions) = (self.best().map_or(f64::INFINITY, |best| best.length), self.effort().cell_expansions);
+        let is_proven = status == Status::Optimal;
+        // Each segment, a cell long at least, may be counted too long by the tolerance.
+        let bound = if is_proven { best } else { best.min(self.least * (1.0 - SAME_LENGTH)) };
+        Some(Certificate { bound, expansions, is_proven })
     }
 
     fn weighed(&self) -> Option<Weighed> {

@@ -103,10 +103,16 @@ const STRAIGHT: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
 impl Sight {
     pub(super) fn new(grid: &Grid, movement: Movement) -> Self {
+        Self::within(grid, movement, |_| true)
+    }
+
+    /// As if all cells were blocked that are not among those `of_interest`.
+    pub(super) fn within(grid: &Grid, movement: Movement, of_interest: impl Fn(Cell) -> bool) -> Self {
         let (width, height) = (grid.width() as usize, grid.height());
         let mut free = vec![false; (width + 2) * (height as usize + 2)];
         for (y, row) in (0..height).zip(free.chunks_exact_mut(width + 2).skip(1)) {
-            row[1..=width].iter_mut().zip(grid.row(y)).for_each(|(free, blocked)| *free = !blocked);
+            let cells = (y * grid.width()..).zip(grid.row(y));
+            row[1..=width].iter_mut().zip(cells).for_each(|(free, (cell, blocked))| *free = !blocked && of_interest(cell));
         }
         Self { movement, width: width as i32, free, wedges: Vec::new(), next: Vec::new() }
     }

@@ -1,0 +1,93 @@
+//! The rules of the search on a plane: all cells in sight.
+
+use crate::exact::best_first::{Known, Rules, State, Tree};
+use crate::exact::euclidean;
+use crate::exact::sight::Sight;
+use crate::map::Cell;
+use crate::planner::{Objective, Status, held};
+use crate::scenario::Scenario;
+
+use super::lead::Lead;
+
+/// Largest map in cells that the straight line leads through: 64 × 64. There it takes no longer than to find out what is left to go.
+pub(super) const MOST_CELLS_UNLED: usize = 64 * 64;
+
+/// What the search keeps.
+#[derive(Clone)]
+pub(super) struct InSight {
+    sight: Sight,
+    /// Cells to which a way is found to be shorter; empty between two expansions.
+    shorter: Vec<Cell>,
+    /// Cells that it may still look at.
+    left: u64,
+    /// Whether the search is led by what is left to go for a point, else by the straight line.
+    is_led: bool,
+    /// That, once it is prepared.
+    lead: Option<Lead>,
+}
+
+impl InSight {
+    /// A search that looks at no more than `left` cells.
+    pub(super) fn new(scenario: &Scenario, left: u64) -> Self {
+        let sight = Sight::new(&scenario.grid, scenario.spec.movement);
+        Self { sight, shorter: Vec::new(), left, is_led: scenario.grid.len() > MOST_CELLS_UNLED, lead: None }
+    }
+
+    /// The same, led on any map or on none.
+    #[cfg(test)]
+    pub(super) fn led(mut self, is_led: bool) -> Self {
+        self.is_led = is_led;
+        self
+    }
+}
+
+impl Rules for InSight {
+    const OBJECTIVE: Objective = Objective::PolylineLength;
+    const FOUND: Status = Status::Optimal;
+    const IS_CERTIFIED: bool = true;
+
+    fn prepare(&mut self, scenario: &Scenario) {
+        if !self.is_led {
+            return;
+        }
+        let lead = Lead::of(scenario, self.left);
+        self.left = self.left.saturating_sub(lead.looked);
+        self.sight = Sight::within(&scenario.grid, scenario.spec.movement, |cell| lead.crosses(cell));
+        self.lead = Some(lead);
+    }
+
+    fn known(&self) -> Option<&Known> {
+        self.lead.as_ref().and_then(|lead| lead.known.as_ref())
+    }
+
+    fn bytes(&self) -> usize {
+        self.sight.bytes() + held(&self.shorter)
+    }
+
+    fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+
+    fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
+        self.lead.as_ref().map_or_else(|| euclidean(scenario, cell, scenario.goal), |lead| lead.rest[cell as usize])
+    }
+
+    fn expand(&mut self, scenario: &Scenario, cell: State, tree: &mut Tree) {
+        let g = tree.g(cell);
+        let mut shorter = std::mem::take(&mut self.shorter);
+        let rest = self.lead.as_ref().map(|lead| &*lead.rest);
+        let looked = self.sight.around(scenario.grid.point(cell), |next, away| {
+            if rest.map_or_else(|| tree.is_cheaper(next, g + away), |rest| tree.improves(next, g + away, rest[next as usize])) {
+                shorter.push(next);
+            }
+        });
+        self.left = self.left.saturating_sub(looked);
+        // The goal first: once the way to it is known, no other cell in sight can be on a better one, and none of them needs to wait.
+        shorter.sort_unstable_by_key(|&next| (next != scenario.goal, next));
+        for next in shorter.drain(..) {
+            let next_g = g + euclidean(scenario, cell, next);
+            tree.relax(next, next_g, self.to_goal(scenario, next), cell, next == scenario.goal);
+        }
+        self.shorter = shorter;
+    }
+}
