@@ -188,10 +188,16 @@ impl Tree {
         g < self.g[state as usize] - SAME_LENGTH
     }
 
+    /// Whether a way of cost f is better than the best one known.
+    #[inline]
+    pub(super) fn is_below_bound(&self, f: f64) -> bool {
+        f < self.bound - SAME_LENGTH
+    }
+
     /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
     #[inline]
     pub(super) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
-        self.is_cheaper(state, g) && g + to_goal < self.bound - SAME_LENGTH
+        self.is_cheaper(state, g) && self.is_below_bound(g + to_goal)
     }
 
     /// Takes note of a way that improves; `at_goal` where it leads to the goal.
@@ -212,7 +218,7 @@ impl Tree {
     /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
     fn least(&mut self) -> Option<(State, f64)> {
         while let Some(&Open { state, g, f }) = self.open.peek() {
-            if g <= self.g[state as usize] && f < self.bound - SAME_LENGTH {
+            if g <= self.g[state as usize] && self.is_below_bound(f) {
                 return Some((state, f));
             }
             self.open.pop();

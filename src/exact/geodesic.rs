@@ -5,9 +5,9 @@
 //! It is enough to look on from the one way that first reaches a corner with the least length. A cell that lies outside its cone has a way
 //! that leaves that corner out and is shorter still; that cell is told of from elsewhere.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::best_first::Open;
 use super::glance::{Glance, Seen};
 use super::obstacles::{Cone, Obstacles, Place, centre, distance};
 use crate::map::{Cell, Grid};
@@ -15,60 +15,44 @@ use crate::map::{Cell, Grid};
 /// What is asked of ways from one cell.
 pub(super) trait Question {
     /// A lower bound of what a way that bends at this corner has still to go, in cells.
-    fn rest(&self, corner: usize, at: Place) -> f64;
+    fn rest(&self, at: Place) -> f64;
     /// Spread of this length or longer are of no interest.
     fn limit(&self) -> f64;
     /// There is a way of this length to a cell: the shortest one is told of, others may be.
     fn reach(&mut self, cell: Cell, length: f64);
 }
 
-/// What a spreading search holds.
-#[derive(Debug)]
-pub(super) struct Spread {
-    /// Length of the shortest way to each corner, infinite where none of interest leads.
-    pub(super) corners: Vec<f64>,
-    /// The place before each corner.
+/// The corners that ways have come to.
+struct Corners {
+    /// Length of the shortest way to each, infinite where none of interest is known.
+    lengths: Vec<f64>,
+    /// The place before each on that way.
     before: Vec<Place>,
-    /// Cells that were looked at.
-    pub(super) looked: u64,
+    /// Those from which is still to be looked on.
+    open: BinaryHeap<Open>,
 }
 
-/// A corner that waits, by the length of the way on which it lies.
-#[derive(Debug, Clone, Copy)]
-struct Waiting {
-    whole: f64,
-    length: f64,
-    corner: u32,
-}
+impl Corners {
+    fn new(corners: usize) -> Self {
+        Self { lengths: vec![f64::INFINITY; corners], before: vec![(0, 0); corners], open: BinaryHeap::new() }
+    }
 
-impl Ord for Waiting {
-    /// The shortest first, of equals the first corner.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.whole.total_cmp(&self.whole).then(other.length.total_cmp(&self.length)).then(other.corner.cmp(&self.corner))
+    /// The next corner to look on from, with the length of the way to it, where that is of interest.
+    fn next(&mut self, limit: f64) -> Option<(usize, f64)> {
+        let lengths = &self.lengths;
+        let is_up_to_date = |open: &Open| open.g <= lengths[open.state as usize];
+        let next = std::iter::from_fn(|| self.open.pop()).find(is_up_to_date)?;
+        (next.f < limit).then_some((next.state as usize, next.g))
     }
 }
 
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Waiting {}
-
-/// One place from which is looked around.
+/// A place from which is looked around.
 struct Lookout<'a, Q> {
     place: Place,
+    /// Length of the way that leads to it.
     length: f64,
     question: &'a mut Q,
-    found: &'a mut Spread,
-    open: &'a mut BinaryHeap<Waiting>,
+    corners: &'a mut Corners,
 }
 
 impl<Q: Question> Seen for Lookout<'_, Q> {
@@ -79,44 +63,32 @@ impl<Q: Question> Seen for Lookout<'_, Q> {
 
     #[inline]
     fn corner(&mut self, corner: usize, at: Place) {
-        let length = self.length + distance(self.place, at);
-        if length >= self.found.corners[corner] {
-            return;
-        }
-        let whole = length + self.question.rest(corner, at);
-        if whole < self.question.limit() {
-            (self.found.corners[corner], self.found.before[corner]) = (length, self.place);
-            self.open.push(Waiting { whole, length, corner: corner as u32 });
+        let g = self.length + distance(self.place, at);
+        let f = g + self.question.rest(at);
+        if g < self.corners.lengths[corner] && f < self.question.limit() {
+            (self.corners.lengths[corner], self.corners.before[corner]) = (g, self.place);
+            self.corners.open.push(Open { state: corner as u32, g, f });
         }
     }
 }
 
-/// Asks a question about ways from the centre of a cell.
-pub(super) fn spread(map: &Obstacles, grid: &Grid, from: Cell, question: &mut impl Question) -> Spread {
-    let mut found = Spread { corners: vec![f64::INFINITY; map.corners()], before: vec![(0, 0); map.corners()], looked: 0 };
-    let (mut glance, mut open) = (Glance::default(), BinaryHeap::new());
+/// Asks a question about ways from the centre of a cell. Returns how many cells were looked at.
+pub(super) fn spread(map: &Obstacles, grid: &Grid, from: Cell, question: &mut impl Question) -> u64 {
+    let (mut corners, mut glance) = (Corners::new(map.corners()), Glance::default());
     let place = centre(grid.point(from));
     question.reach(from, 0.0);
+    let mut around = Lookout { place, length: 0.0, question: &mut *question, corners: &mut corners };
     for quadrant in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
-        let mut all = Lookout { place, length: 0.0, question: &mut *question, found: &mut found, open: &mut open };
-        glance.into_cone(map, place, Cone::quadrant(quadrant), &mut all);
+        glance.into_cone(map, place, Cone::quadrant(quadrant), &mut around);
     }
-    while let Some(Waiting { whole, length, corner }) = open.pop() {
-        let number = corner as usize;
-        if whole >= question.limit() {
-            break;
-        }
-        if length > found.corners[number] {
-            continue;
-        }
-        let (place, before) = (map.place(number), found.before[number]);
-        if let Some(cone) = map.beyond(number, (place.0 - before.0, place.1 - before.1)) {
-            let mut on = Lookout { place, length, question: &mut *question, found: &mut found, open: &mut open };
+    while let Some((corner, length)) = corners.next(question.limit()) {
+        let (place, before) = (map.place(corner), corners.before[corner]);
+        if let Some(cone) = map.beyond(corner, (place.0 - before.0, place.1 - before.1)) {
+            let mut on = Lookout { place, length, question: &mut *question, corners: &mut corners };
             glance.into_cone(map, place, cone, &mut on);
         }
     }
-    found.looked = glance.looked;
-    found
+    glance.looked
 }
 
 /// How far it is to one cell.
@@ -134,7 +106,7 @@ impl To {
 }
 
 impl Question for To {
-    fn rest(&self, _corner: usize, at: Place) -> f64 {
+    fn rest(&self, at: Place) -> f64 {
         distance(at, self.at)
     }
 
@@ -149,22 +121,25 @@ impl Question for To {
     }
 }
 
-/// How far it is to every cell, as far as that is of interest: by a way that is shorter than the limit with what is left to go.
-pub(super) struct Field<'a> {
-    /// Length of the shortest way to each cell, infinite where none of interest leads.
+/// How far it is to every cell.
+pub(super) struct Field {
+    /// Length of the shortest way to each cell, infinite where there is none.
     pub(super) lengths: Vec<f64>,
-    /// What is left to go from each corner; nothing where it is not known.
-    pub(super) rest: &'a [f64],
-    pub(super) limit: f64,
 }
 
-impl Question for Field<'_> {
-    fn rest(&self, corner: usize, _at: Place) -> f64 {
-        self.rest.get(corner).copied().unwrap_or(0.0)
+impl Field {
+    pub(super) fn new(cells: usize) -> Self {
+        Self { lengths: vec![f64::INFINITY; cells] }
+    }
+}
+
+impl Question for Field {
+    fn rest(&self, _at: Place) -> f64 {
+        0.0
     }
 
     fn limit(&self) -> f64 {
-        self.limit
+        f64::INFINITY
     }
 
     #[inline]

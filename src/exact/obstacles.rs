@@ -159,9 +159,4 @@ impl Obstacles {
         );
         Some(Cone::beside(quadrant, (dx, dy), quadrant.0 == obstacle.0))
     }
-
-    /// What it holds, in bytes.
-    pub(super) fn bytes(&self) -> usize {
-        self.free.capacity() + self.bends.capacity()
-    }
 }

@@ -12,6 +12,9 @@ use super::lead::Lead;
 /// Largest map in cells that the straight line leads through: 64 × 64. There it takes no longer than to find out what is left to go.
 pub(super) const MOST_CELLS_UNLED: usize = 64 * 64;
 
+/// The way from where a cell is crossed to its centre and back at most, and some rounding.
+const ASIDE: f64 = std::f64::consts::SQRT_2 + 1e-6;
+
 /// What the search keeps.
 #[derive(Clone)]
 pub(super) struct InSight {
@@ -52,7 +55,6 @@ impl Rules for InSight {
         }
         let lead = Lead::of(scenario, self.left);
         self.left = self.left.saturating_sub(lead.looked);
-        self.sight = Sight::within(&scenario.grid, scenario.spec.movement, |cell| lead.crosses(cell));
         self.lead = Some(lead);
     }
 
@@ -76,10 +78,12 @@ impl Rules for InSight {
         let g = tree.g(cell);
         let mut shorter = std::mem::take(&mut self.shorter);
         let rest = self.lead.as_ref().map(|lead| &*lead.rest);
-        let looked = self.sight.around(scenario.grid.point(cell), |next, away| {
-            if rest.map_or_else(|| tree.is_cheaper(next, g + away), |rest| tree.improves(next, g + away, rest[next as usize])) {
+        let looked = self.sight.around(scenario.grid.point(cell), |next, away, is_seen| {
+            let f = rest.map_or(0.0, |rest| g + away + rest[next as usize]);
+            if is_seen && tree.is_cheaper(next, g + away) && tree.is_below_bound(f) {
                 shorter.push(next);
             }
+            tree.is_below_bound(f - ASIDE)
         });
         self.left = self.left.saturating_sub(looked);
         // The goal first: once the way to it is known, no other cell in sight can be on a better one, and none of them needs to wait.

@@ -54,7 +54,7 @@ fn all_kinds(count: u32, most: u32) -> impl Iterator<Item = Arc<Scenario>> {
 
 #[test]
 fn a_led_search_finds_what_the_unled_one_does() {
-    let (mut proven, mut fewer) = (0, 0);
+    let mut proven = 0;
     for scenario in all_kinds(400, 40) {
         let search = |is_led| run(&scenario, InSight::new(&scenario, MOST_LOOKED_AT).led(is_led));
         let (led, unled) = (search(true), search(false));
@@ -64,9 +64,8 @@ fn a_led_search_finds_what_the_unled_one_does() {
         assert!((found.length - expected.length).abs() < 1e-9, "{} {} {:?}", found.length, expected.length, scenario.spec);
         let ends = scenario.grid.point(scenario.start).distance(scenario.grid.point(scenario.goal));
         proven += u32::from(expected.length > ends + 1e-9);
-        fewer += u32::from(led.effort().cell_expansions <= unled.effort().cell_expansions);
     }
-    assert!(proven > 1500 && fewer > proven / 2, "{proven} with bends, {fewer} with fewer expansions");
+    assert!(proven > 3000, "{proven} with bends");
 }
 
 #[test]
