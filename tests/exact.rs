@@ -5,7 +5,7 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{drawn, length, movements, random, solve};
+use common::{drawn, length, movements, random, solve, swamp};
 use formicarium::catalog;
 use formicarium::error::ParamError;
 use formicarium::exact::{self, Reference, point_robot, weighted_reference};
@@ -224,17 +224,18 @@ fn the_point_robot_by_hand() {
 }
 
 #[test]
-fn polylines_have_a_proven_yardstick_up_to_64_by_64_cells() {
+fn polylines_have_a_proven_yardstick_on_large_planes() {
     let rule = Movement::default();
-    let [small, large] = [64, 65].map(|side| random(side, 0.3, 2, rule));
-    let Reference::Proven { value } = exact::reference(&small, Objective::PolylineLength) else { panic!("proven") };
-    let steps = solve(&small, "astar").best().map(|b| b.path.clone()).expect("a path");
-    let refined = Metrics::of(&small, &refine(&small, &steps, Refinement::Farthest)).length;
-    let point = point_robot(&small).expect("within its limit").expect("a way");
-    assert!(point < value && value < refined && refined < Metrics::of(&small, &steps).length, "{point} {value} {refined}");
-
+    for s in [64, 65, 256].map(|side| random(side, 0.3, 2, rule)) {
+        let Reference::Proven { value } = exact::reference(&s, Objective::PolylineLength) else { panic!("proven") };
+        let steps = solve(&s, "astar").best().map(|b| b.path.clone()).expect("a path");
+        let refined = Metrics::of(&s, &refine(&s, &steps, Refinement::Farthest)).length;
+        let point = point_robot(&s).expect("within its limit").expect("a way");
+        assert!(point < value && value < refined && refined < Metrics::of(&s, &steps).length, "{point} {value} {refined}");
+    }
+    let swamp = swamp(rule);
     assert!(
-        matches!(exact::reference(&large, Objective::PolylineLength), Reference::Unproven { value } if same(value, length(&large, "theta-star")))
+        matches!(exact::reference(&swamp, Objective::PolylineLength), Reference::Unproven { value } if same(value, length(&swamp, "theta-star")))
     );
 
     let grid = Grid::open(1025, 1024).expect("a map");

@@ -20,11 +20,11 @@ mod over_ground;
 
 use self::in_sight::InSight;
 use self::over_ground::OverGround;
-use super::SEARCH;
 use super::best_first::BestFirst;
+use super::{Reference, SEARCH};
 use crate::error::ParamError;
 use crate::params::{Values, check_keys};
-use crate::planner::{Ground, Planner, PlannerEntry};
+use crate::planner::{Ground, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
 /// Largest plane in cells, free or not: 1024 × 1024, for which the search holds up to a quarter of a gigabyte.
@@ -35,6 +35,21 @@ pub const MOST_CELLS_OF_TERRAIN: usize = 64 * 64;
 
 /// Cells at which a search on a plane looks at most: some seconds.
 const MOST_LOOKED_AT: u64 = 1 << 30;
+
+/// Cells at which a search looks at most just to compare with its result: a second.
+const MOST_LOOKED_AT_TO_COMPARE: u64 = 1 << 27;
+
+/// The yardstick of polylines on a plane: proven, unless the limit of work is reached before.
+pub(super) fn reference(scenario: &Arc<Scenario>) -> Reference {
+    let mut search = BestFirst::new(Arc::clone(scenario), InSight::new(scenario, MOST_LOOKED_AT_TO_COMPARE));
+    let status = search.run();
+    match (search.best().map(|best| best.length), status) {
+        (Some(value), Status::Optimal) => Reference::Proven { value },
+        (Some(value), _) => Reference::Unproven { value },
+        (None, Status::NoPath) => Reference::NoPath,
+        (None, _) => Reference::Unknown,
+    }
+}
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     check_keys(ENTRY.id, &[], values)?;

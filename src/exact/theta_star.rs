@@ -106,8 +106,8 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
 
 /// The way that it finds on a plane when it is led by a lower bound of what is left to go from each cell, none where there is none within
 /// about so many cells along which it may look; and along how many it has.
-pub(super) fn led(scenario: &Scenario, rest: Arc<[f64]>, most: u64) -> (Option<Known>, u64) {
-    let mut search = BestFirst::new(Arc::new(scenario.clone()), ThetaStar { left: most.min(MOST_LOOKED_AT), rest: Some(rest) });
+pub(super) fn led(scenario: &Arc<Scenario>, rest: Arc<[f64]>, most: u64) -> (Option<Known>, u64) {
+    let mut search = BestFirst::new(Arc::clone(scenario), ThetaStar { left: most.min(MOST_LOOKED_AT), rest: Some(rest) });
     search.run();
     let expansions = search.effort().cell_expansions;
     let known = search.best().map(|best| Known { path: best.path.clone(), length: best.length, expansions });
