@@ -2,21 +2,25 @@
 //!
 //! A* in which every cell is a neighbour of every cell that it sees. No smaller graph would do: bends lie on centres, obstacles' corners
 //! do not, so the best bend is where a centre happens to let the next segment pass the corner by a hair, and that may be far from every
-//! obstacle (`tests/exact.rs` has such a map). The Euclidean distance to the goal is a consistent estimate, so the length is exact. On a
-//! plane `exact/sight.rs` tells all cells that a cell sees, in little more time than it takes to list them. The work still grows with how much
-//! is seen from how many cells: hence the limit of [`MOST_CELLS`], and the search ends when it has looked at [`MOST_LOOKED_AT`] of them, as a
-//! run whose budget is spent, with the best way to the goal that it then knows, if any. `theta-star` takes any map.
+//! obstacle (`tests/exact.rs` has such a map). On a plane `exact/sight.rs` tells all cells that a cell sees, in little more time than it takes
+//! to list them. The estimate is what a point among the obstacles has still to go (`any_angle/lead.rs`), on small maps the straight line to
+//! the goal; both are consistent, so the length is exact. A way of Theta* that the same estimate leads is known beforehand, and no cell
+//! is looked at behind which there can be no better one (`any_angle/in_sight.rs`).
+//!
+//! The work still grows with how much is seen from how many cells: hence the limit of [`MOST_CELLS`], and the search ends when it has looked at
+//! [`MOST_LOOKED_AT`] of them, as a run whose budget is spent, with the best way to the goal that it then knows. The smallest f of its
+//! open cells is then a lower bound, which its certificate tells. `theta-star` takes any map.
 //!
 //! On a terrain segments follow the ground, which is no shorter than the straight line through the air: that one is the estimate, and what
 //! tells whether a segment is worth following. Bends lie on cells that can be reached by steps, as those of every refined path do; with a
 //! limit of slope an oblique segment may be passable where no step is. There sight is tried pair by pair, last and only where it would
 //! shorten a way, on terrains of up to [`MOST_CELLS_OF_TERRAIN`].
 
-use std::sync::Arc;
-
 mod in_sight;
 mod lead;
 mod over_ground;
+
+use std::sync::Arc;
 
 use self::in_sight::InSight;
 use self::over_ground::OverGround;

@@ -1,4 +1,8 @@
-//! The rules of the search on a plane: all cells in sight.
+//! The rules of the search on a plane: all cells in sight behind which there can be a better way.
+//!
+//! From a cell at the end of a way of length g, f(p) = g + |cp| + h(p) never falls along a ray, because h is consistent. Where a ray to a cell of
+//! use crosses another cell, a point could go aside to that cell's centre and back within it, √2 at most. So a cell whose f exceeds the best
+//! known length by more than that is on the way to no cell of use, and blocks the view as an obstacle does.
 
 use crate::exact::best_first::{Known, Rules, State, Tree};
 use crate::exact::euclidean;
