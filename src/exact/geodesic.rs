@@ -12,6 +12,10 @@ use super::glance::{Glance, Seen};
 use super::obstacles::{Cone, Obstacles, Place, centre, distance};
 use crate::map::{Cell, Grid};
 
+/// From where a ray crosses a cell to its centre and back at most, and some rounding. Along a ray the length by it less the least one never
+/// falls; so what exceeds a known length at a crossed cell's centre by this much does so everywhere behind it.
+pub(super) const ASIDE: f64 = std::f64::consts::SQRT_2 + 1e-6;
+
 /// What is asked of ways from one cell.
 pub(super) trait Question {
     /// A lower bound of what a way that bends at this corner has still to go, in cells.
@@ -20,6 +24,9 @@ pub(super) trait Question {
     fn limit(&self) -> f64;
     /// There is a way of this length to a cell: the shortest one is told of, others may be.
     fn reach(&mut self, cell: Cell, length: f64);
+    /// Whether the shortest way to a place behind a cell can come by the cell, to whose centre it would be so far by the corner that is looked
+    /// from: true where that is not known.
+    fn leads_on(&self, cell: Cell, at: Place, length: f64) -> bool;
 }
 
 /// The corners that ways have come to.
@@ -57,8 +64,12 @@ struct Lookout<'a, Q> {
 
 impl<Q: Question> Seen for Lookout<'_, Q> {
     #[inline]
-    fn cell(&mut self, cell: Cell, at: Place) {
-        self.question.reach(cell, self.length + distance(self.place, at));
+    fn cell(&mut self, cell: Cell, at: Place, is_seen: bool) -> bool {
+        let length = self.length + distance(self.place, at);
+        if is_seen {
+            self.question.reach(cell, length);
+        }
+        self.question.leads_on(cell, at, length)
     }
 
     #[inline]
@@ -79,13 +90,13 @@ pub(super) fn spread(map: &Obstacles, grid: &Grid, from: Cell, question: &mut im
     question.reach(from, 0.0);
     let mut around = Lookout { place, length: 0.0, question: &mut *question, corners: &mut corners };
     for quadrant in [(1, 1), (-1, 1), (1, -1), (-1, -1)] {
-        glance.into_cone(map, place, Cone::quadrant(quadrant), &mut around);
+        glance.look(map, place, Cone::quadrant(quadrant), &mut around);
     }
     while let Some((corner, length)) = corners.next(question.limit()) {
         let (place, before) = (map.place(corner), corners.before[corner]);
         if let Some(cone) = map.beyond(corner, (place.0 - before.0, place.1 - before.1)) {
             let mut on = Lookout { place, length, question: &mut *question, corners: &mut corners };
-            glance.into_cone(map, place, cone, &mut on);
+            glance.look(map, place, cone, &mut on);
         }
     }
     glance.looked
@@ -119,6 +130,10 @@ impl Question for To {
             self.length = self.length.min(length);
         }
     }
+
+    fn leads_on(&self, _cell: Cell, at: Place, length: f64) -> bool {
+        length + distance(at, self.at) < self.length + ASIDE
+    }
 }
 
 /// How far it is to every cell.
@@ -148,5 +163,10 @@ impl Question for Field {
         if length < *least {
             *least = length;
         }
+    }
+
+    #[inline]
+    fn leads_on(&self, cell: Cell, _at: Place, length: f64) -> bool {
+        length < self.lengths[cell as usize] + ASIDE
     }
 }

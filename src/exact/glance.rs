@@ -9,8 +9,8 @@ use crate::map::Cell;
 
 /// What is told of what is seen.
 pub(super) trait Seen {
-    /// The centre of a free cell.
-    fn cell(&mut self, cell: Cell, at: Place);
+    /// A free cell: its centre is in sight, or only a part of it. Whether what is behind it is of interest; else it blocks the view.
+    fn cell(&mut self, cell: Cell, at: Place, is_seen: bool) -> bool;
     /// A corner at which a shortest way from the place can go on, by its number.
     fn corner(&mut self, corner: usize, at: Place);
 }
@@ -59,7 +59,7 @@ impl Octant {
 
 impl Glance {
     /// Looks into a cone.
-    pub(super) fn into_cone(&mut self, map: &Obstacles, from: Place, cone: Cone, seen: &mut impl Seen) {
+    pub(super) fn look(&mut self, map: &Obstacles, from: Place, cone: Cone, seen: &mut impl Seen) {
         for (slopes, columns_along_x) in cone.slopes.into_iter().zip([true, false]) {
             if let Some(slopes) = slopes {
                 self.octant(map, Octant::new(from, cone.quadrant, columns_along_x), slopes, seen);
@@ -72,8 +72,9 @@ impl Glance {
         if !map.is_free(x, y) {
             return;
         }
-        if octant.half == 0 {
-            self.first_cell(map, octant, (low, high), seen);
+        // Of the cells around a corner the first has its centre on the diagonal.
+        if octant.half == 0 && !seen.cell(map.cell(x, y), octant.place(1, 1), high.0 == high.1) {
+            return;
         }
         let closed = |(rise, run)| Slope { rise, run, is_open: false };
         self.wedges.clear();
@@ -89,15 +90,6 @@ impl Glance {
         }
     }
 
-    /// The cell beside a corner has its centre on the diagonal.
-    fn first_cell(&mut self, map: &Obstacles, octant: Octant, (_, (rise, run)): Slopes, seen: &mut impl Seen) {
-        self.looked += 1;
-        if rise == run {
-            let (x, y) = octant.first;
-            seen.cell(map.cell(x, y), octant.place(1, 1));
-        }
-    }
-
     /// Tells what a wedge shows of column x and of the corners before it, and keeps what its cells leave of the wedge.
     fn narrow(&mut self, map: &Obstacles, octant: Octant, x: i32, wedge: Wedge, seen: &mut impl Seen) {
         let half = octant.half;
@@ -105,33 +97,37 @@ impl Glance {
         corners(map, octant, near, wedge, seen);
         let (first, last) = rows(wedge, near, far, half);
         self.looked += u64::from((last - first + 1).max(0) as u32);
-        let free = |x, y| {
+        let is_free = |x, y| {
             let (x, y) = octant.cell(x, y);
             map.is_free(x, y)
         };
-        let last_centre = last_centre(wedge.high, near + 1, half);
-        let (mut y, mut low, mut centre) = (first, wedge.low, first_centre(wedge.low, near + 1, half));
+        let mut is_open = |y, low| {
+            let (to, (cell_x, cell_y)) = ((near + 1, 2 * y + 1 - half), octant.cell(x, y));
+            let is_seen = Wedge { low, ..wedge }.contains(to);
+            map.is_free(cell_x, cell_y) && seen.cell(map.cell(cell_x, cell_y), octant.place(to.0, to.1), is_seen)
+        };
+        let (mut y, mut low) = (first, wedge.low);
         while y <= last {
-            if free(x, y) {
-                if centre <= y && y <= last_centre {
-                    let (cx, cy) = octant.cell(x, y);
-                    seen.cell(map.cell(cx, cy), octant.place(near + 1, 2 * y + 1 - half));
-                }
+            if is_open(y, low) {
                 y += 1;
                 continue;
             }
             // Along the axis from a corner the way would run between this cell and one that another octant knows.
             let below = Slope { rise: 2 * y - half, run: far, is_open: 2 * y == half };
             self.keep(Wedge { low, high: wedge.high.or_lower(below) });
-            while y <= last && !free(x, y) {
+            loop {
                 y += 1;
+                if y > last {
+                    return;
+                }
+                let is_pinched = !map.squeezes() && !is_free(x - 1, y);
+                let above = low.or_higher(Slope { rise: 2 * y - half, run: near, is_open: is_pinched });
+                if is_open(y, above) {
+                    low = above;
+                    break;
+                }
             }
-            if y > last {
-                return;
-            }
-            let is_pinched = !map.squeezes() && !free(x - 1, y);
-            low = low.or_higher(Slope { rise: 2 * y - half, run: near, is_open: is_pinched });
-            centre = first_centre(low, near + 1, half);
+            y += 1;
         }
         self.keep(Wedge { low, high: wedge.high });
     }
@@ -155,20 +151,6 @@ fn rows(wedge: Wedge, near: i32, far: i32, half: i32) -> (i32, i32) {
     };
     let last = ceil(high + half * high_run, 2 * high_run) - 1;
     (first.max(0) as i32, last.max(0) as i32)
-}
-
-/// The first row whose centre is not below a slope, `x` half columns away.
-fn first_centre(low: Slope, x: i32, half: i32) -> i32 {
-    let (rise, run) = low.at(x);
-    let rise = rise - i64::from(1 - half) * run;
-    (if low.is_open { rise.div_euclid(2 * run) + 1 } else { ceil(rise, 2 * run) }) as i32
-}
-
-/// The last row whose centre is not above a slope.
-fn last_centre(high: Slope, x: i32, half: i32) -> i32 {
-    let (rise, run) = high.at(x);
-    let rise = rise - i64::from(1 - half) * run;
-    (if high.is_open { ceil(rise, 2 * run) - 1 } else { rise.div_euclid(2 * run) }) as i32
 }
 
 fn ceil(a: i64, b: i64) -> i64 {

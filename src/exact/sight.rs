@@ -53,6 +53,14 @@ impl Wedge {
         is_point && (self.high.is_below(self.low) || self.low.is_open || self.high.is_open)
     }
 
+    /// Whether the slope to a place so many half columns and half rows away lies within.
+    #[inline]
+    pub(super) fn contains(self, (x, y): (i32, i32)) -> bool {
+        let ((low, low_run), (high, high_run)) = (self.low.at(x), self.high.at(x));
+        let (above, below) = (i64::from(y) * low_run - low, high - i64::from(y) * high_run);
+        above >= i64::from(self.low.is_open) && below >= i64::from(self.high.is_open)
+    }
+
     /// The rows whose centres in column x lie within; none where the first is above the last.
     fn centres(self, x: i32) -> (i32, i32) {
         let (low, high) = (self.low.at(x), self.high.at(x));

@@ -6,6 +6,7 @@
 
 use crate::exact::best_first::{Known, Rules, State, Tree};
 use crate::exact::euclidean;
+use crate::exact::geodesic::ASIDE;
 use crate::exact::sight::Sight;
 use crate::map::Cell;
 use crate::planner::{Objective, Status, held};
@@ -15,9 +16,6 @@ use super::lead::Lead;
 
 /// Largest map in cells that the straight line leads through: 64 × 64. There it takes no longer than to find out what is left to go.
 pub(super) const MOST_CELLS_UNLED: usize = 64 * 64;
-
-/// The way from where a cell is crossed to its centre and back at most, and some rounding.
-const ASIDE: f64 = std::f64::consts::SQRT_2 + 1e-6;
 
 /// What the search keeps.
 #[derive(Clone)]
