@@ -92,40 +92,17 @@ impl Glance {
 
     /// Tells what a wedge shows of column x and of the corners before it, and keeps what its cells leave of the wedge.
     fn narrow(&mut self, map: &Obstacles, octant: Octant, x: i32, wedge: Wedge, seen: &mut impl Seen) {
-        let half = octant.half;
-        let (near, far) = (2 * x - half, 2 * x - half + 2);
-        corners(map, octant, near, wedge, seen);
-        let (first, last) = rows(wedge, near, far, half);
+        let column = Column { map, octant, x, near: 2 * x - octant.half };
+        column.corners(wedge, seen);
+        let (first, last) = column.rows(wedge);
         self.looked += u64::from((last - first + 1).max(0) as u32);
-        let is_free = |x, y| {
-            let (x, y) = octant.cell(x, y);
-            map.is_free(x, y)
-        };
-        let mut is_open = |y, low| {
-            let (to, (cell_x, cell_y)) = ((near + 1, 2 * y + 1 - half), octant.cell(x, y));
-            let is_seen = Wedge { low, ..wedge }.contains(to);
-            map.is_free(cell_x, cell_y) && seen.cell(map.cell(cell_x, cell_y), octant.place(to.0, to.1), is_seen)
-        };
         let (mut y, mut low) = (first, wedge.low);
         while y <= last {
-            if is_open(y, low) {
-                y += 1;
-                continue;
-            }
-            // Along the axis from a corner the way would run between this cell and one that another octant knows.
-            let below = Slope { rise: 2 * y - half, run: far, is_open: 2 * y == half };
-            self.keep(Wedge { low, high: wedge.high.or_lower(below) });
-            loop {
-                y += 1;
-                if y > last {
-                    return;
-                }
-                let is_pinched = !map.squeezes() && !is_free(x - 1, y);
-                let above = low.or_higher(Slope { rise: 2 * y - half, run: near, is_open: is_pinched });
-                if is_open(y, above) {
-                    low = above;
-                    break;
-                }
+            if !column.is_open(y, Wedge { low, ..wedge }, seen) {
+                self.keep(Wedge { low, high: wedge.high.or_lower(column.below(y)) });
+                let is_open = |&y: &i32| column.is_open(y, Wedge { low: low.or_higher(column.above(y)), ..wedge }, seen);
+                let Some(next) = (y + 1..=last).find(is_open) else { return };
+                (y, low) = (next, low.or_higher(column.above(next)));
             }
             y += 1;
         }
@@ -139,36 +116,71 @@ impl Glance {
     }
 }
 
-/// The rows of the cells that a wedge passes between two lines, with the one below whose corner a closed end touches; the first row also
-/// where it only touches the axis.
-fn rows(wedge: Wedge, near: i32, far: i32, half: i32) -> (i32, i32) {
-    let half = i64::from(half);
-    let ((low, low_run), (high, high_run)) = (wedge.low.at(near), wedge.high.at(far));
-    let first = if wedge.low.is_open {
-        (low + half * low_run).div_euclid(2 * low_run)
-    } else {
-        ceil(low + half * low_run, 2 * low_run) - 1
-    };
-    let last = ceil(high + half * high_run, 2 * high_run) - 1;
-    (first.max(0) as i32, last.max(0) as i32)
+/// A column of an octant.
+#[derive(Clone, Copy)]
+struct Column<'a> {
+    map: &'a Obstacles,
+    octant: Octant,
+    x: i32,
+    /// Half columns to the line before it.
+    near: i32,
+}
+
+impl Column<'_> {
+    fn is_free(self, x: i32, y: i32) -> bool {
+        let (x, y) = self.octant.cell(x, y);
+        self.map.is_free(x, y)
+    }
+
+    /// Whether the cell of a row is free and leads on, after what a wedge shows of it is told.
+    fn is_open(self, y: i32, wedge: Wedge, seen: &mut impl Seen) -> bool {
+        let (x, half_rows) = (self.near + 1, 2 * y + 1 - self.octant.half);
+        let (cell_x, cell_y) = self.octant.cell(self.x, y);
+        let mut tell =
+            || seen.cell(self.map.cell(cell_x, cell_y), self.octant.place(x, half_rows), wedge.contains((x, half_rows)));
+        self.map.is_free(cell_x, cell_y) && tell()
+    }
+
+    /// Where the view below the blocked cell of a row ends. Along the axis from a corner, the way would run between this cell and one that
+    /// another octant knows.
+    fn below(self, y: i32) -> Slope {
+        Slope { rise: 2 * y - self.octant.half, run: self.near + 2, is_open: 2 * y == self.octant.half }
+    }
+
+    /// Where the view above the blocked cells below a row begins.
+    fn above(self, y: i32) -> Slope {
+        let is_pinched = !self.map.squeezes() && !self.is_free(self.x - 1, y);
+        Slope { rise: 2 * y - self.octant.half, run: self.near, is_open: is_pinched }
+    }
+
+    /// The rows of the cells that a wedge passes, with the one below whose corner a closed end touches; the first row also where it only
+    /// touches the axis.
+    fn rows(self, wedge: Wedge) -> (i32, i32) {
+        let half = i64::from(self.octant.half);
+        let ((low, low_run), (high, high_run)) = (wedge.low.at(self.near), wedge.high.at(self.near + 2));
+        let low = low + half * low_run;
+        let first = if wedge.low.is_open { low.div_euclid(2 * low_run) } else { ceil(low, 2 * low_run) - 1 };
+        let last = ceil(high + half * high_run, 2 * high_run) - 1;
+        (first.max(0) as i32, last.max(0) as i32)
+    }
+
+    /// Tells the corners that a wedge shows on the line before it.
+    fn corners(self, wedge: Wedge, seen: &mut impl Seen) {
+        let (half, from) = (i64::from(self.octant.half), self.octant.from);
+        let ((low, low_run), (high, high_run)) = (wedge.low.at(self.near), wedge.high.at(self.near));
+        let (low, high) = (low + half * low_run, high + half * high_run);
+        let first = if wedge.low.is_open { low.div_euclid(2 * low_run) + 1 } else { ceil(low, 2 * low_run) };
+        let last = if wedge.high.is_open { ceil(high, 2 * high_run) - 1 } else { high.div_euclid(2 * high_run) };
+        for row in first..=last {
+            let at = self.octant.place(self.near, 2 * row as i32 - self.octant.half);
+            let corner = self.map.corner(at);
+            if self.map.beyond(corner, (at.0 - from.0, at.1 - from.1)).is_some() {
+                seen.corner(corner, at);
+            }
+        }
+    }
 }
 
 fn ceil(a: i64, b: i64) -> i64 {
     -(-a).div_euclid(b)
-}
-
-/// Tells the corners that a wedge shows on the line before a column.
-fn corners(map: &Obstacles, octant: Octant, near: i32, wedge: Wedge, seen: &mut impl Seen) {
-    let half = i64::from(octant.half);
-    let ((low, low_run), (high, high_run)) = (wedge.low.at(near), wedge.high.at(near));
-    let (low, high) = (low + half * low_run, high + half * high_run);
-    let first = if wedge.low.is_open { low.div_euclid(2 * low_run) + 1 } else { ceil(low, 2 * low_run) };
-    let last = if wedge.high.is_open { ceil(high, 2 * high_run) - 1 } else { high.div_euclid(2 * high_run) };
-    for row in first..=last {
-        let at = octant.place(near, 2 * row as i32 - octant.half);
-        let corner = map.corner(at);
-        if map.beyond(corner, (at.0 - octant.from.0, at.1 - octant.from.1)).is_some() {
-            seen.corner(corner, at);
-        }
-    }
 }
