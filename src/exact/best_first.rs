@@ -13,12 +13,12 @@ pub(super) use self::tree::{Open, State, Tree};
 use super::contours::{self, Contours};
 use super::search::contour;
 use crate::map::Cell;
-use crate::metrics::{SAME_LENGTH, WeightedSum};
+use crate::metrics::WeightedSum;
 use crate::path::Path;
-#[cfg(feature = "whole")]
-use crate::planner::Certificate;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed};
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{metrics::SAME_LENGTH, planner::Certificate};
 
 /// A way that is known before a search begins.
 #[derive(Debug, Clone)]
@@ -36,8 +36,6 @@ pub(super) trait Rules: Clone + Send {
     const OBJECTIVE: Objective;
     /// What a path that it has found to the end is.
     const FOUND: Status;
-    /// Whether its estimate never exceeds the rest of the cost, so that the least f is a bound.
-    const IS_CERTIFIED: bool = false;
     /// States for each cell.
     const STATES_PER_CELL: u32 = 1;
 
@@ -200,7 +198,8 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
     #[cfg(feature = "whole")]
     fn certificate(&self) -> Option<Certificate> {
         let status = self.progress.status;
-        if !R::IS_CERTIFIED || !status.is_finished() || status == Status::NoPath {
+        let proves_lengths = R::FOUND == Status::Optimal && R::OBJECTIVE == Objective::PolylineLength;
+        if !proves_lengths || !status.is_finished() || status == Status::NoPath {
             return None;
         }
         let (best, expansions) = (self.best().map_or(f64::INFINITY, |best| best.length), self.effort().cell_expansions);

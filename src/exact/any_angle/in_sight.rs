@@ -49,7 +49,6 @@ impl InSight {
 impl Rules for InSight {
     const OBJECTIVE: Objective = Objective::PolylineLength;
     const FOUND: Status = Status::Optimal;
-    const IS_CERTIFIED: bool = true;
 
     fn prepare(&mut self, scenario: &Scenario) {
         if !self.is_led {
