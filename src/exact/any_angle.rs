@@ -40,7 +40,7 @@ pub const MOST_CELLS_OF_TERRAIN: usize = 64 * 64;
 /// Cells at which a search on a plane looks at most: some seconds.
 const MOST_LOOKED_AT: u64 = 1 << 30;
 
-/// Cells at which a search looks at most just to compare with its result: a second.
+/// Cells at which a search looks at most just to compare with its result: about a second.
 const MOST_LOOKED_AT_TO_COMPARE: u64 = 1 << 27;
 
 /// The yardstick of polylines on a plane: proven, unless the limit of work is reached before.

@@ -45,7 +45,7 @@ pub(super) trait Rules: Clone + Send {
     fn start(&self, scenario: &Scenario) -> State {
         scenario.start * Self::STATES_PER_CELL
     }
-    /// A way that was found while it was prepared; none is longer among those that it looks for.
+    /// A way to the goal that was found while it was prepared: no longer one is looked for.
     fn known(&self) -> Option<&Known> {
         None
     }

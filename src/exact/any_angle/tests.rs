@@ -1,6 +1,6 @@
 use super::*;
 use crate::exact::best_first::Rules;
-use crate::map::{CornerRule, Generator, Movement, Moves, generate};
+use crate::map::{CornerRule, Generator, Grid, Movement, Moves, Point, generate};
 use crate::planner::Status;
 
 fn made(kind: Generator, side: u32, seed: u32, movement: Movement) -> Arc<Scenario> {
@@ -92,4 +92,16 @@ fn what_is_spent_leaves_an_interval_with_the_optimum() {
         }
     }
     assert!(stopped > 100 && both > 20, "{stopped} stopped, {both} with a way");
+}
+
+#[test]
+fn a_led_search_knows_at_once_that_no_way_leads_and_where_none_is_needed() {
+    let grid = Grid::from_bytes(3, 1, &[0, 1, 0]).expect("a map");
+    for (goal, status, length) in [(2, Status::NoPath, None), (0, Status::Optimal, Some(0.0))] {
+        let ends = (Point::new(0, 0), Point::new(goal, 0));
+        let scenario = Arc::new(Scenario::on(grid.clone(), Movement::default(), ends.0, ends.1).expect("usable"));
+        let search = run(&scenario, InSight::new(&scenario, MOST_LOOKED_AT).led(true));
+        assert_eq!((search.status(), search.best().map(|best| best.length)), (status, length));
+        assert_eq!(search.certificate().map(|told| told.bound), length);
+    }
 }

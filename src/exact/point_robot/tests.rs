@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 
 use super::*;
-use crate::map::{CornerRule, Generator, Grid, Movement, Moves, Point, generate};
+use crate::exact::geodesic::Field;
+use crate::map::{Cell, CornerRule, Generator, Grid, Movement, Moves, Point, generate};
 
 /// A place in half cells: corners have even coordinates, centres odd ones.
 type Place = (i32, i32);
@@ -165,4 +166,49 @@ fn it_is_the_shortest_way_over_all_corners() {
         }
     }
     assert!(found > 5000 && bent > 2000, "{found} ways, {bent} with bends");
+}
+
+/// How far it is from the goal to every cell.
+fn field(scenario: &Scenario) -> Vec<f64> {
+    let mut field = Field::new(scenario.grid.len());
+    spread(&Obstacles::of(&scenario.grid, scenario.spec.movement), &scenario.grid, scenario.goal, &mut field);
+    field.lengths
+}
+
+/// The same scenario from another cell.
+fn starting_at(scenario: &Scenario, cell: Cell) -> Scenario {
+    scenario.with_ends(scenario.grid.point(cell), scenario.spec.goals.clone()).expect("a free cell")
+}
+
+#[test]
+fn a_field_has_the_shortest_way_to_every_cell() {
+    let mut looked_at = 0;
+    for (seed, corner_rule) in (0..60).zip(CornerRule::ALL.into_iter().cycle()) {
+        let kind = [Generator::Random, Generator::Cave, Generator::Rooms][(seed / 3) as usize % 3];
+        let made = generate(kind, 9 + seed % 8, 8 + seed % 7, seed, [0.08, 0.2, 0.35, 0.5][seed as usize % 4]).expect("a map");
+        let movement = Movement { moves: Moves::Eight, corner_rule };
+        let scenario = Scenario::on(made.grid, movement, made.start, made.goal).expect("usable");
+        let lengths = field(&scenario);
+        for cell in (0..scenario.grid.len() as Cell).step_by(3).filter(|&cell| !scenario.grid.is_blocked(cell)) {
+            let expected = Plane::of(&starting_at(&scenario, cell)).shortest();
+            let found = Some(lengths[cell as usize]).filter(|length| length.is_finite());
+            assert!(same(found, expected), "{cell}: {found:?}, not {expected:?}: {movement:?} {:?}", scenario.grid);
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 1000, "{looked_at} cells");
+}
+
+#[test]
+fn on_large_maps_a_field_and_a_single_way_agree() {
+    for (seed, density) in [(1, 0.02), (2, 0.1), (3, 0.3)] {
+        let made = generate(Generator::Random, 300, 200, seed, density).expect("a map");
+        let movement = Movement { moves: Moves::Eight, corner_rule: CornerRule::ALL[seed as usize % 3] };
+        let scenario = Scenario::on(made.grid, movement, made.start, made.goal).expect("usable");
+        let lengths = field(&scenario);
+        for cell in (0..scenario.grid.len() as Cell).step_by(1999).filter(|&cell| !scenario.grid.is_blocked(cell)) {
+            let way = point_robot(&starting_at(&scenario, cell)).expect("within its limit");
+            assert!(same(Some(lengths[cell as usize]).filter(|length| length.is_finite()), way), "{cell}: {way:?}");
+        }
+    }
 }
