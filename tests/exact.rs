@@ -5,7 +5,7 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{drawn, length, movements, random, solve};
+use common::{drawn, length, movements, random, solve, swamp};
 use formicarium::catalog;
 use formicarium::error::ParamError;
 use formicarium::exact::{self, Reference, point_robot, weighted_reference};
@@ -150,7 +150,9 @@ fn theta_star_by_hand() {
 #[test]
 fn the_point_robot_bounds_every_polyline() {
     let (mut below, mut all) = (0, 0);
-    for s in small(200) {
+    let sixteen = CornerRule::ALL.map(|corner_rule| Movement { moves: Moves::Sixteen, corner_rule });
+    let far = (0..60).flat_map(|seed| sixteen.map(|movement| random(5 + seed % 8, 0.4, seed, movement)));
+    for s in small(200).chain(far) {
         let point = point_robot(&s).expect("a small map").unwrap_or(f64::INFINITY);
         let any = length(&s, "any-angle");
         assert!(point <= any + 1e-9, "{:?} {:?}: {point} > {any}", s.spec, s.grid);
@@ -222,19 +224,19 @@ fn the_point_robot_by_hand() {
 }
 
 #[test]
-fn polylines_have_a_proven_yardstick_up_to_64_by_64_cells() {
+fn polylines_have_a_proven_yardstick_on_large_planes() {
     let rule = Movement::default();
-    let [small, large] = [64, 65].map(|side| random(side, 0.3, 2, rule));
-    let Reference::Proven { value } = exact::reference(&small, Objective::PolylineLength) else { panic!("proven") };
-    let steps = solve(&small, "astar").best().map(|b| b.path.clone()).expect("a path");
-    let refined = Metrics::of(&small, &refine(&small, &steps, Refinement::Farthest)).length;
-    let point = point_robot(&small).expect("within its limit").expect("a way");
-    assert!(point < value && value < refined && refined < Metrics::of(&small, &steps).length, "{point} {value} {refined}");
-
+    for s in [64, 65, 256].map(|side| random(side, 0.3, 2, rule)) {
+        let Reference::Proven { value } = exact::reference(&s, Objective::PolylineLength) else { panic!("proven") };
+        let steps = solve(&s, "astar").best().map(|b| b.path.clone()).expect("a path");
+        let refined = Metrics::of(&s, &refine(&s, &steps, Refinement::Farthest)).length;
+        let point = point_robot(&s).expect("within its limit").expect("a way");
+        assert!(point < value && value < refined && refined < Metrics::of(&s, &steps).length, "{point} {value} {refined}");
+    }
+    let swamp = swamp(rule);
     assert!(
-        matches!(exact::reference(&large, Objective::PolylineLength), Reference::Unproven { value } if same(value, length(&large, "theta-star")))
+        matches!(exact::reference(&swamp, Objective::PolylineLength), Reference::Unproven { value } if same(value, length(&swamp, "theta-star")))
     );
-    assert!(point_robot(&large).is_err_and(|e| (e.cells, e.most) == (65 * 65, 4096)));
 
     let grid = Grid::open(1025, 1024).expect("a map");
     let huge = Arc::new(Scenario::on(grid, rule, Point::new(0, 0), Point::new(9, 2)).expect("usable"));
@@ -245,6 +247,7 @@ fn polylines_have_a_proven_yardstick_up_to_64_by_64_cells() {
     assert_eq!((report.kind.as_str(), report.field.as_str()), ("map-too-large", "map"));
     assert!(report.message.contains("1048576") && report.hint.contains("theta-star"), "{report:?}");
     assert!(matches!(exact::reference(&huge, Objective::TurnIndex), Reference::Proven { .. }));
+    assert!(point_robot(&huge).is_err_and(|e| (e.cells, e.most) == (1025 * 1024, 1 << 20)));
 }
 
 #[test]

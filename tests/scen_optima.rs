@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use formicarium::catalog;
-use formicarium::exact::Optima;
+use formicarium::exact::{Optima, point_robot};
 use formicarium::formats::{ScenLine, check_scen, import, import_scen, misfit};
 use formicarium::map::{CornerRule, Grid, Movement, Moves};
 use formicarium::params::Values;
+use formicarium::planner::Status;
 use formicarium::scenario::{Goal, Scenario};
 
 /// Scenarios of each file, spread evenly over it.
@@ -107,4 +108,31 @@ fn jump_points_find_every_listed_optimum() {
         run += lines.len();
     }
     println!("{run} scenarios, all equal");
+}
+
+#[test]
+fn the_shortest_polyline_is_proven_between_the_point_robots_way_and_the_listed_path() {
+    let Some(folder) = folder() else { return };
+    let movement = Movement { moves: Moves::Eight, corner_rule: CornerRule::BothFree };
+    let mut proven = 0;
+    for scen in scen_files(&folder).iter().filter(|scen| !scen.ends_with(INCONSISTENT)) {
+        let (lines, grid) = load(scen);
+        for line in [lines.len() / 3, lines.len() - 1].map(|k| &lines[k]).into_iter().filter(|line| misfit(line, &grid).is_none())
+        {
+            let scenario = Arc::new(Scenario::on(grid.clone(), movement, line.start, line.goal).unwrap());
+            let mut search = catalog::build(&scenario, "any-angle", None, &Values::new(), 0).unwrap();
+            assert_eq!(search.run(), Status::Optimal, "{}, line {}", scen.display(), line.line);
+            let (found, told) = (search.best().unwrap().length, search.certificate().unwrap());
+            assert!(told.is_proven && told.bound == found && told.expansions == search.effort().cell_expansions);
+            let point = point_robot(&scenario).unwrap().unwrap();
+            assert!(
+                point <= found + 1e-9 && (line.is_unlisted() || found < line.optimal || line.fits(found)),
+                "{}, line {}",
+                scen.display(),
+                line.line
+            );
+            proven += 1;
+        }
+    }
+    assert!(proven > 20, "{proven} lengths are proven");
 }

@@ -1,5 +1,7 @@
 //! `bench-scen`: our optima, or those of an exact planner, against the listed ones of a MovingAI `.scen`.
 
+mod proofs;
+
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -11,12 +13,13 @@ use crate::exact::Optima;
 use crate::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
 use crate::map::{CornerRule, Grid, Movement, Point};
 use crate::params::Values;
-use crate::planner::{Family, Objective, PlannerEntry};
+use crate::planner::{Certificate, Family, Objective, PlannerEntry};
 use crate::rng::Streams;
 use crate::scenario::{Goal, Scenario};
 use rand::Rng;
 use serde::Serialize;
 
+use self::proofs::Proofs;
 use super::error::CliError;
 use super::reading::ReadingArgs;
 use super::{Outcome, input, text, text::TextOrJson, text::row};
@@ -27,12 +30,17 @@ use super::{Outcome, input, text, text::TextOrJson, text::row};
 A length fits when it differs from the listed one by no more than half a unit of the last printed
 digit plus 1e-6 of the length (older files were summed up with a rounded √2).
 
+any-angle finds polylines: they fit when they are no longer than the listed path of steps. What
+share is proven, and within a second, is told; where the limit of work was reached before, the
+mean width of the interval that is left.
+
 Without --planner only the lengths are computed, the fastest way there is: by jump points with
 8 moves on a plane, by A* elsewhere. With it the planner of the catalog runs as it does everywhere.
 
 Examples:
   formicarium bench-scen arena2.map.scen
   formicarium bench-scen scen/maze512-8-0.map.scen --map maps/maze512-8-0.map --sample 100 --planner dijkstra
+  formicarium bench-scen lak303d.map.scen --sample 100 --planner any-angle
 
 Exit code 1 when a scenario does not fit.")]
 pub struct Args {
@@ -99,21 +107,30 @@ enum By {
 }
 
 impl By {
-    /// The length of the shortest path of a scenario, none where there is none, and what was expanded for it.
-    fn length(&mut self, scenario: &Arc<Scenario>) -> Result<(Option<f64>, u64), CliError> {
+    /// What it finds on a scenario.
+    fn find(&mut self, scenario: &Arc<Scenario>) -> Result<Found, CliError> {
         match self {
             Self::Planner(entry) => {
                 let mut planner = (entry.build)(scenario, &Values::new(), 0)?;
                 planner.run();
-                Ok((planner.best().map(|b| b.length), planner.effort().cell_expansions))
+                let (length, expansions) = (planner.best().map(|b| b.length), planner.effort().cell_expansions);
+                Ok(Found { length, expansions, certificate: planner.certificate() })
             }
             Self::Optimum(optima) => {
                 let before = optima.expansions();
                 let length = optima.between(scenario.start, scenario.goal);
-                Ok((length, optima.expansions() - before))
+                Ok(Found { length, expansions: optima.expansions() - before, certificate: None })
             }
         }
     }
+}
+
+/// What was found on a scenario.
+struct Found {
+    /// Of the shortest path; none where there is none.
+    length: Option<f64>,
+    expansions: u64,
+    certificate: Option<Certificate>,
 }
 
 fn exact(id: &str) -> Result<&'static PlannerEntry, CliError> {
@@ -122,16 +139,21 @@ fn exact(id: &str) -> Result<&'static PlannerEntry, CliError> {
         return Ok(entry);
     }
     let known: Vec<_> = catalog::CATALOG.iter().filter(|e| proves_length(e)).map(|e| e.id).collect();
-    let message = format!("`{id}` proves no optimum of the length by steps, so it cannot be compared with the listed ones");
+    let message = format!("`{id}` proves no optimum of the length, so it cannot be compared with the listed ones");
     Err(CliError::usage(message, format!("the exact planners are {}", known.join(", "))))
 }
 
-/// Whether a planner's result is the shortest path of steps, proven: what a `.scen` lists.
+/// Whether a planner's result is the shortest path of steps, proven, which is what a `.scen` lists, or the shortest polyline.
 fn proves_length(entry: &PlannerEntry) -> bool {
+    objective(entry).is_some_and(|objective| matches!(objective, Objective::Length | Objective::PolylineLength))
+}
+
+/// What an exact planner makes small.
+fn objective(entry: &PlannerEntry) -> Option<Objective> {
     let ends = (Point::new(0, 0), Point::new(1, 0));
     let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
     let planner = smallest.and_then(|scenario| catalog::build(&Arc::new(scenario), entry.id, None, &Values::new(), 1).ok());
-    entry.family == Family::Exact && planner.is_some_and(|p| p.objective() == Objective::Length)
+    planner.filter(|_| entry.family == Family::Exact).map(|p| p.objective())
 }
 
 /// The map beside the `.scen`: the file that its first line names, or the `.scen`'s own name without its ending.
@@ -209,6 +231,9 @@ struct Bench {
     mean_milliseconds: f64,
     slowest_milliseconds: f64,
     cell_expansions: u64,
+    /// Of a planner of polylines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proofs: Option<Proofs>,
     #[serde(skip)]
     timed: u32,
     misfits: Vec<Misfit>,
@@ -230,6 +255,7 @@ impl Bench {
             mean_milliseconds: 0.0,
             slowest_milliseconds: 0.0,
             cell_expansions: 0,
+            proofs: entry.filter(|e| objective(e) == Some(Objective::PolylineLength)).map(|_| Proofs::default()),
             timed: 0,
             misfits: Vec::new(),
         }
@@ -244,13 +270,16 @@ impl Bench {
         }
         let scenario = Arc::new(scenario.with_ends(line.start, vec![Goal::new(line.goal, "")])?);
         let begin = Instant::now();
-        let (length, expansions) = by.length(&scenario)?;
+        let found = by.find(&scenario)?;
         let milliseconds = begin.elapsed().as_secs_f64() * 1e3;
         self.timed += 1;
         self.mean_milliseconds += (milliseconds - self.mean_milliseconds) / f64::from(self.timed);
         self.slowest_milliseconds = self.slowest_milliseconds.max(milliseconds);
-        self.cell_expansions += expansions;
-        self.compare(line, length);
+        self.cell_expansions += found.expansions;
+        if let Some(proofs) = &mut self.proofs {
+            proofs.add(&found, milliseconds);
+        }
+        self.compare(line, found.length);
         Ok(())
     }
 
@@ -259,7 +288,7 @@ impl Bench {
         match found {
             _ if line.is_unlisted() => self.unlisted += 1,
             None => self.add(line, "no-path", format!("line {number}: listed {listed}, but no path exists"), None),
-            Some(length) if line.fits(length) => self.matched += 1,
+            Some(length) if line.fits(length) || (self.proofs.is_some() && length < listed) => self.matched += 1,
             Some(length) => {
                 let (kind, word) = if listed < length { ("listed-shorter", "shorter") } else { ("listed-longer", "longer") };
                 let message = format!("line {number}: listed {listed}, found {length:.5}: the listed optimum is {word}");
@@ -291,6 +320,9 @@ impl Bench {
             "time",
             format!("{:.3} ms per scenario, the slowest {:.3} ms", self.mean_milliseconds, self.slowest_milliseconds),
         );
+        if let Some(proofs) = &self.proofs {
+            proofs.text(&mut out);
+        }
         let mean = self.cell_expansions / self.run.max(1) as u64;
         row(&mut out, "expansions", format!("{}, {} per scenario", text::grouped(self.cell_expansions), text::grouped(mean)));
         if !self.misfits.is_empty() {

@@ -4,23 +4,31 @@
 //! A state is expanded when no open one has a smaller f = g + estimate; it is opened again when a shorter way to it turns up. The search
 //! ends when no open state can beat the goal's cost: exact where the rules offer every step and the estimate is a lower bound.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+mod tree;
+
 use std::sync::Arc;
 
+use self::tree::{BUCKETS_PER_CONTOUR, NO_PARENT};
+pub(super) use self::tree::{Open, State, Tree};
 use super::contours::{self, Contours};
-use super::frontier::Frontier;
 use super::search::contour;
 use crate::map::Cell;
-use crate::metrics::{SAME_LENGTH, WeightedSum};
-use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed, held};
+use crate::metrics::WeightedSum;
+use crate::path::Path;
+use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed};
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{metrics::SAME_LENGTH, planner::Certificate};
 
-/// A cell, or a cell and what else the cost of the next step depends on.
-pub(super) type State = u32;
-
-/// Parent of the start.
-const NO_PARENT: State = State::MAX;
+/// A way that is known before a search begins.
+#[derive(Debug, Clone)]
+pub(super) struct Known {
+    pub(super) path: Path,
+    /// In cells.
+    pub(super) length: f64,
+    /// Cells that were expanded to find it.
+    pub(super) expansions: u64,
+}
 
 /// What a search does.
 pub(super) trait Rules: Clone + Send {
@@ -36,6 +44,10 @@ pub(super) trait Rules: Clone + Send {
     /// The state in which the search begins.
     fn start(&self, scenario: &Scenario) -> State {
         scenario.start * Self::STATES_PER_CELL
+    }
+    /// A way to the goal that was found while it was prepared: no longer one is looked for.
+    fn known(&self) -> Option<&Known> {
+        None
     }
     /// The weights, where its objective is the weighted sum.
     fn sum(&self) -> Option<WeightedSum> {
@@ -55,161 +67,8 @@ pub(super) trait Rules: Clone + Send {
     fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree);
 }
 
-/// A state that waits to be expanded.
-#[derive(Clone, Copy)]
-pub(super) struct Open {
-    pub(super) state: State,
-    /// Cost from the start.
-    pub(super) g: f64,
-    /// That and the estimate.
-    pub(super) f: f64,
-}
-
-impl Ord for Open {
-    /// Smallest f first, of equals the farthest from the start, of equals the first state.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.f.total_cmp(&self.f).then(self.g.total_cmp(&other.g)).then(other.state.cmp(&self.state))
-    }
-}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Open {}
-
-/// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
-const BUCKETS_PER_CONTOUR: f64 = 4.0;
-
-/// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
-#[derive(Clone, Default)]
-struct Queue {
-    heap: BinaryHeap<Open>,
-    later: Frontier<Open>,
-    /// f at which bucket 0 begins.
-    base: f64,
-    buckets_per_cell: f64,
-}
-
-impl Queue {
-    #[inline]
-    fn push(&mut self, open: Open) {
-        let bucket = ((open.f - self.base) * self.buckets_per_cell) as u32 as usize;
-        if bucket <= self.later.at_work() {
-            self.heap.push(open);
-        } else {
-            self.later.file(bucket, open);
-        }
-    }
-
-    fn peek(&mut self) -> Option<&Open> {
-        while self.heap.is_empty() && self.later.has_more() {
-            self.later.next();
-            self.heap.extend(self.later.take());
-        }
-        self.heap.peek()
-    }
-
-    /// Without the state that was seen last by [`Queue::peek`].
-    fn pop(&mut self) {
-        self.heap.pop();
-    }
-
-    fn bytes(&self) -> usize {
-        self.heap.capacity() * size_of::<Open>() + self.later.bytes()
-    }
-}
-
-/// The ways found so far.
-#[derive(Clone)]
-pub(super) struct Tree {
-    /// Cost from the start by state; empty until the first step.
-    g: Vec<f64>,
-    parent: Vec<State>,
-    expanded: Vec<bool>,
-    open: Queue,
-    /// Cost of the best way to the goal so far, and the state at its end.
-    bound: f64,
-    arrived: State,
-}
-
-impl Tree {
-    fn new(states: usize) -> Self {
-        let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
-        Self { g, parent, expanded, open: Queue::default(), bound: f64::INFINITY, arrived: NO_PARENT }
-    }
-
-    /// Cost of the best way to a state so far.
-    #[inline]
-    pub(super) fn g(&self, state: State) -> f64 {
-        self.g[state as usize]
-    }
-
-    /// Where that way comes from; the start comes from itself.
-    #[inline]
-    pub(super) fn parent(&self, state: State) -> State {
-        let parent = self.parent[state as usize];
-        if parent == NO_PARENT { state } else { parent }
-    }
-
-    /// Whether a way of cost g to a state is cheaper than the one known.
-    #[inline]
-    pub(super) fn is_cheaper(&self, state: State, g: f64) -> bool {
-        g < self.g[state as usize] - SAME_LENGTH
-    }
-
-    /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
-    #[inline]
-    pub(super) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
-        self.is_cheaper(state, g) && g + to_goal < self.bound - SAME_LENGTH
-    }
-
-    /// Takes note of a way that improves; `at_goal` where it leads to the goal.
-    #[inline]
-    pub(super) fn relax(&mut self, state: State, g: f64, to_goal: f64, parent: State, at_goal: bool) {
-        if !self.improves(state, g, to_goal) {
-            return;
-        }
-        self.g[state as usize] = g;
-        self.parent[state as usize] = parent;
-        if at_goal {
-            (self.bound, self.arrived) = (g, state);
-        } else {
-            self.open.push(Open { state, g, f: g + to_goal });
-        }
-    }
-
-    /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
-    fn least(&mut self) -> Option<(State, f64)> {
-        while let Some(&Open { state, g, f }) = self.open.peek() {
-            if g <= self.g[state as usize] && f < self.bound - SAME_LENGTH {
-                return Some((state, f));
-            }
-            self.open.pop();
-        }
-        None
-    }
-
-    /// The states from the start to the goal.
-    fn way(&self) -> Vec<State> {
-        let mut way = vec![self.arrived];
-        let mut at = self.arrived;
-        while self.parent[at as usize] != NO_PARENT {
-            at = self.parent[at as usize];
-            way.push(at);
-        }
-        way.reverse();
-        way
-    }
-}
+/// Longer than what rounding and [`SAME_LENGTH`] make of a way's length, in cells.
+const HAIR: f64 = 1e-6;
 
 /// A search at work.
 #[derive(Clone)]
@@ -219,12 +78,18 @@ pub(super) struct BestFirst<R> {
     tree: Tree,
     /// f at which the contour at work ends.
     contour: f64,
+    /// The smallest f of what was open when it stopped.
+    least: f64,
     progress: Progress,
 }
 
 impl<R: Rules> BestFirst<R> {
     pub(super) fn new(scenario: Arc<Scenario>, rules: R) -> Self {
-        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, progress: Progress::default() }
+        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, least: 0.0, progress: Progress::default() }
+    }
+
+    pub(super) fn rules(&self) -> &R {
+        &self.rules
     }
 
     fn close_contour(&mut self, least: Option<f64>) {
@@ -248,13 +113,19 @@ impl<R: Rules> BestFirst<R> {
         self.progress.record(Record::of_search(self.progress.effort.iterations, length));
     }
 
+    /// The way to the goal that the search has found, or the one that was known.
+    fn best_way(&self) -> Option<Path> {
+        let found = self.tree.arrived != NO_PARENT;
+        let known = || self.rules.known().map(|known| known.path.clone());
+        if found { Some(self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect()) } else { known() }
+    }
+
     /// `lost` or `found` is what it is without a way to the goal, or with one.
     fn finish(&mut self, lost: Status, found: Status) {
-        if !self.tree.bound.is_finite() {
+        let Some(path) = self.best_way() else {
             self.progress.status = lost;
             return;
-        }
-        let path: Vec<Cell> = self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect();
+        };
         let length = self.scenario.path_length(&path);
         // Nothing is shorter than not to move at all.
         self.progress.status = if length == 0.0 { Status::Optimal } else { found };
@@ -276,6 +147,11 @@ impl<R: Rules> Contours for BestFirst<R> {
         let scenario = &*self.scenario;
         self.rules.prepare(scenario);
         self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
+        if let Some(known) = self.rules.known() {
+            // A hair longer, so that the best way is found even where it is the known one.
+            self.tree.bound = known.length + HAIR;
+            self.progress.effort.cell_expansions += known.expansions;
+        }
         let to_goal = self.rules.to_goal(scenario, scenario.start);
         self.tree.open.base = libm::floor(to_goal);
         self.tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR / contour(scenario);
@@ -285,11 +161,12 @@ impl<R: Rules> Contours for BestFirst<R> {
 
     fn advance_one(&mut self) -> bool {
         let least = self.tree.least();
-        let Some((state, _)) = least.filter(|&(_, f)| f < self.contour) else {
+        let Some((state, f)) = least.filter(|&(_, f)| f < self.contour) else {
             self.close_contour(least.map(|(_, f)| f));
             return false;
         };
         if self.rules.is_spent() {
+            self.least = f;
             self.stop();
             return false;
         }
@@ -311,13 +188,25 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
     }
 
     fn bytes(&self) -> usize {
-        let Tree { g, parent, expanded, open, .. } = &self.tree;
-        let tree = held(g) + held(parent) + held(expanded) + open.bytes();
-        size_of::<Self>() + self.progress.bytes() + self.rules.bytes() + tree
+        size_of::<Self>() + self.progress.bytes() + self.rules.bytes() + self.tree.bytes()
     }
 
     fn objective(&self) -> Objective {
         R::OBJECTIVE
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        let status = self.progress.status;
+        let proves_lengths = R::FOUND == Status::Optimal && R::OBJECTIVE == Objective::PolylineLength;
+        if !proves_lengths || !status.is_finished() || status == Status::NoPath {
+            return None;
+        }
+        let (best, expansions) = (self.best().map_or(f64::INFINITY, |best| best.length), self.effort().cell_expansions);
+        let is_proven = status == Status::Optimal;
+        // Each segment, a cell long at least, may be counted too long by the tolerance.
+        let bound = if is_proven { best } else { best.min(self.least * (1.0 - SAME_LENGTH)) };
+        Some(Certificate { bound, expansions, is_proven })
     }
 
     fn weighed(&self) -> Option<Weighed> {

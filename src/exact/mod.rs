@@ -7,8 +7,11 @@ mod contours;
 pub mod d_star_lite;
 pub mod dijkstra;
 mod frontier;
+mod geodesic;
+mod glance;
 mod jump_map;
 mod jump_points;
+mod obstacles;
 mod optima;
 pub mod order;
 pub mod order_problem;
@@ -171,21 +174,22 @@ fn best_tour(scenario: &Arc<Scenario>, weighted: bool) -> Option<f64> {
     order::held_karp(&costs, order::Shape::Open).map(|order| costs.total(&order, order::Shape::Open))
 }
 
-/// Largest map in cells on which the shortest polyline is proven just to compare with it.
-const MOST_CELLS_TO_PROVE: usize = 64 * 64;
-/// Largest map in cells for which Theta* is run just to compare with it: half a second.
+/// Largest map in cells for which polylines are looked for just to compare with them: half a second.
 const MOST_CELLS_TO_COMPARE: usize = 1 << 20;
 
-/// The shortest polyline where it can be proven, a good one where the map is larger: on a terrain, whose ground Theta* does not know, the
-/// shortest path of steps. On weighted ground nothing is proven: a dearest cell may be passed at any angle.
+/// The shortest polyline where it can be proven, else a good one: on a large terrain, whose ground Theta* does not know, the shortest path of
+/// steps. On weighted ground nothing is proven: a dearest cell may be passed at any angle.
 fn polyline(scenario: &Arc<Scenario>) -> Reference {
     let cells = scenario.grid.len();
     if cells > MOST_CELLS_TO_COMPARE {
         return Reference::Unknown;
     }
+    if scenario.moves.is_plain() {
+        return any_angle::reference(scenario);
+    }
     let weighted = scenario.moves.weights().is_some();
-    let proven = cells <= MOST_CELLS_TO_PROVE && !weighted;
-    let entry = match (proven, scenario.moves.is_plain() || weighted) {
+    let proven = cells <= any_angle::MOST_CELLS_OF_TERRAIN && !weighted;
+    let entry = match (proven, weighted) {
         (true, _) => &any_angle::ENTRY,
         (false, true) => &theta_star::ENTRY,
         (false, false) => &astar::ENTRY,

@@ -6,15 +6,15 @@
 //! off corners that the point may touch, with 4 moves it runs along rows and columns only: there the bound is less tight.
 //!
 //! The shortest way bends at convex corners of obstacles only (Lozano-Pérez, Wesley 1979, Communications of the ACM 22, 560–570), so A*
-//! over these corners in sight of each other is exact. All in half cells and whole numbers, as [`line_of_sight`](crate::path::line_of_sight).
+//! over these corners is exact: `geodesic.rs`. What sees what is told in half cells and whole numbers: `glance.rs`.
 
-use std::cmp::Ordering;
-
-use crate::map::{CornerRule, Grid, Moves, Point, Weights};
+use super::geodesic::{To, spread};
+use super::obstacles::Obstacles;
+use crate::map::Weights;
 use crate::scenario::Scenario;
 
-/// Largest map in cells: 64 × 64.
-pub const MOST_CELLS: usize = 64 * 64;
+/// Largest map in cells: 1024 × 1024, for which it holds up to 30 megabytes while it is at work.
+pub const MOST_CELLS: usize = 1 << 20;
 
 /// The map has too many cells for the point robot's way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -32,142 +32,16 @@ pub struct TooLarge {
 /// # Errors
 /// [`TooLarge`] beyond [`MOST_CELLS`].
 pub fn point_robot(scenario: &Scenario) -> Result<Option<f64>, TooLarge> {
-    let (cells, least) = (scenario.grid.len(), scenario.moves.weights().map_or(1.0, Weights::least));
+    let cells = scenario.grid.len();
     if cells > MOST_CELLS {
-        Err(TooLarge { cells, most: MOST_CELLS })
-    } else {
-        Ok(Plane::of(scenario).shortest().map(|length| length * least))
+        return Err(TooLarge { cells, most: MOST_CELLS });
     }
+    let map = Obstacles::of(&scenario.grid, scenario.spec.movement);
+    let mut way = To::new(&scenario.grid, scenario.goal);
+    spread(&map, &scenario.grid, scenario.start, &mut way);
+    let least = scenario.moves.weights().map_or(1.0, Weights::least);
+    Ok(Some(way.length * least).filter(|length| length.is_finite()))
 }
 
-/// A place in half cells: corners have even coordinates, centres odd ones.
-type Place = (i32, i32);
-
-/// The obstacles, and where a shortest way may bend.
-struct Plane<'a> {
-    grid: &'a Grid,
-    /// Whether the point squeezes between two obstacles that touch at a corner.
-    squeezes: bool,
-    /// The goal, the start, then the corners.
-    places: Vec<Place>,
-}
-
-impl<'a> Plane<'a> {
-    fn of(scenario: &'a Scenario) -> Self {
-        let (grid, movement) = (&scenario.grid, scenario.spec.movement);
-        let squeezes = movement.moves == Moves::Eight && movement.corner_rule == CornerRule::Always;
-        let mut plane = Self { grid, squeezes, places: [scenario.goal, scenario.start].map(|c| centre(grid.point(c))).into() };
-        for y in 0..=grid.height() as i32 {
-            let corners = (0..=grid.width() as i32).filter(|&x| plane.bends_at(x, y));
-            let corners: Vec<Place> = corners.map(|x| (2 * x, 2 * y)).collect();
-            plane.places.extend(corners);
-        }
-        plane
-    }
-
-    fn free(&self, x: i32, y: i32) -> bool {
-        self.grid.is_free_at(i64::from(x), i64::from(y))
-    }
-
-    /// Whether a shortest way may bend at the upper left corner of the cell (x, y): one obstacle there, or two that touch.
-    fn bends_at(&self, x: i32, y: i32) -> bool {
-        let around = [self.free(x - 1, y - 1), self.free(x, y - 1), self.free(x - 1, y), self.free(x, y)];
-        let touching = around == [true, false, false, true] || around == [false, true, true, false];
-        around.iter().filter(|&&free| !free).count() == 1 || (self.squeezes && touching)
-    }
-
-    /// Whether the straight way between two different places is free.
-    fn sees(&self, from: Place, to: Place) -> bool {
-        match (to.0 - from.0, to.1 - from.1) {
-            (0, dy) if from.0 % 2 == 0 => self.along(dy / 2, |k, side| {
-                let y = if dy > 0 { from.1 / 2 + k } else { from.1 / 2 - k - 1 };
-                self.free(from.0 / 2 - side, y)
-            }),
-            (dx, 0) if from.1 % 2 == 0 => self.along(dx / 2, |k, side| {
-                let x = if dx > 0 { from.0 / 2 + k } else { from.0 / 2 - k - 1 };
-                self.free(x, from.1 / 2 - side)
-            }),
-            (dx, dy) => self.across(from, (dx, dy)),
-        }
-    }
-
-    /// Along an edge line of the map: at every cell's length one of the two sides must be free, and where the side changes the point
-    /// must squeeze through a corner. `free(k, side)` is the k-th cell on a side.
-    fn along(&self, cells: i32, free: impl Fn(i32, i32) -> bool) -> bool {
-        let mut before = [true; 2];
-        (0..cells.abs()).all(|k| {
-            let now = [free(k, 0), free(k, 1)];
-            let stays = (now[0] && before[0]) || (now[1] && before[1]);
-            before = now;
-            stays || (self.squeezes && (now[0] || now[1]))
-        })
-    }
-
-    /// Across the cells.
-    fn across(&self, from: Place, (dx, dy): (i32, i32)) -> bool {
-        let (sx, sy, nx, ny) = (dx.signum(), dy.signum(), dx.abs(), dy.abs());
-        let (mut x, mut y) = (first_cell(from.0, sx), first_cell(from.1, sy));
-        // When the way leaves its cell by a side in x and in y, on the scale on which it ends at nx·ny; never where it runs in parallel.
-        let side = |at: i32, cell: i32, sign: i32| if sign > 0 { 2 * cell + 2 - at } else { at - 2 * cell };
-        let end = nx.max(1) * ny.max(1);
-        let mut leaves_x = if sx == 0 { i32::MAX } else { side(from.0, x, sx) * ny.max(1) };
-        let mut leaves_y = if sy == 0 { i32::MAX } else { side(from.1, y, sy) * nx.max(1) };
-        let mut free = self.free(x, y);
-        while free && leaves_x.min(leaves_y) < end {
-            let order = leaves_x.cmp(&leaves_y);
-            if order.is_eq() {
-                free = self.squeezes || self.free(x + sx, y) || self.free(x, y + sy);
-            }
-            if order.is_le() {
-                (x, leaves_x) = (x + sx, leaves_x + 2 * ny.max(1));
-            }
-            if order.is_ge() {
-                (y, leaves_y) = (y + sy, leaves_y + 2 * nx.max(1));
-            }
-            free = free && self.free(x, y);
-        }
-        free
-    }
-
-    /// A* over all places, by the straight distance to the goal.
-    fn shortest(&self) -> Option<f64> {
-        let [goal, start] = [0, 1];
-        let mut g = vec![f64::INFINITY; self.places.len()];
-        let mut open: Vec<usize> = (0..self.places.len()).collect();
-        g[start] = 0.0;
-        if self.places[start] == self.places[goal] {
-            return Some(0.0);
-        }
-        let to_goal = |k: usize| distance(self.places[k], self.places[goal]);
-        loop {
-            let f = |k: usize| g[k] + to_goal(k);
-            let next = open.iter().enumerate().min_by(|a, b| f(*a.1).total_cmp(&f(*b.1)).then(Ordering::Less));
-            let (index, &here) = next.filter(|(_, k)| g[**k].is_finite())?;
-            if here == goal {
-                return Some(g[goal]);
-            }
-            open.swap_remove(index);
-            for &k in &open {
-                let way = g[here] + distance(self.places[here], self.places[k]);
-                if way < g[k] && way + to_goal(k) < g[goal] && self.sees(self.places[here], self.places[k]) {
-                    g[k] = way;
-                }
-            }
-        }
-    }
-}
-
-fn centre(p: Point) -> Place {
-    (2 * p.x as i32 + 1, 2 * p.y as i32 + 1)
-}
-
-/// The cell in which a way from this coordinate with this sign begins.
-fn first_cell(at: i32, sign: i32) -> i32 {
-    if at % 2 == 0 && sign < 0 { at / 2 - 1 } else { at / 2 }
-}
-
-/// In cells.
-fn distance(a: Place, b: Place) -> f64 {
-    let (dx, dy) = (f64::from(a.0 - b.0), f64::from(a.1 - b.1));
-    0.5 * libm::sqrt(dx * dx + dy * dy)
-}
+#[cfg(test)]
+mod tests;

@@ -11,11 +11,11 @@ use crate::map::{Cell, CornerRule, Grid, Movement, Moves, Point};
 
 /// A slope at the end of a wedge.
 #[derive(Debug, Clone, Copy)]
-struct Slope {
-    rise: i32,
-    run: i32,
+pub(super) struct Slope {
+    pub(super) rise: i32,
+    pub(super) run: i32,
     /// Whether the slope itself does not belong to the wedge.
-    is_open: bool,
+    pub(super) is_open: bool,
 }
 
 impl Slope {
@@ -25,32 +25,40 @@ impl Slope {
     }
 
     /// The higher of two lower ends.
-    fn or_higher(self, other: Self) -> Self {
+    pub(super) fn or_higher(self, other: Self) -> Self {
         if self.is_below(other) || (!other.is_below(self) && other.is_open) { other } else { self }
     }
 
     /// The lower of two upper ends.
-    fn or_lower(self, other: Self) -> Self {
+    pub(super) fn or_lower(self, other: Self) -> Self {
         if other.is_below(self) || (!self.is_below(other) && other.is_open) { other } else { self }
     }
 
     /// How high it is at `twice_x` half columns, in half rows, as a quotient.
-    fn at(self, twice_x: i32) -> (i64, i64) {
+    pub(super) fn at(self, twice_x: i32) -> (i64, i64) {
         (i64::from(self.rise) * i64::from(twice_x), i64::from(self.run))
     }
 }
 
 /// What is open to sight between two slopes.
 #[derive(Debug, Clone, Copy)]
-struct Wedge {
-    low: Slope,
-    high: Slope,
+pub(super) struct Wedge {
+    pub(super) low: Slope,
+    pub(super) high: Slope,
 }
 
 impl Wedge {
-    fn is_empty(self) -> bool {
+    pub(super) fn is_empty(self) -> bool {
         let is_point = !self.low.is_below(self.high);
         is_point && (self.high.is_below(self.low) || self.low.is_open || self.high.is_open)
+    }
+
+    /// Whether the slope to a place so many half columns and half rows away lies within.
+    #[inline]
+    pub(super) fn contains(self, (x, y): (i32, i32)) -> bool {
+        let ((low, low_run), (high, high_run)) = (self.low.at(x), self.high.at(x));
+        let (above, below) = (i64::from(y) * low_run - low, high - i64::from(y) * high_run);
+        above >= i64::from(self.low.is_open) && below >= i64::from(self.high.is_open)
     }
 
     /// The rows whose centres in column x lie within; none where the first is above the last.
@@ -116,9 +124,10 @@ impl Sight {
         self.free.capacity() + (self.wedges.capacity() + self.next.capacity()) * size_of::<Wedge>()
     }
 
-    /// Calls `visit` with every cell that a free cell sees, and with its distance in cells; itself not, and those on its row and its column
-    /// twice. Returns how many cells were looked at.
-    pub(super) fn around(&mut self, from: Point, mut visit: impl FnMut(Cell, f64)) -> u64 {
+    /// Calls `visit` with every cell that a free cell sees, with its distance in cells, and true; itself not, and those on its row and its
+    /// column twice. With false it asks about cells that are passed, but whose centres are out of sight. Cells of which the answer is false
+    /// block the view as obstacles do. Returns how many cells were looked at.
+    pub(super) fn around(&mut self, from: Point, mut visit: impl FnMut(Cell, f64, bool) -> bool) -> u64 {
         let mut looked = 0;
         for (column, row) in STRAIGHT.into_iter().zip(STRAIGHT.into_iter().cycle().skip(1)) {
             let octant = Octant { from, column, row };
@@ -146,15 +155,14 @@ impl Sight {
     }
 
     /// Along the columns with so many rows to each: none, or 1 on the diagonal.
-    fn along(&self, octant: Octant, rows: i32, visit: &mut impl FnMut(Cell, f64)) -> u64 {
+    fn along(&self, octant: Octant, rows: i32, visit: &mut impl FnMut(Cell, f64, bool) -> bool) -> u64 {
         let free = |x, y| self.is_free(octant, x, y);
         let beside = |x: i32| rows == 0 || self.movement.corner_rule.allows(free(x - 1, x), free(x, x - 1));
-        let seen = (1..).take_while(|&x| free(x, x * rows) && beside(x));
-        let visits = seen.map(|x| visit(self.cell(octant, x, x * rows), distance(x, x * rows)));
-        visits.count() as u64 + 1
+        let mut visit = |x| visit(self.cell(octant, x, x * rows), distance(x, x * rows), true);
+        (1..).take_while(|&x| free(x, x * rows) && beside(x) && visit(x)).count() as u64 + 1
     }
 
-    fn octant(&mut self, octant: Octant, visit: &mut impl FnMut(Cell, f64)) -> u64 {
+    fn octant(&mut self, octant: Octant, visit: &mut impl FnMut(Cell, f64, bool) -> bool) -> u64 {
         let mut looked = 0;
         let all = Wedge { low: Slope { rise: 0, run: 1, is_open: false }, high: Slope { rise: 1, run: 1, is_open: true } };
         self.wedges.clear();
@@ -172,30 +180,29 @@ impl Sight {
     }
 
     /// Visits what a wedge shows of column x, and keeps what its cells leave of the wedge for the columns behind it.
-    fn narrow(&mut self, octant: Octant, x: i32, wedge: Wedge, visit: &mut impl FnMut(Cell, f64)) -> u64 {
+    fn narrow(&mut self, octant: Octant, x: i32, wedge: Wedge, visit: &mut impl FnMut(Cell, f64, bool) -> bool) -> u64 {
         let rule = self.movement.corner_rule;
         let ((first, last), (first_centre, last_centre)) = (wedge.rows(x), wedge.centres(x));
         let looked = u64::from((last - first + 1).max(0) as u32);
         let (mut y, mut low) = (first, wedge.low);
+        let mut is_open = |all: &Self, y| {
+            let is_seen = first_centre <= y && y <= last_centre;
+            all.is_free(octant, x, y) && visit(all.cell(octant, x, y), distance(x, y), is_seen)
+        };
         while y <= last {
-            if self.is_free(octant, x, y) {
-                if first_centre <= y && y <= last_centre {
-                    visit(self.cell(octant, x, y), distance(x, y));
-                }
+            if is_open(self, y) {
                 y += 1;
                 continue;
             }
             let below = Slope { rise: 2 * y - 1, run: 2 * x + 1, is_open: rule == CornerRule::BothFree };
             self.keep(Wedge { low, high: wedge.high.or_lower(below) });
-            while y <= last && !self.is_free(octant, x, y) {
-                y += 1;
-            }
-            if y > last {
+            let Some(above) = (y + 1..=last).find(|&y| is_open(self, y)) else {
                 // Their upper left corner is above the wedge: nothing of it is left there.
                 return looked;
-            }
-            let is_pinched = !rule.allows(false, self.is_free(octant, x - 1, y));
-            low = low.or_higher(Slope { rise: 2 * y - 1, run: 2 * x - 1, is_open: is_pinched });
+            };
+            let is_pinched = !rule.allows(false, self.is_free(octant, x - 1, above));
+            low = low.or_higher(Slope { rise: 2 * above - 1, run: 2 * x - 1, is_open: is_pinched });
+            y = above + 1;
         }
         self.keep(Wedge { low, high: wedge.high });
         looked
@@ -228,9 +235,10 @@ mod tests {
         let mut all = 0;
         for from in cells().filter(|&p| !grid.is_blocked(grid.cell(p))) {
             let mut seen = vec![false; grid.len()];
-            let looked = sight.around(from, |cell, away| {
+            let looked = sight.around(from, |cell, away, is_seen| {
                 assert_eq!(away.to_bits(), grid.point(cell).distance(from).to_bits());
-                seen[cell as usize] = true;
+                seen[cell as usize] |= is_seen;
+                true
             });
             for to in cells().filter(|&to| to != from) {
                 let expected = in_sight(grid, movement, from, to);

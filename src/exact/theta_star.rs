@@ -15,7 +15,7 @@
 use std::sync::Arc;
 
 use super::SEARCH;
-use super::best_first::{BestFirst, Rules, State, Tree};
+use super::best_first::{BestFirst, Known, Rules, State, Tree};
 use super::euclidean;
 use crate::error::ParamError;
 use crate::map::{Cell, Weights};
@@ -32,6 +32,8 @@ const MOST_LOOKED_AT: u64 = 1 << 33;
 struct ThetaStar {
     /// Cells that it may still look along.
     left: u64,
+    /// A lower bound of what is left to go from each cell, where there is a better one than the straight line.
+    rest: Option<Arc<[f64]>>,
 }
 
 impl Rules for ThetaStar {
@@ -43,6 +45,9 @@ impl Rules for ThetaStar {
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
+        if let Some(rest) = &self.rest {
+            return rest[cell as usize];
+        }
         euclidean(scenario, cell, scenario.goal) * scenario.moves.weights().map_or(1.0, Weights::least)
     }
 
@@ -96,7 +101,17 @@ impl ThetaStar {
 
 fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     check_keys(ENTRY.id, &[], values)?;
-    Ok(Box::new(BestFirst::new(Arc::clone(scenario), ThetaStar { left: MOST_LOOKED_AT })))
+    Ok(Box::new(BestFirst::new(Arc::clone(scenario), ThetaStar { left: MOST_LOOKED_AT, rest: None })))
+}
+
+/// The way that it finds on a plane when it is led by a lower bound of what is left to go from each cell, none where there is none within
+/// about so many cells along which it may look; and along how many it has.
+pub(super) fn led(scenario: &Arc<Scenario>, rest: Arc<[f64]>, most: u64) -> (Option<Known>, u64) {
+    let mut search = BestFirst::new(Arc::clone(scenario), ThetaStar { left: most.min(MOST_LOOKED_AT), rest: Some(rest) });
+    search.run();
+    let expansions = search.effort().cell_expansions;
+    let known = search.best().map(|best| Known { path: best.path.clone(), length: best.length, expansions });
+    (known, most.saturating_sub(search.rules().left))
 }
 
 /// Theta* in the catalog.
@@ -129,7 +144,7 @@ mod tests {
     fn it_ends_at_the_limit_of_its_work() {
         let scenario = serpentine(41);
         let run = |left| {
-            let mut search = BestFirst::new(Arc::clone(&scenario), ThetaStar { left });
+            let mut search = BestFirst::new(Arc::clone(&scenario), ThetaStar { left, rest: None });
             (search.run(), search)
         };
         let (status, whole) = run(MOST_LOOKED_AT);

@@ -2,6 +2,8 @@
 
 pub mod ahead;
 #[cfg(feature = "whole")]
+mod certificate;
+#[cfg(feature = "whole")]
 mod changing;
 mod ground;
 mod layer;
@@ -28,6 +30,8 @@ use crate::path::PathKind;
 use crate::scenario::Change;
 use crate::scenario::Scenario;
 
+#[cfg(feature = "whole")]
+pub use certificate::Certificate;
 #[cfg(feature = "whole")]
 pub use changing::Changing;
 pub use ground::{Ground, GroundRule};
@@ -262,6 +266,13 @@ pub trait Planner: Snapshot + Send {
     /// What its result is measured by.
     fn objective(&self) -> Objective {
         Objective::Length
+    }
+
+    /// The lower bound that it has proven for what its result is measured by, once it has ended with one; none of a planner that proves
+    /// nothing, and where there is no path.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        None
     }
 
     /// By which weights, and to what its result comes by them; only where its objective is [`Objective::Weighted`].

@@ -123,6 +123,22 @@ fn bench_scen_without_a_planner_computes_lengths_alone() {
     let astar = folder.run(&["bench-scen", "small.map.scen", "--planner", "astar", "--format", "json"]).ends(0).json();
     assert_eq!((&astar["planner"], &astar["matched"]), (&"astar".into(), &2.into()));
     folder.run(&["bench-scen", "small.map.scen", "--planner", "astar"]).ends(0).says(&["A* on small.map.scen"]);
+    assert_eq!(astar.get("proofs"), None);
+}
+
+#[test]
+fn bench_scen_tells_what_is_proven_of_polylines() {
+    let folder = Folder::with_map("bench-polylines");
+    let bench = ["bench-scen", "small.map.scen", "--planner", "any-angle"];
+    folder.run(&bench).ends(0).says(&["2 of 2 scenarios, 100.0 %", "proven        2 scenarios, 100.0 %; within a second"]);
+    let told = folder.run(&[&bench[..], &["--format", "json"]].concat()).ends(0).json();
+    assert_eq!((&told["proofs"]["proven"], &told["proofs"]["intervals"], &told["matched"]), (&2.into(), &0.into(), &2.into()));
+    // Longer than the listed path by steps no polyline can be.
+    folder.write("bad.scen", &SCEN.replace("7.00000", "1.00000"));
+    folder
+        .run(&["bench-scen", "bad.scen", "--map", "small.map", "--planner", "any-angle"])
+        .ends(1)
+        .says(&["the listed optimum is shorter"]);
 }
 
 #[test]

@@ -97,8 +97,11 @@ fn open_question() -> Question {
 }
 
 fn open_comparison(width: u32, height: u32) -> Comparison {
-    let grid = Grid::open(width, height).unwrap();
-    let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(width - 1, height - 1));
+    comparison_on(Grid::open(width, height).unwrap())
+}
+
+fn comparison_on(grid: Grid) -> Comparison {
+    let spec = ScenarioSpec::new(&grid, Point::new(0, 0), Point::new(grid.width() - 1, grid.height() - 1));
     Comparison::new(open_question(), vec![Arc::new(Scenario::new(grid, spec).unwrap())]).unwrap()
 }
 
@@ -113,9 +116,10 @@ fn an_optimum_of_another_kind_leaves_room() {
 
 #[test]
 fn what_is_not_proven_is_no_optimum() {
-    // Above 64 × 64 cells the yardstick of polylines is a Theta* run.
-    for (width, proven) in [(64, true), (65, false)] {
-        let comparison = open_comparison(width, 64);
+    // On weighted ground the yardstick of polylines is a Theta* run.
+    let factors = (0..63).map(|cell| if cell == 8 { 2.0 } else { 1.0 }).collect();
+    let weighted = Grid::open(9, 7).unwrap().with_factors(factors).unwrap();
+    for (comparison, proven) in [(open_comparison(65, 64), true), (comparison_on(weighted), false)] {
         let row = comparison.run(Task { instance: 0, entry: 1, seed: 1 }, &mut || 0.0).unwrap().row;
         assert_eq!(comparison.gap(&row), Some(0.0));
         assert_eq!(comparison.value(&row, RunMeasure::Optimal), Some(f64::from(u8::from(proven))));

@@ -1,0 +1,180 @@
+//! What a best-first search knows: the ways found so far, and the states that wait.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use crate::exact::frontier::Frontier;
+use crate::metrics::SAME_LENGTH;
+use crate::planner::held;
+
+/// A cell, or a cell and what else the cost of the next step depends on.
+pub(in crate::exact) type State = u32;
+
+/// Parent of the start.
+pub(super) const NO_PARENT: State = State::MAX;
+
+/// A state that waits to be expanded.
+#[derive(Clone, Copy)]
+pub(in crate::exact) struct Open {
+    pub(in crate::exact) state: State,
+    /// Cost from the start.
+    pub(in crate::exact) g: f64,
+    /// That and the estimate.
+    pub(in crate::exact) f: f64,
+}
+
+impl Ord for Open {
+    /// Smallest f first, of equals the farthest from the start, of equals the first state.
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.f.total_cmp(&self.f).then(self.g.total_cmp(&other.g)).then(other.state.cmp(&self.state))
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Open {}
+
+/// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
+pub(super) const BUCKETS_PER_CONTOUR: f64 = 4.0;
+
+/// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
+#[derive(Clone, Default)]
+pub(super) struct Queue {
+    heap: BinaryHeap<Open>,
+    later: Frontier<Open>,
+    /// f at which bucket 0 begins.
+    pub(super) base: f64,
+    pub(super) buckets_per_cell: f64,
+}
+
+impl Queue {
+    #[inline]
+    fn push(&mut self, open: Open) {
+        let bucket = ((open.f - self.base) * self.buckets_per_cell) as u32 as usize;
+        if bucket <= self.later.at_work() {
+            self.heap.push(open);
+        } else {
+            self.later.file(bucket, open);
+        }
+    }
+
+    fn peek(&mut self) -> Option<&Open> {
+        while self.heap.is_empty() && self.later.has_more() {
+            self.later.next();
+            self.heap.extend(self.later.take());
+        }
+        self.heap.peek()
+    }
+
+    /// Without the state that was seen last by [`Queue::peek`].
+    pub(super) fn pop(&mut self) {
+        self.heap.pop();
+    }
+
+    fn bytes(&self) -> usize {
+        self.heap.capacity() * size_of::<Open>() + self.later.bytes()
+    }
+}
+
+/// The ways found so far.
+#[derive(Clone)]
+pub(in crate::exact) struct Tree {
+    /// Cost from the start by state; empty until the first step.
+    pub(super) g: Vec<f64>,
+    parent: Vec<State>,
+    pub(super) expanded: Vec<bool>,
+    pub(super) open: Queue,
+    /// Cost of the best way to the goal so far, and the state at its end.
+    pub(super) bound: f64,
+    pub(super) arrived: State,
+}
+
+impl Tree {
+    pub(super) fn new(states: usize) -> Self {
+        let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
+        Self { g, parent, expanded, open: Queue::default(), bound: f64::INFINITY, arrived: NO_PARENT }
+    }
+
+    /// Cost of the best way to a state so far.
+    #[inline]
+    pub(in crate::exact) fn g(&self, state: State) -> f64 {
+        self.g[state as usize]
+    }
+
+    /// Where that way comes from; the start comes from itself.
+    #[inline]
+    pub(in crate::exact) fn parent(&self, state: State) -> State {
+        let parent = self.parent[state as usize];
+        if parent == NO_PARENT { state } else { parent }
+    }
+
+    /// Whether a way of cost g to a state is cheaper than the one known.
+    #[inline]
+    pub(in crate::exact) fn is_cheaper(&self, state: State, g: f64) -> bool {
+        g < self.g[state as usize] - SAME_LENGTH
+    }
+
+    /// Whether a way of cost f is better than the best one known.
+    #[inline]
+    pub(in crate::exact) fn is_below_bound(&self, f: f64) -> bool {
+        f < self.bound - SAME_LENGTH
+    }
+
+    /// Whether a way of cost g to a state, with this estimate of the rest, can lead to a better result.
+    #[inline]
+    pub(in crate::exact) fn improves(&self, state: State, g: f64, to_goal: f64) -> bool {
+        self.is_cheaper(state, g) && self.is_below_bound(g + to_goal)
+    }
+
+    /// Takes note of a way that improves; `at_goal` where it leads to the goal.
+    #[inline]
+    pub(in crate::exact) fn relax(&mut self, state: State, g: f64, to_goal: f64, parent: State, at_goal: bool) {
+        if !self.improves(state, g, to_goal) {
+            return;
+        }
+        self.g[state as usize] = g;
+        self.parent[state as usize] = parent;
+        if at_goal {
+            (self.bound, self.arrived) = (g, state);
+        } else {
+            self.open.push(Open { state, g, f: g + to_goal });
+        }
+    }
+
+    /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
+    pub(super) fn least(&mut self) -> Option<(State, f64)> {
+        while let Some(&Open { state, g, f }) = self.open.peek() {
+            if g <= self.g[state as usize] && self.is_below_bound(f) {
+                return Some((state, f));
+            }
+            self.open.pop();
+        }
+        None
+    }
+
+    /// The states from the start to the goal.
+    pub(super) fn way(&self) -> Vec<State> {
+        let mut way = vec![self.arrived];
+        let mut at = self.arrived;
+        while self.parent[at as usize] != NO_PARENT {
+            at = self.parent[at as usize];
+            way.push(at);
+        }
+        way.reverse();
+        way
+    }
+
+    pub(super) fn bytes(&self) -> usize {
+        held(&self.g) + held(&self.parent) + held(&self.expanded) + self.open.bytes()
+    }
+}
