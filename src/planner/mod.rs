@@ -1,6 +1,7 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 pub mod ahead;
+mod certificate;
 #[cfg(feature = "whole")]
 mod changing;
 mod ground;
@@ -28,6 +29,7 @@ use crate::path::PathKind;
 use crate::scenario::Change;
 use crate::scenario::Scenario;
 
+pub use certificate::Certificate;
 #[cfg(feature = "whole")]
 pub use changing::Changing;
 pub use ground::{Ground, GroundRule};
@@ -279,6 +281,12 @@ pub trait Planner: Snapshot + Send {
             Objective::Weighted => self.weighed().and_then(|weighed| weighed.value),
             Objective::TourWeight => self.tour().and_then(|t| t.walked_weight),
         }
+    }
+
+    /// What it has proven of its result, of a planner that looks for more than a path and less than an exact search.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        None
     }
 
     /// Whether it can go on with what it has learnt on a map whose walls have changed; otherwise it begins anew there ([`Changing`]).
