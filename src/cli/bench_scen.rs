@@ -1,4 +1,4 @@
-//! `bench-scen`: our optima, or those of an exact planner, against the listed ones of a MovingAI `.scen`.
+//! `bench-scen`: our optima, or those of a planner that proves them, against the listed ones of a MovingAI `.scen`.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use crate::exact::Optima;
 use crate::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
 use crate::map::{CornerRule, Grid, Movement, Point};
 use crate::params::Values;
-use crate::planner::{Family, Objective, PlannerEntry};
+use crate::planner::{Objective, PlannerEntry, Status};
 use crate::rng::Streams;
 use crate::scenario::{Goal, Scenario};
 use rand::Rng;
@@ -21,7 +21,7 @@ use super::error::CliError;
 use super::reading::ReadingArgs;
 use super::{Outcome, input, text, text::TextOrJson, text::row};
 
-/// Compares the listed optima of a MovingAI .scen with ours, or with what an exact planner finds
+/// Compares the listed optima of a MovingAI .scen with ours, or with what a planner finds and proves
 #[derive(clap::Args)]
 #[command(after_help = "\
 A length fits when it differs from the listed one by no more than half a unit of the last printed
@@ -41,7 +41,7 @@ pub struct Args {
     /// The map [default: beside the .scen]
     #[arg(long)]
     map: Option<PathBuf>,
-    /// An exact planner to run and time, such as astar [default: the optimum alone, without a planner]
+    /// A planner that proves the shortest path, to run and time, such as astar [default: the optimum alone, without a planner]
     #[arg(long, value_name = "ID")]
     planner: Option<String>,
     /// How many scenarios, drawn by the seed [default: all]
@@ -65,7 +65,7 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let entry = args.planner.as_deref().map(exact).transpose()?;
+    let entry = args.planner.as_deref().map(proving).transpose()?;
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
     let map = ReadingArgs::default().import_still(&map_path)?;
@@ -116,22 +116,22 @@ impl By {
     }
 }
 
-fn exact(id: &str) -> Result<&'static PlannerEntry, CliError> {
+fn proving(id: &str) -> Result<&'static PlannerEntry, CliError> {
     let entry = catalog::find(id)?;
     if proves_length(entry) {
         return Ok(entry);
     }
     let known: Vec<_> = catalog::CATALOG.iter().filter(|e| proves_length(e)).map(|e| e.id).collect();
     let message = format!("`{id}` proves no optimum of the length by steps, so it cannot be compared with the listed ones");
-    Err(CliError::usage(message, format!("the exact planners are {}", known.join(", "))))
+    Err(CliError::usage(message, format!("the planners that prove it are {}", known.join(", "))))
 }
 
-/// Whether a planner's result is the shortest path of steps, proven: what a `.scen` lists.
+/// Whether a planner's result is the shortest path of steps, proven by itself: what a `.scen` lists.
 fn proves_length(entry: &PlannerEntry) -> bool {
     let ends = (Point::new(0, 0), Point::new(1, 0));
     let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
     let planner = smallest.and_then(|scenario| catalog::build(&Arc::new(scenario), entry.id, None, &Values::new(), 1).ok());
-    entry.family == Family::Exact && planner.is_some_and(|p| p.objective() == Objective::Length)
+    planner.is_some_and(|mut p| p.objective() == Objective::Length && p.run() == Status::Optimal)
 }
 
 /// The map beside the `.scen`: the file that its first line names, or the `.scen`'s own name without its ending.
