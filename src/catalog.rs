@@ -37,6 +37,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &aco::max_min_ant_system::ENTRY),
     (MORE, &aco::ant_colony_system::ENTRY),
     (MORE, &aco::best_worst_ant_system::ENTRY),
+    (MORE, &aco::formica::ENTRY),
     (OPENING, &exact::dijkstra::ENTRY),
     (OPENING, &exact::astar::ENTRY),
     (MORE, &exact::d_star_lite::ENTRY),

@@ -123,7 +123,7 @@ fn the_shortest_polyline_is_proven_between_the_point_robots_way_and_the_listed_p
             let mut search = catalog::build(&scenario, "any-angle", None, &Values::new(), 0).unwrap();
             assert_eq!(search.run(), Status::Optimal, "{}, line {}", scen.display(), line.line);
             let (found, told) = (search.best().unwrap().length, search.certificate().unwrap());
-            assert!(told.is_proven && told.bound == found && told.expansions == search.effort().cell_expansions);
+            assert!(told.complete && told.lower_bound == found && told.expansions == search.effort().cell_expansions);
             let point = point_robot(&scenario).unwrap().unwrap();
             assert!(
                 point <= found + 1e-9 && (line.is_unlisted() || found < line.optimal || line.fits(found)),

@@ -15,6 +15,8 @@ use wide::bytemuck::cast;
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
 use crate::path::{Refinement, refine};
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
 use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
     Walked, Weighed, advance,
@@ -31,7 +33,7 @@ use super::lanes;
 use super::selection::left;
 use super::threads;
 use super::trails::{Row, Trails};
-use super::variant::{Abreast, Iteration, Settings, Step, Variant};
+use super::variant::{Abreast, Iteration, Settings, Solved, Step, Variant};
 use super::visibility::{Eta, Sight};
 use super::weights::{self, Weights};
 
@@ -197,13 +199,26 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
             let refined = refined(scenario, &path, self.variant.refinement());
             self.progress.best = Some(Solution { path, length, iteration: number, refined });
         }
+        let solved = self.variant.solve(Iteration { best_so_far: self.progress.best.as_ref(), ..iteration });
+        let ended = solved.as_ref().and_then(|solved| solved.status);
+        let found = solved.and_then(|solved| take_solved(&mut self.progress, solved));
         let record = record(&Iteration { best_so_far: self.progress.best.as_ref(), ..iteration });
-        self.progress.record(record);
+        self.progress.record(found.map_or(record, |length| record.with_found(length)));
         let iteration = Iteration { best_so_far: self.progress.best.as_ref(), ..iteration };
         self.variant.update_trails(trails, iteration);
         self.variant.daemon_actions(trails, iteration);
-        self.progress.status = self.progress.after_iteration(budget, self.settings.stagnation);
+        let status = self.progress.after_iteration(budget, self.settings.stagnation);
+        self.progress.status = ended.unwrap_or(status);
     }
+}
+
+/// Takes in what a search has added to the iteration that has just been counted; the length of a path that it has found.
+#[inline(never)]
+fn take_solved(progress: &mut Progress, solved: Solved) -> Option<f64> {
+    progress.effort.cell_expansions += solved.expansions;
+    let (path, length) = solved.found?;
+    progress.best = Some(Solution { path, length, iteration: progress.effort.iterations, refined: None });
+    Some(length)
 }
 
 /// The rules of every walk, borrowed.
@@ -270,7 +285,7 @@ impl<V: Variant + 'static> Planner for Colony<V> {
     }
 
     fn bytes(&self) -> usize {
-        size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
+        size_of::<Self>() + self.variant.bytes() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
     }
 
     fn moves_from(&self, cell: Cell) -> Vec<MoveOdds> {
@@ -307,12 +322,17 @@ impl<V: Variant + 'static> Planner for Colony<V> {
 
     #[cfg(feature = "whole")]
     fn adapts(&self) -> bool {
-        true
+        V::ADAPTS
     }
 
     #[cfg(feature = "whole")]
     fn adapt(&mut self, change: &Change, to: &Arc<Scenario>) {
         self.go_on(change, to);
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        self.variant.certificate()
     }
 
     fn walk_on(&mut self, threads: NonZero<usize>) -> bool {

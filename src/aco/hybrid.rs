@@ -156,7 +156,7 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
         out.resize(self.scenario.grid.len(), 0.0);
         match (kind, &self.colony) {
             _ if !self.layers.contains(&kind) => return false,
-            (Layer::Cost, _) => return false,
+            (Layer::Cost | Layer::Scent | Layer::Merged, _) => return false,
             (Layer::SeedPath, _) => self.first.best().into_iter().flat_map(|b| &b.path).for_each(|&c| out[c as usize] = 1.0),
             (Layer::Priority, _) | (Layer::Visits, None) => return self.first.layer(kind, out),
             (Layer::Trail, None) => out.fill(self.second.initial_trail(&self.scenario) as f32),

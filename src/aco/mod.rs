@@ -20,6 +20,7 @@
 //! | what makes one finished path better than another | `criterion.rs` |
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
+//! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/search/within.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
 //! | colonies by slices: the classics, and the textbook's own | `by_slices/` |
 //! | the same colony on problems that have no map | `order_run.rs` |
@@ -32,6 +33,7 @@
 //! | `max-min-ant-system` | τ_max | as Ant System | as Ant System | – | evaporate, 1/L_ib or 1/L_bs, limits | restart at τ_max |
 //! | `ant-colony-system` | 1/(n·L_open) | as Ant System | pseudo-random proportional | blend τ0 in by ξ | blend 1/L_bs in by ρ on the best so far | – |
 //! | `best-worst-ant-system` | 1/(n·L_open) | as Ant System | as Ant System | – | evaporate, 1/L_bs on the best so far, the worst path evaporates again | mutate trails, restart at τ0 |
+//! | `formica` | 0.5 | exp(−κ·detour), by scent | as Ant System | – | evaporate, ρ on the path that a search makes of all ants' ways, limits | restart; a proof at the end |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
@@ -51,6 +53,7 @@ pub mod custom;
 pub mod dead_end;
 pub mod deposit;
 mod draws;
+pub mod formica;
 pub mod heuristic;
 pub mod hybrid;
 mod lane_rules;

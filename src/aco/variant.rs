@@ -2,7 +2,9 @@
 
 use crate::map::{Cell, Direction};
 use crate::path::{Path, Refinement};
-use crate::planner::Solution;
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
+use crate::planner::{Layer, Solution, Status};
 use crate::rng::{Stream, Streams};
 use crate::scenario::Scenario;
 
@@ -95,6 +97,17 @@ pub enum Abreast {
     Never,
 }
 
+/// What a search adds to an iteration of ants; see [`Variant::solve`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solved {
+    /// A path from start to goal that is shorter than the best so far, with its length in cells.
+    pub found: Option<(Path, f64)>,
+    /// Cells that were expanded since the iteration before.
+    pub expansions: u64,
+    /// How the colony has ended by that, if it has.
+    pub status: Option<Status>,
+}
+
 /// A variant of the colony. Every default is Ant System.
 pub trait Variant: Clone + Send + Sync {
     /// Whether ants change trails while they walk, each on the step that it has just taken: then all of them move in lock step, one move
@@ -104,6 +117,9 @@ pub trait Variant: Clone + Send + Sync {
     /// Whether ln η(t) = a + b·w(t), given by [`Variant::log_heuristic`] and [`Variant::time`]. Then an η that changes in every
     /// iteration is computed only where ants come by.
     const TIMED: bool = false;
+
+    /// Whether the colony goes on with what it has learnt when walls have changed; otherwise it begins anew.
+    const ADAPTS: bool = true;
 
     /// The common numbers.
     fn settings(&self) -> Settings;
@@ -167,6 +183,11 @@ pub trait Variant: Clone + Send + Sync {
     /// After a step of an ant (only with [`Variant::LOCK_STEP`]): may change the trail of this step, and no other.
     fn on_move(&self, _trails: &mut Trails, _step: Step) {}
 
+    /// After the ants of an iteration, before trails change: what a search makes of their ways.
+    fn solve(&mut self, _iteration: Iteration) -> Option<Solved> {
+        None
+    }
+
     /// At the end of an iteration: evaporate, then every arrived ant deposits Q/L.
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
         let settings = self.settings();
@@ -186,4 +207,20 @@ pub trait Variant: Clone + Send + Sync {
 
     /// What no single ant could do: reinitialise…
     fn daemon_actions(&mut self, _trails: &mut Trails, _iteration: Iteration) {}
+
+    /// Writes a layer of its own (one value a cell, row by row; `out` holds zeros); false where it has no such layer.
+    fn show(&self, _scenario: &Scenario, _kind: Layer, _out: &mut [f32]) -> bool {
+        false
+    }
+
+    /// What it has proven of the best path.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        None
+    }
+
+    /// What it holds in bytes, its own size not counted.
+    fn bytes(&self) -> usize {
+        0
+    }
 }

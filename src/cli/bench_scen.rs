@@ -1,4 +1,4 @@
-//! `bench-scen`: our optima, or those of an exact planner, against the listed ones of a MovingAI `.scen`.
+//! `bench-scen`: our optima, or those of a planner that proves them, against the listed ones of a MovingAI `.scen`.
 
 mod proofs;
 
@@ -13,7 +13,7 @@ use crate::exact::Optima;
 use crate::formats::{self, MAX_TEXT_BYTES, ScenFile, ScenLine, misfit};
 use crate::map::{CornerRule, Grid, Movement, Point};
 use crate::params::Values;
-use crate::planner::{Certificate, Family, Objective, PlannerEntry};
+use crate::planner::{Certificate, Objective, PlannerEntry, Status};
 use crate::rng::Streams;
 use crate::scenario::{Goal, Scenario};
 use rand::Rng;
@@ -24,7 +24,7 @@ use super::error::CliError;
 use super::reading::ReadingArgs;
 use super::{Outcome, input, text, text::TextOrJson, text::row};
 
-/// Compares the listed optima of a MovingAI .scen with ours, or with what an exact planner finds
+/// Compares the listed optima of a MovingAI .scen with ours, or with what a planner finds and proves
 #[derive(clap::Args)]
 #[command(after_help = "\
 A length fits when it differs from the listed one by no more than half a unit of the last printed
@@ -49,7 +49,7 @@ pub struct Args {
     /// The map [default: beside the .scen]
     #[arg(long)]
     map: Option<PathBuf>,
-    /// An exact planner to run and time, such as astar [default: the optimum alone, without a planner]
+    /// A planner that proves the shortest path, to run and time, such as astar [default: the optimum alone, without a planner]
     #[arg(long, value_name = "ID")]
     planner: Option<String>,
     /// How many scenarios, drawn by the seed [default: all]
@@ -73,7 +73,7 @@ impl Args {
 }
 
 pub fn run(args: &Args) -> Result<Outcome, CliError> {
-    let entry = args.planner.as_deref().map(exact).transpose()?;
+    let entry = args.planner.as_deref().map(proving).transpose()?;
     let scen = input::in_file(&args.scen, MAX_TEXT_BYTES, |bytes, _| Ok(formats::import_scen(bytes)?))?;
     let map_path = find_map(args, &scen)?;
     let map = ReadingArgs::default().import_still(&map_path)?;
@@ -133,27 +133,29 @@ struct Found {
     certificate: Option<Certificate>,
 }
 
-fn exact(id: &str) -> Result<&'static PlannerEntry, CliError> {
+fn proving(id: &str) -> Result<&'static PlannerEntry, CliError> {
     let entry = catalog::find(id)?;
     if proves_length(entry) {
         return Ok(entry);
     }
     let known: Vec<_> = catalog::CATALOG.iter().filter(|e| proves_length(e)).map(|e| e.id).collect();
     let message = format!("`{id}` proves no optimum of the length, so it cannot be compared with the listed ones");
-    Err(CliError::usage(message, format!("the exact planners are {}", known.join(", "))))
+    Err(CliError::usage(message, format!("the planners that prove one are {}", known.join(", "))))
 }
 
-/// Whether a planner's result is the shortest path of steps, proven, which is what a `.scen` lists, or the shortest polyline.
+/// Whether a planner's result is the shortest path of steps, proven by itself, which is what a `.scen` lists, or the shortest polyline.
 fn proves_length(entry: &PlannerEntry) -> bool {
     objective(entry).is_some_and(|objective| matches!(objective, Objective::Length | Objective::PolylineLength))
 }
 
-/// What an exact planner makes small.
+/// What a planner makes small that proves what it has found.
 fn objective(entry: &PlannerEntry) -> Option<Objective> {
     let ends = (Point::new(0, 0), Point::new(1, 0));
     let smallest = Grid::open(2, 1).ok().and_then(|grid| Scenario::on(grid, Movement::default(), ends.0, ends.1).ok());
     let planner = smallest.and_then(|scenario| catalog::build(&Arc::new(scenario), entry.id, None, &Values::new(), 1).ok());
-    planner.filter(|_| entry.family == Family::Exact).map(|p| p.objective())
+    let mut planner = planner?;
+    let objective = planner.objective();
+    (planner.run() == Status::Optimal).then_some(objective)
 }
 
 /// The map beside the `.scen`: the file that its first line names, or the `.scen`'s own name without its ending.

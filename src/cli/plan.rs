@@ -5,9 +5,10 @@ use std::num::NonZero;
 use std::thread;
 
 use crate::catalog;
+use crate::comparison::gap::relative_gap;
 use crate::exact::{self, Reference};
 use crate::formats::run_result::{self, RunResult};
-use crate::planner::{Effort, Objective, Planner, Record, Status};
+use crate::planner::{Certificate, Effort, Objective, Planner, Record, Status};
 use crate::scenario::{Goal, Scenario, ScenarioSpec};
 
 use super::driving;
@@ -217,6 +218,17 @@ impl Report<'_> {
         }
     }
 
+    /// What the planner has proven of a result of this value.
+    fn proof_text(&self, certificate: Certificate, value: f64) -> String {
+        let bound = self.amount(certificate.lower_bound);
+        let expansions = text::count(certificate.expansions, "cell expansion", "cell expansions");
+        if certificate.complete {
+            return format!("no path is shorter than {bound}: {expansions}");
+        }
+        let gap = text::percent(relative_gap(value, certificate.lower_bound));
+        format!("no path is shorter than {bound}, so this one is within {gap}: stopped after {expansions}")
+    }
+
     /// The lines about the run itself.
     fn run_text(&self, out: &mut String) {
         let effort = self.planner.effort();
@@ -230,6 +242,9 @@ impl Report<'_> {
                 (false, _) => "it began anew each time",
             };
             row(out, "walls", format!("{}; {how}", text::count(changing.made().into(), "change", "changes")));
+        }
+        if let Some((certificate, value)) = self.result.certificate.zip(self.result.value) {
+            row(out, "proof", self.proof_text(certificate, value));
         }
         row(out, "effort", effort_text(&effort));
         row(out, "seed", self.args.planner.seed);

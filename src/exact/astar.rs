@@ -21,7 +21,7 @@ use crate::scenario::Scenario;
 
 /// What a lower bound must know of ground that is not plain; the opening build knows no other.
 #[cfg(feature = "whole")]
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 enum Uneven {
     /// A terrain: its ground, the map's width, and the height of the goal; all lengths in cells.
     Relief(Relief, u32, f64),
@@ -40,7 +40,7 @@ impl Uneven {
 
 /// Length of the shortest path on an open map: Σ of both axes, less what each diagonal step saves, and each step of two cells by one. On a
 /// terrain it is a lower bound; on weighted ground it counts the smallest factor of the map, so that it is one.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct Distance {
     /// Whether nothing is known of the goal: 0 everywhere. A search by it is the same code as by the others.
     unknown: bool,
@@ -80,6 +80,16 @@ impl Distance {
             uneven: Uneven::of(scenario, goal),
         }
     }
+
+    /// Length in cells of the shortest path between any two cells of an open plane that are so many columns and rows apart.
+    #[inline(always)]
+    pub fn on_open_map(&self, dx: u32, dy: u32) -> f64 {
+        let mut plane = f64::from(dx + dy) - self.saved_by_diagonal * f64::from(dx.min(dy));
+        if self.saved_by_far > 0.0 {
+            plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
+        }
+        plane
+    }
 }
 
 impl Estimate for Distance {
@@ -89,17 +99,14 @@ impl Estimate for Distance {
             return 0.0;
         }
         let (dx, dy) = (x.abs_diff(self.goal.x), y.abs_diff(self.goal.y));
-        let mut plane = f64::from(dx + dy) - self.saved_by_diagonal * f64::from(dx.min(dy));
-        if self.saved_by_far > 0.0 {
-            plane -= self.saved_by_far * f64::from(dx.min(dy).min(dx.abs_diff(dy)));
-        }
+        let plane = self.on_open_map(dx, dy);
         #[cfg(feature = "whole")]
         match &self.uneven {
             None => {}
-            Some(Uneven::Least(factor)) => plane *= factor,
+            Some(Uneven::Least(factor)) => return plane * factor,
             Some(Uneven::Relief(relief, width, height)) => {
                 let z = relief.height(y * width + x) - height;
-                plane = libm::sqrt(plane * plane + z * z);
+                return libm::sqrt(plane * plane + z * z);
             }
         }
         plane

@@ -203,10 +203,10 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
             return None;
         }
         let (best, expansions) = (self.best().map_or(f64::INFINITY, |best| best.length), self.effort().cell_expansions);
-        let is_proven = status == Status::Optimal;
+        let complete = status == Status::Optimal;
         // Each segment, a cell long at least, may be counted too long by the tolerance.
-        let bound = if is_proven { best } else { best.min(self.least * (1.0 - SAME_LENGTH)) };
-        Some(Certificate { bound, expansions, is_proven })
+        let lower_bound = if complete { best } else { best.min(self.least * (1.0 - SAME_LENGTH)) };
+        Some(Certificate { lower_bound, expansions, complete })
     }
 
     fn weighed(&self) -> Option<Weighed> {

@@ -69,6 +69,11 @@ impl<T> Frontier<T> {
         self.buckets.front_mut().into_iter().flat_map(|bucket| bucket.drain(..))
     }
 
+    /// All that waits, bucket by bucket; nothing is left.
+    pub(super) fn take_all(&mut self) -> impl Iterator<Item = T> + use<T> {
+        std::mem::take(self).buckets.into_iter().flatten()
+    }
+
     /// What it holds, in bytes.
     pub(super) fn bytes(&self) -> usize {
         let waiting: usize = self.buckets.iter().map(Vec::capacity).sum();

@@ -16,6 +16,7 @@ mod optima;
 pub mod order;
 pub mod order_problem;
 pub mod point_robot;
+mod region;
 mod search;
 mod sight;
 pub mod slices;
@@ -29,7 +30,7 @@ pub use astar::Distance;
 pub use optima::Optima;
 pub use order::distances_from;
 pub use point_robot::point_robot;
-pub use search::Estimate;
+pub use search::{Estimate, Within};
 
 use std::sync::Arc;
 

@@ -16,6 +16,7 @@ use std::sync::Arc;
 use super::best_first::Open;
 use super::contours::{self, Contours};
 use super::frontier::Frontier;
+use super::region::{Region, WholeMap};
 use super::ways::{NO_PARENT, Ways};
 use crate::map::{ALL_DIRECTIONS, Cell, DIRECTIONS, Direction, offset, opposite, step_length};
 use crate::metrics::SAME_LENGTH;
@@ -52,10 +53,12 @@ struct Waiting {
     cell: Cell,
 }
 
-/// A search at work.
+/// A search at work, on the whole map or on a region of it.
 #[derive(Clone)]
-pub(super) struct Search<E> {
+pub(super) struct Search<E, R = WholeMap> {
     scenario: Arc<Scenario>,
+    /// Which cells it may enter.
+    region: R,
     start: Cell,
     goal: Cell,
     estimate: E,
@@ -83,8 +86,16 @@ impl<E: Estimate> Search<E> {
 
     /// From one cell of the map to another, or [`EVERYWHERE`].
     pub(super) fn between(scenario: Arc<Scenario>, start: Cell, goal: Cell, estimate: E) -> Self {
+        Self::inside(scenario, WholeMap, start, goal, estimate)
+    }
+}
+
+impl<E: Estimate, R: Region> Search<E, R> {
+    /// The same inside a region, in which start and goal lie.
+    pub(super) fn inside(scenario: Arc<Scenario>, region: R, start: Cell, goal: Cell, estimate: E) -> Self {
         Self {
             scenario,
+            region,
             start,
             goal,
             estimate,
@@ -128,6 +139,14 @@ impl<E: Estimate> Search<E> {
             self.bound = g;
             return;
         }
+        if self.region.takes(cell, g) {
+            self.file(cell, g, f);
+        }
+    }
+
+    /// Has a cell wait for its turn.
+    #[inline(always)]
+    fn file(&mut self, cell: Cell, g: f64, f: f64) {
         let bucket = ((f - self.base) * self.buckets_per_cell) as u32 as usize;
         // Rounding may put f a hair below the bucket at work.
         if bucket <= self.frontier.at_work()
@@ -255,7 +274,7 @@ pub(super) fn contour(scenario: &Scenario) -> f64 {
     (0..cells).flat_map(longest).fold(1.0, |most: f64, length| most.max(libm::ceil(length / 16.0)))
 }
 
-impl<E: Estimate> Contours for Search<E> {
+impl<E: Estimate, R: Region> Contours for Search<E, R> {
     fn status(&self) -> Status {
         self.progress.status
     }
@@ -294,7 +313,7 @@ impl<E: Estimate> Contours for Search<E> {
     }
 }
 
-impl<E: Estimate + 'static> Planner for Search<E> {
+impl<E: Estimate + 'static, R: Region + 'static> Planner for Search<E, R> {
     fn advance(&mut self, by: Granularity) -> Status {
         contours::advance(self, by)
     }
@@ -322,3 +341,6 @@ impl<E: Estimate + 'static> Planner for Search<E> {
 
 #[cfg(test)]
 mod tests;
+mod within;
+
+pub use within::Within;

@@ -9,7 +9,7 @@ use crate::exact::{self, Reference};
 use crate::map::Point;
 use crate::metrics::Metrics;
 use crate::path::points;
-use crate::planner::{Effort, Objective, Planner, Record, Status, Tour};
+use crate::planner::{Certificate, Effort, Objective, Planner, Record, Status, Tour};
 use crate::scenario::Scenario;
 use crate::smoothing::Smoothed;
 
@@ -37,6 +37,9 @@ pub struct RunResult<'a> {
     pub optimum: Option<f64>,
     /// How far its value lies above the reference, as a part of that.
     pub gap: Option<f64>,
+    /// What the planner has proven of its result, where it tells how far a proof has come.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Certificate>,
     tour: Option<&'a Tour>,
     effort: Effort,
     /// Where walls changed: how often.
@@ -85,6 +88,7 @@ impl<'a> RunResult<'a> {
             reference,
             optimum: reference.value().filter(|_| reference.is_proven()),
             gap: value.zip(reference.value()).map(|(value, best)| relative_gap(value, best)),
+            certificate: planner.certificate(),
             tour: planner.tour(),
             effort: planner.effort(),
             changes: planner.changing().map(|changing| changing.made()),

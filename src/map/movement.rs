@@ -250,6 +250,12 @@ impl MoveSet {
         self
     }
 
+    /// The same without the steps that take two cells at once.
+    #[must_use]
+    pub fn to_neighbours(&self) -> Self {
+        Self { far: Arc::default(), ..self.clone() }
+    }
+
     /// On weighted ground: steps cost what these factors say.
     #[cfg(feature = "whole")]
     #[must_use]

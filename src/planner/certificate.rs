@@ -1,6 +1,9 @@
-//! What a planner has proven.
+//! What a planner has proven of its result.
 
-/// A lower bound of every result: with the planner's best one an interval in which the optimum lies.
+use serde::Serialize;
+
+/// A proof, as far as it goes: no result is smaller than the bound, so that with the planner's best one the optimum lies in an interval. Whoever
+/// repeats the run repeats it.
 ///
 /// ```
 /// # use std::sync::Arc;
@@ -10,15 +13,16 @@
 /// let mut search = catalog::build(&Arc::new(scenario), "any-angle", None, &Values::new(), 1)?;
 /// assert!(search.certificate().is_none(), "nothing is proven yet");
 /// search.run();
-/// assert!(search.certificate().is_some_and(|certificate| certificate.is_proven && certificate.bound == 5.0));
+/// assert!(search.certificate().is_some_and(|certificate| certificate.complete && certificate.lower_bound == 5.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Certificate {
-    /// No result is smaller, in the unit of the planner's objective.
-    pub bound: f64,
-    /// Cells that were expanded to prove it.
+    /// No result can have a smaller value by the planner's objective, in cells.
+    pub lower_bound: f64,
+    /// Cells that were expanded for it.
     pub expansions: u64,
-    /// Whether the planner's best result is proven to be the optimum; else its budget was spent before.
-    pub is_proven: bool,
+    /// Whether the proof is complete: the bound is the value of the best result; else the planner's budget was spent before.
+    pub complete: bool,
 }

@@ -12,8 +12,8 @@ use std::num::NonZero;
 use std::sync::Arc;
 
 use super::{
-    Build, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, Weighed,
-    held,
+    Build, Certificate, Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn,
+    Walked, Weighed, held,
 };
 use crate::error::{ParamError, ScenarioError};
 use crate::map::{Cell, Grid};
@@ -249,6 +249,10 @@ impl Planner for Changing {
 
     fn weighed(&self) -> Option<Weighed> {
         self.planner.weighed()
+    }
+
+    fn certificate(&self) -> Option<Certificate> {
+        self.planner.certificate()
     }
 
     fn walk_on(&mut self, threads: NonZero<usize>) -> bool {

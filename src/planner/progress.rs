@@ -78,6 +78,14 @@ impl Record {
             arrived: u32::from(length.is_some()),
         }
     }
+
+    /// With the length in cells of a path that a search has made of the ants' ways: the iteration's shortest; its mean and its longest too where
+    /// no ant has arrived.
+    #[must_use]
+    pub fn with_found(self, length: f64) -> Self {
+        let (mean, worst) = (self.iteration_mean.or(Some(length)), self.iteration_worst.or(Some(length)));
+        Self { iteration_best: Some(length), iteration_mean: mean, iteration_worst: worst, ..self }
+    }
 }
 
 /// Lengths of the paths that arrive in one iteration, taken in one by one.

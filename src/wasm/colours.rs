@@ -76,7 +76,7 @@ impl Ramp {
     fn of(layer: Layer) -> Self {
         match layer {
             Layer::Trail | Layer::Visits | Layer::Heuristic | Layer::InitialTrail | Layer::SeedPath => Self::Trail,
-            Layer::Cost => Self::Explored,
+            Layer::Cost | Layer::Scent | Layer::Merged => Self::Explored,
             Layer::Density => Self::Ground,
             Layer::Priority => Self::Position,
         }

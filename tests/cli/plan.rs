@@ -219,3 +219,22 @@ fn plan_says_where_threads_change_nothing() {
     }
     with(&["ant-colony-system", "--threads", "2"]).says(&["--threads changes nothing here", "ant-colony-system"]);
 }
+
+#[test]
+fn plan_tells_what_a_colony_has_proven() {
+    let folder = Folder::with_map("proven");
+    folder.run(&["generate", "rooms", "--size", "64x64", "--seed", "2", "--out", "rooms.map"]).ends(0);
+    let with = |more: &[&str]| folder.run(&[&["plan", "rooms.map", "--planner", "formica"], more].concat()).ends(0);
+    with(&[]).says(&["optimal (proven)", "no path is shorter than"]);
+    let complete = with(&["--format", "json"]).json();
+    assert_eq!(schema::violations(&schema::load("result"), &complete), Vec::<String>::new());
+    assert_eq!(complete["certificate"]["complete"], true);
+    assert_eq!(complete["certificate"]["lower_bound"], complete["value"]);
+
+    let cut_off = ["--set", "proof_limit=0.001", "--set", "iterations=1", "--set", "widening=0", "--set", "corridor=0"];
+    with(&cut_off).says(&["budget spent", "no path is shorter than", "so this one is within"]);
+    let json = with(&[&cut_off[..], &["--format", "json"]].concat()).json();
+    assert_eq!((&json["certificate"]["complete"], &json["status"]), (&false.into(), &"budget-spent".into()));
+    let without = with(&["--set", "proof_limit=0", "--set", "iterations=2", "--format", "json"]).json();
+    assert_eq!(without.get("certificate"), None);
+}

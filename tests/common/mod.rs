@@ -40,6 +40,12 @@ pub fn random(side: u32, density: f64, seed: u32, movement: Movement) -> Arc<Sce
     Arc::new(Scenario::on(made.grid, movement, made.start, made.goal).expect("usable"))
 }
 
+/// Rooms with doors on a square map, made by seed.
+pub fn rooms(side: u32, seed: u32, movement: Movement) -> Arc<Scenario> {
+    let made = generate(Generator::Rooms, side, side, seed, 0.2).expect("a valid size");
+    Arc::new(Scenario::on(made.grid, movement, made.start, made.goal).expect("usable"))
+}
+
 /// Small scenarios with a name: open, a wall with a gap, a trap that ants walk into, a corridor, one column, a diagonal squeeze.
 pub fn gallery(movement: Movement) -> Vec<(&'static str, Arc<Scenario>)> {
     let maps: &[(&str, &[&str])] = &[

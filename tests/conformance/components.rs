@@ -9,7 +9,7 @@ use formicarium::params::{Value, Values};
 use formicarium::planner::{Component, PlannerEntry};
 use formicarium::scenario::Scenario;
 
-use super::common::{drawn, random, tours};
+use super::common::{drawn, random, rooms, tours};
 use super::{takes, terrains};
 
 fn with_components() -> impl Iterator<Item = (&'static PlannerEntry, &'static Component)> {
@@ -24,7 +24,9 @@ fn maps() -> Vec<Arc<Scenario>> {
     // Where the best path is soon found, colonies by slices stand still long enough.
     let small = terrains::hilly_slices(5, 4, 1, terrains::rules(Measure::Cost));
     let several = tours(movement).into_iter().map(|(_, scenario)| scenario);
-    [random(24, 0.25, 3, movement), traps, slices, small].into_iter().chain(several).collect()
+    // Rooms: on small maps a search that merges ants' ways proves the first iteration's best. Last, for they are large.
+    let rooms = [(48, 1), (64, 2)].map(|(side, seed)| rooms(side, seed, movement));
+    [random(24, 0.25, 3, movement), traps, slices, small].into_iter().chain(several).chain(rooms).collect()
 }
 
 fn digest(scenario: &Arc<Scenario>, entry: &PlannerEntry, values: Values) -> String {

@@ -8,6 +8,7 @@ mod components;
 mod f_rrt_star;
 mod fire;
 mod fireworks;
+mod formica;
 mod genetic;
 mod pso;
 mod ship;

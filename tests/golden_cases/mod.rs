@@ -128,6 +128,22 @@ pub const GOLDENS: &[Golden] = &[
         digest: "6cf9edabea98fcfa",
     },
     Golden {
+        map: (Generator::Rooms, 64, 64, 2, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "formica",
+        values: &[],
+        seed: 1,
+        digest: "76b0b996be837f65",
+    },
+    Golden {
+        map: (Generator::Bars, 64, 48, 2, 0.3),
+        movement: eight(CornerRule::OneFree),
+        planner: "formica",
+        values: &[("ants", "7"), ("beta", "2.7"), ("kappa", "1.3"), ("rho", "0.13"), ("proof_limit", "0"), ("iterations", "12")],
+        seed: 20,
+        digest: "8dfafe96946e15e5",
+    },
+    Golden {
         map: (Generator::Cave, 60, 60, 11, 0.0),
         movement: eight(CornerRule::OneFree),
         planner: "elitist-ant-system",

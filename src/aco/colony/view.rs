@@ -18,6 +18,7 @@ impl<V: Variant + 'static> Colony<V> {
         out.resize(count, 0.0);
         match (kind, &self.tables) {
             (Layer::Cost | Layer::SeedPath | Layer::Priority, _) => return false,
+            (Layer::Scent | Layer::Merged, _) => return self.variant.show(scenario, kind, out),
             (Layer::Density, _) => {
                 out.iter_mut().enumerate().for_each(|(c, v)| *v = obstacle_density(scenario, c as Cell) as f32)
             }
@@ -39,6 +40,8 @@ impl<V: Variant + 'static> Colony<V> {
         let finished = self.progress.effort.iterations;
         match kind {
             Layer::Density => Some(0),
+            Layer::Scent => Some(0),
+            Layer::Merged => Some(finished.into()),
             // What a variant learns of the map before its first step.
             Layer::InitialTrail => Some(u64::from(self.tables.is_some())),
             Layer::Heuristic => Some(self.seen_since.into()),

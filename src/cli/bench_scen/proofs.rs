@@ -22,13 +22,13 @@ impl Proofs {
     /// Counts what was found on a scenario in so many milliseconds.
     pub(super) fn add(&mut self, found: &Found, milliseconds: f64) {
         match (found.certificate, found.length) {
-            (Some(certificate), _) if certificate.is_proven => {
+            (Some(certificate), _) if certificate.complete => {
                 self.proven += 1;
                 self.within_a_second += u32::from(milliseconds <= 1000.0);
             }
             (Some(certificate), Some(length)) => {
                 self.intervals += 1;
-                self.widths += (length - certificate.bound) / length;
+                self.widths += (length - certificate.lower_bound) / length;
             }
             _ => self.unknown += 1,
         }

@@ -78,15 +78,15 @@ fn what_is_spent_leaves_an_interval_with_the_optimum() {
             continue;
         };
         let proven = whole.certificate().expect("it has ended");
-        assert!(proven.is_proven && proven.bound == optimum && proven.expansions == whole.effort().cell_expansions);
+        assert!(proven.complete && proven.lower_bound == optimum && proven.expansions == whole.effort().cell_expansions);
         for (left, is_led) in [1, 300, 3000, 10_000].into_iter().flat_map(|left| [(left, true), (left, false)]) {
             let search = run(&scenario, InSight::new(&scenario, left).led(is_led));
             let told = search.certificate().expect("it has ended");
-            assert!(told.bound <= optimum, "{told:?} {optimum}");
-            assert_eq!(told.is_proven, search.status() == Status::Optimal);
+            assert!(told.lower_bound <= optimum, "{told:?} {optimum}");
+            assert_eq!(told.complete, search.status() == Status::Optimal);
             assert!(search.best().is_none_or(|best| best.length >= optimum - 1e-9));
             let point = crate::exact::point_robot(&scenario).expect("small").expect("a way");
-            assert!(!is_led || told.bound >= point - 1e-6, "{told:?} {point}");
+            assert!(!is_led || told.lower_bound >= point - 1e-6, "{told:?} {point}");
             stopped += u32::from(search.status() == Status::BudgetSpent);
             both += u32::from(search.status() == Status::BudgetSpent && search.best().is_some());
         }
@@ -102,6 +102,6 @@ fn a_led_search_knows_at_once_that_no_way_leads_and_where_none_is_needed() {
         let scenario = Arc::new(Scenario::on(grid.clone(), Movement::default(), ends.0, ends.1).expect("usable"));
         let search = run(&scenario, InSight::new(&scenario, MOST_LOOKED_AT).led(true));
         assert_eq!((search.status(), search.best().map(|best| best.length)), (status, length));
-        assert_eq!(search.certificate().map(|told| told.bound), length);
+        assert_eq!(search.certificate().map(|told| told.lower_bound), length);
     }
 }

@@ -13,7 +13,8 @@ export function layerTitle(layer: Layer): string {
 }
 
 /** Whether its values are lengths and are shown in metres. */
-const isOfLength = (layer: Layer) => layer === 'cost' && metresPerCell.value !== null
+const isOfLength = (layer: Layer) =>
+  (layer === 'cost' || layer === 'scent') && metresPerCell.value !== null
 
 /** A value of a layer as it is shown. */
 export const layerNumber = (layer: Layer) => (value: number) =>
@@ -31,6 +32,7 @@ export function scaleNumber(value: number): string {
 /** What a layer that knows two values alone says with the lower and the upper one; null for any other. */
 export function categoriesOf(layer: Layer, planner: string): [string, string] | null {
   if (layer === 'seed-path') return [t('legend.elsewhere'), t('legend.onPath')]
+  if (layer === 'merged') return [t('legend.elsewhere'), t('legend.merged')]
   if (layer === 'visits' && isSearch(planner)) return [t('legend.elsewhere'), t('legend.expanded')]
   return null
 }

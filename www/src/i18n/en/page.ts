@@ -94,6 +94,8 @@ export const en = {
       'initial-trail': 'First pheromone',
       'seed-path': 'Seed path',
       priority: 'Priorities',
+      scent: 'Scent',
+      merged: 'Merged',
       none: 'None',
     } satisfies Record<Layer | 'none', string>,
     layerNotes: {
@@ -105,6 +107,8 @@ export const en = {
       'initial-trail': 'The strongest pheromone that leaves a cell before the first iteration',
       'seed-path': 'The path of the first stage, which laid the first pheromone',
       priority: 'The numbers by which a firework or a particle chooses its path',
+      scent: 'How far the goal is around walls, as ants smell it',
+      merged: 'Cells among which a search puts ants’ ways together',
     } satisfies Record<Layer, string>,
     ants: 'Show ants',
     path: 'Show best path',

@@ -19,10 +19,13 @@ export const enReading = {
       'initial-trail': 'τ',
       'seed-path': '',
       priority: '',
+      scent: 'cells',
+      merged: '',
     } satisfies Record<Layer, string>,
     expanded: 'expanded',
     onPath: 'on the path',
     elsewhere: 'elsewhere',
+    merged: 'merged',
   },
   cursor: {
     /** How a chart can be operated, for screen readers. */

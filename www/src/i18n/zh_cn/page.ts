@@ -111,6 +111,8 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
       'initial-trail': '初始信息素',
       'seed-path': '引导路径',
       priority: '优先值',
+      scent: '气味',
+      merged: '合并区域',
       none: '无',
     },
     layerNotes: {
@@ -122,6 +124,8 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
       'initial-trail': '第一次迭代之前离开该格的最强信息素',
       'seed-path': '第一阶段的路径，初始信息素由它留下',
       priority: '烟花或粒子据以选路的数值',
+      scent: '蚂蚁嗅到的绕过障碍到终点的距离',
+      merged: '搜索在其中把蚂蚁的路径拼合起来的格',
     },
     ants: '显示蚂蚁',
     path: '显示最优路径',

@@ -27,6 +27,16 @@ export const zhCNParamNames = {
   mutation_probability: '变异概率',
   mutation_strength: '变异强度',
   restart_below: '重启阈值',
+  scent: '气味',
+  kappa: '绕路惩罚',
+  merge: '合并求解',
+  widening: '合并宽度',
+  corridor: '走廊宽度',
+  adaptive_corridor: '自适应走廊',
+  corridor_most: '走廊最大宽度',
+  trail_restart: '信息素重启',
+  proof_after: '开始证明',
+  proof_limit: '证明上限',
 
   // Several goals.
   objective: '优化目标',

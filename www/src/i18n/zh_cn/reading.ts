@@ -17,10 +17,13 @@ export const zhCNReading: DictionaryShape<typeof enReading> = {
       'initial-trail': 'τ',
       'seed-path': '',
       priority: '',
+      scent: '格',
+      merged: '',
     },
     expanded: '已展开',
     onPath: '在路径上',
     elsewhere: '其余',
+    merged: '已合并',
   },
   cursor: {
     convergence: '{{chart}}：方向键移动光标，Enter 回看，+ 和 − 缩放',

@@ -5,6 +5,11 @@
 export const zhCNSources: Record<string, string> = {
   'Bellman 1957, Dynamic Programming, Princeton University Press':
     'Bellman 1957，Dynamic Programming，Princeton University Press',
+  'our own; merging after Blum, Pinacho, López-Ibáñez, Lozano 2016, Comput. Oper. Res. 68, 75–88, doi:10.1016/j.cor.2015.10.014':
+    '我们自己的；合并求解依据 Blum、Pinacho、López-Ibáñez、Lozano 2016，Comput. Oper. Res. 68，75–88，doi:10.1016/j.cor.2015.10.014',
+  'Blum and Dorigo 2004': 'Blum 与 Dorigo 2004',
+  'Blum et al. 2016': 'Blum 等 2016',
+  'measured: docs/papers/formica.md': '实测：docs/papers/formica.md',
   'Bullnheimer, Hartl, Strauss 1999, Central European J. Operations Research and Economics 7, 25–38':
     'Bullnheimer、Hartl、Strauss 1999，Central European J. Operations Research and Economics 7，25–38',
   'Clerc, Kennedy 2002, IEEE Trans. Evolutionary Computation 6, 58–73, doi:10.1109/4235.985692':

@@ -1,0 +1,111 @@
+//! Merge and solve: an exact search among the cells where the ants have been, and a little more.
+//!
+//! What was searched stays: iteration by iteration the part of the map grows, and the search goes on where it had to stop
+//! ([`Within`]). So a cell is expanded again only where a shorter way to it has turned up, and the proof at the end begins with all that merging
+//! has expanded.
+
+use std::sync::Arc;
+
+use crate::aco::ant::Ant;
+use crate::exact::Within;
+use crate::map::Cell;
+use crate::path::Path;
+use crate::planner::Certificate;
+use crate::scenario::Scenario;
+
+/// The search of a colony, and how far around the best path it looks.
+#[derive(Clone)]
+pub struct Merge {
+    search: Within,
+    corridor: Corridor,
+    /// Expansions that were told already.
+    told: u64,
+}
+
+impl Merge {
+    /// On a scenario with all its steps, within a corridor.
+    pub fn new(scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
+        Self { search: Within::new(scenario), corridor, told: 0 }
+    }
+
+    /// Takes in where an ant has been, widened by so many cells; `scenario` is the one on which it has walked.
+    pub fn gather(&mut self, scenario: &Scenario, ant: &Ant, widening: u8) {
+        let mut at = scenario.start;
+        self.search.widen(at, widening);
+        for &d in ant.steps() {
+            at = scenario.moves.step(at, d);
+            self.search.widen(at, widening);
+        }
+    }
+
+    /// Takes in the corridor around a path.
+    pub fn follow(&mut self, path: &[Cell]) {
+        path.iter().for_each(|&cell| self.search.widen(cell, self.corridor.radius));
+    }
+
+    /// Searches among all that was taken in; the shortest path there, with its length in cells.
+    pub fn solve(&mut self) -> Option<(Path, f64)> {
+        self.search.go_on(u64::MAX);
+        self.search.best()
+    }
+
+    /// Has the next corridor be wider, or narrow again after a shorter path.
+    pub fn learn(&mut self, is_shorter: bool) {
+        self.corridor.learn(is_shorter);
+    }
+
+    /// Searches the whole map for what is shorter than `known` cells, by no more than so many expansions.
+    pub fn prove(&mut self, known: f64, most: u64) -> Option<(Path, f64)> {
+        self.search.bound_by(known);
+        self.search.widen_to_all();
+        self.search.go_on(most);
+        self.search.best()
+    }
+
+    /// Whether nothing is shorter than what was found.
+    pub fn is_proven(&self) -> bool {
+        self.search.is_proven()
+    }
+
+    /// What is proven of a best path of this length in cells.
+    pub fn certificate(&self, length: f64) -> Certificate {
+        let complete = self.search.is_proven();
+        let lower_bound = if complete { length } else { self.search.lower_bound() };
+        Certificate { lower_bound, expansions: self.search.expansions(), complete }
+    }
+
+    /// Expansions since this was asked last.
+    pub fn take_expansions(&mut self) -> u64 {
+        let all = self.search.expansions();
+        all - std::mem::replace(&mut self.told, all)
+    }
+
+    /// Whether each cell of the map was taken in, row by row.
+    pub fn part(&self) -> &[bool] {
+        self.search.part()
+    }
+
+    /// What it holds in bytes, its own size not counted.
+    pub fn bytes(&self) -> usize {
+        self.search.bytes()
+    }
+}
+
+/// How far around the best path a search looks: wider while nothing shorter is found, narrow again after.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corridor {
+    /// Cells at first, and after a shorter path.
+    pub narrow: u8,
+    /// Cells at most; where that is [`Corridor::narrow`], it never changes.
+    pub wide: u8,
+    /// Cells now.
+    pub radius: u8,
+}
+
+impl Corridor {
+    /// Twice as wide, one cell at least, or narrow again.
+    pub fn learn(&mut self, is_shorter: bool) {
+        let wider = self.radius.saturating_mul(2).max(1).min(self.wide);
+        self.radius = if is_shorter { self.narrow } else { wider };
+    }
+}

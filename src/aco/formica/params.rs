@@ -1,0 +1,36 @@
+//! The parameters of Formica.
+
+use crate::aco::shared_params::{SelectionParams, WalkParams};
+use crate::params;
+
+params! {
+    /// Parameters of Formica.
+    pub struct FormicaParams {
+        /// ants that build a path in each iteration
+        ants: u32 = 16, "m", [1..=1024], "ants", "measured: docs/papers/formica.md";
+        ..selection: SelectionParams;
+        /// evaporation rate: the part of every trail that leaves in each iteration
+        rho: f64 = 0.1, "ρ", [0.0..=1.0], "", "Blum and Dorigo 2004";
+        /// whether ants smell how far the goal is around walls; otherwise they know its direction alone
+        scent: bool = true, "", [], "", "our addition";
+        /// how strongly ants avoid detours by scent: η = exp(−κ · detour)
+        kappa: f64 = 0.4, "κ", [0.0..=20.0], "per cell", "measured: docs/papers/formica.md";
+        /// whether a search puts the ways of each iteration's ants together
+        merge: bool = true, "", [], "", "Blum et al. 2016";
+        /// how far around the ants' cells the search looks
+        widening: u32 = 4, "", [0..=64], "cells", "measured: docs/papers/formica.md";
+        /// how far around the best path the search looks at least
+        corridor: u32 = 16, "", [0..=128], "cells", "measured: docs/papers/formica.md";
+        /// whether the corridor gets wider while nothing shorter is found
+        adaptive_corridor: bool = true, "", [], "", "our addition";
+        /// how far around the best path the search looks at most
+        corridor_most: u32 = 64, "", [0..=128], "cells", "measured: docs/papers/formica.md";
+        /// trails start again after so many iterations without a shorter path; 0 = never
+        trail_restart: u32 = 2, "", [0..=100_000], "iterations", "measured: docs/papers/formica.md";
+        /// ants stop after so many iterations without a shorter path, and the proof begins; 0 = only at the end of the budget
+        proof_after: u32 = 3, "", [0..=100_000], "iterations", "measured: docs/papers/formica.md";
+        /// most expansions of the proof; 0 = no proof
+        proof_limit: f64 = 4.0, "", [0.0..=1000.0], "× cells", "our addition";
+        ..walk: WalkParams;
+    }
+}
