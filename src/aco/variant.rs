@@ -105,6 +105,9 @@ pub trait Variant: Clone + Send + Sync {
     /// iteration is computed only where ants come by.
     const TIMED: bool = false;
 
+    /// Whether an ant weighs its steps by its own way as well: [`Variant::heed`]. Then it walks by itself, not in SIMD lanes.
+    const HEEDS: bool = false;
+
     /// The common numbers.
     fn settings(&self) -> Settings;
 
@@ -151,6 +154,22 @@ pub trait Variant: Clone + Send + Sync {
     #[inline(always)]
     fn abreast(&self) -> Abreast {
         Abreast::Proportional
+    }
+
+    /// Has the weights of the steps that are left from a cell follow the ant's own way; `last` is the step that led there, none at the
+    /// start. Where a step is left, it leaves one; only with [`Variant::HEEDS`].
+    #[inline(always)]
+    fn heed(&self, _scenario: &Scenario, _weights: &mut Row, _at: Cell, _last: Option<Direction>) {}
+
+    /// The step of an ant, given the weights of those that are left to it: by [`Variant::choose`], after [`Variant::heed`].
+    #[inline(always)]
+    fn step_of(&self, scenario: &Scenario, weights: &Row, ant: &mut Ant) -> Option<Direction> {
+        if !Self::HEEDS {
+            return self.choose(weights, &mut ant.stream);
+        }
+        let mut heeded = *weights;
+        self.heed(scenario, &mut heeded, ant.cell(), ant.steps().last().copied());
+        self.choose(&heeded, &mut ant.stream)
     }
 
     /// Selects a step; visited and infeasible ones weigh 0. `None` = dead end.
