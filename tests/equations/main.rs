@@ -9,6 +9,7 @@ mod f_rrt_star;
 mod fire;
 mod fireworks;
 mod genetic;
+mod maaco;
 mod pso;
 mod ship;
 mod terrain;
