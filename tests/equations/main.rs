@@ -9,6 +9,8 @@ mod f_rrt_star;
 mod fire;
 mod fireworks;
 mod genetic;
+mod iaaco;
+mod ihmaco;
 mod maaco;
 mod pso;
 mod ship;
