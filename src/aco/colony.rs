@@ -31,7 +31,7 @@ use super::lanes;
 use super::selection::left;
 use super::threads;
 use super::trails::{Row, Trails};
-use super::variant::{Abreast, Iteration, Settings, Step, Variant};
+use super::variant::{Abreast, Iteration, Settings, Standing, Step, Variant};
 use super::visibility::{Eta, Sight};
 use super::weights::{self, Weights};
 
@@ -282,8 +282,8 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         }
         let variant = self.variant_now();
         match &self.tables {
-            Some(tables) => self.odds_at(&variant, &tables.trails, cell, None, 0),
-            None => self.odds_at(&variant, &self.initial_trails(), cell, None, 0),
+            Some(tables) => self.odds_at(&variant, &tables.trails, Standing::at(cell), 0),
+            None => self.odds_at(&variant, &self.initial_trails(), Standing::at(cell), 0),
         }
     }
 

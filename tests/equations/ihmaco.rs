@@ -6,7 +6,7 @@ use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::ihmaco::{Ihmaco, IhmacoParams, fitness, greed, judgement, start_trail};
 use formicarium::aco::trails::Trails;
-use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::aco::variant::{Iteration, Standing, Variant};
 use formicarium::map::{Grid, Movement, Point};
 use formicarium::rng::Streams;
 use formicarium::scenario::Scenario;
@@ -51,7 +51,7 @@ fn a_step_straight_on_weighs_twice() {
     let at = s.grid.cell(Point::new(4, 3));
     let heeded = |params, last| {
         let mut row = [0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0];
-        Ihmaco::new(params).heed(&s, &mut row, at, last);
+        Ihmaco::new(params).heed(&s, &mut row, Standing { last, ..Standing::at(at) });
         row
     };
     let plain = IhmacoParams { judgement: false, ..IhmacoParams::default() };

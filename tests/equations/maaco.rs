@@ -5,11 +5,12 @@ use std::sync::Arc;
 use formicarium::aco::ant::{Ant, Walk};
 use formicarium::aco::dead_end::DeadEnd;
 use formicarium::aco::maaco::{
-    InitialTrail, LateGreed, Limits, Maaco, MaacoParams, Orientation, goal_weight, greed, limits, seen_distance, uneven,
+    InitialTrail, LateGreed, Limits, Maaco, MaacoParams, Orientation, StartDistance, goal_weight, greed, limits, seen_distance,
+    uneven,
 };
 use formicarium::aco::orientation::{eighths, nearest_three, onward, signs};
 use formicarium::aco::trails::Trails;
-use formicarium::aco::variant::{Iteration, Variant};
+use formicarium::aco::variant::{Iteration, Standing, Variant};
 use formicarium::catalog;
 use formicarium::map::{Direction, Grid, Movement, OFFSETS, Point};
 use formicarium::params::{Params, Value, Values};
@@ -46,10 +47,10 @@ fn the_heuristic_sees_start_and_goal_by_that_weight() {
     let h = 0.9 - 0.7 * (-0.5f64).exp();
     // (4, 3) lies halfway: both distances are 5.
     assert!(close(goal_weight(&p, 5.0, 10.0), h));
-    assert!(close(seen_distance(&p, start, Point::new(4, 3), goal), 5.0));
+    assert!(close(seen_distance(&p, start, 5.0, Point::new(4, 3), goal), 5.0));
     // At the goal: 0.8·10, and ε for its own distance.
     let at_goal = goal_weight(&p, 0.01, 10.0);
-    assert!(close(seen_distance(&p, start, goal, goal), (1.0 - at_goal) * 10.0 + at_goal * 0.01));
+    assert!(close(seen_distance(&p, start, 10.0, goal, goal), (1.0 - at_goal) * 10.0 + at_goal * 0.01));
     let (s, variant) = (ten(), Maaco::new(p));
     let j = s.grid.cell(Point::new(4, 3));
     assert!(close(variant.heuristic(&s, j - 1, E, j), 0.2));
@@ -64,14 +65,38 @@ fn a_turn_adds_a_to_the_distance() {
     (weights[E as usize], weights[SE as usize]) = (1.0, 0.5);
     let heeded = |last| {
         let mut row = weights;
-        Maaco::new(params).heed(&s, &mut row, at, last);
+        Maaco::new(params).heed(&s, &mut row, Standing { last, ..Standing::at(at) });
         row
     };
     assert_eq!(heeded(None), weights, "the first step turns nowhere");
-    let far = seen_distance(&params, Point::new(0, 0), Point::new(5, 3), Point::new(8, 6));
+    let far = seen_distance(&params, Point::new(0, 0), 34f64.sqrt(), Point::new(5, 3), Point::new(8, 6));
     let row = heeded(Some(SE));
     assert_eq!(row[SE as usize], 0.5, "straight on");
     assert!(close(f64::from(row[E as usize]), (far / (far + 1.0)).powi(7)), "β = 7: (D / (D + a))^β, {row:?}");
+}
+
+#[test]
+fn the_way_walked_may_stand_for_the_distance_from_the_start() {
+    let s = ten();
+    let at = s.grid.cell(Point::new(4, 3));
+    let row = |start_distance, walked| {
+        let params = MaacoParams { orientation: Orientation::Any, turn_cost: 0.0, start_distance, ..MaacoParams::default() };
+        let variant = Maaco::new(params);
+        let eta = |d, j| variant.heuristic(&s, at, d, j);
+        // η^β of both steps, then what the ant's way makes of them.
+        let mut row = [0.0; 8];
+        row[E as usize] = eta(E, at + 1).powi(7) as f32;
+        row[SE as usize] = eta(SE, at + 13).powi(7) as f32;
+        variant.heed(&s, &mut row, Standing { walked, ..Standing::at(at) });
+        f64::from(row[E as usize] / row[SE as usize])
+    };
+    let distance =
+        |j: Point, from_start| seen_distance(&MaacoParams::default(), Point::new(0, 0), from_start, j, Point::new(8, 6));
+    let (east, diagonal) = (Point::new(5, 3), Point::new(5, 4));
+    let ratio = |length| (distance(diagonal, length + 2f64.sqrt()) / distance(east, length + 1.0)).powi(7);
+    assert!((row(StartDistance::Walked, 6.0) - ratio(6.0)).abs() < 1e-5);
+    assert!((row(StartDistance::Step, 6.0) - ratio(0.0)).abs() < 1e-5);
+    assert!((ratio(6.0) - ratio(0.0)).abs() > 1e-2, "the way counts");
 }
 
 #[test]

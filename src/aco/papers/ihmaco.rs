@@ -34,7 +34,7 @@ use crate::aco::orientation::{eighths, signs};
 use crate::aco::selection;
 use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::trails::{Row, Trails};
-use crate::aco::variant::{Abreast, Iteration, Settings, Variant};
+use crate::aco::variant::{Abreast, Iteration, Settings, Standing, Variant};
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction, OFFSETS, Point};
 use crate::params;
@@ -164,11 +164,11 @@ impl Variant for Ihmaco {
     }
 
     #[inline(always)]
-    fn heed(&self, scenario: &Scenario, weights: &mut Row, _: Cell, last: Option<Direction>) {
+    fn heed(&self, scenario: &Scenario, weights: &mut Row, ant: Standing) {
         let (p, start, goal) = (&self.params, self.start(scenario), scenario.grid.point(scenario.goal));
         for (d, weight) in (0..).zip(weights.iter_mut()).filter(|(_, weight)| **weight > 0.0) {
             let judged = if p.judgement { judgement(d, start, goal) } else { 1.0 };
-            let gain = if last.is_none_or(|last| last == d) { p.straight_gain } else { 1.0 };
+            let gain = if ant.last.is_none_or(|last| last == d) { p.straight_gain } else { 1.0 };
             *weight = (f64::from(*weight) * judged * gain) as f32;
         }
     }

@@ -17,8 +17,8 @@
 //!
 //! Distances are Euclidean, at least `goal_distance`, as in A. Where the reproductions differ, contradict themselves or are silent:
 //!
-//! - **d_Sj** is the straight distance from the start, as the same symbol in the initial trail of both; so is B. A adds up the way walked so
-//!   far, an earlier version of A takes the step alone.
+//! - **d_Sj** is the straight distance from the start, as the same symbol in the initial trail of both; so is B. A takes the way walked so
+//!   far and the step, an earlier version of A the step alone (`start_distance`).
 //! - **exp in h.** A prints exp(−k·d_jT)/d_ST, which is all but 0 off the goal; B and an earlier version of A exp(−k·d_jT/d_ST), as here.
 //! - **k** "is not given in the original paper" (A): 1 there, 0.9 in B.
 //! - **Best path.** A takes the path of fewer turns among those whose lengths differ by less than 0.1; we the shorter one, as B.
@@ -37,10 +37,10 @@ use crate::aco::orientation::{nearest_three, onward};
 use crate::aco::selection;
 use crate::aco::shared_params::{SelectionParams, WalkParams, settings};
 use crate::aco::trails::{Row, Trails};
-use crate::aco::variant::{Abreast, Iteration, Settings, Variant};
+use crate::aco::variant::{Abreast, Iteration, Settings, Standing, Variant};
 use crate::aco::weights::power;
 use crate::error::ParamError;
-use crate::map::{Cell, DIRECTIONS, Direction, Point};
+use crate::map::{Cell, Direction, Point};
 use crate::params::{Params, Values};
 use crate::planner::{Component, Family, Ground, Layer, PaperReading, Planner, PlannerEntry, Preset};
 use crate::rng::Stream;
@@ -56,6 +56,18 @@ param_choice! {
         Entered = "cell-entered",
         /// τ0 everywhere
         Uniform = "uniform",
+    }
+}
+
+param_choice! {
+    /// What d_Sj of η is in MAACO: how far the start is from the cell that a step enters.
+    pub enum StartDistance {
+        /// the straight distance
+        Straight = "straight-line",
+        /// the way walked so far and the step
+        Walked = "walked",
+        /// the step alone
+        Step = "step-length",
     }
 }
 
@@ -117,6 +129,8 @@ params! {
         weight_min: f64 = 0.2, "w_min", [0.0..=1.0], "", "reproductions A and B of MAACO";
         /// how fast the weight falls on the way to the goal
         weight_decay: f64 = 1.0, "k", [0.0..=100.0], "", "reproduction A of MAACO, where the paper gives none; B: 0.9";
+        /// how far the start is from a cell, in η
+        start_distance: StartDistance = StartDistance::Straight, "d_Sj", [], "", "reproduction B of MAACO; A: walked, earlier the step";
         /// what a turn adds to the distances in η
         turn_cost: f64 = 1.0, "a", [0.0..=1e3], "cells", "reproductions A and B of MAACO";
         /// probability of the best step at the beginning
@@ -136,12 +150,12 @@ pub fn goal_weight(p: &MaacoParams, to_goal: f64, whole: f64) -> f64 {
     p.weight_max - (p.weight_max - p.weight_min) * libm::exp(-p.weight_decay * to_goal / whole)
 }
 
-/// g·d_Sj + h·d_jT in cells, what η of a straight step is one over; all three points in cells.
-pub fn seen_distance(p: &MaacoParams, start: Point, j: Point, goal: Point) -> f64 {
+/// g·d_Sj + h·d_jT in cells, what η of a straight step is one over; `from_start` is d_Sj, and points are cells.
+pub fn seen_distance(p: &MaacoParams, start: Point, from_start: f64, j: Point, goal: Point) -> f64 {
     let between = |a: Point, b: Point| a.distance(b).max(p.goal_distance);
     let to_goal = between(j, goal);
     let h = goal_weight(p, to_goal, between(start, goal));
-    (1.0 - h) * between(start, j) + h * to_goal
+    (1.0 - h) * from_start.max(p.goal_distance) + h * to_goal
 }
 
 /// τ0·d_ST / (d_Si + d_iT) as a part of τ0, in 0 to 1.
@@ -199,19 +213,32 @@ impl Maaco {
         self.start.unwrap_or_else(|| scenario.grid.point(scenario.start))
     }
 
-    fn distance(&self, scenario: &Scenario, j: Cell) -> f64 {
-        let (j, goal) = (scenario.grid.point(j), scenario.grid.point(scenario.goal));
-        seen_distance(&self.params, self.start(scenario), j, goal)
+    /// g·d_Sj + h·d_jT for the step from `i` to `j`, without what an ant has walked before.
+    fn distance(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
+        let start = self.start(scenario);
+        let from_start = match self.params.start_distance {
+            StartDistance::Straight => start.distance(scenario.grid.point(j)),
+            StartDistance::Walked | StartDistance::Step => scenario.moves.length(i, d),
+        };
+        seen_distance(&self.params, start, from_start, scenario.grid.point(j), scenario.grid.point(scenario.goal))
     }
 
-    /// Has every step but the straight one weigh (D / (D + a))^β as much, D its distance as η sees it.
-    fn count_turns(&self, scenario: &Scenario, weights: &mut Row, at: Cell, last: Direction) {
-        let beta = self.params.selection.beta;
-        for d in (0..DIRECTIONS as Direction).filter(|&d| d != last) {
-            let weight = &mut weights[d as usize];
-            if *weight > 0.0 {
-                let seen = self.distance(scenario, scenario.moves.step(at, d));
-                let share = power(seen / (seen + self.params.turn_cost), beta);
+    /// Has a step weigh (D / (D + a·c + g·L))^β as much, D its distance without the turn c and without the way L that the ant has walked,
+    /// where that counts.
+    fn see_longer(&self, scenario: &Scenario, weights: &mut Row, ant: Standing) {
+        let p = &self.params;
+        let goal = scenario.grid.point(scenario.goal);
+        let whole = self.start(scenario).distance(goal).max(p.goal_distance);
+        for (d, weight) in (0..).zip(weights.iter_mut()).filter(|(_, weight)| **weight > 0.0) {
+            let j = scenario.moves.step(ant.at, d);
+            let mut more = if ant.last.is_some_and(|last| last != d) { p.turn_cost } else { 0.0 };
+            if p.start_distance == StartDistance::Walked {
+                let to_goal = scenario.grid.point(j).distance(goal).max(p.goal_distance);
+                more += (1.0 - goal_weight(p, to_goal, whole)) * ant.walked;
+            }
+            if more > 0.0 {
+                let seen = self.distance(scenario, ant.at, d, j);
+                let share = power(seen / (seen + more), p.selection.beta);
                 *weight = (f64::from(*weight) * share).max(f64::from(f32::MIN_POSITIVE)) as f32;
             }
         }
@@ -231,7 +258,7 @@ impl Variant for Maaco {
     }
 
     fn heuristic(&self, scenario: &Scenario, i: Cell, d: Direction, j: Cell) -> f64 {
-        heuristic::per_factor(scenario, i, d, j, 1.0 / self.distance(scenario, j))
+        heuristic::per_factor(scenario, i, d, j, 1.0 / self.distance(scenario, i, d, j))
     }
 
     fn prepare(&mut self, scenario: &Scenario) {
@@ -257,18 +284,14 @@ impl Variant for Maaco {
     }
 
     #[inline(always)]
-    fn heed(&self, scenario: &Scenario, weights: &mut Row, at: Cell, last: Option<Direction>) {
-        let (here, goal) = (scenario.grid.point(at), scenario.grid.point(scenario.goal));
+    fn heed(&self, scenario: &Scenario, weights: &mut Row, ant: Standing) {
+        let (here, goal) = (scenario.grid.point(ant.at), scenario.grid.point(scenario.goal));
         match self.params.orientation {
             Orientation::NearestThree => nearest_three(weights, here, goal),
             Orientation::StartToGoal => onward(weights, here, self.start(scenario), goal),
             Orientation::Any => {}
         }
-        if let Some(last) = last
-            && self.params.turn_cost > 0.0
-        {
-            self.count_turns(scenario, weights, at, last);
-        }
+        self.see_longer(scenario, weights, ant);
     }
 
     fn abreast(&self) -> Abreast {

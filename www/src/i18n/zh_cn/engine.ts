@@ -190,6 +190,7 @@ export const zhCNEngine = {
     weight_min: '在终点处，终点距离在 η 中的权重',
     weight_decay: '走向终点时权重减小的快慢',
     turn_cost: '转弯使 η 中的距离增加多少',
+    start_distance: 'η 中起点到一格有多远',
     late_greed: '最后阶段直接取最好一步的概率如何变化',
     trail_limits: '信息素保持在怎样的上下限之间',
     angle_weight: '选择下一步时角度引导 μ 的权重',
@@ -378,6 +379,9 @@ export const zhCNEngine = {
     'start-to-goal': '从起点到终点的方向',
     any: '全部',
     jumps: '先跳后升',
+    'straight-line': '直线距离',
+    walked: '已走的路',
+    'step-length': '这一步的长度',
     grows: '平稳上升',
     elite: '按精英数',
     'max-min': '最大最小',
@@ -499,6 +503,11 @@ export const zhCNEngine = {
       'start-to-goal':
         '不与起点到终点的方向相背的步；没有时取不与蚂蚁到终点的方向相背的；再没有时取全部',
       any: '全部剩余的步',
+    },
+    start_distance: {
+      'straight-line': '直线距离',
+      walked: '已走的路加这一步',
+      'step-length': '只有这一步',
     },
     late_greed: {
       jumps: '从 q0/2 起按 k/K 上升',

@@ -89,6 +89,7 @@ export const zhCNParamNames = {
   weight_min: '终点权重下限',
   weight_decay: '终点权重衰减',
   turn_cost: '转弯附加距离',
+  start_distance: '起点距离',
   late_greed: '后期贪婪程度',
   trail_limits: '信息素限制',
   angle_weight: '角度引导因子',
