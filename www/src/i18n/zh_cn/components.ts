@@ -90,7 +90,7 @@ export const zhCNComponents = {
   },
   'adaptive-q0': {
     name: '自适应 q0',
-    adds: '直接取最好一步的概率在前七成迭代中下降，随后上升；去掉后：始终为 q0',
+    adds: '直接取最好一步的概率在前 70% 的迭代中下降，随后上升；去掉后：始终为 q0',
   },
   'trail-limits': {
     name: '信息素上下限',
