@@ -204,7 +204,7 @@ const COMPONENTS: &[Component] = &[
         without: &[("angle_weight", "0")],
     },
     Component {
-        id: "falling-q0",
+        id: "falling-greed",
         name: "best step now and then",
         adds: "with a probability that falls with time an ant takes the best step; without: each by its probability",
         without: &[("q0", "0")],

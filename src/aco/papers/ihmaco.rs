@@ -222,7 +222,7 @@ const COMPONENTS: &[Component] = &[
         without: &[("straight_gain", "1")],
     },
     Component {
-        id: "dipping-q0",
+        id: "dipping-greed",
         name: "q0 that dips",
         adds: "the probability of the best step falls at first and then grows; without: its mean all the time",
         without: &[("dipping_q0", "false")],

@@ -358,7 +358,7 @@ const COMPONENTS: &[Component] = &[
         without: &[("turn_cost", "0")],
     },
     Component {
-        id: "adaptive-q0",
+        id: "adaptive-greed",
         name: "adaptive q0",
         adds: "the probability of the best step falls over 70 % of the iterations and then grows; without: it stays at q0",
         without: &[("late_greed", "constant")],

@@ -88,7 +88,7 @@ export const zhCNComponents = {
     name: 'η 中的转弯',
     adds: '转弯的一步被看作更长；去掉后：a = 0',
   },
-  'adaptive-q0': {
+  'adaptive-greed': {
     name: '自适应 q0',
     adds: '直接取最好一步的概率在前 70% 的迭代中下降，随后上升；去掉后：始终为 q0',
   },
@@ -100,7 +100,7 @@ export const zhCNComponents = {
     name: '角度引导 μ',
     adds: '一步按 μ^λ 加权，即其格与终点之间的角度；去掉后：λ = 0',
   },
-  'falling-q0': {
+  'falling-greed': {
     name: '偶尔走最好的一步',
     adds: '蚂蚁以随时间减小的概率走最好的一步；去掉后：每一步都按概率抽取',
   },
@@ -120,7 +120,7 @@ export const zhCNComponents = {
     name: '直行',
     adds: '直行的一步权重加倍；去掉后：与其他步相同',
   },
-  'dipping-q0': {
+  'dipping-greed': {
     name: '先降后升的 q0',
     adds: '直接取最好一步的概率先降后升；去掉后：始终为其平均',
   },
