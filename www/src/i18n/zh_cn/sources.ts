@@ -267,7 +267,8 @@ export const zhCNSources: Record<string, string> = {
   'reproduction A of MAACO; B: start to goal': 'MAACO 的复现 A；B：从起点到终点',
   'reproduction A of MAACO, where the paper gives none; B: 0.9':
     'MAACO 的复现 A，论文未给出；B：0.9',
-  'reproduction B of MAACO; A: walked, earlier the step': 'MAACO 的复现 B；A：已走的路，更早为这一步',
+  'reproduction B of MAACO; A: walked, earlier the step':
+    'MAACO 的复现 B；A：已走的路，更早为这一步',
   'reproduction A of MAACO; B: grows': 'MAACO 的复现 A；B：平稳上升',
   'reproduction A of MAACO; B: max-min': 'MAACO 的复现 A；B：最大最小',
   "the other reproduction's rules and numbers: start trails of the cell entered, steps by the way from start to goal, q0 that grows evenly, MAX–MIN limits":
