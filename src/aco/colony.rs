@@ -21,7 +21,7 @@ use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Record, Refined, Solution, Status, Tally, Turn,
     Walked, Weighed, advance,
 };
-use crate::rng::{Stream, Streams};
+use crate::rng::Streams;
 #[cfg(feature = "whole")]
 use crate::scenario::Change;
 use crate::scenario::Scenario;
@@ -33,7 +33,7 @@ use super::lanes;
 use super::selection::left;
 use super::threads;
 use super::trails::{Row, Trails};
-use super::variant::{Abreast, Iteration, Settings, Solved, Step, Variant};
+use super::variant::{Abreast, Iteration, Settings, Solved, Standing, Step, Variant};
 use super::visibility::{Eta, Sight};
 use super::weights::{self, Weights};
 
@@ -100,7 +100,7 @@ impl<V: Variant + 'static> Colony<V> {
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
         let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
-        let choose = |weights: &Row, stream: &mut Stream| self.variant.choose(weights, stream);
+        let choose = |weights: &Row, ant: &mut Ant| self.variant.step_of(&self.scenario, weights, ant);
         let mut done = true;
         for ant in ants[which].iter_mut().filter(|a| a.fate() == Fate::Walking) {
             let from = ant.cell();
@@ -108,7 +108,7 @@ impl<V: Variant + 'static> Colony<V> {
                 lanes::move_one(&mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ant, choose)
             } else if V::LOCK_STEP {
                 let weights = weights.weigh_now(&sight, trails, from);
-                let step = choose(&cast(left(&weights, ant.look_around())), &mut ant.stream);
+                let step = choose(&cast(left(&weights, ant.look_around())), ant);
                 ant.go(&walk, step);
                 step
             } else {
@@ -170,15 +170,17 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
         let Some(Tables { trails, weights, on_demand, ants }) = &mut self.tables else { return };
         let walk = walk_rules(&self.scenario, &self.settings, self.max_moves);
         if V::TIMED {
-            walk_to_the_end(&self.variant, &mut on_demand.now(&self.scenario, &self.variant, trails), &walk, ants);
+            let mut weights = on_demand.now(&self.scenario, &self.variant, trails);
+            walk_to_the_end(&self.scenario, &self.variant, &mut weights, &walk, ants);
         } else {
             let eta = |i, d, j| self.variant.heuristic(&self.scenario, i, d, j);
             let sight = sight(&self.scenario, &self.variant, self.settings.beta, &eta);
             if Self::ON_THREADS && self.threads.get() > 1 {
-                let (variant, known) = (&self.variant, &*weights);
-                threads::each_part(ants, self.threads, |part| walk_to_the_end(variant, &mut &*known, &walk, part));
+                let (scenario, variant, known) = (&*self.scenario, &self.variant, &*weights);
+                threads::each_part(ants, self.threads, |part| walk_to_the_end(scenario, variant, &mut &*known, &walk, part));
             }
-            walk_to_the_end(&self.variant, &mut weights::Now { table: weights, trails, sight }, &walk, ants);
+            let mut weights = weights::Now { table: weights, trails, sight };
+            walk_to_the_end(&self.scenario, &self.variant, &mut weights, &walk, ants);
         }
     }
 
@@ -232,15 +234,16 @@ fn sight<'a, V: Variant>(scenario: &'a Scenario, variant: &V, beta: f64, eta: &'
 }
 
 /// Every ant's walk, side by side.
-fn walk_to_the_end<V: Variant, W: Weights>(variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
+fn walk_to_the_end<V: Variant, W: Weights>(scenario: &Scenario, variant: &V, weights: &mut W, walk: &Walk, ants: &mut [Ant]) {
     let whole = cfg!(feature = "whole");
     match variant.abreast() {
+        _ if V::HEEDS => lanes::walk_all_by(weights, walk, ants, |weights, ant| variant.step_of(scenario, weights, ant)),
         Abreast::Proportional => lanes::walk_all(weights, walk, ants, Proportional),
         Abreast::PseudoProportional(q0) if !V::TIMED && whole => {
             lanes::walk_all(weights, walk, ants, PseudoProportional::new(q0))
         }
         Abreast::Maximal if !V::TIMED && whole => lanes::walk_all(weights, walk, ants, Maximal),
-        _ => lanes::walk_all_by(weights, walk, ants, |weights, stream| variant.choose(weights, stream)),
+        _ => lanes::walk_all_by(weights, walk, ants, |weights, ant| variant.choose(weights, &mut ant.stream)),
     }
 }
 
@@ -294,8 +297,8 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         }
         let variant = self.variant_now();
         match &self.tables {
-            Some(tables) => self.odds_at(&variant, &tables.trails, cell, 0),
-            None => self.odds_at(&variant, &self.initial_trails(), cell, 0),
+            Some(tables) => self.odds_at(&variant, &tables.trails, Standing::at(cell), 0),
+            None => self.odds_at(&variant, &self.initial_trails(), Standing::at(cell), 0),
         }
     }
 

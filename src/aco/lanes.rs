@@ -16,7 +16,6 @@ use super::trails::Row;
 use super::weights::Weights;
 use crate::map::{Cell, DIRECTIONS, Direction};
 use crate::planner::Fate;
-use crate::rng::Stream;
 
 /// Ants in a group.
 const LANES: usize = 4;
@@ -32,7 +31,7 @@ const TRACE: usize = 64;
 pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: &mut [Ant], rule: R) {
     // The opening build must stay small.
     if !cfg!(feature = "whole") {
-        return walk_all_by(weights, walk, ants, |row, stream| rule.choose_one(row, stream));
+        return walk_all_by(weights, walk, ants, |row, ant| rule.choose_one(row, &mut ant.stream));
     }
     let mut waiting = ants.iter_mut().filter(|a| a.is_ready());
     let mut lanes: Vec<&mut Ant> = Vec::with_capacity(ABREAST);
@@ -44,7 +43,7 @@ pub(super) fn walk_all<W: Weights, R: Rule>(weights: &mut W, walk: &Walk, ants: 
             count if count >= LANES => walk_abreast::<W, R, 1>(weights, walk, &mut lanes, rule),
             _ => lanes.iter_mut().for_each(|ant| {
                 ant.count(walk);
-                to_the_end(weights, walk, ant, |row, stream| rule.choose_one(row, stream));
+                to_the_end(weights, walk, ant, |row, ant| rule.choose_one(row, &mut ant.stream));
             }),
         }
         lanes.iter_mut().filter(|a| a.fate() != Fate::Walking).for_each(|ant| ant.count(walk));
@@ -57,7 +56,7 @@ pub(super) fn walk_all_by<W: Weights>(
     weights: &mut W,
     walk: &Walk,
     ants: &mut [Ant],
-    choose: impl Fn(&Row, &mut Stream) -> Option<Direction> + Copy,
+    choose: impl Fn(&Row, &mut Ant) -> Option<Direction> + Copy,
 ) {
     let mut waiting = ants.iter_mut().filter(|a| a.is_ready());
     let mut lanes: Vec<&mut Ant> = waiting.by_ref().take(LANES).collect();
@@ -73,7 +72,7 @@ pub(super) fn walk_all_by<W: Weights>(
     lanes.iter_mut().for_each(|ant| to_the_end(weights, walk, ant, choose));
 }
 
-fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Stream) -> Option<Direction>) {
+fn to_the_end<W: Weights>(weights: &mut W, walk: &Walk, ant: &mut Ant, choose: impl Fn(&Row, &mut Ant) -> Option<Direction>) {
     while ant.is_ready() {
         move_one(weights, walk, ant, &choose);
     }
@@ -85,11 +84,11 @@ pub(super) fn move_one<W: Weights>(
     weights: &mut W,
     walk: &Walk,
     ant: &mut Ant,
-    choose: impl Fn(&Row, &mut Stream) -> Option<Direction>,
+    choose: impl Fn(&Row, &mut Ant) -> Option<Direction>,
 ) -> Option<Direction> {
     let seen = ant.look_around();
     loop {
-        let step = choose(&cast(left(weights.row(ant.cell()), seen)), &mut ant.stream);
+        let step = choose(&cast(left(weights.row(ant.cell()), seen)), ant);
         if step.is_none() && weights.learn(ant.cell()) {
             continue;
         }

@@ -12,6 +12,7 @@
 //! | selection rules | `selection.rs` |
 //! | the same where η changes with time, computed where ants come by | `on_demand.rs` |
 //! | probabilities of the steps by these rules, shown for a cell | `odds.rs` |
+//! | steps by where they lead beside the way to the goal | `orientation.rs` |
 //! | one ant: its way, its random stream | `ant.rs` |
 //! | its tabu list: where it has been | `tabu.rs` |
 //! | eight ants in SIMD lanes, the same walk; parts of all ants on threads | `lanes.rs`, `threads.rs` |
@@ -36,6 +37,9 @@
 //! | `formica` | 0.5 | exp(−κ·detour), by scent | as Ant System | – | evaporate, ρ on the path that a search makes of all ants' ways, limits | restart; a proof at the end |
 //! | `acost` | τ0 | goal | roulette up to a threshold that rises with time; any step if none | + Q1/l | evaporate, Q2/L_min on the iteration's shortest path | – |
 //! | `acomsp` | τ0 | goal | the most probable | – | evaporate, Q2/L_min on the iteration's shortest path | – |
+//! | `iaaco` | τ0 | step and goal, times an angle to the goal | pseudo-random proportional; q0(t) falls | – | every arrived path blends Q/L in by ρ = κ·L_SG/L_ib, then best and worst | – |
+//! | `ihmaco` | by step: d_ST / (d_Si + d_iT), of both cells | goal, times the step's direction and whether it is straight on | pseudo-random proportional; q0(t) dips | – | evaporate by ρ(t), every arrived ant deposits Q/(w1·L + w2·turns) | – |
+//! | `maaco` | by cell: d_ST / (d_Si + d_iT) | start and goal, and turns | the three steps nearest to the goal's direction, pseudo-random proportional; q0(t) falls, then grows | – | as Ant System, limits | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
 //! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System, or Q/V | – |
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |
@@ -62,6 +66,7 @@ pub mod legs;
 pub mod odds;
 pub mod on_demand;
 pub mod order_run;
+pub mod orientation;
 pub mod selection;
 pub mod shared_params;
 mod tabu;

@@ -84,6 +84,29 @@ pub struct Step {
     pub walked: f64,
 }
 
+/// Where an ant stands and how it came there, for [`Variant::heed`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standing {
+    /// The cell.
+    pub at: Cell,
+    /// The step that led there; none at the start.
+    pub last: Option<Direction>,
+    /// Length of its way in cells, on weighted ground its cost.
+    pub walked: f64,
+}
+
+impl Standing {
+    /// Of this ant.
+    pub fn of(ant: &Ant) -> Self {
+        Self { at: ant.cell(), last: ant.steps().last().copied(), walked: ant.walked() }
+    }
+
+    /// At this cell, come from nowhere.
+    pub fn at(at: Cell) -> Self {
+        Self { at, last: None, walked: 0.0 }
+    }
+}
+
 /// The rules of selection that four ants can follow at once, in SIMD lanes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Abreast {
@@ -120,6 +143,9 @@ pub trait Variant: Clone + Send + Sync {
 
     /// Whether the colony goes on with what it has learnt when walls have changed; otherwise it begins anew.
     const ADAPTS: bool = true;
+
+    /// Whether an ant weighs its steps by its own way as well: [`Variant::heed`]. Then it walks by itself, not in SIMD lanes.
+    const HEEDS: bool = false;
 
     /// The common numbers.
     fn settings(&self) -> Settings;
@@ -167,6 +193,22 @@ pub trait Variant: Clone + Send + Sync {
     #[inline(always)]
     fn abreast(&self) -> Abreast {
         Abreast::Proportional
+    }
+
+    /// Has the weights of the steps that are left follow the ant's own way. Where a step is left, it leaves one; only with
+    /// [`Variant::HEEDS`].
+    #[inline(always)]
+    fn heed(&self, _scenario: &Scenario, _weights: &mut Row, _ant: Standing) {}
+
+    /// The step of an ant, given the weights of those that are left to it: by [`Variant::choose`], after [`Variant::heed`].
+    #[inline(always)]
+    fn step_of(&self, scenario: &Scenario, weights: &Row, ant: &mut Ant) -> Option<Direction> {
+        if !Self::HEEDS {
+            return self.choose(weights, &mut ant.stream);
+        }
+        let mut heeded = *weights;
+        self.heed(scenario, &mut heeded, Standing::of(ant));
+        self.choose(&heeded, &mut ant.stream)
     }
 
     /// Selects a step; visited and infeasible ones weigh 0. `None` = dead end.

@@ -5,9 +5,8 @@ use super::{Colony, walked};
 use crate::aco::on_demand;
 use crate::aco::selection::without;
 use crate::aco::trails::Trails;
-use crate::aco::variant::Variant;
+use crate::aco::variant::{Standing, Variant};
 use crate::aco::weights::weigh;
-use crate::map::Cell;
 use crate::planner::{Fate, MoveOdds, Turn, stand_ready};
 
 impl<V: Variant + 'static> Colony<V> {
@@ -23,8 +22,9 @@ impl<V: Variant + 'static> Colony<V> {
         variant
     }
 
-    /// [`Planner::moves_from`] for a cell of the map, without the steps whose bit is set; the weights and the rule are those of the walk.
-    pub(super) fn odds_at(&self, variant: &V, trails: &Trails, cell: Cell, visited: u8) -> Vec<MoveOdds> {
+    /// [`Planner::moves_from`] for an ant on the map, without the steps whose bit is set; the weights and the rule are those of the walk.
+    pub(super) fn odds_at(&self, variant: &V, trails: &Trails, ant: Standing, visited: u8) -> Vec<MoveOdds> {
+        let cell = ant.at;
         let (scenario, settings) = (&*self.scenario, &self.settings);
         let eta = |d, to| variant.heuristic(scenario, cell, d, to);
         let seen = if V::TIMED {
@@ -32,7 +32,10 @@ impl<V: Variant + 'static> Colony<V> {
         } else {
             super::sight(scenario, variant, settings.beta, &|_, d, to| eta(d, to)).row(cell)
         };
-        let weights = without(&weigh(&trails.relative(cell), settings.alpha, &seen), visited);
+        let mut weights = without(&weigh(&trails.relative(cell), settings.alpha, &seen), visited);
+        if V::HEEDS {
+            variant.heed(scenario, &mut weights, ant);
+        }
         let odds = variant.odds(&weights);
         let step = |d| {
             let (to, trail) = (scenario.moves.step(cell, d), trails.get(cell, d));
@@ -54,7 +57,7 @@ impl<V: Variant + 'static> Colony<V> {
         if ant.fate() != Fate::Walking {
             return Some(Turn::over(walked));
         }
-        let odds = self.odds_at(&self.variant, trails, from, ant.visited());
+        let odds = self.odds_at(&self.variant, trails, Standing::of(ant), ant.visited());
         self.move_ants(number..number + 1);
         let to = self.tables.as_ref()?.ants[number].cell();
         Some(Turn { walked, odds, next: (to != from).then_some(to) })

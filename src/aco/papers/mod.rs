@@ -2,6 +2,9 @@
 
 pub mod fire;
 pub mod fireworks;
+pub mod iaaco;
+pub mod ihmaco;
+pub mod maaco;
 pub mod ship;
 pub mod terrain;
 pub mod threshold;

@@ -262,6 +262,36 @@ export const zhCNSources: Record<string, string> = {
   'all rules of ACOMSP: the same runs': '全用 ACOMSP 的规则：运行相同',
   'all rules of the fireworks hybrid: the same runs': '全用先烟花后蚁群的规则：运行相同',
   'all rules of the particle hybrid: the same runs': '全用先粒子群后蚁群的规则：运行相同',
+  'Wu, Huang, Cui et al. 2023, Expert Syst. Appl. 215, 119410, doi:10.1016/j.eswa.2022.119410, after two reproductions':
+    'Wu、Huang、Cui 等 2023，Expert Syst. Appl. 215，119410，doi:10.1016/j.eswa.2022.119410，按两个复现',
+  'reproductions A and B of MAACO': 'MAACO 的复现 A 与 B',
+  'reproduction A of MAACO': 'MAACO 的复现 A',
+  'reproduction B of MAACO': 'MAACO 的复现 B',
+  'reproduction A of MAACO; B: 0.1': 'MAACO 的复现 A；B：0.1',
+  'reproduction A of MAACO; B: of the cell entered': 'MAACO 的复现 A；B：按进入的格',
+  'reproduction A of MAACO; B: start to goal': 'MAACO 的复现 A；B：从起点到终点',
+  'reproduction A of MAACO, where the paper gives none; B: 0.9':
+    'MAACO 的复现 A，论文未给出；B：0.9',
+  'reproduction B of MAACO; A: walked, earlier the step':
+    'MAACO 的复现 B；A：已走的路，更早为这一步',
+  'reproduction A of MAACO; B: grows': 'MAACO 的复现 A；B：平稳上升',
+  'reproduction A of MAACO; B: max-min': 'MAACO 的复现 A；B：最大最小',
+  "the other reproduction's rules and numbers: start trails of the cell entered, steps by the way from start to goal, q0 that grows evenly, MAX–MIN limits":
+    '另一个复现的规则与数值：初始信息素按进入的格，步按起点到终点的方向，q0 平稳上升，最大最小上下限',
+  'Miao, Chen, Yan et al. 2021, Comput. Ind. Eng. 156, 107230, doi:10.1016/j.cie.2021.107230, after a reproduction':
+    'Miao、Chen、Yan 等 2021，Comput. Ind. Eng. 156，107230，doi:10.1016/j.cie.2021.107230，按一个复现',
+  'Miao, Chen, Yan et al. 2021, as its reproduction quotes it':
+    'Miao、Chen、Yan 等 2021，按其复现所引',
+  'reproduction of IAACO': 'IAACO 的复现',
+  'reproduction of IAACO: 1/cos φ': 'IAACO 的复现：1/cos φ',
+  'reproduction of IAACO: Q': 'IAACO 的复现：Q',
+  'μ = |y_j − y_G| / d_jG, as the last form of its formula says':
+    'μ = |y_j − y_G| / d_jG，按其公式的最后一种形式',
+  'Liu, Wu, Xiao et al. 2023, Knowl.-Based Syst. 271, 110540, doi:10.1016/j.knosys.2023.110540, after a reproduction':
+    'Liu、Wu、Xiao 等 2023，Knowl.-Based Syst. 271，110540，doi:10.1016/j.knosys.2023.110540，按一个复现',
+  'reproduction of IHMACO': 'IHMACO 的复现',
+  'our choice; the reproduction lets it walk on with its way cleared':
+    '我们的选择；复现中蚂蚁清空所走的路后继续走',
   'Shi, Wang, Yu, Hu 2011, 30 case studies of intelligent algorithms in MATLAB (in Chinese), Beihang University Press: its program on three dimensions':
     '史峰、王辉、郁磊、胡斐 2011，MATLAB智能算法30个案例分析，北京航空航天大学出版社：其三维路径规划程序',
   "the textbook's program": '教材的程序',
