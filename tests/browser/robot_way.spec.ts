@@ -169,20 +169,23 @@ test('a robot is given a map, raced, driven and sent on its way', async ({ page 
     await page.keyboard.press('Enter')
     await expect(page.getByTestId('drive-standing')).toContainText('Arrived')
     await expect(page.getByTestId('drive-best')).toHaveAttribute('data-value', /\d/)
-    const [length, best, ratio, replans] = await Promise.all(
-      ['length', 'best', 'ratio', 'replans'].map((what) =>
+    const [length, cost, best, ratio, replans] = await Promise.all(
+      ['length', 'cost', 'best', 'ratio', 'replans'].map((what) =>
         value(page.getByTestId(`drive-${what}`)),
       ),
     )
     expect(replans).toBeGreaterThan(0)
-    expect(ratio).toBe((length ?? 0) / (best ?? 0))
+    // On weighted ground what compares is the cost, which is no length.
+    expect(cost).toBeGreaterThan(length ?? 0)
+    expect(ratio).toBe((cost ?? 0) / (best ?? 0))
     await expect(page.getByTestId('drive-length')).toHaveText(inMetres(length ?? 0))
-    await expect(page.getByTestId('drive-best')).toHaveText(inMetres(best ?? 0))
+    await expect(page.getByTestId('drive-best')).toHaveText((best ?? 0).toFixed(2))
     const seed = String((await race.session()).seed)
     const map = (await race.exported('scenario')).bytes
     const args = ['drive', 'map.json', '--planner', 'astar', '--seed', seed]
     expect(answered<Drive>(cli, { 'map.json': map }, args)).toMatchObject({
       length,
+      cost,
       clairvoyant: { value: best },
       ratio,
       replans,

@@ -95,6 +95,7 @@ function valid(): Record<string, unknown[]> {
     paint_map: [{}, on, cells, heights, factors, 'dark', false],
     path_formats: [on],
     read_order: [text(TRIANGLE), false, null],
+    read_path: [on, text('0,0\n1,1\n')],
     recognise: [text('0 0'), 'x'],
     read_figure: [pixel, lattice],
     reference: [on, cells, heights, factors, 'length'],

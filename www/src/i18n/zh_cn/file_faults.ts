@@ -111,6 +111,7 @@ export const zhCNFileFaults: Phrases = {
   'the path has more than {} cells': '路径超过 {} 格',
   'place {} has a level': '第 {} 个位置带有层',
   'point {} has no x or no y': '第 {} 个点缺少 x 或 y',
+  'a place without x and y': '缺少 x 与 y 的位置',
   'the path is in metres': '路径以米为单位',
   '`{}` is no place in metres': '“{}”不是以米为单位的位置',
   'the drawing of a curve': '曲线的图形',

@@ -49,7 +49,7 @@ export const zhCNQuestions: Record<string, string> = {
   "Do the weighted order and the pseudo-random proportional rule give a path of less weight R, with fewer turns and sooner, with the paper's parameters? The paper's walls are a figure, so many maps of ours stand for it; start, fires and their weights give its order table (table 1, figure 4). The table's index, 54.02 and 49.71, is called R in the text, the length of each leg times the weight of its fire, though legs of these lengths cannot weigh that much; so the size of the claim on R is that of the orders, 24.45 to 21.47. Each claim is asked as we read the paper, as printed, and with its index V as the criterion of a path, as its conclusion says.":
     '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此由我们的多张地图代表；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此关于 R 的主张取两种次序的差别，24.45 至 21.47。每项主张分别按我们的理解、按印刷公式，以及以其指标 V 为路径标准（如其结束语所说）来检验。',
   "Does the improved algorithm arrive earlier than the basic ant colony on maps that a robot's own scans made, in metres and seconds? The paper drives in Gazebo on a map of its own, which is not public: 35.47 m in 464 s against 31.48 m in 410 s. So we ask on three public ROS maps of two places, with a robot's radius, from corner to corner; not on the paper's map, and six ways on three maps are fewer cases than six maps. The speed is the paper's, 35.47 m in 464 s, and turns take no time, as its two printed rates allow; asked again with 2 s a turn, which is ours.":
-    '在由机器人自己的扫描得到的地图上，以米与秒计，改进算法是否比基本蚁群更早到达？论文在 Gazebo 中用自己的地图行驶，该地图没有公开：464 秒走 35.47 米，对 410 秒走 31.48 米。因此我们在两处地点的三张公开 ROS 地图上提问，取机器人的半径，沿对角线行驶；这不是论文的地图，而且三张地图上的六条路线作为情形少于六张地图。速度取论文的 464 秒走 35.47 米，转弯不计时，如其印刷的两个速率所允许；再以每次转弯 2 秒提问，这是我们的取值。',
+    '在由机器人自己的扫描得到的地图上，以米与秒计，改进算法是否比基本蚁群更早到达？论文在 Gazebo 中用自己的地图行驶，该地图没有公开：464 秒走 35.47 米，对 410 秒走 31.48 米。因此我们在两处地点的三张公开 ROS 地图上提问，取机器人的半径，沿对角线行驶；这不是论文的地图，而且三张地图上的六条路径作为情形少于六张地图。速度取论文的 464 秒走 35.47 米，转弯不计时，如其印刷的两个速率所允许；再以每次转弯 2 秒提问，这是我们的取值。',
 
   // Maps.
   'Compartment, 20 × 20': '船舱，20 × 20',
@@ -262,7 +262,7 @@ export const zhCNQuestions: Record<string, string> = {
   'Not independent: μ, ω, γ and k are not given in the paper, and their values here were chosen because an earlier trial on public grids showed few iterations with them.':
     '并非独立的检验：论文没有给出 μ、ω、γ 与 k，这里的取值是因为此前在公开栅格地图上的试验用它们迭代较少。',
   'The paper gives one number of ants and two colonies; our default splits it, so that both algorithms construct 50 walks an iteration. Ants that meet stop half-way.':
-    '论文给出一个蚂蚁数和两队蚂蚁；我们的默认值将其平分，使两种算法每次迭代都构造 50 条路线。相遇的蚂蚁走到一半就停。',
+    '论文给出一个蚂蚁数和两队蚂蚁；我们的默认值将其平分，使两种算法每次迭代都构造 50 条路径。相遇的蚂蚁走到一半就停。',
   "The paper says nothing of its swarm; ours clamps, lifts out of the ground and has the colony's budget.":
     '论文没有说明其粒子群；我们的会截断越界的粒子、把路径抬出地面，并与蚁群预算相同。',
   "Eq. 2 prints the step's length, the words before eq. 1 say distance to the goal; what is improved depends on it.":
@@ -275,7 +275,7 @@ export const zhCNQuestions: Record<string, string> = {
   "2 s are ours: the paper's speed is a third of the 0.22 m/s that a TurtleBot3 Burger reaches, and at a third of its 2.84 rad/s a quarter of a turn takes 1.6 s. No size is claimed.":
     '2 秒是我们的取值：论文的速度是 TurtleBot3 Burger 最高 0.22 米/秒的三分之一，以其最高 2.84 弧度/秒的三分之一转四分之一圈需 1.6 秒。没有所称的大小。',
   'In cells of 0.2 m a way has two and a half times as many steps: what the cells, which the paper does not tell, do to the difference.':
-    '每格 0.2 米时路线的步数是两倍半：显示格子对差别的作用，论文没有说明格子大小。',
+    '每格 0.2 米时路径的步数是两倍半：显示格子对差别的作用，论文没有说明格子大小。',
 
   // Where a publication says of its maps what it says.
   'table 1': '表 1',
