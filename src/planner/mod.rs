@@ -1,7 +1,6 @@
 //! The one interface of every planner: advance by a move or an iteration, and tell what stands.
 
 pub mod ahead;
-#[cfg(feature = "whole")]
 mod certificate;
 #[cfg(feature = "whole")]
 mod changing;
@@ -30,7 +29,6 @@ use crate::path::PathKind;
 use crate::scenario::Change;
 use crate::scenario::Scenario;
 
-#[cfg(feature = "whole")]
 pub use certificate::Certificate;
 #[cfg(feature = "whole")]
 pub use changing::Changing;

@@ -28,17 +28,29 @@ pub fn build(folder: &Path) -> Result<()> {
     fs::write(folder.join(NAME), page).with_context(|| format!("cannot write {NAME} into {}", folder.display()))
 }
 
-/// Five characters for four bytes, where base64 needs more than five for four: the digits of a number to the base 85, highest first. A stream
-/// of xz is a multiple of four bytes long.
+/// Bits that two characters hold: 91 · 91 is just above 2^13. Base64 holds 12, base85 12.8.
+const BITS: u32 = 13;
+
+/// Two characters for 13 bits, highest first, the last filled up with zeros. A stream of xz is a multiple of four bytes long: so its end is known.
 fn written(bytes: &[u8]) -> String {
-    let alphabet: Vec<char> = ('#'..='z').filter(|sign| !"&<\\".contains(*sign)).collect();
-    let signs = |four: &[u8; 4]| {
-        let number = u32::from_be_bytes(*four);
-        (0..5).rev().map(|place| alphabet[(number / 85_u32.pow(place) % 85) as usize]).collect::<String>()
-    };
-    let (fours, rest) = bytes.as_chunks();
-    assert!(rest.is_empty(), "a stream of xz is a multiple of four bytes long");
-    fours.iter().map(signs).collect()
+    let alphabet: Vec<char> = ('!'..='~').filter(|sign| !"&<\\".contains(*sign)).collect();
+    assert!(bytes.len().is_multiple_of(4), "a stream of xz is a multiple of four bytes long");
+    let mut text = String::with_capacity(bytes.len() * 5 / 4);
+    let (mut waiting, mut count) = (0u32, 0);
+    for byte in bytes.iter().copied().map(Some).chain([None, None]) {
+        if byte.is_none() && count == 0 {
+            break;
+        }
+        (waiting, count) = (waiting << 8 | u32::from(byte.unwrap_or(0)), count + 8);
+        if count >= BITS {
+            count -= BITS;
+            let number = (waiting >> count) as usize;
+            text.extend([alphabet[number / alphabet.len()], alphabet[number % alphabet.len()]]);
+            waiting &= (1 << count) - 1;
+            count = if byte.is_none() { 0 } else { count };
+        }
+    }
+    text
 }
 
 /// As small as it gets: the file is packed once, and sent many times.
@@ -46,7 +58,9 @@ fn packed(parts: &[u8]) -> Result<Vec<u8>> {
     let mut options = XzOptions::with_preset(9);
     // The check that the browser's unpacker knows.
     options.check_type = CheckType::Crc32;
-    options.lzma_options = LzmaOptions { dict_size: DICTIONARY, nice_len: LzmaOptions::NICE_LEN_MAX, ..options.lzma_options };
+    // Bytes of text and of WebAssembly stand at any place; what comes next is told by the byte before.
+    options.lzma_options =
+        LzmaOptions { dict_size: DICTIONARY, nice_len: LzmaOptions::NICE_LEN_MAX, lc: 4, pb: 0, ..options.lzma_options };
     let mut writer = XzWriter::new(Vec::new(), options)?;
     writer.write_all(parts)?;
     Ok(writer.finish()?)

@@ -66,22 +66,32 @@ async function unpacked(text: string): Promise<Uint8Array<ArrayBuffer>> {
   }
 }
 
-/** What does not stand among the characters from # to z: it means something in a page, or in a program. */
+/** What does not stand among the characters from ! to ~: it means something in a page, or in a program. */
 const LEFT_OUT = '&<\\'
 
-/** Five characters are four bytes: the digits of a number to the base 85, highest first (xtask/src/one_file.rs writes them). */
+/**
+ * Two characters are 13 bits, highest first: a number in two digits to the base 91 (xtask/src/one_file.rs writes them). The bytes are a
+ * multiple of four.
+ */
 function bytesOf(text: string): Uint8Array<ArrayBuffer> {
   const digits = new Uint8Array(128)
   let digit = 0
-  for (let code = '#'.charCodeAt(0); digit < 85; code++)
+  for (let code = '!'.charCodeAt(0); digit < 91; code++)
     if (!LEFT_OUT.includes(String.fromCharCode(code))) digits[code] = digit++
-  const bytes = new DataView(new ArrayBuffer((text.length / 5) * 4))
-  for (let at = 0; at < text.length; at += 5) {
-    let number = 0
-    for (let i = at; i < at + 5; i++) number = number * 85 + (digits[text.charCodeAt(i)] ?? 0)
-    bytes.setUint32((at / 5) * 4, number)
+  const of = (at: number) => digits[text.charCodeAt(at)] ?? 0
+  const bytes = new Uint8Array(Math.floor((text.length * 13) / 64) * 4)
+  let waiting = 0
+  let count = 0
+  let end = 0
+  for (let at = 0; at < text.length; at += 2) {
+    waiting = (waiting << 13) | (of(at) * 91 + of(at + 1))
+    for (count += 13; count >= 8; ) {
+      count -= 8
+      bytes[end++] = waiting >> count
+    }
+    waiting &= (1 << count) - 1
   }
-  return new Uint8Array(bytes.buffer)
+  return bytes
 }
 
 /** See `one_file_shell.ts`: the length of a list, the list of names and lengths, the parts. */
