@@ -179,7 +179,8 @@ test('a robot is given a map, raced, driven and sent on its way', async ({ page 
     expect(cost).toBeGreaterThan(length ?? 0)
     expect(ratio).toBe((cost ?? 0) / (best ?? 0))
     await expect(page.getByTestId('drive-length')).toHaveText(inMetres(length ?? 0))
-    await expect(page.getByTestId('drive-best')).toHaveText((best ?? 0).toFixed(2))
+    await expect(page.getByTestId('drive-cost')).toHaveText(inMetres(cost ?? 0))
+    await expect(page.getByTestId('drive-best')).toHaveText(inMetres(best ?? 0))
     const seed = String((await race.session()).seed)
     const map = (await race.exported('scenario')).bytes
     const args = ['drive', 'map.json', '--planner', 'astar', '--seed', seed]

@@ -19,7 +19,7 @@ export function Numbers() {
     <dl class="drive-numbers" aria-label={t('drive.numbers')} data-testid="drive-numbers">
       <Fact name="length" text={lengthShown(driven)} value={driven} />
       {cost !== undefined && (
-        <Fact name="cost" hint="drive.costHint" text={length.format(cost)} value={cost} />
+        <Fact name="cost" hint="drive.costHint" text={lengthShown(cost)} value={cost} />
       )}
       <Fact name="best" hint={reasonOr('drive.bestHint')} text={bestWords()} value={bestOf()} />
       <Fact
@@ -83,10 +83,7 @@ function bestWords(): string {
   if (!isOver.value) return t('drive.later')
   const best = summary.value?.clairvoyant
   if (!best) return t('drive.working')
-  if ('value' in best)
-    return summary.value?.cost === undefined
-      ? lengthShown(best.value)
-      : numbers.value.length.format(best.value)
+  if ('value' in best) return lengthShown(best.value)
   return t(best.kind === 'no-path' ? 'drive.noPath' : 'drive.unknown')
 }
 
