@@ -343,22 +343,19 @@ test('what no longer fits a map is left out, with a word, and comes back with un
   await expect.poll(() => driveOf(race)).toEqual(before)
 })
 
-test('costs near obstacles are the reason named in Chinese, and no obstacle is offered', async ({
+test('several goals are the reason named in Chinese, and no obstacle is offered', async ({
   page,
 }) => {
   const session = field()
-  session.scenario.spec.robot = {
-    radius: 0,
-    inflation: { radius: 1, cost_scaling: 1, rule: 'nav2-navfn', multiplier: 2 },
-  }
+  const [goal] = session.scenario.spec.goals
+  if (!goal) throw new Error('the map has no goal')
+  session.scenario.spec.goals = [goal, { ...goal, at: [1, 1], name: 'on the way' }]
   const race = await open(page, session)
   await race.menu('language', 'language-zh-CN')
   await page.getByTestId('lesson-menu').click()
   await page.getByTestId('lesson-drive').click()
   const alert = page.getByTestId('drive-card').getByRole('alert')
-  await expect(alert).toContainText('行驶时不能使用 障碍物附近的代价')
-  await expect(alert).toContainText('请关闭障碍物附近的代价')
-  await expect(alert).not.toContainText('目标')
+  await expect(alert).toContainText('机器人只驶向一个目标；这张地图有 2 个')
   await expect(page.getByTestId('drive-example')).toBeDisabled()
 })
 

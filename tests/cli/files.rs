@@ -91,7 +91,7 @@ fn bench_scen_finds_the_map_and_names_what_does_not_fit() {
         folder.run(&["bench-scen", "small.map.scen", "--planner", planner]).ends(0).says(&["2 of 2 scenarios, 100.0 %"]);
     }
     let unproven = folder.run(&["bench-scen", "small.map.scen", "--planner", "ant-system"]);
-    unproven.ends(2).says(&["`ant-system` proves no optimum", "the planners that prove it are", "astar", "formica"]);
+    unproven.ends(2).says(&["`ant-system` proves no optimum", "the planners that prove one are", "astar", "formica"]);
     let one = folder.run(&["bench-scen", "small.map.scen", "--sample", "1", "--seed", "3", "--format", "json"]).ends(0).json();
     assert_eq!((&one["run"], &one["scenarios"], &one["matched"]), (&1.into(), &2.into(), &1.into()));
 

@@ -15,12 +15,11 @@ export function standingWords(): string {
   return last.did === 'start' ? t('drive.atStart') : t(`drive.${last.did}`, { step: last.step })
 }
 
-type Ground = 'goals' | 'inflation' | 'slices'
+type Ground = 'goals' | 'slices'
 
 /** Fields of a map on which nobody drives, whatever moves. */
 const GROUNDS: ReadonlyMap<string, Ground> = new Map([
   ['goals', 'goals'],
-  ['robot.inflation', 'inflation'],
   ['terrain.slices', 'slices'],
 ])
 

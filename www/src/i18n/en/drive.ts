@@ -13,8 +13,6 @@ export const enDrive = {
   needsPanel: 'Add a planner first: it drives the robot.',
   grounds: {
     goals: 'A robot drives to one goal; this map has {{value}}.',
-    inflation:
-      'Costs near obstacles would move with what moves: switch them off in “Size and moves”. The robot’s radius counts.',
     slices: 'By slices nobody drives: a robot goes from cell to cell.',
   },
   preparing: 'Putting the robot on the map…',

@@ -15,8 +15,6 @@ export const zhCNDrive: DictionaryShape<typeof enDrive> = {
   needsPanel: '请先添加规划器：由它驾驶机器人。',
   grounds: {
     goals: '机器人只驶向一个目标；这张地图有 {{value}} 个。',
-    inflation:
-      '障碍物附近的代价会随移动的东西而变：请在“尺寸与移动规则”中关闭。机器人的半径照常计入。',
     slices: '按切片无法行驶：机器人逐格移动。',
   },
   preparing: '正在把机器人放到地图上…',

@@ -11,17 +11,16 @@ export const zhCNFields: Phrases = {
   'drive.tracks': '障碍的轨迹',
   'drive.changes': '墙体的改动',
   'drive.sight': '视野',
-  'costs near obstacles': 'Nav2 规则',
   'by slices': '按切片',
   'no cells': '空',
 
-  'give absent: they would move with what moves; its radius counts':
-    '行驶时请关闭障碍物附近的代价：它会随移动的障碍而变；机器人的半径照常有效',
   'give absent: a robot drives from cell to cell': '机器人逐格行驶：请改为沿地表移动',
   'give a list of one goal': '行驶只能有一个目标',
   'give a planner whose paths go from cell to cell': '请选择逐格前进的规划器',
   'give a change of one cell or more': '一次改动至少一格',
   'give a cell that the change does not name twice': '一次改动中每格只能出现一次',
+  'give a cell that leaves the robot its room at start and goals':
+    '请选择给起点与目标处的机器人留有空间的格子',
   'give a cell of the map': '请选择地图内的格子',
   'give a cell that is free until then': '请选择此前空闲的格子',
   'give a cell that is blocked until then': '请选择此前为障碍的格子',
