@@ -603,7 +603,13 @@ test.describe('in Chinese', () => {
       ['small.pgm', PGM],
     ])
     await expect(page.getByTestId('map-notices')).toContainText('未知格视为障碍')
-    const words = (await dialog(page).textContent()) ?? ''
+    // Texts that stand beside each other are words of their own.
+    const words = await dialog(page).evaluate((part) => {
+      const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT)
+      const all: (string | null)[] = []
+      while (texts.nextNode()) all.push(texts.currentNode.nodeValue)
+      return all.join(' ')
+    })
     const latin = words.match(/[A-Za-z_]{2,}/g) ?? []
     expect(
       latin.filter(
