@@ -150,9 +150,9 @@ impl Iterator for Line {
         let part = ((self.cell[0], self.cell[1]), (until - self.now).max(0.0) * self.length);
         self.done = until >= 1.0;
         self.now = self.now.max(until);
-        for axis in 0..2 {
-            if leaves[axis] == until {
-                self.cell[axis] += self.by[axis].signum() as i64;
+        for ((cell, by), leaves) in self.cell.iter_mut().zip(self.by).zip(leaves) {
+            if leaves == until {
+                *cell += by.signum() as i64;
             }
         }
         Some(part)

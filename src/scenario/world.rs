@@ -82,12 +82,12 @@ impl ScenarioSpec {
 
     /// A place of the world as column and row in cells, the middles of cells being whole numbers; none where the map's place is not known.
     pub fn to_place(&self, at: [f64; 2]) -> Option<[f64; 2]> {
-        let [right, above] = self.from_corner(at)?;
+        let [right, above] = self.beyond_corner(at)?;
         Some([right - 0.5, f64::from(self.height) - above - 0.5])
     }
 
     /// How many cells right of the lower left corner and above it a place of the world lies, along the map's own axes.
-    fn from_corner(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    fn beyond_corner(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let world = self.world.as_ref()?;
         let (sin, cos) = (libm::sin(world.yaw), libm::cos(world.yaw));
         let (dx, dy) = (x - world.x, y - world.y);
@@ -97,7 +97,7 @@ impl ScenarioSpec {
     /// The cell that holds a place of the world; none beside the map, or where the map's place is not known. A place on the edge of two cells, or
     /// so near to it that decimal numbers cannot tell, belongs to the one to the right, or above.
     pub fn to_cell(&self, at: [f64; 2]) -> Option<Point> {
-        let [right, above] = self.from_corner(at)?;
+        let [right, above] = self.beyond_corner(at)?;
         let (column, above) = (number_of(right, self.width)?, number_of(above, self.height)?);
         Some(Point::new(column, self.height - 1 - above))
     }
