@@ -46,8 +46,9 @@ export async function addWords(english: object, chinese: More): Promise<void> {
   if (language.peek() === 'zh-CN') await addChinese()
 }
 
+/** Words that come meanwhile are added, too. */
 async function addChinese(): Promise<void> {
-  for (const fetch of [...chineseToCome]) {
+  for (const fetch of chineseToCome) {
     i18next.addResourceBundle('zh-CN', 'translation', await fetch(), true)
     chineseToCome.delete(fetch)
   }
