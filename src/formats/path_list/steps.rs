@@ -27,7 +27,11 @@ const MOST_CELLS: usize = 1_000_000;
 /// # Errors
 /// As [`read_path_on`], for a path with levels, for one without places or of more than a million cells, and for a place beside the map.
 pub fn read_steps_on(bytes: &[u8], spec: &ScenarioSpec) -> Result<(Vec<Point>, Vec<Notice>), FormatError> {
-    let PathOnMap { places, kind, mut notices, .. } = read_path_on(bytes, spec)?;
+    let PathOnMap { places, kind, metres, mut notices, .. } = read_path_on(bytes, spec)?;
+    if metres.is_some_and(|metres| metres.between_centres(spec).is_some()) {
+        let message = "its places were moved to the centres of their cells, as steps go: `check` measures the path as it is";
+        notices.push(Notice::new("path-moved", message));
+    }
     if let Some(index) = places.iter().position(|(_, level)| level.is_some()) {
         return Err(FormatError::syntax(0, format!("place {index} has a level"), "places without levels: column and row"));
     }
@@ -99,6 +103,16 @@ mod tests {
 
     fn cells(text: &str, moves: Moves) -> Vec<(u32, u32)> {
         read_steps_on(text.as_bytes(), &spec(moves)).unwrap().0.iter().map(|at| (at.x, at.y)).collect()
+    }
+
+    #[test]
+    fn places_between_the_centres_of_cells_are_moved_and_that_is_told() {
+        let kinds = |text: &str| {
+            let (path, notices) = read_steps_on(text.as_bytes(), &spec(Moves::Eight)).unwrap();
+            (path.len(), notices.into_iter().map(|n| n.kind).collect::<Vec<_>>())
+        };
+        assert_eq!(kinds("x_m,y_m\n0.5,3.5\n1.2,3.2\n1.5,2.5\n"), (3, vec!["path-map-unplaced".into(), "path-moved".into()]));
+        assert_eq!(kinds("x_m,y_m\n0.5,3.5\n1.5,2.5\n"), (2, vec!["path-map-unplaced".into()]));
     }
 
     #[test]

@@ -52,6 +52,7 @@ export const zhCNRemarks = {
     'path-no-curve': '没有可走的平滑曲线：路径按规划结果写出。',
     'path-frame': '路径的坐标系是 {{path}}，地图的是 {{map}}：二者的米制坐标按相同处理。',
     'path-frame-unnamed': '路径的坐标系是 {{path}}，地图没有说明坐标系：二者的米制坐标按相同处理。',
+    'path-moved': '各位置已移到所在格的中心，按逐格的步计算：check 按路径本来的样子衡量。',
     'path-joined': '有 {{count}} 处相邻位置相距超过一步，已用其间的格子连接：长度按这些步计算。',
     'path-polyline-joined': '折线的 {{count}} 段已用其间的格子连接：长度按这些步计算。',
     'geojson-crs':
