@@ -39,8 +39,7 @@ async function openFields(race: RacePage): Promise<void> {
 }
 
 async function apply(page: Page): Promise<void> {
-  await page.getByTestId('resize').click()
-  await expect(page.getByTestId('resize-dialog')).toBeHidden()
+  await new RacePage(page).applyRules()
 }
 
 async function finish(race: RacePage): Promise<void> {
@@ -113,10 +112,11 @@ test.describe('smooth curves', () => {
     const withCurve = await race.picture()
     await page.getByTestId('undo').click()
     await finish(race)
-    expect((await race.picture()).equals(withCurve)).toBe(false)
+    const showsCurve = async () => (await race.picture()).equals(withCurve)
+    await expect.poll(showsCurve).toBe(false)
     await page.getByTestId('redo').click()
     await finish(race)
-    expect((await race.picture()).equals(withCurve)).toBe(true)
+    await expect.poll(showsCurve).toBe(true)
   })
 
   test('lie over the paths of a picture', async ({ page }) => {

@@ -168,7 +168,7 @@ test.describe('editing with the mouse', () => {
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('25')
     await page.getByTestId('resize-height').fill('12')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     const { spec } = (await race.session()).scenario
     expect([spec.width, spec.height]).toEqual([25, 12])
     expect(spec.start[0]).toBeLessThan(25)

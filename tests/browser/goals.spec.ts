@@ -253,7 +253,7 @@ test.describe('several goals', () => {
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('6')
     await page.getByTestId('resize-height').fill('6')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect.poll(async () => (await race.session()).scenario.spec.width).toBe(6)
     const { start } = (await race.session()).scenario.spec
     expect(new Set([...(await places(race)), start.join()]).size).toBe(4)

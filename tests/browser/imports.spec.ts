@@ -195,7 +195,7 @@ test.describe('a robot’s map', () => {
 
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-height').fill('3')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect.poll(() => size(race)).toEqual([6, 3])
     expect((await race.session()).scenario.spec.world).toEqual({ ...WORLD, y: 2.5 })
 

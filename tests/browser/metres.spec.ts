@@ -40,8 +40,7 @@ const value = async (field: Locator) => Number(await field.getAttribute('data-va
 async function chooseUnit(race: RacePage, unit: 'metres' | 'cells') {
   await race.menu('map-menu', 'open-resize')
   await race.page.getByTestId(`lengths-${unit}`).click()
-  await race.page.getByTestId('resize').click()
-  await expect(race.page.getByTestId('resize-dialog')).toBeHidden()
+  await race.applyRules()
 }
 
 /** CSS pixels of a scale bar. */
@@ -163,7 +162,7 @@ test('a map without a scale has neither metres nor a bar, until its cells get a 
   await page.getByTestId('turn-seconds').fill('2')
   await expect(page.getByTestId('lengths-metres')).toHaveAttribute('aria-pressed', 'true')
   await expectClean(page, 'size and moves')
-  await page.getByTestId('resize').click()
+  await race.applyRules()
   await expect(page.getByTestId('optimum')).toHaveText(
     `Shortest path: ${(best * 0.001).toFixed(3)} m`,
   )

@@ -178,6 +178,12 @@ export class RacePage extends Race {
     return link
   }
 
+  /** Applies what the dialog of size, moves and robot says; it looks at quantities first, and closes when they fit. */
+  async applyRules(): Promise<void> {
+    await this.press('resize')
+    await expect(this.page.getByTestId('resize-dialog')).toBeHidden()
+  }
+
   /** Waits until an open dialog is gone: until then keys do not reach the page. */
   async leaveDialog(): Promise<void> {
     await expect(this.page.locator('dialog')).toBeVisible()

@@ -27,8 +27,7 @@ async function openFloor(page: Page): Promise<RacePage> {
   await page.getByTestId('robot-round').click()
   await page.getByTestId('robot-radius').fill(String(CELL))
   await expect(page.getByTestId('robot-fields').locator('.hint')).toHaveText(/^1 cell\. /)
-  await page.getByTestId('resize').click()
-  await expect(page.getByTestId('resize-dialog')).toBeHidden()
+  await race.applyRules()
   return race
 }
 

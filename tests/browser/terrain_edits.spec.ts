@@ -30,8 +30,7 @@ test.describe('on a terrain', () => {
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('resize-width').fill('4')
     await page.getByTestId('model-slices').click()
-    await page.getByTestId('resize').click()
-    await expect(page.getByTestId('resize-dialog')).toBeHidden()
+    await race.applyRules()
     const cut = await scenarioOf(race)
     expect([cut.spec.width, cut.heights?.length]).toEqual([4, 20])
     expect(cut.spec.terrain?.slices?.levels).toBe(20)
@@ -67,7 +66,7 @@ test.describe('on a terrain', () => {
       await page.getByTestId(field).press('Tab')
     }
     await page.getByTestId('measure-length').click()
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect(page.getByTestId('terrain-model')).toContainText('9 levels of 5 m')
     const { spec } = await scenarioOf(race)
     expect(spec.terrain).toEqual({
@@ -103,7 +102,7 @@ test.describe('on a terrain', () => {
       await page.getByTestId(field).fill(String(value))
       await page.getByTestId(field).press('Tab')
     }
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     // The start lies on 10 m: levels of 5 m begin at the second there.
     await expect(page.getByTestId('toast-warning')).toContainText(
       'start at level 2, goal at level 9',
@@ -119,7 +118,7 @@ test.describe('on a terrain', () => {
     await page.getByTestId('terrain-model').click()
     await page.getByTestId('max-slope').fill('12.5')
     await page.getByTestId('max-slope').press('Tab')
-    await page.getByTestId('resize').click()
+    await new RacePage(page).applyRules()
     await expect(page.getByTestId('terrain-model')).toHaveText(
       'On the surface, 8 moves, up to 12.5°',
     )
@@ -138,7 +137,7 @@ test.describe('on a terrain', () => {
     await page.keyboard.press('Escape')
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-slices').click()
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     const trouble = page.getByTestId('panel-1').getByRole('alert')
     await expect(trouble).toContainText('does not plan by slices')
     await trouble.getByRole('button').click()
@@ -146,7 +145,7 @@ test.describe('on a terrain', () => {
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-surface').click()
     await page.getByTestId('movement').selectOption('16-both-free')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect(page.getByTestId('terrain-model')).toContainText('16 moves')
     await expect(option('ant-system')).toBeDisabled()
     await expect(option('astar')).toBeEnabled()
@@ -158,7 +157,7 @@ test.describe('on a terrain', () => {
     await page.getByTestId('planner-1').selectOption('astar')
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('movement').selectOption('16-both-free')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await race.ready()
     await page.locator('body').press('End')
     await expect(page.getByTestId('status-2')).toHaveAttribute('data-status', 'optimal')
@@ -178,7 +177,7 @@ test.describe('on a terrain', () => {
     const race = new RacePage(page)
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('lengths-cells').click()
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect(page.getByTestId('metric-length-2')).toHaveText(length.toFixed(2))
     expect(await value('lengthMetres')).toBeCloseTo(10 * length, 6)
     const { heights, spec } = await scenarioOf(race)

@@ -71,7 +71,7 @@ test.describe('terrains in links and files', () => {
     const race = await openAsc(page)
     await race.menu('map-menu', 'open-resize')
     await page.getByTestId('model-slices').click()
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     const before = await scenarioOf(race)
     const { bytes } = await race.exported('experiment')
     const document = JSON.parse(bytes.toString('utf8'))
@@ -171,7 +171,7 @@ test.describe('terrains made here', () => {
     await page.locator('body').press('r')
     await page.getByTestId('terrain-model').click()
     await page.getByTestId('measure-length').click()
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect(page.getByTestId('optimum')).toContainText(/path by slices/i)
   })
 
@@ -209,7 +209,7 @@ test('the same in Chinese, without a word of English', async ({ page }) => {
   await race.menu('map-menu', 'open-resize')
   await page.getByTestId('model-slices').click()
   expect(await words()).not.toMatch(/[A-Za-z]{3,}/)
-  await page.getByTestId('resize').click()
+  await race.applyRules()
   await expect(page.getByTestId('panel-1').getByRole('alert')).toContainText(
     '该规划器不能按切片规划',
   )
@@ -260,7 +260,7 @@ for (const scheme of ['light', 'dark'] as const) {
     await expectClean(page, 'surface')
     await page.getByTestId('model-slices').click()
     await expectClean(page, 'slices')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     await expect(page.getByTestId('panel-1').getByRole('alert')).toBeVisible()
     await expectClean(page, 'refused')
     await race.menu('map-menu', 'open-generate')

@@ -214,8 +214,7 @@ test.describe('a robot', () => {
     await page.getByTestId('inflation-nav2-smac-2d').click()
     await page.getByTestId('inflation-radius').fill('5')
     await page.getByTestId('inflation-cost_scaling').fill('1')
-    await page.getByTestId('resize').click()
-    await expect(page.getByTestId('resize-dialog')).toBeHidden()
+    await race.applyRules()
     const inflation = { radius: 5, cost_scaling: 1, multiplier: 2, rule: 'nav2-smac-2d' }
     expect((await race.session()).scenario.spec.robot).toEqual({ radius: 1.5, inflation })
     await race.ready()
@@ -245,8 +244,7 @@ test.describe('a robot', () => {
     await expect(page.getByTestId('robot-no-room')).toBeHidden()
     await page.getByTestId('robot-radius').fill('2')
     await page.getByTestId('robot-move').click()
-    await page.getByTestId('resize').click()
-    await expect(page.getByTestId('resize-dialog')).toBeHidden()
+    await race.applyRules()
     const moved = (await race.session()).scenario.spec
     expect(moved.start).not.toEqual(start)
     expect(moved.robot?.radius).toBe(2)
@@ -302,7 +300,7 @@ test.describe('a robot', () => {
     await openShape(race)
     await page.getByTestId('robot-round').click()
     await page.getByTestId('robot-radius').fill('2')
-    await page.getByTestId('resize').click()
+    await race.applyRules()
     const { start } = (await race.session()).scenario.spec
     await race.drag([[start[0] + 1, start[1]]])
     const strip = page.locator('.race-strip')
@@ -321,8 +319,7 @@ test.describe('a robot', () => {
     const race = await openField(page)
     await openShape(race)
     await page.getByTestId('robot-round').click()
-    await page.getByTestId('resize').click()
-    await expect(page.getByTestId('resize-dialog')).toBeHidden()
+    await race.applyRules()
     const { robot } = (await race.session()).scenario.spec
     expect(robot).toBeDefined()
     const other = await freshRace(browser, await race.shareLink())

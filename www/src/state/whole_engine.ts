@@ -8,6 +8,8 @@ import { catalog, type Phase, panels, phase, wholeEngine } from './store'
 
 /** A browser that cannot tell when it is idle gets this long instead. */
 const SOON_MS = 1500
+/** One that is never idle does not keep it away for longer. */
+const AT_LAST_MS = 5000
 
 /** Fields that would lose what is being typed into them if they were drawn anew. */
 const FIELDS = 'input, select, textarea'
@@ -82,7 +84,7 @@ export function fetchWholeEngineWhenIdle(): void {
   effect(() => {
     if (asked || !panels.value.some(({ live }) => settled(live.value.summary, phase.value))) return
     asked = true
-    if ('requestIdleCallback' in window) requestIdleCallback(fetchIdly)
+    if ('requestIdleCallback' in window) requestIdleCallback(fetchIdly, { timeout: AT_LAST_MS })
     else setTimeout(fetchIdly, SOON_MS)
   })
 }
