@@ -53,6 +53,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &aco::by_slices::textbook::ENTRY),
     (MORE, &aco::by_slices::ant_colony_system::ENTRY),
     (MORE, &aco::by_slices::max_min_ant_system::ENTRY),
+    (MORE, &aco::by_slices::formica::ENTRY),
     (MORE, &aco::threshold::ACOST),
     (MORE, &aco::threshold::ACOMSP),
     (MORE, &aco::iaaco::ENTRY),

@@ -216,7 +216,7 @@ impl<V: Variant + 'static> Iterations for Colony<V> {
 
 /// Takes in what a search has added to the iteration that has just been counted; the length of a path that it has found.
 #[inline(never)]
-fn take_solved(progress: &mut Progress, solved: Solved) -> Option<f64> {
+pub(super) fn take_solved(progress: &mut Progress, solved: Solved) -> Option<f64> {
     progress.effort.cell_expansions += solved.expansions;
     let (path, length) = solved.found?;
     progress.best = Some(Solution { path, length, iteration: progress.effort.iterations, refined: None });

@@ -47,6 +47,7 @@
 //! | `terrain-epf` | by a potential field | goal, times a power of the field's force | as `terrain-aco` | as `terrain-aco`; ants of two teams that meet join | as `terrain-aco`, and more and more by the elite | – |
 //! | `terrain-textbook` | τ0, on places | low and short steps | as Ant System | evaporate the place | blend K/C_bs in by ρ on the best so far | – |
 //! | `acs-slices`, `mmas-slices` | as the classics, by the cost of the straight way | 1 / cost of the step | as the classics | as the classics | as the classics, by cost | as the classics |
+//! | `formica-slices` | 0.5 | exp(−κ·detour), by the straight line | as Ant System | – | evaporate, ρ on the cheapest path so far, limits | restart; a proof at the end |
 //! | `custom` | of any of these | of any | of any | of any | of any | of any, and whether the best path is refined |
 
 pub mod ant;

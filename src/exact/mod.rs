@@ -31,6 +31,7 @@ pub use optima::Optima;
 pub use order::distances_from;
 pub use point_robot::point_robot;
 pub use search::{Estimate, Within};
+pub use slices::{SliceEstimate, SlicesWithin};
 
 use std::sync::Arc;
 

@@ -3,6 +3,8 @@
 //! Every path by slices takes one step for each column, so the cheapest way to each place of a column follows from the column before. The
 //! result is exact for either measure of the scenario; ties fall to the first step in the order of [`Slices::offset`].
 
+mod within;
+
 use std::sync::Arc;
 
 use super::SEARCH;
@@ -11,6 +13,8 @@ use crate::map::{Cell, Slices, Way};
 use crate::params::{Values, check_keys};
 use crate::planner::{Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
+
+pub use within::{SliceEstimate, SlicesWithin};
 
 /// Predecessor of a place that nothing leads to.
 const NONE: Cell = Cell::MAX;

@@ -125,6 +125,11 @@ impl Slices {
         self.width * self.height
     }
 
+    /// Rows of the map.
+    pub fn rows(&self) -> u32 {
+        self.height
+    }
+
     /// Places are numbered below this.
     pub fn places(&self) -> usize {
         self.area() as usize * (self.rules.levels as usize + 1)

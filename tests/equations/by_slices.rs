@@ -5,6 +5,7 @@ use std::sync::Arc;
 use formicarium::aco::by_slices::cost::{SliceHeuristic, mean_options, straight_cost};
 use formicarium::aco::by_slices::textbook::visibility;
 use formicarium::catalog;
+use formicarium::exact::SliceEstimate;
 use formicarium::map::{Grid, Measure, Point, SliceRules, Slices};
 use formicarium::params::{Value, Values};
 use formicarium::path::audit_slices;
@@ -51,6 +52,35 @@ fn trails(id: &str, set: &[(&str, &str)], iterations: u32) -> Vec<f64> {
     let mut out = Vec::new();
     assert!(planner.layer(Layer::Trail, &mut out));
     out.into_iter().map(f64::from).collect()
+}
+
+#[test]
+fn formica_by_hand() {
+    // Level 1 all the way: 3 steps of 1 and 3 levels are left; a step that is straight on is no detour.
+    let scenario = corridor();
+    let (slices, estimate) = (slices(&scenario), SliceEstimate::new(slices(&scenario)));
+    let places = [0, 1, 2, 3].map(|x| slices.place(x, 0, 1));
+    assert_eq!(places.map(|place| estimate.of(slices, place)), [6.0, 4.0, 2.0, 0.0]);
+    let odds = planner("formica-slices", &scenario, &[], 1).moves_from(places[0]);
+    assert_eq!((odds.len(), odds[0].heuristic, odds[0].trail), (1, 1.0, 0.5));
+    // 0.5·0.9 + 0.1, and the same again; the third iteration without a cheaper path has begun anew at the second.
+    let set = [("proof_limit", "0"), ("merge", "false")];
+    let trail = |iterations| trails("formica-slices", &set, iterations)[0];
+    assert!(close(trail(1), 0.55) && close(trail(2), 0.595) && close(trail(3), 0.5));
+}
+
+#[test]
+fn a_detour_by_slices_by_hand() {
+    // Two steps to go, levels 1 to 3, one row: up at first and down again costs √2 + 2, then √2 + 1; the straight line has 2 + 2 to go.
+    let scenario = flat((3, 1), rules(3, 1, 1, 1), (0, 0), (2, 0));
+    let (slices, estimate) = (slices(&scenario), SliceEstimate::new(slices(&scenario)));
+    let (start, up) = (slices.place(0, 0, 1), slices.place(1, 0, 2));
+    let detour = 2f64.sqrt() + 2.0 + (2f64.sqrt() + 1.0) - 4.0;
+    let odds = planner("formica-slices", &scenario, &[("kappa", "0.7")], 1).moves_from(start);
+    let of_up = odds.iter().find(|odds| odds.to == up).expect("a step up");
+    assert!(close(of_up.heuristic, (-0.7 * detour).exp()), "{}", of_up.heuristic);
+    // From level 3 on the middle slice the goal is out of reach.
+    assert_eq!(estimate.of(slices, slices.place(1, 0, 3)), f64::INFINITY);
 }
 
 #[test]

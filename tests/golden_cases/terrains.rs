@@ -183,6 +183,14 @@ pub const TERRAINS: &[TerrainGolden] = &[
         seed: 41,
         digest: "e7c89f562439812e",
     },
+    TerrainGolden { way: Way::Slices(Measure::Cost), planner: "formica-slices", values: &[], seed: 42, digest: "0" },
+    TerrainGolden {
+        way: Way::Slices(Measure::Length),
+        planner: "formica-slices",
+        values: &[("ants", "7"), ("beta", "2.3"), ("kappa", "1.1"), ("proof_limit", "0"), ("iterations", "12")],
+        seed: 43,
+        digest: "1",
+    },
 ];
 
 /// 40 × 30 cells of 30 m: ridges and valleys up to 630 m, rough by up to 40 m, with a hole without data.

@@ -8,10 +8,14 @@ use std::sync::Arc;
 
 use super::tables::Tables;
 use super::trails::RowTrails;
+use crate::aco::colony::take_solved;
 use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::aco::terrain::walk::Walker;
+use crate::aco::variant::Solved;
 use crate::error::ParamError;
 use crate::map::{Cell, Slices};
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
 use crate::planner::{
     Fate, Granularity, Iterations, Layer, MoveOdds, Objective, Planner, Progress, Solution, Status, Tally, Turn, Walked, advance,
 };
@@ -42,6 +46,8 @@ pub struct Built<'a> {
     pub best: Option<&'a Solution>,
     /// The cheapest path of the iteration, with its cost; the first of equals.
     pub iteration_best: Option<(&'a [Cell], f64)>,
+    /// All ants of the iteration.
+    pub ants: &'a [Walker],
 }
 
 /// What a publication decides.
@@ -63,6 +69,32 @@ pub trait Rules: Clone + Send {
 
     /// After a step: where it began, its number, and where it led.
     fn on_move(&self, _trails: &mut RowTrails, _slices: &Slices, _step: (Cell, usize, Cell)) {}
+
+    /// At the end of an iteration, before trails are updated: what a search adds to it. Paths are places, lengths costs.
+    fn solve(&mut self, _built: Built) -> Option<Solved> {
+        None
+    }
+
+    /// Writes a layer of its own, by cell; false when there is no such layer.
+    fn show(&self, _slices: &Slices, _kind: Layer, _out: &mut [f32]) -> bool {
+        false
+    }
+
+    /// What is proven of the best path.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        None
+    }
+
+    /// What it needs for each place at most beside the colony's tables, in bytes.
+    fn bytes_of_place(&self) -> u64 {
+        0
+    }
+
+    /// What it holds, in bytes, its own size not counted.
+    fn bytes(&self) -> usize {
+        0
+    }
 
     /// At the end of an iteration.
     fn update(&mut self, trails: &mut RowTrails, built: Built);
@@ -95,7 +127,7 @@ impl<R: Rules> SliceColony<R> {
         let slices = Arc::clone(scenario.slices.as_ref().expect("a scenario by slices"));
         let (numbers, places) = (rules.numbers(), slices.places() as u64);
         // Sight, and trails as wide at most, with their rows; a tabu list for each ant.
-        let tables = places * (8 + 8 * slices.directions() as u64);
+        let tables = places * (8 + 8 * slices.directions() as u64 + rules.bytes_of_place());
         ParamError::check_memory("ants", numbers.ants, tables + u64::from(numbers.ants) * (places / 8 + 4096))?;
         rules.prepare(&slices);
         let (width, height) = (scenario.grid.width(), scenario.grid.height());
@@ -182,10 +214,15 @@ impl<R: Rules> Iterations for SliceColony<R> {
             progress.best = Some(Solution { path: path.to_vec(), length, iteration: number, refined: None });
         }
         let tally: Tally = arrived().map(|(_, cost)| cost).collect();
-        progress.record(tally.record(number, progress.best.as_ref()));
-        let built = Built { number, slices: &self.slices, best: progress.best.as_ref(), iteration_best };
-        self.rules.update(trails, built);
-        self.progress.status = self.progress.after_iteration(self.numbers.selection.iterations, self.numbers.walk.stagnation);
+        let built = Built { number, slices: &self.slices, best: None, iteration_best, ants };
+        let solved = self.rules.solve(Built { best: progress.best.as_ref(), ..built });
+        let ended = solved.as_ref().and_then(|solved| solved.status);
+        let found = solved.and_then(|solved| take_solved(progress, solved));
+        let record = tally.record(number, progress.best.as_ref());
+        progress.record(found.map_or(record, |cost| record.with_found(cost)));
+        self.rules.update(trails, Built { best: progress.best.as_ref(), ..built });
+        let status = progress.after_iteration(self.numbers.selection.iterations, self.numbers.walk.stagnation);
+        progress.status = ended.unwrap_or(status);
     }
 }
 
@@ -207,7 +244,7 @@ impl<R: Rules + 'static> Planner for SliceColony<R> {
     }
 
     fn bytes(&self) -> usize {
-        size_of::<Self>() + self.progress.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
+        size_of::<Self>() + self.progress.bytes() + self.rules.bytes() + self.tables.as_ref().map_or(0, Tables::bytes)
     }
 
     fn moves_from(&self, place: Cell) -> Vec<MoveOdds> {
@@ -224,6 +261,11 @@ impl<R: Rules + 'static> Planner for SliceColony<R> {
 
     fn objective(&self) -> Objective {
         Objective::SliceCost
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        self.rules.certificate()
     }
 
     fn layer(&self, kind: Layer, out: &mut Vec<f32>) -> bool {

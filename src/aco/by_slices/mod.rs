@@ -11,10 +11,12 @@
 //! | τ by place and step, kept where it differs from the rest | `trails.rs` |
 //! | probabilities and layers, as they are shown | `view.rs` |
 //! | η by the cost of a step, and the cost of the straight way | `cost.rs` |
+//! | Formica by slices | `formica.rs` |
 
 pub mod ant_colony_system;
 pub mod colony;
 pub mod cost;
+pub mod formica;
 pub mod max_min_ant_system;
 mod tables;
 pub mod textbook;

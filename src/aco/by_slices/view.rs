@@ -77,7 +77,7 @@ impl<R: Rules> SliceColony<R> {
                 visited.for_each(|&place| out[self.slices.cell(place) as usize] += 1.0);
             }
             (Layer::Trail | Layer::Visits, None) => {}
-            _ => return false,
+            _ => return self.rules.show(&self.slices, kind, out),
         }
         true
     }

@@ -47,8 +47,8 @@ pub use params::FormicaParams;
 use scent::Scent;
 
 /// Trails before the first iteration and after a restart, and their limits.
-const TRAIL: f64 = 0.5;
-const LIMITS: (f64, f64) = (0.001, 0.999);
+pub(super) const TRAIL: f64 = 0.5;
+pub(super) const LIMITS: (f64, f64) = (0.001, 0.999);
 
 /// The colony's rules, and what they have learnt of one scenario.
 #[derive(Clone)]

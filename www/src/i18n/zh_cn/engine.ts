@@ -59,6 +59,10 @@ export const zhCNEngine = {
       summary:
         '按切片移动的最大最小蚂蚁系统：每次迭代只有最优路径留下信息素，信息素保持在上下限之间。',
     },
+    'formica-slices': {
+      name: '切片求证蚁群',
+      summary: '蚂蚁逐个切片前行，精确搜索把它们的路径拼合起来，并证明代价最小的路径。',
+    },
     'elitist-ant-system': {
       name: '精英蚂蚁系统（EAS）',
       summary: '在蚂蚁系统上，每次迭代都给至今最优路径额外的信息素，如同精英蚂蚁又走了一遍。',
