@@ -32,7 +32,7 @@ impl Tables {
         let cells = scenario.grid.len();
         let ant = |k| Walker::new(cells, scenario.start, streams.ant(1, k));
         Self {
-            window: Window::new(p.step, cells),
+            window: Window::new(p.reach, cells),
             index: Index::new(cells, scenario.goal, super::initial_index(p, scenario)),
             weights: vec![0.0; cells],
             ants: (0..p.ants).map(ant).collect(),
@@ -116,7 +116,7 @@ impl TdiMsaco {
     /// The cells in sight of one, as an ant weighs them that may not go where `is_shut`.
     fn odds(&self, from: Cell, is_shut: impl Fn(Cell) -> bool) -> Vec<MoveOdds> {
         let (scenario, p) = (&*self.scenario, &self.params);
-        let window = Window::new(p.step, 0);
+        let window = Window::new(p.reach, 0);
         let before = super::initial_index(p, scenario);
         let odds = |to| {
             let index = self.tables.as_ref().map_or(if to == scenario.goal { 0.0 } else { before }, |t| t.index.get(to));

@@ -8,7 +8,7 @@
 //!
 //! | step | what | function |
 //! |---|---|---|
-//! | where an ant may go | A, B: to any cell in sight up to `step` columns and rows away | [`window::Window`] |
+//! | where an ant may go | A, B: to any cell in sight up to `reach` columns and rows away | [`window::Window`] |
 //! | selection | A, B: in proportion to (1/d_jT)^α + (1/TDI_j)^β, d_jT the straight distance from cell j to the goal | [`weight`] |
 //! | index | A, B: 0 at the goal, 10 times the map's diagonal elsewhere; along each arrived ant's way, from its end, TDI_i = min(TDI_i, d_ij + TDI_j) | [`initial_index`], [`index::Index::learn`] |
 //! | result | A, B: from the start on to the cell that each cell has its index from | [`index::Index::way_from`] |
@@ -48,7 +48,7 @@ params! {
         /// iterations after which the colony stops
         iterations: u32 = 100, "K", [1..=100_000], "iterations", "papers' common value";
         /// columns and rows that an ant goes at most in one move
-        step: u32 = 3, "s", [1..=3], "cells", "reproductions A and B of TDI-MSACO; abstract: 2 or 3";
+        reach: u32 = 3, "s", [1..=3], "cells", "reproductions A and B of TDI-MSACO; abstract: 2 or 3";
         /// weight of the goal's distance in the choice of a cell
         distance_power: f64 = 1.5, "α", [0.0..=50.0], "", "reproduction A of TDI-MSACO; B: 1";
         /// weight of the terminal distance index in the choice of a cell
@@ -94,7 +94,7 @@ const COMPONENTS: &[Component] = &[
         id: "several-steps",
         name: "several cells at a time",
         adds: "an ant goes to any cell in sight up to three columns and rows away; without: to one of the eight around it",
-        without: &[("step", "1")],
+        without: &[("reach", "1")],
     },
     Component {
         id: "terminal-distance-index",
