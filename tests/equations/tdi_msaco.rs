@@ -169,10 +169,10 @@ fn the_index_leads_it_to_the_shortest_polyline_around_a_bend() {
         planner.run();
         let best = planner.best().expect("a path");
         assert!((best.length - least).abs() < 1e-9, "seed {seed}: {} instead of {least}", best.length);
-        let mut cost = Vec::new();
-        assert!(planner.layer(Layer::Cost, &mut cost));
-        assert_eq!(cost[s.goal as usize], 0.0);
-        assert!(f64::from(cost[s.start as usize]) >= least - 1e-5 && cost[7].is_infinite(), "a wall has no index: {cost:?}");
+        let mut index = Vec::new();
+        assert!(planner.layer(Layer::Scent, &mut index));
+        assert_eq!(index[s.goal as usize], 0.0);
+        assert!(f64::from(index[s.start as usize]) >= least - 1e-5 && index[7].is_infinite(), "a wall has none: {index:?}");
     }
 }
 

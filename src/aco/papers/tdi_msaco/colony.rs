@@ -254,7 +254,7 @@ impl Planner for TdiMsaco {
         let cells = self.scenario.grid.len();
         out.clear();
         match kind {
-            Layer::Cost => {
+            Layer::Scent => {
                 let known = |cell| self.tables.as_ref().map_or(f64::INFINITY, |tables| tables.index.known(cell));
                 out.extend((0..cells as Cell).map(|cell| known(cell) as f32));
             }

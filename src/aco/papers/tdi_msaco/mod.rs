@@ -120,7 +120,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
         reading: Some(PaperReading::SecondReading),
     }],
     components: COMPONENTS,
-    layers: &[Layer::Cost, Layer::Visits],
+    layers: &[Layer::Scent, Layer::Visits],
     max_goals: 1,
     grounds: Ground::PLANE,
     specs: TdiMsacoParams::specs,
