@@ -176,6 +176,35 @@ fn the_index_leads_it_to_the_shortest_polyline_around_a_bend() {
     }
 }
 
+/// Length in cells of the shortest polyline whose segments an ant could go, each in one move: Dijkstra over them.
+fn shortest_within(s: &Scenario, reach: u32) -> f64 {
+    let window = Window::new(reach, 0);
+    let mut to = vec![f64::INFINITY; s.grid.len()];
+    to[s.start as usize] = 0.0;
+    let mut open: Vec<Cell> = (0..s.grid.len() as Cell).filter(|&c| !s.grid.is_blocked(c)).collect();
+    while let Some(k) = (0..open.len()).min_by(|&a, &b| to[open[a] as usize].total_cmp(&to[open[b] as usize])) {
+        let at = open.swap_remove(k);
+        for next in window.cells(s.grid.width(), at, window.look(s, at)) {
+            let by = to[at as usize] + s.grid.point(at).distance(s.grid.point(next));
+            to[next as usize] = to[next as usize].min(by);
+        }
+    }
+    to[s.goal as usize]
+}
+
+#[test]
+fn its_index_comes_to_the_shortest_way_by_segments_within_its_reach() {
+    let s = scattered(CornerRule::BothFree, Moves::Eight);
+    for (reach, seed) in [(2, 1), (2, 2), (3, 1), (3, 2)] {
+        let least = shortest_within(&s, reach);
+        let mut planner = built(&s, &[("reach", Value::from(f64::from(reach))), ("iterations", Value::from(300.0))], seed);
+        planner.run();
+        let best = planner.best().expect("a path").length;
+        assert!((best - least).abs() < 1e-9, "reach {reach}, seed {seed}: {best} instead of {least}");
+    }
+    assert!(shortest_within(&s, 3) < shortest_within(&s, 2) && shortest_within(&s, 2) < shortest_within(&s, 1));
+}
+
 #[test]
 fn an_ant_returns_only_where_it_is_let() {
     let s = scattered(CornerRule::BothFree, Moves::Eight);

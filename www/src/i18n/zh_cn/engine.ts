@@ -31,8 +31,7 @@ export const zhCNEngine = {
     },
     'tdi-msaco': {
       name: '多步长蚁群（TDI-MSACO）',
-      summary:
-        '蚂蚁一次可向任意方向走最多三格；每格以蚂蚁走出的到终点的最短长度代替信息素。',
+      summary: '蚂蚁一次可向任意方向走最多三格；每格以蚂蚁走出的到终点的最短长度代替信息素。',
     },
     ship: {
       name: '机舱救援蚁群',

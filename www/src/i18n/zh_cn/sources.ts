@@ -297,8 +297,7 @@ export const zhCNSources: Record<string, string> = {
   'reproduction A of TDI-MSACO; B: 20': 'TDI-MSACO 的复现 A；B：20',
   'reproduction A of TDI-MSACO; B: 1': 'TDI-MSACO 的复现 A；B：1',
   'reproduction A of TDI-MSACO; B: 7': 'TDI-MSACO 的复现 A；B：7',
-  'reproductions A and B of TDI-MSACO; abstract: 2 or 3':
-    'TDI-MSACO 的复现 A 与 B；摘要：2 或 3',
+  'reproductions A and B of TDI-MSACO; abstract: 2 or 3': 'TDI-MSACO 的复现 A 与 B；摘要：2 或 3',
   'as Ant System; reproductions A and B of TDI-MSACO: false':
     '与蚂蚁系统相同；TDI-MSACO 的复现 A 与 B：false',
   'our choice; reproductions A and B of TDI-MSACO divide by 0':
