@@ -59,6 +59,7 @@ const LIST: &[(bool, &PlannerEntry)] = &[
     (MORE, &aco::iaaco::ENTRY),
     (MORE, &aco::maaco::ENTRY),
     (MORE, &aco::ihmaco::ENTRY),
+    (MORE, &aco::tdi_msaco::ENTRY),
     (MORE, &swarm::fireworks::FWA),
     (MORE, &swarm::fireworks::IFWA),
     (MORE, &swarm::pso::ENTRY),

@@ -21,6 +21,7 @@
 //! | what makes one finished path better than another | `criterion.rs` |
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
+//! | ants that go several cells at a time, a planner of its own | `papers/tdi_msaco/` |
 //! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/search/within.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
 //! | colonies by slices: the classics, and the textbook's own | `by_slices/` |
@@ -40,6 +41,7 @@
 //! | `iaaco` | τ0 | step and goal, times an angle to the goal | pseudo-random proportional; q0(t) falls | – | every arrived path blends Q/L in by ρ = κ·L_SG/L_ib, then best and worst | – |
 //! | `ihmaco` | by step: d_ST / (d_Si + d_iT), of both cells | goal, times the step's direction and whether it is straight on | pseudo-random proportional; q0(t) dips | – | evaporate by ρ(t), every arrived ant deposits Q/(w1·L + w2·turns) | – |
 //! | `maaco` | by cell: d_ST / (d_Si + d_iT) | start and goal, and turns | the three steps nearest to the goal's direction, pseudo-random proportional; q0(t) falls, then grows | – | as Ant System, limits | – |
+//! | `tdi-msaco` | 10 diagonals, on cells | goal | in proportion to a sum: any cell in sight up to three away | – | the shortest way to the goal shown by ants | – |
 //! | `ship` | as Ant System | goal, direction, obstacle density; ω(t) grows | as Ant System | – | evaporate, best paths deposit, the worst is weakened | refine the best path |
 //! | `fire` | τ0 | goal | pseudo-random proportional; the order of several goals alike, η = 1/R | – | as Ant System, or Q/V | – |
 //! | `fwa-aco`, `pso-aco` | τ0, and Δτ along the path of fireworks or particles that ran before | goal | as Ant System | – | as Ant System | – |

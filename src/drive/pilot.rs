@@ -56,8 +56,8 @@ impl Pilot {
         }
         let asked = asked(scenario, &scenario.drawn, scenario.spec.start)?;
         let trial = catalog::build(&asked, planner, preset, &values, seed)?;
-        // A colony's refined path is a polyline too, but it was walked cell by cell.
-        if trial.objective() == Objective::PolylineLength && entry.family != Family::AntColony {
+        // A colony's refined path is a polyline too, but most were walked cell by cell.
+        if trial.objective() == Objective::PolylineLength && (entry.family != Family::AntColony || trial.leaps()) {
             let (field, value) = ("planner".into(), planner.to_owned());
             return Err(ScenarioError::Drive { field, value, allowed: "a planner whose paths go from cell to cell" }.into());
         }

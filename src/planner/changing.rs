@@ -243,6 +243,10 @@ impl Planner for Changing {
         self.planner.objective()
     }
 
+    fn leaps(&self) -> bool {
+        self.planner.leaps()
+    }
+
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         self.planner.value(metrics)
     }

@@ -29,7 +29,7 @@ listed! {
         Priority,
         /// A search's cost from the start, in cells, of D* Lite to the goal; infinite where none is known.
         Cost,
-        /// Distance to the goal in cells as a colony's ants smell it; infinite where no way leads there.
+        /// Distance to the goal in cells as a colony's ants smell it, or the least that they have shown; infinite where no way is known.
         Scent,
         /// 1 on the cells among which a search looks for the best path that ants' ways can be put together to.
         Merged,

@@ -266,6 +266,11 @@ pub trait Planner: Snapshot + Send {
         Objective::Length
     }
 
+    /// Whether its ants go by segments longer than a step, so that their ways are polylines.
+    fn leaps(&self) -> bool {
+        false
+    }
+
     /// The lower bound that it has proven for what its result is measured by, once it has ended with one; none of a planner that proves
     /// nothing, and where there is no path.
     #[cfg(feature = "whole")]

@@ -82,7 +82,8 @@ fn ids_are_plain_and_name_one_thing_each() {
 
 #[test]
 fn every_papers_own_planner_has_components() {
-    let own = ["fire", "ship", "terrain-epf", "acost", "acomsp", "ifwa", "fwa-aco", "pso-aco", "iaaco", "maaco", "ihmaco"];
+    let own =
+        ["fire", "ship", "terrain-epf", "acost", "acomsp", "ifwa", "fwa-aco", "pso-aco", "iaaco", "maaco", "ihmaco", "tdi-msaco"];
     let classics = ["elitist-ant-system", "rank-based-ant-system", "max-min-ant-system", "ant-colony-system"];
     for id in own.iter().chain(&classics) {
         assert!(!catalog::find(id).expect("in the catalog").components.is_empty(), "{id}");

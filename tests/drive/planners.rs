@@ -23,7 +23,7 @@ fn what_cannot_drive_is_refused_by_name() {
         let made = Driver::new(scenario, planner, None, &values, 1, DriveParams::default());
         made.err().map(|error| error.report()).map_or_else(|| "none".into(), |report| format!("{} {}", report.kind, report.field))
     };
-    for planner in ["any-angle", "theta-star", "f-rrt-star"] {
+    for planner in ["any-angle", "theta-star", "f-rrt-star", "tdi-msaco"] {
         assert_eq!(refused(&scenario, planner, &[]), "drive planner");
     }
     for planner in ["astar", "turn-aware", "ship", "acost", "pso", "custom", "fwa-aco"] {

@@ -15,6 +15,7 @@ mod ihmaco;
 mod maaco;
 mod pso;
 mod ship;
+mod tdi_msaco;
 mod terrain;
 mod threshold;
 

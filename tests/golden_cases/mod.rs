@@ -423,6 +423,29 @@ pub const GOLDENS: &[Golden] = &[
         seed: 37,
         digest: "1e6f4e8415b55dbd",
     },
+    Golden {
+        map: (Generator::Random, 40, 30, 38, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "tdi-msaco",
+        values: &[],
+        seed: 38,
+        digest: "6891d6d6673113c6",
+    },
+    Golden {
+        map: (Generator::Cave, 40, 30, 39, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "tdi-msaco",
+        values: &[
+            ("reach", "2"),
+            ("distance_power", "2.3"),
+            ("index_power", "1.7"),
+            ("tabu", "false"),
+            ("dead_end", "backtrack"),
+            ("move_limit", "0"),
+        ],
+        seed: 39,
+        digest: "3a53be32ef4b83dd",
+    },
 ];
 
 /// Frozen runs by this many goals.

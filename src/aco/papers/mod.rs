@@ -6,5 +6,6 @@ pub mod iaaco;
 pub mod ihmaco;
 pub mod maaco;
 pub mod ship;
+pub mod tdi_msaco;
 pub mod terrain;
 pub mod threshold;

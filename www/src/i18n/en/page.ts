@@ -107,7 +107,7 @@ export const en = {
       'initial-trail': 'The strongest pheromone that leaves a cell before the first iteration',
       'seed-path': 'The path of the first stage, which laid the first pheromone',
       priority: 'The numbers by which a firework or a particle chooses its path',
-      scent: 'How far the goal is around walls, as ants smell it',
+      scent: 'How far the goal is around walls, as ants smell it or have shown',
       merged: 'Cells among which a search puts ants’ ways together',
     } satisfies Record<Layer, string>,
     ants: 'Show ants',

@@ -192,6 +192,14 @@ export const zhCNComponents = {
     name: '证明',
     adds: '在整张地图上搜索，证明最优路径或找到更短的路径；去掉后：最优路径就是已找到的路径',
   },
+  'several-steps': {
+    name: '多步长',
+    adds: '蚂蚁一次可走到视线内三列三行以内的任意一格；去掉后：只走到周围八格之一',
+  },
+  'terminal-distance-index': {
+    name: '终端距离指数',
+    adds: '蚂蚁由此到终点走得越短的格权重越大；去掉后：除终点距离外处处相同',
+  },
   'worst-path-evaporates': {
     name: '最差路径再挥发',
     adds: '本次迭代的最差路径在最优路径不经过之处再挥发一次；去掉后：与各处相同',

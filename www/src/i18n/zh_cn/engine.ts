@@ -29,6 +29,10 @@ export const zhCNEngine = {
       name: '改进启发机制蚁群（IHMACO）',
       summary: '直行与顺着起点到终点方向的步权重更大，转弯少的路径留下更多信息素。',
     },
+    'tdi-msaco': {
+      name: '多步长蚁群（TDI-MSACO）',
+      summary: '蚂蚁一次可向任意方向走最多三格；每格以蚂蚁走出的到终点的最短长度代替信息素。',
+    },
     ship: {
       name: '机舱救援蚁群',
       summary:
@@ -213,6 +217,11 @@ export const zhCNEngine = {
     dipping_q0: '直接取最好一步的概率是否先降后升；否则为全程的平均',
     length_share: '长度在留信息素的除数中的权重',
     turn_share: '每次转弯在留信息素的除数中的权重',
+    reach: '蚂蚁一次最多走几列、几行',
+    distance_power: '选择下一格时终点距离的权重',
+    index_power: '选择下一格时终端距离指数的权重',
+    initial_index: '尚无蚂蚁由此到达终点的格的终端距离指数',
+    tabu: '蚂蚁是否不再走到过的格；若否，至多走与地图格数相同的次数后放弃',
     force: '蚂蚁是否感受势场的力',
     force_base: '势场力作为指数的幂的底数',
     elite: '每队中再留一次信息素的蚂蚁比例，路径最短者优先；至少一只，0 表示没有',
@@ -367,6 +376,7 @@ export const zhCNEngine = {
     samples: '个采样',
     '× γ*': '× γ*',
     '× (width + height)': '× (宽 + 高)',
+    '× diagonal': '× 对角线',
     '× m': '× m',
     '× x_max': '× x_max',
     '× iterations': '× 迭代次数',

@@ -124,7 +124,7 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
       'initial-trail': '第一次迭代之前离开该格的最强信息素',
       'seed-path': '第一阶段的路径，初始信息素由它留下',
       priority: '烟花或粒子据以选路的数值',
-      scent: '蚂蚁嗅到的绕过障碍到终点的距离',
+      scent: '蚂蚁嗅到或走出的绕过障碍到终点的距离',
       merged: '搜索在其中把蚂蚁的路径拼合起来的格',
     },
     ants: '显示蚂蚁',

@@ -114,6 +114,11 @@ export const zhCNParamNames = {
   dipping_q0: '贪婪概率先降后升',
   length_share: '除数中的长度',
   turn_share: '除数中的转弯',
+  reach: '最大步长',
+  distance_power: '终点距离权重',
+  index_power: '距离指数权重',
+  initial_index: '初始距离指数',
+  tabu: '不走旧格',
 
   // Fireworks and particles.
   fireworks: '烟花数',

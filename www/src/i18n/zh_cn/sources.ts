@@ -290,6 +290,22 @@ export const zhCNSources: Record<string, string> = {
   'Liu, Wu, Xiao et al. 2023, Knowl.-Based Syst. 271, 110540, doi:10.1016/j.knosys.2023.110540, after a reproduction':
     'Liu、Wu、Xiao 等 2023，Knowl.-Based Syst. 271，110540，doi:10.1016/j.knosys.2023.110540，按一个复现',
   'reproduction of IHMACO': 'IHMACO 的复现',
+  'Li, Wang, Cai, Ma, Tan 2022, IEEE Trans. Autom. Sci. Eng., ieeexplore.ieee.org/document/9919849, after two reproductions':
+    'Li、Wang、Cai、Ma、Tan 2022，IEEE Trans. Autom. Sci. Eng.，ieeexplore.ieee.org/document/9919849，按两个复现',
+  'reproductions A and B of TDI-MSACO': 'TDI-MSACO 的复现 A 与 B',
+  'reproduction B of TDI-MSACO': 'TDI-MSACO 的复现 B',
+  'reproduction A of TDI-MSACO; B: 20': 'TDI-MSACO 的复现 A；B：20',
+  'reproduction A of TDI-MSACO; B: 1': 'TDI-MSACO 的复现 A；B：1',
+  'reproduction A of TDI-MSACO; B: 7': 'TDI-MSACO 的复现 A；B：7',
+  'reproductions A and B of TDI-MSACO; abstract: 2 or 3': 'TDI-MSACO 的复现 A 与 B；摘要：2 或 3',
+  'as Ant System; reproductions A and B of TDI-MSACO: false':
+    '与蚂蚁系统相同；TDI-MSACO 的复现 A 与 B：false',
+  'our choice; reproductions A and B of TDI-MSACO divide by 0':
+    '我们的选择；TDI-MSACO 的复现 A 与 B 除以 0',
+  'our choice; reproductions A and B of TDI-MSACO have none':
+    '我们的选择；TDI-MSACO 的复现 A 与 B 中没有死胡同',
+  '20 ants, α = 1 and β = 7, as reproduction B has them; the rest stays':
+    '20 只蚂蚁，α = 1，β = 7，与复现 B 相同；其余不变',
   'our choice; the reproduction lets it walk on with its way cleared':
     '我们的选择；复现中蚂蚁清空所走的路后继续走',
   'Shi, Wang, Yu, Hu 2011, 30 case studies of intelligent algorithms in MATLAB (in Chinese), Beihang University Press: its program on three dimensions':
