@@ -17,6 +17,9 @@ const WORKERS: Record<string, string> = {
 }
 const ENGINE = 'formicarium_bg.wasm'
 
+/** The engine of the one file: the whole one, small rather than fast. All else of the package is the page's. */
+export const smallEngine = { find: /^@pkg\/formicarium$/, replacement: path('../pkg/small/formicarium') }
+
 const MARK = '\0one-file:'
 
 /** Pictures of the cards, which the page fetches one by one. */
@@ -66,7 +69,7 @@ export async function builtParts(): Promise<Part[]> {
       name: `${name}.worker.js`,
       bytes: await scriptOf(`src/worker/${name}.worker.ts`),
     })
-  return [...parts, { name: ENGINE, bytes: readFileSync(path(`../pkg/${ENGINE}`)) }]
+  return [...parts, { name: ENGINE, bytes: readFileSync(path(`../pkg/small/${ENGINE}`)) }]
 }
 
 /** One script that needs no other, made of a file and all that it imports. */
@@ -75,7 +78,7 @@ export async function scriptOf(file: string): Promise<Uint8Array> {
     configFile: false,
     root: path('.'),
     logLevel: 'warn',
-    resolve: { alias: { '@pkg': path('../pkg') } },
+    resolve: { alias: [smallEngine, { find: '@pkg', replacement: path('../pkg') }] },
     build: {
       write: false,
       target: 'es2022',

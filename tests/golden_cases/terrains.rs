@@ -189,7 +189,7 @@ pub const TERRAINS: &[TerrainGolden] = &[
         planner: "formica-slices",
         values: &[("ants", "7"), ("beta", "2.3"), ("kappa", "1.1"), ("proof_limit", "0"), ("iterations", "12")],
         seed: 43,
-        digest: "1",
+        digest: "c75b27713cabd88a",
     },
 ];
 

@@ -55,24 +55,34 @@ struct Build {
     wasm_opt: &'static str,
 }
 
-/// The whole engine, and what a first visit needs: few planners, no file formats, no generators.
-const BUILDS: [Build; 2] = [
+/// The whole engine, what a first visit needs (few planners, no file formats, no generators), and the whole engine for the page of one file, small
+/// rather than fast.
+const BUILDS: [Build; 3] = [
     Build { name: "whole", folder: "", features: &[], profile: "wasm", wasm_opt: "-O2" },
     Build { name: "opening", folder: "core", features: &["--no-default-features"], profile: "opening", wasm_opt: "-O3" },
+    Build { name: "small", folder: "small", features: &[], profile: "small", wasm_opt: "-O2" },
 ];
+
+/// What a mode makes: who develops does without the page of one file.
+fn builds(mode: Mode) -> &'static [Build] {
+    match mode {
+        Mode::Release => &BUILDS,
+        Mode::Dev => &BUILDS[..2],
+    }
+}
 
 /// Leaves `pkg/` up to date; does nothing after cargo when the compiled engine is the same.
 ///
-/// Each build ends with minutes on one core, so the two are made side by side, and the npm packages meanwhile.
+/// Each build ends with minutes on one core, so they are made side by side, and the npm packages meanwhile.
 pub fn build(mode: Mode) -> Result<()> {
     install::wasm_target()?;
     install::node()?;
     println!(
-        "engine: compiling two builds side by side, then binding and optimizing them: minutes the first time, seconds later…"
+        "engine: compiling its builds side by side, then binding and optimizing them: minutes the first time, seconds later…"
     );
     let compiled = thread::scope(|scope| {
         let packages = scope.spawn(install::npm_packages);
-        let compiled = side_by_side(|build| compile(mode, build));
+        let compiled = side_by_side(mode, |build| compile(mode, build));
         packages.join().expect("no panic")?;
         compiled
     })?;
@@ -82,12 +92,12 @@ pub fn build(mode: Mode) -> Result<()> {
         return Ok(());
     }
     let staging = root().join("pkg.new");
-    side_by_side(|build| package(mode, build, &staging))?;
+    side_by_side(mode, |build| package(mode, build, &staging))?;
     fs::copy(root().join("pkg.json"), staging.join("package.json")).context("cannot copy pkg.json")?;
     run(Command::new("node").args(["--input-type=module", "--eval", FACTS]).arg(&staging))?;
     fs::write(staging.join(STAMP), stamp)?;
     replace(&staging, &pkg)?;
-    for build in &BUILDS {
+    for build in builds(mode) {
         let path = Path::new("pkg").join(build.folder).join(WASM);
         let size = fs::metadata(root().join(&path))?.len();
         println!("engine: {}, {} KB", path.display(), size.div_ceil(1024));
@@ -96,9 +106,10 @@ pub fn build(mode: Mode) -> Result<()> {
 }
 
 /// The same for every build at once, in their order.
-fn side_by_side<T: Send>(work: impl Fn(&Build) -> Result<T> + Sync) -> Result<Vec<T>> {
+fn side_by_side<T: Send>(mode: Mode, work: impl Fn(&Build) -> Result<T> + Sync) -> Result<Vec<T>> {
+    let work = &work;
     thread::scope(|scope| {
-        let started = BUILDS.each_ref().map(|build| scope.spawn(|| work(build)));
+        let started: Vec<_> = builds(mode).iter().map(|build| scope.spawn(move || work(build))).collect();
         started.into_iter().map(|thread| thread.join().expect("no panic")).collect()
     })
 }
@@ -122,9 +133,9 @@ fn replace(staging: &Path, pkg: &Path) -> Result<()> {
 }
 
 impl Build {
-    /// Whether it is the small one.
-    fn is_small(&self) -> bool {
-        !self.features.is_empty()
+    /// Whether it is the one for which all others wait.
+    fn is_first(&self) -> bool {
+        self.folder.is_empty()
     }
 
     fn target_dir(&self) -> PathBuf {
@@ -145,14 +156,14 @@ impl Build {
     }
 }
 
-/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Each build has a target folder of its own: both leave
-/// `formicarium.wasm`, and in one folder each would make cargo think the other's outdated.
+/// As cdylib alone: beside an rlib, cargo would leave out link-time optimization. Each build has a target folder of its own: all leave
+/// `formicarium.wasm`, and in one folder each would make cargo think the others' outdated.
 fn compile(mode: Mode, build: &Build) -> Result<PathBuf> {
     let args = ["rustc", "--package", "formicarium", "--lib", "--crate-type", "cdylib", "--target-dir"];
     let target = ["--target", "wasm32-unknown-unknown", "--profile", build.profile(mode).0];
     let quiet = ["--config".to_string(), anonymous_paths()];
-    // The opening build is soon made once it has a core to itself; until then it must not hold up the whole one.
-    let mut cargo = if build.is_small() { tools::patient(tools::cargo()) } else { tools::cargo() };
+    // The others must not hold up the whole one, which takes longest.
+    let mut cargo = if build.is_first() { tools::cargo() } else { tools::patient(tools::cargo()) };
     // Two bars of progress on one terminal would write over each other.
     cargo.env("CARGO_TERM_PROGRESS_WHEN", "never");
     run(cargo.args(args).arg(build.target_dir()).args(target).args(build.features).args(quiet))?;
@@ -191,6 +202,6 @@ fn stamp(mode: Mode, compiled: &[PathBuf]) -> Result<String> {
     let read = |path: &PathBuf| fs::read(path).with_context(|| format!("no {}", path.display()));
     let mut hasher = DefaultHasher::new();
     let inputs: Vec<Vec<u8>> = compiled.iter().chain([&root().join("pkg.json")]).map(read).collect::<Result<_>>()?;
-    (mode, inputs, FEATURES, BUILDS.map(|build| build.wasm_opt), FACTS).hash(&mut hasher);
+    (mode, inputs, FEATURES, BUILDS.map(|build| (build.folder, build.wasm_opt)), FACTS).hash(&mut hasher);
     Ok(format!("{:016x}\n", hasher.finish()))
 }
