@@ -14,7 +14,7 @@ use wide::bytemuck::cast;
 
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
-use crate::path::{Refinement, refine};
+use crate::path::{PathKind, Refinement, refine};
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{
@@ -379,6 +379,9 @@ fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refine
 
 /// What the result of a colony of this variant is measured by: a refined path by its length, whatever it was chosen by.
 pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
+    if variant.path_kind() == PathKind::Polyline {
+        return Objective::PolylineLength;
+    }
     match (variant.refinement(), variant.criterion()) {
         (Refinement::None, Judge::Length) => Objective::Length,
         (Refinement::None, Judge::TurnIndex) => Objective::TurnIndex,
