@@ -347,6 +347,11 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         objective(&self.variant)
     }
 
+    #[cfg(feature = "whole")]
+    fn goes_by_steps(&self) -> bool {
+        self.variant.path_kind() == PathKind::Steps
+    }
+
     fn weighed(&self) -> Option<Weighed> {
         weighed(&self.variant, &self.scenario, self.best())
     }

@@ -243,6 +243,10 @@ impl Planner for Changing {
         self.planner.objective()
     }
 
+    fn goes_by_steps(&self) -> bool {
+        self.planner.goes_by_steps()
+    }
+
     fn value(&self, metrics: &Metrics) -> Option<f64> {
         self.planner.value(metrics)
     }

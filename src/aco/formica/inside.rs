@@ -30,7 +30,7 @@ impl Inside {
     pub(super) fn new(scenario: &Arc<Scenario>, paths: Paths) -> Self {
         match paths {
             Paths::Steps => Self::Steps(Box::new(Within::new(scenario))),
-            Paths::AnyAngle => Self::Polylines(Box::new(PolylinesWithin::new(scenario))),
+            Paths::Polylines => Self::Polylines(Box::new(PolylinesWithin::new(scenario))),
         }
     }
 

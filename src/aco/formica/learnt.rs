@@ -79,7 +79,7 @@ impl Learnt {
     fn on_cells<'a>(&self, scenario: &Scenario, path: &'a Path) -> Cow<'a, Path> {
         match self.paths {
             Paths::Steps => Cow::Borrowed(path),
-            Paths::AnyAngle => Cow::Owned(by_steps(scenario, path)),
+            Paths::Polylines => Cow::Owned(by_steps(scenario, path)),
         }
     }
 

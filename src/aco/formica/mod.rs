@@ -138,7 +138,7 @@ impl Variant for Formica {
     fn path_kind(&self) -> PathKind {
         match self.params.paths {
             Paths::Steps => PathKind::Steps,
-            Paths::AnyAngle => PathKind::Polyline,
+            Paths::Polylines => PathKind::Polyline,
         }
     }
 
@@ -218,7 +218,7 @@ fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
         return Err(ParamError::ValueOnGround {
             planner: ENTRY.id.into(),
             key: "paths",
-            value: "any-angle",
+            value: "polylines",
             ground: words,
             id,
             instead: "steps",
@@ -234,7 +234,7 @@ fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
 
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let params = FormicaParams::read(ENTRY.id, values)?;
-    if params.paths == Paths::AnyAngle {
+    if params.paths == Paths::Polylines {
         takes_polylines(scenario)?;
     }
     let variant = Formica::new(params, Arc::clone(scenario));

@@ -9,7 +9,7 @@ param_choice! {
         /// allowed steps from cell to cell
         Steps = "steps",
         /// segments of any angle between centres of cells that see each other; on a plane
-        AnyAngle = "any-angle",
+        Polylines = "polylines",
     }
 }
 
