@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 
 use formicarium::catalog;
 use formicarium::params::{Value, Values};
-use formicarium::planner::{Planner, Status};
+use formicarium::planner::{Effort, Planner, Status};
 use formicarium::scenario::Scenario;
 
 use movingai::{MAPS, folder, spread};
@@ -50,10 +50,12 @@ struct Tally {
     /// What it says of the shortest polyline is wrong, or its result is longer than that of `theta-star`.
     wrong: u32,
     worse: u32,
-    /// Σ of expansions over those of `any-angle`, and the largest.
-    ratio: f64,
-    worst: f64,
-    iterations: f64,
+    /// Σ of expansions, its own and those of `any-angle`, the largest quotient of the two, and Σ of ants' moves.
+    expansions: u64,
+    any_angle_expansions: u64,
+    most_expansions: f64,
+    moves: u64,
+    iterations: u32,
     /// How long both took in all.
     took: Duration,
     any_angle_took: Duration,
@@ -73,12 +75,17 @@ impl Tally {
         self.wrong += u32::from(certificate.lower_bound > optimum + SAME || best < optimum - SAME || is_proven != is_right(best));
         let theta_star = run(scenario, "theta-star", &[]).0.best().expect("a polyline").length;
         self.worse += u32::from(best > theta_star + SAME);
-        let ratio = full.effort().cell_expansions as f64 / exact.effort().cell_expansions as f64;
-        self.ratio += ratio;
-        self.worst = self.worst.max(ratio);
-        self.iterations += f64::from(full.effort().iterations);
+        self.count(full.effort(), exact.effort());
         (self.took, self.any_angle_took) = (self.took + took, self.any_angle_took + any_angle_took);
         self.scenarios += 1;
+    }
+
+    fn count(&mut self, effort: Effort, any_angle: Effort) {
+        self.expansions += effort.cell_expansions;
+        self.any_angle_expansions += any_angle.cell_expansions;
+        self.most_expansions = self.most_expansions.max(effort.cell_expansions as f64 / any_angle.cell_expansions as f64);
+        self.moves += effort.ant_moves;
+        self.iterations += effort.iterations;
     }
 
     /// How far above the shortest polyline the best one is while iterations go by.
@@ -103,8 +110,10 @@ impl Tally {
         self.proven += other.proven;
         self.wrong += other.wrong;
         self.worse += other.worse;
-        self.ratio += other.ratio;
-        self.worst = self.worst.max(other.worst);
+        self.expansions += other.expansions;
+        self.any_angle_expansions += other.any_angle_expansions;
+        self.most_expansions = self.most_expansions.max(other.most_expansions);
+        self.moves += other.moves;
         self.iterations += other.iterations;
         self.took += other.took;
         self.any_angle_took += other.any_angle_took;
@@ -113,20 +122,20 @@ impl Tally {
     fn row(&self, name: &str) -> String {
         let mean = |sum: f64| sum / f64::from(self.scenarios);
         let above = |k: usize| format!("{:.3} % ({:.2} %)", 100.0 * mean(self.above[k]), 100.0 * self.most_above[k]);
-        let above = [above(0), above(1), above(2)].join(" | ");
-        let (ratio, iterations) = (mean(self.ratio), mean(self.iterations));
+        let found = format!("{} | {} | {} | {} | {}", self.scenarios, above(0), above(1), above(2), self.exact);
+        let of_its = |count: u64| count as f64 / self.any_angle_expansions as f64;
+        let (expansions, most, moves) = (of_its(self.expansions), self.most_expansions, of_its(self.moves));
         let times = self.took.as_secs_f64() / self.any_angle_took.as_secs_f64();
-        let seconds = self.any_angle_took.as_secs_f64();
-        let counts = format!("{} | {above} | {} | {} | {}", self.scenarios, self.exact, self.proven, self.worse);
-        format!("| {name} | {counts} | {ratio:.2} | {:.2} | {iterations:.1} | {times:.2} | {seconds:.1} |", self.worst)
+        let proof = format!("{} | {expansions:.2} | {most:.2} | {:.1}", self.proven, mean(f64::from(self.iterations)));
+        format!("| {name} | {found} | {proof} | {moves:.1} | {times:.1} |")
     }
 }
 
 /// So many scenarios of each of these maps.
 fn measured(folder: &Path, maps: &[&str], count: usize) -> Tally {
-    println!(
-        "| map | scenarios | above after 1: mean (largest) | 3 | 10 | exact after 10 | proven | worse than theta-star | expansions / any-angle | largest | iterations | time / any-angle | its seconds |"
-    );
+    let above = "above after 1: mean (largest) | after 3 | after 10";
+    let cost = "expansions / any-angle | largest | iterations | moves / its expansions | time / its time";
+    println!("| map | scenarios | {above} | exact after 10 | proven | {cost} |");
     let mut all = Tally::default();
     for name in maps {
         let mut tally = Tally::default();

@@ -86,6 +86,7 @@ pub enum ParamError {
         others: String,
     },
     /// A value of a parameter does not go with how one moves here.
+    #[cfg(feature = "whole")]
     #[error("`{planner}` with {key} = {value} does not plan {ground}")]
     ValueOnGround {
         /// The planner.
@@ -172,6 +173,7 @@ impl ParamError {
                     .with("ground", id)
                     .with("others", others)
             }
+            #[cfg(feature = "whole")]
             Self::ValueOnGround { planner, key, value, id, instead, .. } => {
                 ErrorReport::new("value-on-ground", *key, message, format!("choose {key} = {instead}"))
                     .with("planner", planner)

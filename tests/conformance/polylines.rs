@@ -10,20 +10,24 @@ use formicarium::scenario::Scenario;
 
 use super::{scenarios, short};
 
-fn polylines(scenario: &Arc<Scenario>) -> Box<dyn Planner> {
+/// With a proof it ends soon on small maps, without one after its last iteration.
+const WITH_AND_WITHOUT_PROOF: [f64; 2] = [4.0, 0.0];
+
+fn polylines(scenario: &Arc<Scenario>, proof_limit: f64) -> Box<dyn Planner> {
     let entry = catalog::find("formica").expect("listed");
     let mut values = short(entry);
     values.insert("paths".into(), Value::from("polylines"));
+    values.insert("proof_limit".into(), Value::from(proof_limit));
     catalog::build(scenario, entry.id, None, &values, 4).expect("valid parameters")
 }
 
-/// Calls `check` on every plane with one goal.
-fn on_planes(check: impl Fn(&str, &Arc<Scenario>)) {
+/// Calls `check` on every plane with one goal, for each of [`WITH_AND_WITHOUT_PROOF`].
+fn on_planes(check: impl Fn(&str, &dyn Fn() -> Box<dyn Planner>, &Scenario)) {
     let all = scenarios();
     let planes = all.iter().filter(|(_, s)| s.goals.len() == 1 && Ground::all_of(s).eq([Ground::Plane]));
     let mut count = 0;
     for (name, scenario) in planes {
-        check(name, scenario);
+        WITH_AND_WITHOUT_PROOF.iter().for_each(|&most| check(name, &|| polylines(scenario, most), scenario));
         count += 1;
     }
     assert!(count > 20, "{count} planes");
@@ -31,12 +35,12 @@ fn on_planes(check: impl Fn(&str, &Arc<Scenario>)) {
 
 #[test]
 fn stepping_by_moves_or_by_iterations_agrees_and_so_do_snapshots() {
-    on_planes(|what, scenario| {
-        let mut by_iteration = polylines(scenario);
+    on_planes(|what, made, _| {
+        let mut by_iteration = made();
         by_iteration.run();
-        let mut by_move = polylines(scenario);
+        let mut by_move = made();
         while !by_move.advance(Granularity::Move).is_finished() {}
-        let mut original = polylines(scenario);
+        let mut original = made();
         original.advance(Granularity::Iteration);
         (0..5).for_each(|_| {
             original.advance(Granularity::Move);
@@ -55,8 +59,8 @@ fn stepping_by_moves_or_by_iterations_agrees_and_so_do_snapshots() {
 
 #[test]
 fn polylines_are_valid_and_the_history_tells_of_the_best() {
-    on_planes(|what, scenario| {
-        let mut planner = polylines(scenario);
+    on_planes(|what, made, scenario| {
+        let mut planner = made();
         planner.run();
         let Some(best) = planner.best() else { return };
         audit(scenario, &points(scenario, &best.path), PathKind::Polyline).unwrap_or_else(|flaw| panic!("{what}: {flaw}"));

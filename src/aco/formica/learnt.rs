@@ -51,12 +51,12 @@ impl Learnt {
 
     /// Merges the ways of an iteration's ants and takes in what the search finds; the path, if it is shorter than all before.
     pub(super) fn merge(&mut self, iteration: &Iteration, widening: u8) -> Option<(Path, f64)> {
-        let known = iteration.best_so_far.map_or(f64::INFINITY, |best| best.length);
+        let known = known(iteration);
         iteration.ants.iter().for_each(|ant| self.merge.gather(iteration.scenario, ant, widening));
         if let Some(best) = iteration.best_so_far {
             self.merge.follow(&self.on_cells(iteration.scenario, &best.path));
         }
-        let straight = self.straighten(iteration, known);
+        let straight = self.straighten(iteration);
         let solved = self.merge.solve().filter(|(_, length)| *length < known - SAME_LENGTH);
         let found = straight.into_iter().chain(solved).reduce(|a, b| if b.1 < a.1 { b } else { a });
         let path = found.as_ref().map(|(path, _)| path).or(iteration.best_so_far.map(|best| &best.path));
@@ -66,10 +66,11 @@ impl Learnt {
 
     /// Where paths are polylines, the way of the iteration's best ant as one, if it is shorter than what is known; the search need not find
     /// longer ones.
-    pub(super) fn straighten(&mut self, iteration: &Iteration, known: f64) -> Option<(Path, f64)> {
+    pub(super) fn straighten(&mut self, iteration: &Iteration) -> Option<(Path, f64)> {
         if self.paths == Paths::Steps {
             return None;
         }
+        let known = known(iteration);
         let straight = straightened(iteration).filter(|(_, length)| *length < known - SAME_LENGTH);
         self.merge.bound_by(straight.as_ref().map_or(known, |(_, length)| *length));
         straight
@@ -96,4 +97,9 @@ impl Learnt {
         }
         self.merge.learn(is_shorter);
     }
+}
+
+/// Length of the best path that is known of, in cells; infinite while there is none.
+fn known(iteration: &Iteration) -> f64 {
+    iteration.best_so_far.map_or(f64::INFINITY, |best| best.length)
 }

@@ -18,6 +18,8 @@
 //!   1161–1172, doi:10.1109/TSMCB.2003.821450.
 //!
 //! With 16 moves ants walk by 8 of them and the search by all: a step of two cells deposits on the two steps that it stands for.
+//!
+//! With `paths = polylines` the search is that of `any-angle`, and a polyline deposits on the steps along it: `straight.rs`.
 
 mod inside;
 mod learnt;
@@ -35,6 +37,7 @@ use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Solved, Variant};
 use crate::error::ParamError;
 use crate::exact::Estimate;
+#[cfg(feature = "whole")]
 use crate::exact::any_angle::MOST_CELLS;
 use crate::map::{Cell, Direction, MoveSet, Moves};
 use crate::metrics::SAME_LENGTH;
@@ -126,7 +129,7 @@ impl Variant for Formica {
             learnt.merge(&iteration, self.params.widening as u8)
         } else {
             learnt.path = iteration.iteration_best().map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
-            learnt.straighten(&iteration, iteration.best_so_far.map_or(f64::INFINITY, |best| best.length))
+            learnt.straighten(&iteration)
         };
         let length = |found: &Option<(Path, f64)>| found.as_ref().map(|f| f.1).or(iteration.best_so_far.map(|best| best.length));
         learnt.note(length(&found).unwrap_or(f64::INFINITY), iteration.number);
@@ -212,6 +215,7 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
 }
 
 /// Refuses what the search for polylines does not know: any ground but a plane, and what is larger than `any-angle` takes.
+#[cfg(feature = "whole")]
 fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
     if let Some(ground) = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane) {
         let (id, words) = ground.words();
@@ -234,6 +238,7 @@ fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
 
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let params = FormicaParams::read(ENTRY.id, values)?;
+    #[cfg(feature = "whole")]
     if params.paths == Paths::Polylines {
         takes_polylines(scenario)?;
     }
