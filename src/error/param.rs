@@ -87,10 +87,8 @@ pub enum ParamError {
     },
     /// A value of a parameter does not go with how one moves here.
     #[cfg(feature = "whole")]
-    #[error("`{planner}` with {key} = {value} does not plan {ground}")]
+    #[error("{key} = {value} cannot be planned {ground}")]
     ValueOnGround {
-        /// The planner.
-        planner: String,
         /// The parameter.
         key: &'static str,
         /// Its value.
@@ -174,9 +172,8 @@ impl ParamError {
                     .with("others", others)
             }
             #[cfg(feature = "whole")]
-            Self::ValueOnGround { planner, key, value, id, instead, .. } => {
+            Self::ValueOnGround { key, value, id, instead, .. } => {
                 ErrorReport::new("value-on-ground", *key, message, format!("choose {key} = {instead}"))
-                    .with("planner", planner)
                     .with("value", value)
                     .with("ground", id)
                     .with("instead", instead)

@@ -219,14 +219,8 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
 fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
     if let Some(ground) = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane) {
         let (id, words) = ground.words();
-        return Err(ParamError::ValueOnGround {
-            planner: ENTRY.id.into(),
-            key: "paths",
-            value: "polylines",
-            ground: words,
-            id,
-            instead: "steps",
-        });
+        let (key, value, instead) = ("paths", "polylines", "steps");
+        return Err(ParamError::ValueOnGround { key, value, ground: words, id, instead });
     }
     let (width, height) = (scenario.grid.width(), scenario.grid.height());
     if scenario.grid.len() > MOST_CELLS {
