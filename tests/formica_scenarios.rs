@@ -1,61 +1,27 @@
 //! Formica on the longer half of MovingAI's scenarios, by its defaults: how often the best path of ten iterations is the shortest, whether what
-//! it proves is right, and how many cells it expands beside A*. The files are those of the data folder that the environment variable
-//! FORMICARIUM_DATA names; they may not be redistributed, so without the variable this is skipped, aloud.
+//! it proves is right, and how many cells it expands beside A*.
 //!
 //! `cargo test --release --test formica_scenarios -- --ignored --nocapture` measures a hundred scenarios of each map and prints the table.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::path::{Path, PathBuf};
+#[path = "common/movingai.rs"]
+mod movingai;
+
+use std::path::Path;
 use std::sync::Arc;
 
 use formicarium::catalog;
-use formicarium::formats::{ScenLine, import, import_scen};
-use formicarium::map::Movement;
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Planner, Status};
-use formicarium::scenario::{Goal, Scenario};
+use formicarium::scenario::Scenario;
 
-/// Random cells, rooms, mazes, games, a city, a warehouse.
-const MAPS: [&str; 13] = [
-    "random-32-32-20-random-1",
-    "room-64-64-16-random-1",
-    "maze-128-128-10-random-1",
-    "32room_000.map",
-    "maze512-8-0.map",
-    "random512-25-0.map",
-    "den312d.map",
-    "lak303d.map",
-    "brc202d.map",
-    "arena.map",
-    "arena2.map",
-    "Berlin_0_256.map",
-    "warehouse-10-20-10-2-1-random-1",
-];
+use movingai::{MAPS, folder, spread};
 
 /// Iterations after which the best path is looked at.
 const ITERATIONS: f64 = 10.0;
 
 /// Equal lengths, whatever rounding leaves of adding.
 const SAME: f64 = 1e-6;
-
-fn folder() -> Option<PathBuf> {
-    let folder = std::env::var_os("FORMICARIUM_DATA").map(|f| PathBuf::from(f).join("movingai"));
-    if folder.is_none() {
-        println!("skipped: FORMICARIUM_DATA is not set, so there are no MovingAI files to plan on");
-    }
-    folder
-}
-
-/// The longer half of a map's scenarios, and one of them.
-fn load(scen: &Path) -> (Vec<ScenLine>, Scenario) {
-    let mut lines = import_scen(&std::fs::read(scen).expect("the file")).expect("a list").lines;
-    let name = lines[0].map.rsplit('/').next().expect("a name").to_string();
-    let map = import(&std::fs::read(scen.with_file_name(&name)).expect("its map"), &name).expect("a map");
-    lines.sort_by(|a, b| a.optimal.total_cmp(&b.optimal));
-    let half = lines.split_off(lines.len() / 2);
-    let scenario = Scenario::on(map.grid, Movement::default(), half[0].start, half[0].goal).expect("usable");
-    (half, scenario)
-}
 
 fn run(scenario: &Arc<Scenario>, planner: &str, values: &[(&str, f64)]) -> Box<dyn Planner> {
     let values: Values = values.iter().map(|&(key, value)| (key.to_string(), Value::Number(value))).collect();
@@ -129,12 +95,8 @@ fn measured(folder: &Path, count: usize) -> Tally {
     );
     let mut all = Tally::default();
     for name in MAPS {
-        let (lines, map) = load(&folder.join(format!("{name}.scen")));
-        let count = count.min(lines.len());
         let mut tally = Tally::default();
-        for line in (0..count).map(|k| &lines[k * lines.len() / count]) {
-            tally.take(&Arc::new(map.with_ends(line.start, vec![Goal::new(line.goal, "")]).expect("usable")));
-        }
+        spread(folder, name, count).for_each(|scenario| tally.take(&scenario));
         println!("{}", tally.row(name));
         all.add(&tally);
     }

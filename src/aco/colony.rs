@@ -14,7 +14,7 @@ use wide::bytemuck::cast;
 
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
-use crate::path::{Refinement, refine};
+use crate::path::{PathKind, Refinement, refine};
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{
@@ -347,6 +347,11 @@ impl<V: Variant + 'static> Planner for Colony<V> {
         objective(&self.variant)
     }
 
+    #[cfg(feature = "whole")]
+    fn goes_by_steps(&self) -> bool {
+        self.variant.path_kind() == PathKind::Steps
+    }
+
     fn weighed(&self) -> Option<Weighed> {
         weighed(&self.variant, &self.scenario, self.best())
     }
@@ -379,6 +384,9 @@ fn refined(scenario: &Scenario, path: &[Cell], how: Refinement) -> Option<Refine
 
 /// What the result of a colony of this variant is measured by: a refined path by its length, whatever it was chosen by.
 pub(super) fn objective<V: Variant>(variant: &V) -> Objective {
+    if variant.path_kind() == PathKind::Polyline {
+        return Objective::PolylineLength;
+    }
     match (variant.refinement(), variant.criterion()) {
         (Refinement::None, Judge::Length) => Objective::Length,
         (Refinement::None, Judge::TurnIndex) => Objective::TurnIndex,

@@ -7,6 +7,8 @@ use std::num::NonZero;
 use std::sync::Arc;
 
 use crate::map::Cell;
+#[cfg(feature = "whole")]
+use crate::path::PathKind;
 use crate::planner::{
     Effort, Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, Weighed,
 };
@@ -136,6 +138,11 @@ impl<V: Variant + 'static> Planner for Hybrid<V> {
 
     fn objective(&self) -> Objective {
         colony::objective(&self.second)
+    }
+
+    #[cfg(feature = "whole")]
+    fn goes_by_steps(&self) -> bool {
+        self.second.path_kind() == PathKind::Steps
     }
 
     fn weighed(&self) -> Option<Weighed> {

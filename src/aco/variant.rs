@@ -1,7 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
 use crate::map::{Cell, Direction};
-use crate::path::{Path, Refinement};
+use crate::path::{Path, PathKind, Refinement};
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{Layer, Solution, Status};
@@ -240,6 +240,11 @@ pub trait Variant: Clone + Send + Sync {
     /// What makes one finished path better than another.
     fn criterion(&self) -> Judge {
         Judge::Length
+    }
+
+    /// What the best path is, unless it is refined: a polyline where [`Variant::solve`] finds polylines, of which an ant's way is one too.
+    fn path_kind(&self) -> PathKind {
+        PathKind::Steps
     }
 
     /// How the best path is refined by line of sight; a refined path is measured as a polyline.

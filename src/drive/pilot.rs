@@ -10,7 +10,7 @@ use crate::error::{Error, ScenarioError};
 use crate::map::{Grid, Point};
 use crate::params::{ParamKind, Value, Values};
 use crate::path::Path;
-use crate::planner::{Effort, Family, Granularity, Objective, Planner, PlannerEntry, Status};
+use crate::planner::{Effort, Granularity, Planner, PlannerEntry, Status};
 use crate::scenario::{Change, Scenario, ScenarioSpec};
 
 /// The row of a planner that says after how many iterations it stops.
@@ -56,8 +56,7 @@ impl Pilot {
         }
         let asked = asked(scenario, &scenario.drawn, scenario.spec.start)?;
         let trial = catalog::build(&asked, planner, preset, &values, seed)?;
-        // A colony's refined path is a polyline too, but most were walked cell by cell.
-        if trial.objective() == Objective::PolylineLength && (entry.family != Family::AntColony || trial.leaps()) {
+        if !trial.goes_by_steps() {
             let (field, value) = ("planner".into(), planner.to_owned());
             return Err(ScenarioError::Drive { field, value, allowed: "a planner whose paths go from cell to cell" }.into());
         }

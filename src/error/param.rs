@@ -85,6 +85,21 @@ pub enum ParamError {
         /// Ids of the planners that can, comma-separated.
         others: String,
     },
+    /// A value of a parameter does not go with how one moves here.
+    #[cfg(feature = "whole")]
+    #[error("{key} = {value} cannot be planned {ground}")]
+    ValueOnGround {
+        /// The parameter.
+        key: &'static str,
+        /// Its value.
+        value: &'static str,
+        /// How one moves, as a phrase.
+        ground: &'static str,
+        /// Its stable name.
+        id: &'static str,
+        /// A value that goes with it.
+        instead: &'static str,
+    },
     /// The map is too large for an exact method.
     #[error("`{planner}` plans on maps of up to {most} cells; this one has {width} × {height}")]
     MapTooLarge {
@@ -155,6 +170,13 @@ impl ParamError {
                     .with("planner", planner)
                     .with("ground", id)
                     .with("others", others)
+            }
+            #[cfg(feature = "whole")]
+            Self::ValueOnGround { key, value, id, instead, .. } => {
+                ErrorReport::new("value-on-ground", *key, message, format!("choose {key} = {instead}"))
+                    .with("value", value)
+                    .with("ground", id)
+                    .with("instead", instead)
             }
             Self::TooManyGoals { most, got, others, .. } => {
                 let instead = if others.is_empty() { String::new() } else { format!(", or choose one of {others}") };

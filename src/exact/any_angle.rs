@@ -19,11 +19,13 @@
 mod in_sight;
 mod lead;
 mod over_ground;
+mod within;
 
 use std::sync::Arc;
 
 use self::in_sight::InSight;
 use self::over_ground::OverGround;
+pub use self::within::PolylinesWithin;
 use super::best_first::BestFirst;
 use super::{Reference, SEARCH};
 use crate::error::ParamError;

@@ -8,8 +8,7 @@ mod tree;
 
 use std::sync::Arc;
 
-use self::tree::{BUCKETS_PER_CONTOUR, NO_PARENT};
-pub(super) use self::tree::{Open, State, Tree};
+pub(super) use self::tree::{BUCKETS_PER_CONTOUR, NO_PARENT, Open, State, Tree};
 use super::contours::{self, Contours};
 use super::search::contour;
 use crate::map::Cell;

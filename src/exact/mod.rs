@@ -26,6 +26,7 @@ pub mod turn_aware;
 mod ways;
 mod weighted;
 
+pub use any_angle::PolylinesWithin;
 pub use astar::Distance;
 pub use optima::Optima;
 pub use order::distances_from;

@@ -243,8 +243,8 @@ impl Planner for Changing {
         self.planner.objective()
     }
 
-    fn leaps(&self) -> bool {
-        self.planner.leaps()
+    fn goes_by_steps(&self) -> bool {
+        self.planner.goes_by_steps()
     }
 
     fn value(&self, metrics: &Metrics) -> Option<f64> {

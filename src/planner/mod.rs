@@ -266,9 +266,10 @@ pub trait Planner: Snapshot + Send {
         Objective::Length
     }
 
-    /// Whether its ants go by segments longer than a step, so that their ways are polylines.
-    fn leaps(&self) -> bool {
-        false
+    /// Whether its best path, as it was before any refinement, goes by steps from cell to cell, so that a robot can follow it.
+    #[cfg(feature = "whole")]
+    fn goes_by_steps(&self) -> bool {
+        self.objective().path_kind() == PathKind::Steps
     }
 
     /// The lower bound that it has proven for what its result is measured by, once it has ended with one; none of a planner that proves

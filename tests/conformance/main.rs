@@ -10,6 +10,7 @@ mod grounds;
 mod layers;
 mod parameters;
 mod paths;
+mod polylines;
 mod runs;
 mod snapshots;
 #[path = "../common/terrains.rs"]

@@ -26,7 +26,10 @@ fn what_cannot_drive_is_refused_by_name() {
     for planner in ["any-angle", "theta-star", "f-rrt-star", "tdi-msaco"] {
         assert_eq!(refused(&scenario, planner, &[]), "drive planner");
     }
-    for planner in ["astar", "turn-aware", "ship", "acost", "pso", "custom", "fwa-aco"] {
+    let polylines = [("paths".to_owned(), Value::from("polylines"))].into();
+    let bent = Driver::new(&scenario, "formica", None, &polylines, 1, DriveParams::default()).err().expect("no steps");
+    assert_eq!((bent.report().kind.as_str(), bent.report().field.as_str()), ("drive", "planner"));
+    for planner in ["astar", "formica", "turn-aware", "ship", "acost", "pso", "custom", "fwa-aco"] {
         assert_eq!(refused(&scenario, planner, &[]), "none", "{planner}");
     }
     assert_eq!(refused(&scenario, "ant-system", &[("rho", 2.0)]), "out-of-range rho");

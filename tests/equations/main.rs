@@ -9,6 +9,7 @@ mod f_rrt_star;
 mod fire;
 mod fireworks;
 mod formica;
+mod formica_polylines;
 mod genetic;
 mod iaaco;
 mod ihmaco;

@@ -144,6 +144,23 @@ pub const GOLDENS: &[Golden] = &[
         digest: "8dfafe96946e15e5",
     },
     Golden {
+        map: (Generator::Random, 64, 64, 7, 0.3),
+        movement: eight(CornerRule::OneFree),
+        planner: "formica",
+        values: &[
+            ("paths", "polylines"),
+            ("ants", "7"),
+            ("kappa", "1.3"),
+            ("widening", "0"),
+            ("corridor", "0"),
+            ("corridor_most", "3"),
+            ("proof_limit", "0"),
+            ("iterations", "12"),
+        ],
+        seed: 20,
+        digest: "ba8681dbc59f2401",
+    },
+    Golden {
         map: (Generator::Cave, 40, 30, 21, 0.0),
         movement: eight(CornerRule::BothFree),
         planner: "maaco",

@@ -1,5 +1,6 @@
 //! What the colony has learnt of one scenario, from iteration to iteration.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::aco::variant::Iteration;
@@ -9,8 +10,9 @@ use crate::path::Path;
 use crate::scenario::Scenario;
 
 use super::merge::{Corridor, Merge};
-use super::params::FormicaParams;
+use super::params::{FormicaParams, Paths};
 use super::scent::Scent;
+use super::straight::{by_steps, straightened};
 
 /// What is known once the map was looked at.
 #[derive(Clone)]
@@ -18,6 +20,7 @@ pub(super) struct Learnt {
     pub(super) scent: Scent,
     /// To the goal in a straight line of steps, for who smells nothing.
     pub(super) open_map: Distance,
+    paths: Paths,
     pub(super) merge: Merge,
     /// The path that takes the deposit; empty while there is none.
     pub(super) path: Path,
@@ -38,7 +41,8 @@ impl Learnt {
             smelt: if params.scent { scent.expanded() } else { 0 },
             scent,
             open_map: Distance::of(walked_on),
-            merge: Merge::new(scenario, corridor),
+            paths: params.paths,
+            merge: Merge::of(params.paths, scenario, corridor),
             path: Path::new(),
             best: f64::INFINITY,
             since: 0,
@@ -47,15 +51,37 @@ impl Learnt {
 
     /// Merges the ways of an iteration's ants and takes in what the search finds; the path, if it is shorter than all before.
     pub(super) fn merge(&mut self, iteration: &Iteration, widening: u8) -> Option<(Path, f64)> {
-        let known = iteration.best_so_far.map_or(f64::INFINITY, |best| best.length);
+        let known = known(iteration);
         iteration.ants.iter().for_each(|ant| self.merge.gather(iteration.scenario, ant, widening));
         if let Some(best) = iteration.best_so_far {
-            self.merge.follow(&best.path);
+            self.merge.follow(&self.on_cells(iteration.scenario, &best.path));
         }
-        let found = self.merge.solve().filter(|(_, length)| *length < known - SAME_LENGTH);
+        let straight = self.straighten(iteration);
+        let solved = self.merge.solve().filter(|(_, length)| *length < known - SAME_LENGTH);
+        let found = straight.into_iter().chain(solved).reduce(|a, b| if b.1 < a.1 { b } else { a });
         let path = found.as_ref().map(|(path, _)| path).or(iteration.best_so_far.map(|best| &best.path));
-        self.path = path.cloned().unwrap_or_default();
+        self.path = path.map(|path| self.on_cells(iteration.scenario, path).into_owned()).unwrap_or_default();
         found
+    }
+
+    /// Where paths are polylines, the way of the iteration's best ant as one, if it is shorter than what is known; the search need not find
+    /// longer ones.
+    pub(super) fn straighten(&mut self, iteration: &Iteration) -> Option<(Path, f64)> {
+        if self.paths == Paths::Steps {
+            return None;
+        }
+        let known = known(iteration);
+        let straight = straightened(iteration).filter(|(_, length)| *length < known - SAME_LENGTH);
+        self.merge.bound_by(straight.as_ref().map_or(known, |(_, length)| *length));
+        straight
+    }
+
+    /// A path by its steps.
+    fn on_cells<'a>(&self, scenario: &Scenario, path: &'a Path) -> Cow<'a, Path> {
+        match self.paths {
+            Paths::Steps => Cow::Borrowed(path),
+            Paths::Polylines => Cow::Owned(by_steps(scenario, path)),
+        }
     }
 
     /// What was expanded since this was asked last.
@@ -71,4 +97,9 @@ impl Learnt {
         }
         self.merge.learn(is_shorter);
     }
+}
+
+/// Length of the best path that is known of, in cells; infinite while there is none.
+fn known(iteration: &Iteration) -> f64 {
+    iteration.best_so_far.map_or(f64::INFINITY, |best| best.length)
 }

@@ -1,22 +1,24 @@
 //! Merge and solve: an exact search among the cells where the ants have been, and a little more.
 //!
 //! What was searched stays: iteration by iteration the part of the map grows, and the search goes on where it had to stop
-//! ([`Within`]). So a cell is expanded again only where a shorter way to it has turned up, and the proof at the end begins with all that merging
+//! ([`Within`](crate::exact::Within), of polylines [`PolylinesWithin`](crate::exact::PolylinesWithin)). So a cell is expanded again only where a shorter way to it has turned up, and the proof at the end begins with all that merging
 //! has expanded.
 
 use std::sync::Arc;
 
 use crate::aco::ant::Ant;
-use crate::exact::Within;
 use crate::map::Cell;
 use crate::path::Path;
 use crate::planner::Certificate;
 use crate::scenario::Scenario;
 
+use super::inside::Inside;
+use super::params::Paths;
+
 /// The search of a colony, and how far around the best path it looks.
 #[derive(Clone)]
 pub struct Merge {
-    search: Within,
+    search: Inside,
     corridor: Corridor,
     /// Expansions that were told already.
     told: u64,
@@ -25,7 +27,12 @@ pub struct Merge {
 impl Merge {
     /// On a scenario with all its steps, within a corridor.
     pub fn new(scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
-        Self { search: Within::new(scenario), corridor, told: 0 }
+        Self::of(Paths::Steps, scenario, corridor)
+    }
+
+    /// The same for paths of either kind; polylines on a plane alone.
+    pub fn of(paths: Paths, scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
+        Self { search: Inside::new(scenario, paths), corridor, told: 0 }
     }
 
     /// Takes in where an ant has been, widened by so many cells; `scenario` is the one on which it has walked.
@@ -43,6 +50,11 @@ impl Merge {
         path.iter().for_each(|&cell| self.search.widen(cell, self.corridor.radius));
     }
 
+    /// A path of this length, in cells, is known from elsewhere: only shorter ones are looked for.
+    pub fn bound_by(&mut self, known: f64) {
+        self.search.bound_by(known);
+    }
+
     /// Searches among all that was taken in; the shortest path there, with its length in cells.
     pub fn solve(&mut self) -> Option<(Path, f64)> {
         self.search.go_on(u64::MAX);
@@ -56,7 +68,7 @@ impl Merge {
 
     /// Searches the whole map for what is shorter than `known` cells, by no more than so many expansions.
     pub fn prove(&mut self, known: f64, most: u64) -> Option<(Path, f64)> {
-        self.search.bound_by(known);
+        self.bound_by(known);
         self.search.widen_to_all();
         self.search.go_on(most);
         self.search.best()

@@ -18,11 +18,15 @@
 //!   1161–1172, doi:10.1109/TSMCB.2003.821450.
 //!
 //! With 16 moves ants walk by 8 of them and the search by all: a step of two cells deposits on the two steps that it stands for.
+//!
+//! With `paths = polylines` the search is that of `any-angle`, and a polyline deposits on the steps along it: `straight.rs`.
 
+mod inside;
 mod learnt;
 pub mod merge;
 mod params;
 pub mod scent;
+mod straight;
 
 use std::sync::Arc;
 
@@ -33,17 +37,19 @@ use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Solved, Variant};
 use crate::error::ParamError;
 use crate::exact::Estimate;
+#[cfg(feature = "whole")]
+use crate::exact::any_angle::MOST_CELLS;
 use crate::map::{Cell, Direction, MoveSet, Moves};
 use crate::metrics::SAME_LENGTH;
 use crate::params::{Params, Values};
-use crate::path::Path;
+use crate::path::{Path, PathKind};
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Status, held};
 use crate::scenario::Scenario;
 
 use learnt::Learnt;
-pub use params::FormicaParams;
+pub use params::{FormicaParams, Paths};
 use scent::Scent;
 
 /// Trails before the first iteration and after a restart, and their limits.
@@ -123,13 +129,20 @@ impl Variant for Formica {
             learnt.merge(&iteration, self.params.widening as u8)
         } else {
             learnt.path = iteration.iteration_best().map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
-            None
+            learnt.straighten(&iteration)
         };
         let length = |found: &Option<(Path, f64)>| found.as_ref().map(|f| f.1).or(iteration.best_so_far.map(|best| best.length));
         learnt.note(length(&found).unwrap_or(f64::INFINITY), iteration.number);
         let status = self.prove(&iteration, &mut found);
         let expansions = self.learnt.as_mut().map_or(0, Learnt::take_expansions);
         Some(Solved { found, expansions, status })
+    }
+
+    fn path_kind(&self) -> PathKind {
+        match self.params.paths {
+            Paths::Steps => PathKind::Steps,
+            Paths::Polylines => PathKind::Polyline,
+        }
     }
 
     fn update_trails(&mut self, trails: &mut Trails, iteration: Iteration) {
@@ -201,8 +214,29 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
     Arc::new(near)
 }
 
+/// Refuses what the search for polylines does not know: any ground but a plane, and what is larger than `any-angle` takes.
+#[cfg(feature = "whole")]
+fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
+    if let Some(ground) = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane) {
+        let (id, words) = ground.words();
+        let (key, value, instead) = ("paths", "polylines", "steps");
+        return Err(ParamError::ValueOnGround { key, value, ground: words, id, instead });
+    }
+    let (width, height) = (scenario.grid.width(), scenario.grid.height());
+    if scenario.grid.len() > MOST_CELLS {
+        let most = MOST_CELLS as u32;
+        return Err(ParamError::MapTooLarge { planner: ENTRY.id.into(), width, height, most, instead: "theta-star" });
+    }
+    Ok(())
+}
+
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
-    let variant = Formica::new(FormicaParams::read(ENTRY.id, values)?, Arc::clone(scenario));
+    let params = FormicaParams::read(ENTRY.id, values)?;
+    #[cfg(feature = "whole")]
+    if params.paths == Paths::Polylines {
+        takes_polylines(scenario)?;
+    }
+    let variant = Formica::new(params, Arc::clone(scenario));
     Ok(Box::new(Colony::new(walked_on(scenario), variant, ENTRY.id, seed, 0)))
 }
 

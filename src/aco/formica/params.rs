@@ -1,11 +1,23 @@
 //! The parameters of Formica.
 
 use crate::aco::shared_params::{SelectionParams, WalkParams};
-use crate::params;
+use crate::{param_choice, params};
+
+param_choice! {
+    /// What the colony's paths consist of.
+    pub enum Paths {
+        /// allowed steps from cell to cell
+        Steps = "steps",
+        /// segments of any angle between centres of cells that see each other; on a plane
+        Polylines = "polylines",
+    }
+}
 
 params! {
     /// Parameters of Formica.
     pub struct FormicaParams {
+        /// what paths consist of; ants walk by steps anyway
+        paths: Paths = Paths::Steps, "", [], "", "our addition";
         /// ants that build a path in each iteration
         ants: u32 = 16, "m", [1..=1024], "ants", "measured: docs/papers/formica.md";
         ..selection: SelectionParams;

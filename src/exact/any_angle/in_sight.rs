@@ -4,6 +4,8 @@
 //! use crosses another cell, a point could go aside to that cell's centre and back within it, √2 at most. So a cell whose f exceeds the best
 //! known length by more than that is on the way to no cell of use, and blocks the view as an obstacle does.
 
+use std::sync::Arc;
+
 use crate::exact::best_first::{Known, Rules, State, Tree};
 use crate::exact::euclidean;
 use crate::exact::geodesic::ASIDE;
@@ -25,9 +27,9 @@ pub(super) struct InSight {
     shorter: Vec<Cell>,
     /// Cells that it may still look at.
     left: u64,
-    /// Whether the search is led by what is left to go for a point, else by the straight line.
+    /// Whether what is left to go for a point is still to be found out; what leads it is that, else the straight line.
     is_led: bool,
-    /// That, once it is prepared.
+    /// That, once it is known.
     lead: Option<Lead>,
 }
 
@@ -36,6 +38,13 @@ impl InSight {
     pub(super) fn new(scenario: &Scenario, left: u64) -> Self {
         let sight = Sight::new(&scenario.grid, scenario.spec.movement);
         Self { sight, shorter: Vec::new(), left, is_led: scenario.grid.len() > MOST_CELLS_UNLED, lead: None }
+    }
+
+    /// The same, led on a map of any size, without a way to begin with.
+    pub(super) fn led_alone(scenario: &Arc<Scenario>, left: u64) -> Self {
+        let lead = Lead::alone(scenario);
+        let left = left.saturating_sub(lead.looked);
+        Self { is_led: false, lead: Some(lead), ..Self::new(scenario, left) }
     }
 
     /// The same, led on any map or on none.

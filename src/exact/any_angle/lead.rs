@@ -32,6 +32,12 @@ impl Lead {
         let (known, tried) = theta_star::led(&scenario, Arc::clone(&rest), left.saturating_sub(seen));
         Self { rest, known, looked: seen + tried }
     }
+
+    /// Without a way to begin with: who asks has one.
+    pub(super) fn alone(scenario: &Arc<Scenario>) -> Self {
+        let (rest, looked) = rest(scenario);
+        Self { rest, known: None, looked }
+    }
 }
 
 /// What is left to go from each cell, and how many cells were looked at to know it. With 4 moves a polyline is a path of steps.

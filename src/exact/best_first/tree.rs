@@ -11,7 +11,7 @@ use crate::planner::held;
 pub(in crate::exact) type State = u32;
 
 /// Parent of the start.
-pub(super) const NO_PARENT: State = State::MAX;
+pub(in crate::exact) const NO_PARENT: State = State::MAX;
 
 /// A state that waits to be expanded.
 #[derive(Clone, Copy)]
@@ -45,21 +45,22 @@ impl PartialEq for Open {
 impl Eq for Open {}
 
 /// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
-pub(super) const BUCKETS_PER_CONTOUR: f64 = 4.0;
+pub(in crate::exact) const BUCKETS_PER_CONTOUR: f64 = 4.0;
 
 /// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
 #[derive(Clone, Default)]
-pub(super) struct Queue {
+pub(in crate::exact) struct Queue {
     heap: BinaryHeap<Open>,
     later: Frontier<Open>,
     /// f at which bucket 0 begins.
-    pub(super) base: f64,
-    pub(super) buckets_per_cell: f64,
+    pub(in crate::exact) base: f64,
+    pub(in crate::exact) buckets_per_cell: f64,
 }
 
 impl Queue {
+    /// Has a state wait; it is up to date.
     #[inline]
-    fn push(&mut self, open: Open) {
+    pub(in crate::exact) fn push(&mut self, open: Open) {
         let bucket = ((open.f - self.base) * self.buckets_per_cell) as u32 as usize;
         if bucket <= self.later.at_work() {
             self.heap.push(open);
@@ -77,7 +78,7 @@ impl Queue {
     }
 
     /// Without the state that was seen last by [`Queue::peek`].
-    pub(super) fn pop(&mut self) {
+    pub(in crate::exact) fn pop(&mut self) {
         self.heap.pop();
     }
 
@@ -93,14 +94,14 @@ pub(in crate::exact) struct Tree {
     pub(super) g: Vec<f64>,
     parent: Vec<State>,
     pub(super) expanded: Vec<bool>,
-    pub(super) open: Queue,
+    pub(in crate::exact) open: Queue,
     /// Cost of the best way to the goal so far, and the state at its end.
-    pub(super) bound: f64,
-    pub(super) arrived: State,
+    pub(in crate::exact) bound: f64,
+    pub(in crate::exact) arrived: State,
 }
 
 impl Tree {
-    pub(super) fn new(states: usize) -> Self {
+    pub(in crate::exact) fn new(states: usize) -> Self {
         let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
         Self { g, parent, expanded, open: Queue::default(), bound: f64::INFINITY, arrived: NO_PARENT }
     }
@@ -152,7 +153,7 @@ impl Tree {
     }
 
     /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
-    pub(super) fn least(&mut self) -> Option<(State, f64)> {
+    pub(in crate::exact) fn least(&mut self) -> Option<(State, f64)> {
         while let Some(&Open { state, g, f }) = self.open.peek() {
             if g <= self.g[state as usize] && self.is_below_bound(f) {
                 return Some((state, f));
@@ -163,7 +164,7 @@ impl Tree {
     }
 
     /// The states from the start to the goal.
-    pub(super) fn way(&self) -> Vec<State> {
+    pub(in crate::exact) fn way(&self) -> Vec<State> {
         let mut way = vec![self.arrived];
         let mut at = self.arrived;
         while self.parent[at as usize] != NO_PARENT {
@@ -174,7 +175,7 @@ impl Tree {
         way
     }
 
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::exact) fn bytes(&self) -> usize {
         held(&self.g) + held(&self.parent) + held(&self.expanded) + self.open.bytes()
     }
 }

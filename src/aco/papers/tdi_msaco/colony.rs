@@ -224,10 +224,6 @@ impl Planner for TdiMsaco {
         Objective::PolylineLength
     }
 
-    fn leaps(&self) -> bool {
-        true
-    }
-
     fn ants(&self, out: &mut Vec<Cell>) {
         out.clear();
         let ants = self.tables.iter().filter(|_| self.walking).flat_map(|tables| &tables.ants);

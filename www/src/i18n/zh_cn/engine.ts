@@ -339,6 +339,7 @@ export const zhCNEngine = {
     restart_after: '这么多次迭代没有更短路径后，所有信息素重新从上限开始；0 表示从不',
     q0: '直接选最好的一步而不抽取的概率',
     xi: '局部挥发率：蚂蚁经过时，该步信息素中被 τ0 取代的部分',
+    paths: '路径由什么组成；蚂蚁总是按步行走',
     scent: '蚂蚁是否嗅到绕过障碍到终点有多远；否则只知道终点的方向',
     kappa: '蚂蚁按气味避开绕路的程度：η = exp(−κ · 绕路)',
     merge: '搜索是否把每次迭代蚂蚁的路径拼合起来',
@@ -445,6 +446,8 @@ export const zhCNEngine = {
     farthest: '视线内最远的点',
     next: '逐点检查，直到看不见为止',
     none: '不拉直',
+    steps: '按步',
+    polylines: '折线',
     die: '死亡',
     evaporate: '只挥发',
     acs: '蚁群系统的规则',
@@ -517,6 +520,10 @@ export const zhCNEngine = {
     deposit_by: {
       criterion: '优劣标准的值',
       length: '长度，如式 5 所印',
+    },
+    paths: {
+      steps: '从一格到另一格的允许的步',
+      polylines: '互相可见的格中心之间任意角度的线段；只在平面上',
     },
     refinement: {
       farthest: '视线内最远的后续点',

@@ -27,6 +27,7 @@ export const zhCNParamNames = {
   mutation_probability: '变异概率',
   mutation_strength: '变异强度',
   restart_below: '重启阈值',
+  paths: '路径的形式',
   scent: '气味',
   kappa: '绕路惩罚',
   merge: '合并求解',
