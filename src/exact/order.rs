@@ -13,7 +13,9 @@ mod whole;
 
 use std::sync::Arc;
 
+pub use improve::improved;
 pub use search::OrderSearch;
+pub use whole::Ways;
 
 use super::astar::Distance;
 use super::search::{EVERYWHERE, Search};

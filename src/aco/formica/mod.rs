@@ -10,6 +10,7 @@
 //! | update | τ ← (1 − ρ)·τ, + ρ on the path that the search has found, limits: hyper-cube framework |
 //! | daemon actions | trails start again where nothing shorter is found, as MAX–MIN Ant System |
 //! | end | a proof: A* over the whole map, bounded by the best length, on what merging has expanded; ours |
+//! | several goals | their order by ants, merged and proven by 1-trees: `../order_solve.rs`; then the same for each leg |
 //!
 //! - Blum, Pinacho, López-Ibáñez, Lozano, "Construct, Merge, Solve & Adapt: a new general algorithm for combinatorial optimization", Computers
 //!   and Operations Research 68 (2016) 75–88, doi:10.1016/j.cor.2015.10.014. There components that the solver does not use grow old and leave;
@@ -26,8 +27,8 @@ pub mod scent;
 
 use std::sync::Arc;
 
-use crate::aco::colony::Colony;
 use crate::aco::criterion::way;
+use crate::aco::legs;
 use crate::aco::shared_params::settings;
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Solved, Variant};
@@ -40,7 +41,7 @@ use crate::path::Path;
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Status, held};
-use crate::scenario::Scenario;
+use crate::scenario::{MAX_GOALS, Scenario};
 
 use learnt::Learnt;
 pub use params::FormicaParams;
@@ -104,6 +105,10 @@ impl Variant for Formica {
 
     fn initial_trail(&self, _scenario: &Scenario) -> f64 {
         TRAIL
+    }
+
+    fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
+        (walked_on(leg), Self::new(self.params.clone(), Arc::clone(leg)))
     }
 
     fn prepare(&mut self, scenario: &Scenario) {
@@ -203,7 +208,8 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
 
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let variant = Formica::new(FormicaParams::read(ENTRY.id, values)?, Arc::clone(scenario));
-    Ok(Box::new(Colony::new(walked_on(scenario), variant, ENTRY.id, seed, 0)))
+    let level = variant.params.order_level();
+    Ok(legs::planner(scenario, level, variant, (ENTRY.id, ENTRY.layers), seed))
 }
 
 /// Formica in the catalog.
@@ -247,7 +253,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
         },
     ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Scent, Layer::Merged],
-    max_goals: 1,
+    max_goals: MAX_GOALS as u32,
     grounds: Ground::STEPS,
     specs: FormicaParams::specs,
     build,

@@ -12,7 +12,7 @@
 //!   problems", Operations Research Letters 2 (1983) 161–163, doi:10.1016/0167-6377(83)90048-2. An open tour returns at no cost.
 
 use super::Shape;
-use super::whole::Whole;
+use super::whole::{Ways, Whole};
 
 /// What is decided about an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,15 +40,15 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// Of these costs; with only the edges of `among` (from · nodes + to, the way back to node 0 too), where that is given.
-    pub(super) fn new(whole: &Whole, among: Option<&[bool]>) -> Self {
+    /// Of these costs; with only the edges of `among`, where that is given.
+    pub(super) fn new(whole: &Whole, among: Option<&Ways>) -> Self {
         let (kind, size) = match (whole.is_symmetric(), whole.shape()) {
             (true, Shape::Closed) => (Kind::Nodes, whole.nodes()),
             (true, Shape::Open) => (Kind::Dummy, whole.nodes() + 1),
             (false, _) => (Kind::Doubled, 2 * whole.nodes()),
         };
         let mut graph = Self { kind, size, units: vec![0; size * size], edges: vec![Edge::Forbidden; size * size] };
-        let is_among = |i: usize, j: usize| among.is_none_or(|among| among[i * whole.nodes() + j]);
+        let is_among = |i: usize, j: usize| among.is_none_or(|among| among.has(i, j));
         for (i, j) in (0..whole.nodes()).flat_map(|i| (0..whole.nodes()).map(move |j| (i, j))).filter(|(i, j)| i != j) {
             if is_among(i, j) {
                 let (a, b) = graph.vertices(i, j);

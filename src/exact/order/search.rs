@@ -11,13 +11,13 @@ use super::ascent::{Found, Rounds, ascend, too_dear};
 use super::graph::{Edge, Graph};
 use super::improve::improve;
 use super::one_tree::{Among, OneTree};
-use super::whole::{Whole, edges};
+use super::whole::{Ways, Whole};
 use super::{Costs, Shape, held_karp};
 
 /// The first bound, of all orders.
-const ROOT: Rounds = Rounds { most: 1500, lambda: 2.0, patience: 40 };
+const ROOT: Rounds = Rounds { most: 1500, lambda: 2.0, patience: 20 };
 /// The bound of a part, which begins with the multipliers of the larger part.
-const PART: Rounds = Rounds { most: 40, lambda: 0.5, patience: 6 };
+const PART: Rounds = Rounds { most: 20, lambda: 0.5, patience: 3 };
 /// Fewer nodes have no 1-trees, or hardly any; [`held_karp`] orders them.
 const FEWEST: usize = 4;
 
@@ -66,16 +66,13 @@ impl OrderSearch {
         Self::among(costs, shape, known, None)
     }
 
-    /// The same among the ways that these orders go alone: the orders that can be put together from parts of theirs. What it proves is proven for
-    /// those.
-    pub fn merging(costs: &Costs, shape: Shape, known: &[u32], orders: &[Vec<u32>]) -> Option<Self> {
-        let nodes = costs.nodes();
-        let mut among = vec![false; nodes * nodes];
-        orders.iter().flat_map(|order| edges(order)).for_each(|(i, j)| among[i * nodes + j] = true);
-        Self::among(costs, shape, known, Some(&among))
+    /// The same among these ways alone: the orders that can be put together from parts of those that have gone them. What it proves is proven
+    /// for these orders.
+    pub fn merging(costs: &Costs, shape: Shape, known: &[u32], ways: &Ways) -> Option<Self> {
+        Self::among(costs, shape, known, Some(ways))
     }
 
-    fn among(costs: &Costs, shape: Shape, known: &[u32], among: Option<&[bool]>) -> Option<Self> {
+    fn among(costs: &Costs, shape: Shape, known: &[u32], among: Option<&Ways>) -> Option<Self> {
         let whole = Whole::new(costs, shape).filter(|whole| whole.nodes() > 1 && known.len() + 1 == whole.nodes())?;
         let mut best = known.to_vec();
         improve(&whole, &mut best);

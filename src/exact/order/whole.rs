@@ -5,6 +5,7 @@
 
 use super::{Costs, Shape};
 use crate::metrics::SAME_LENGTH;
+use crate::planner::held;
 
 /// No cost is as many units: sums over [`crate::exact::order_problem::MAX_PLACES`] stay far below what 64 bits hold.
 pub(super) const MOST_UNITS: i64 = 1 << 46;
@@ -90,9 +91,38 @@ impl Whole {
 }
 
 /// The ways of a tour from node to node, back to node 0 at last.
-pub(super) fn edges(order: &[u32]) -> impl Iterator<Item = (usize, usize)> + '_ {
+fn edges(order: &[u32]) -> impl Iterator<Item = (usize, usize)> + '_ {
     let node = |&goal: &u32| goal as usize + 1;
     std::iter::once(0).chain(order.iter().map(node)).zip(order.iter().map(node).chain(std::iter::once(0)))
+}
+
+/// The ways that some orders go, from node to node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ways {
+    nodes: usize,
+    gone: Vec<bool>,
+}
+
+impl Ways {
+    /// None yet, on a complete graph of so many nodes.
+    pub fn none(nodes: usize) -> Self {
+        Self { nodes, gone: vec![false; nodes * nodes] }
+    }
+
+    /// Takes in those of an order, and the way back from its end: goals counted from 0.
+    pub fn take(&mut self, order: &[u32]) {
+        edges(order).for_each(|(i, j)| self.gone[i * self.nodes + j] = true);
+    }
+
+    /// Whether some order has gone from node i to node j.
+    pub fn has(&self, i: usize, j: usize) -> bool {
+        self.gone[i * self.nodes + j]
+    }
+
+    /// What it holds, in bytes, its own size not counted.
+    pub fn bytes(&self) -> usize {
+        held(&self.gone)
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The search against Held and Karp's dynamic programming, on complete graphs of every kind.
 
-use super::super::{Costs, Shape, held_karp};
+use super::super::{Costs, Shape, Ways, held_karp};
 use super::OrderSearch;
 use crate::rng::Streams;
 use rand::Rng;
@@ -80,17 +80,23 @@ fn a_merged_order_is_the_best_of_the_ways_that_were_gone() {
     // On a line, two orders that go each half well: together they go all of it well.
     let costs = Costs::new(9, |i, j| i.abs_diff(j) as f64);
     let halves = [vec![0, 1, 2, 3, 7, 4, 6, 5], vec![3, 0, 2, 1, 4, 5, 6, 7], vec![7, 6, 5, 4, 3, 2, 1, 0]];
-    let mut search = OrderSearch::merging(&costs, Shape::Open, &halves[0], &halves).expect("finite costs");
+    let mut search = OrderSearch::merging(&costs, Shape::Open, &halves[0], &ways(&costs, &halves)).expect("finite costs");
     assert!(search.go_on(u64::MAX));
     assert_eq!((search.cost(), search.order()), (8.0, &plain(&costs)[..]));
     for (seed, shape) in (0..60).flat_map(|seed| SHAPES.map(|shape| (seed, shape))) {
         let costs = drawn(seed);
         let orders: Vec<Vec<u32>> = [1, 5, 7].map(|by| turned(&costs, by)).into();
-        let mut merged = OrderSearch::merging(&costs, shape, &orders[0], &orders).expect("finite costs");
+        let mut merged = OrderSearch::merging(&costs, shape, &orders[0], &ways(&costs, &orders)).expect("finite costs");
         assert!(merged.go_on(u64::MAX));
         let best = orders.iter().map(|order| costs.total(order, shape)).fold(f64::INFINITY, f64::min);
         assert!(merged.cost() <= best + 1e-9, "seed {seed}, {shape:?}");
     }
+}
+
+fn ways(costs: &Costs, orders: &[Vec<u32>]) -> Ways {
+    let mut ways = Ways::none(costs.nodes());
+    orders.iter().for_each(|order| ways.take(order));
+    ways
 }
 
 /// The goals begun at another one.
