@@ -9,12 +9,14 @@ mod graph;
 mod improve;
 mod one_tree;
 mod search;
+mod start;
 mod whole;
 
 use std::sync::Arc;
 
 pub use improve::improved;
 pub use search::OrderSearch;
+pub use start::good_order;
 pub use whole::Ways;
 
 use super::astar::Distance;

@@ -1,7 +1,7 @@
 //! The exact tour by several goals: lengths of the shortest paths between all of them, the best order by Held and Karp (see
 //! [`super::order`]), and a shortest path for each leg by A*.
 //!
-//! Beyond [`MAX_ORDERED`] goals the order is looked for by branch and bound ([`OrderSearch`]), as far as it may: then the tour is the best, or a
+//! Beyond [`order::MAX_ORDERED`] goals the order is looked for by branch and bound ([`OrderSearch`]), as far as it may: then the tour is the best, or a
 //! good one with a bound.
 //!
 //! A tour of straight lines is not offered here: its order would be proven for lines that walls may cut, and not for what is walked.
@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use super::SEARCH;
 use super::astar::Distance;
-use super::order::{self, Costs, MAX_ORDERED, OrderSearch, Shape, held_karp, nodes};
+use super::order::{self, Costs, OrderSearch, Shape, good_order, held_karp, nodes};
 use super::search::{EVERYWHERE, Search};
 use crate::error::ParamError;
 use crate::map::Cell;
@@ -93,10 +93,10 @@ impl ExactTour {
         if let Some(order) = held_karp(costs, Shape::Open) {
             return self.walk_in(order);
         }
-        let plain: Vec<u32> = (0..self.scenario.goals.len() as u32).collect();
-        self.ordering = OrderSearch::new(costs, Shape::Open, &plain).map(Box::new);
+        let good = good_order(costs, Shape::Open);
+        self.ordering = OrderSearch::new(costs, Shape::Open, &good).map(Box::new);
         if self.ordering.is_none() {
-            self.walk_in(plain);
+            self.walk_in(good);
         }
     }
 
