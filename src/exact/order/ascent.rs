@@ -27,8 +27,8 @@ pub(super) struct Rounds {
 pub(super) enum Found {
     /// None is cheap enough.
     Nothing,
-    /// The cheapest, which is cheap enough: its edges and its cost.
-    Cycle(Vec<(u32, u32)>, i64),
+    /// The edges of the cheapest, which is cheap enough.
+    Cycle(Vec<(u32, u32)>),
     /// None costs less than this.
     Bound(i64),
 }
@@ -49,7 +49,7 @@ pub(super) fn ascend(
             return Found::Nothing;
         }
         if tree.is_cycle() {
-            return Found::Cycle(tree.edges.clone(), tree.bound);
+            return Found::Cycle(tree.edges.clone());
         }
         since += 1;
         if best.as_ref().is_none_or(|best| tree.bound > best.0) {

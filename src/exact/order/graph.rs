@@ -123,12 +123,29 @@ impl Graph {
         order
     }
 
+    /// The order in which the goals are first come by along a spanning tree of all vertices but vertex 0; edges at that do not count.
+    pub(super) fn order_along(&self, tree: &[(u32, u32)]) -> Vec<u32> {
+        let mut beside = vec![Vec::new(); self.size];
+        for &(a, b) in tree.iter().filter(|edge| edge.0 != 0) {
+            beside[a as usize].push(b);
+            beside[b as usize].push(a);
+        }
+        let (mut order, mut waiting, mut seen) = (Vec::new(), vec![1], vec![false; self.size]);
+        while let Some(at) = waiting.pop() {
+            if !std::mem::replace(&mut seen[at as usize], true) {
+                order.extend(self.goal(at));
+                waiting.extend(beside[at as usize].iter().rev());
+            }
+        }
+        order
+    }
+
     /// The goal for which a vertex stands, told at one of two.
     fn goal(&self, vertex: u32) -> Option<u32> {
         match self.kind {
             Kind::Nodes => Some(vertex - 1),
             Kind::Dummy => vertex.checked_sub(2),
-            Kind::Doubled => (vertex % 2 == 0).then(|| vertex / 2 - 1),
+            Kind::Doubled => (vertex > 1 && vertex % 2 == 0).then(|| vertex / 2 - 1),
         }
     }
 }

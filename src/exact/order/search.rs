@@ -18,6 +18,8 @@ use super::{Costs, Shape, held_karp};
 const ROOT: Rounds = Rounds { most: 1500, lambda: 2.0, patience: 20 };
 /// The bound of a part, which begins with the multipliers of the larger part.
 const PART: Rounds = Rounds { most: 20, lambda: 0.5, patience: 3 };
+/// Of so many parts one gives an order to be improved.
+const TRIED: u32 = 8;
 /// Fewer nodes have no 1-trees, or hardly any; [`held_karp`] orders them.
 const FEWEST: usize = 4;
 
@@ -40,6 +42,8 @@ pub struct OrderSearch {
     units: i64,
     graph: Graph,
     neighbours: Vec<Vec<u32>>,
+    /// The 1-tree of the first bound, and its multipliers.
+    first: Option<(OneTree, Vec<i64>)>,
     /// What is left to divide; none before the first step.
     open: Option<BinaryHeap<Part>>,
     trees: u64,
@@ -50,9 +54,9 @@ pub struct OrderSearch {
 /// A part of the orders: those with and without certain edges.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Part {
-    /// The largest comes first: that of the least bound, of equals the oldest.
+    /// The largest comes first: that of the least bound, of equals the youngest, which is the nearest to a tour.
     bound: Reverse<i64>,
-    number: Reverse<u32>,
+    number: u32,
     decided: Vec<(u32, u32, bool)>,
     multipliers: Vec<i64>,
     /// Two edges at the vertex that divides it; the second only where none at that vertex is required.
@@ -87,6 +91,7 @@ impl OrderSearch {
             best,
             neighbours: graph.neighbours(),
             graph,
+            first: None,
             open: is_small.then(BinaryHeap::new),
             trees: 0,
             parts: 0,
@@ -168,26 +173,49 @@ impl OrderSearch {
         };
         match ascend(find, (&mut multipliers, &mut tree, &mut self.trees), most, rounds) {
             Found::Nothing => {}
-            Found::Cycle(cycle, units) => self.take(&cycle, units),
+            Found::Cycle(cycle) => self.take(self.graph.order(&cycle)),
             Found::Bound(bound) => {
                 let divided_by = dividing(&tree, &with(&multipliers));
-                if decided.is_empty() {
-                    let never = too_dear(&tree, &with(&multipliers), most);
-                    never.into_iter().for_each(|(a, b)| self.graph.forbid(a as usize, b as usize));
-                    self.neighbours = self.graph.neighbours();
-                }
                 self.parts += 1;
-                let (bound, number) = (Reverse(bound.max(least)), Reverse(self.parts));
-                self.open.get_or_insert_default().push(Part { bound, number, decided, multipliers, divided_by });
+                if self.parts % TRIED == 1 {
+                    self.try_along(&tree);
+                }
+                if decided.is_empty() {
+                    self.first = Some((tree, multipliers.clone()));
+                    self.forbid_too_dear();
+                }
+                let bound = Reverse(self.whole.least_order(bound).max(least));
+                let part = Part { bound, number: self.parts, decided, multipliers, divided_by };
+                self.open.get_or_insert_default().push(part);
             }
         }
     }
 
-    /// Takes in the cheapest order of a part.
-    fn take(&mut self, cycle: &[(u32, u32)], units: i64) {
-        self.best = self.graph.order(cycle);
-        self.units = units;
-        self.cost = self.costs.total(&self.best, self.whole.shape());
+    /// Takes in an order where it is the cheapest so far.
+    fn take(&mut self, order: Vec<u32>) {
+        let units = self.whole.total(&order);
+        if units <= self.most_units() {
+            self.cost = self.costs.total(&order, self.whole.shape());
+            (self.best, self.units) = (order, units);
+            self.forbid_too_dear();
+        }
+    }
+
+    /// Forbids the edges with which no order is cheap enough, by the 1-tree of the first bound.
+    fn forbid_too_dear(&mut self) {
+        let Some((tree, multipliers)) = &self.first else { return };
+        let (graph, neighbours) = (&self.graph, &self.neighbours);
+        let among = Among { graph, neighbours, edges: graph.edges(), required: 0, multipliers };
+        let never = too_dear(tree, &among, self.most_units());
+        never.into_iter().for_each(|(a, b)| self.graph.forbid(a as usize, b as usize));
+        self.neighbours = self.graph.neighbours();
+    }
+
+    /// Improves an order along a 1-tree: whoever comes off its edges goes on at the next vertex that it leads to.
+    fn try_along(&mut self, tree: &OneTree) {
+        let mut order = self.graph.order_along(&tree.edges);
+        improve(&self.whole, &mut order);
+        self.take(order);
     }
 
     /// Every edge after these decisions (required or not) and what follows from them, and how many are required: every vertex is on two. None

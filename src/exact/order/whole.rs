@@ -78,11 +78,16 @@ impl Whole {
         edges(order).map(|(i, j)| self.get(i, j)).sum()
     }
 
+    /// What an order of at least so many units has at least: where all costs are whole, a whole cost.
+    pub(super) fn least_order(&self, units: i64) -> i64 {
+        if self.is_exact { -(-units).div_euclid(self.grain) * self.grain } else { units }
+    }
+
     /// The cost below which no order's [`Costs::total`] lies, where none is of fewer units.
     pub(super) fn told(&self, least: i64) -> f64 {
         let least = least.max(0);
         if self.is_exact {
-            return ((least + self.grain - 1) / self.grain) as f64;
+            return (self.least_order(least) / self.grain) as f64;
         }
         // Each of the additions, and the change into a float here, is off by a part of 2⁻⁵³ at most.
         let rounding = self.nodes as i64 * (1 + (least >> 50));
