@@ -11,16 +11,17 @@
 //! Proof: the lengths by which the order is chosen are those of shortest paths, so a bound of all orders bounds all paths by all goals. Where the
 //! order is proven and each leg is as short as its shortest path, so is the whole.
 
+mod proof;
+
 use std::num::NonZero;
 use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
 use crate::map::Cell;
-use crate::metrics::SAME_LENGTH;
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{
-    Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Tour, Turn, Walked, nested,
+    Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, nested,
 };
 use crate::rng::Streams;
 use crate::scenario::Scenario;
@@ -85,53 +86,9 @@ enum Stage {
     /// Shortest paths between the goals: a row for each search that has ended.
     Measuring(Vec<Vec<f64>>),
     /// The order, by these lengths.
-    Ordering(Costs, Ordering),
+    Ordering(Costs, Box<OrderSolver>),
     /// The legs.
     Walking,
-}
-
-/// Who chooses the order.
-#[derive(Clone)]
-enum Ordering {
-    Ants(OrderColony),
-    Solver(Box<OrderSolver>),
-}
-
-impl Ordering {
-    fn is_finished(&self) -> bool {
-        match self {
-            Self::Ants(colony) => colony.is_finished(),
-            Self::Solver(solver) => solver.is_finished(),
-        }
-    }
-
-    /// One step further; the best order then.
-    fn advance(&mut self) -> Option<Vec<u32>> {
-        match self {
-            Self::Ants(colony) => {
-                colony.advance();
-                colony.best().map(|best| best.order.clone())
-            }
-            Self::Solver(solver) => {
-                solver.advance();
-                solver.best().map(|best| best.0.to_vec())
-            }
-        }
-    }
-
-    fn proof(&self) -> Option<OrderProof> {
-        match self {
-            Self::Ants(_) => None,
-            Self::Solver(solver) => solver.proof(),
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Ants(colony) => colony.bytes(),
-            Self::Solver(solver) => solver.bytes(),
-        }
-    }
 }
 
 /// A colony for each leg, after a colony for their order.
@@ -175,7 +132,8 @@ impl<V: Variant + 'static> Legs<V> {
             }
             Stage::Ordering(_, ordering) if ordering.is_finished() => self.begin_walking(),
             Stage::Ordering(lengths, ordering) => {
-                self.progress.tour = ordering.advance().map(|order| order::planned(scenario, lengths, order));
+                ordering.advance();
+                self.progress.tour = ordering.best().map(|best| order::planned(scenario, lengths, best.0.to_vec()));
                 self.proof = ordering.proof();
             }
             Stage::Walking => return false,
@@ -187,8 +145,8 @@ impl<V: Variant + 'static> Legs<V> {
         let costs = if self.level.weighted { lengths.weighted(&self.scenario) } else { lengths.clone() };
         let streams = Streams::new(u64::from(self.seed), self.streams, ORDER_RUN);
         let colony = OrderColony::new(costs.clone(), Shape::Open, self.level.settings, streams);
-        let solver = |solving| Ordering::Solver(Box::new(OrderSolver::new(costs, Shape::Open, solving, colony.clone())));
-        let ordering = self.level.solving.map_or_else(|| Ordering::Ants(colony.clone()), solver);
+        let solving = self.level.solving.unwrap_or(Solving::NONE);
+        let ordering = Box::new(OrderSolver::new(costs, Shape::Open, solving, colony));
         self.stage = Stage::Ordering(lengths, ordering);
     }
 
@@ -238,21 +196,6 @@ impl<V: Variant + 'static> Legs<V> {
         if self.level.solving.is_some() && self.legs.iter().all(|leg| leg.status().is_finished()) {
             self.progress.status = if self.is_proven() { Status::Optimal } else { Status::BudgetSpent };
         }
-    }
-
-    /// Whether nothing is better by the planner's objective: the order is proven, and each leg is as short as was planned.
-    fn is_proven(&self) -> bool {
-        let is_short = |tour: &Tour| {
-            tour.walked.len() == tour.planned.len()
-                && tour.walked.iter().zip(&tour.planned).all(|(walked, planned)| *walked < planned + SAME_LENGTH)
-        };
-        self.proof.is_some_and(|proof| proof.complete) && self.progress.tour.as_ref().is_some_and(is_short)
-    }
-
-    /// What the best path comes to by the planner's objective.
-    #[cfg(feature = "whole")]
-    fn value_of_best(&self) -> Option<f64> {
-        if self.level.weighted { self.progress.tour.as_ref()?.walked_weight } else { Some(self.progress.best.as_ref()?.length) }
     }
 
     /// The leg to which an ant belongs, and its number there.
@@ -330,10 +273,7 @@ impl<V: Variant + 'static> Planner for Legs<V> {
 
     #[cfg(feature = "whole")]
     fn certificate(&self) -> Option<Certificate> {
-        let (proof, value) = (self.proof?, self.value_of_best()?);
-        let complete = self.is_proven();
-        let lower_bound = if complete { value } else { proof.lower_bound.min(value) };
-        Some(Certificate { lower_bound, expansions: self.effort().cell_expansions, complete })
+        self.proven()
     }
 
     /// A colony for each leg, in visiting order; none before the legs are walked.

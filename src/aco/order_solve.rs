@@ -22,6 +22,11 @@ pub struct Solving {
     pub limit: u64,
 }
 
+impl Solving {
+    /// Nothing: the colony's best stands.
+    pub const NONE: Self = Self { merge: false, prove: false, limit: 0 };
+}
+
 /// What is proven of an order: no order's cost is below the bound; complete where it is that of the best.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrderProof {
@@ -105,8 +110,11 @@ impl OrderSolver {
     fn walk(&mut self) {
         let tours = self.colony.construct();
         for tour in &tours {
-            let order = if self.solving.merge { improved(&self.costs, self.shape, &tour.order) } else { tour.order.clone() };
-            self.ways.take(&order);
+            let mut order = tour.order.clone();
+            if self.solving.merge {
+                order = improved(&self.costs, self.shape, &order);
+                self.ways.take(&order);
+            }
             self.take(order);
         }
         self.colony.learn(tours);
@@ -148,6 +156,6 @@ impl OrderSolver {
 
     /// Costs that no search takes: the ants' order stands.
     fn give_up(&mut self) {
-        self.solving = Solving { merge: false, prove: false, ..self.solving };
+        self.solving = Solving::NONE;
     }
 }
