@@ -108,7 +108,7 @@ impl Variant for Formica {
     }
 
     fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
-        (walked_on(leg), Self::new(self.params.clone(), Arc::clone(leg)))
+        (walked_on(leg), Self::new(self.params, Arc::clone(leg)))
     }
 
     fn prepare(&mut self, scenario: &Scenario) {

@@ -145,7 +145,7 @@ impl Graph {
         match self.kind {
             Kind::Nodes => Some(vertex - 1),
             Kind::Dummy => vertex.checked_sub(2),
-            Kind::Doubled => (vertex > 1 && vertex % 2 == 0).then(|| vertex / 2 - 1),
+            Kind::Doubled => (vertex > 1 && vertex.is_multiple_of(2)).then(|| vertex / 2 - 1),
         }
     }
 }
