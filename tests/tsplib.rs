@@ -6,8 +6,9 @@
 
 use std::path::PathBuf;
 
+use formicarium::aco::order_solve::{OrderSolver, Solving};
 use formicarium::aco::tour::{OrderColony, TourSettings};
-use formicarium::exact::order::{Costs, Shape, held_karp};
+use formicarium::exact::order::{Costs, OrderSearch, Shape, good_order, held_karp};
 use formicarium::exact::order_problem::OrderProblem;
 use formicarium::formats::tsplib::{read_instance, read_tour};
 use formicarium::rng::Streams;
@@ -142,5 +143,81 @@ fn the_order_colony_comes_near_the_best_open_tours() {
         println!("{name}, open: {found}, {:+.2} % from {what}, {yardstick}", 100.0 * (found / yardstick - 1.0));
         assert!(best.is_none() || found >= yardstick, "{name}: {found}");
         assert!(found < 1.2 * yardstick, "{name}: {found}");
+    }
+}
+
+#[test]
+fn a_bound_is_never_above_the_optimum_and_near_it() {
+    for (name, optimum) in LISTED {
+        let Some((OrderProblem { costs, .. }, order)) = listed(name) else { return };
+        let mut search = OrderSearch::new(&costs, Shape::Closed, &good_order(&costs, Shape::Closed)).expect("costs are finite");
+        let begun = search.cost();
+        search.step(u64::MAX);
+        let first = search.lower_bound();
+        search.go_on(20_000);
+        let (bound, found) = (search.lower_bound(), search.cost());
+        println!(
+            "{name}, closed: begun with {begun}, first bound {first}, after {} 1-trees {bound} to {found}, {:.2} % to the optimum",
+            search.trees(),
+            100.0 * (1.0 - bound / optimum)
+        );
+        assert!(first <= bound && bound <= optimum && optimum <= found && found <= begun, "{name}: {bound}, {found}");
+        assert!(bound >= 0.99 * optimum, "{name}: {bound}");
+        assert!(!search.is_proven() || found == optimum, "{name}: {found}");
+        // From the listed tour on nothing better can be found.
+        let mut above = OrderSearch::new(&costs, Shape::Closed, &order).expect("costs are finite");
+        above.step(100);
+        assert!(above.cost() == optimum && above.lower_bound() <= optimum, "{name}");
+    }
+}
+
+#[test]
+fn a_bound_of_open_tours_is_below_them() {
+    for (name, _) in LISTED {
+        let Some((OrderProblem { costs, .. }, order)) = listed(name) else { return };
+        let mut search = OrderSearch::new(&costs, Shape::Open, &good_order(&costs, Shape::Open)).expect("costs are finite");
+        search.go_on(4000);
+        let (bound, found) = (search.lower_bound(), search.cost());
+        println!("{name}, open: {bound} to {found}, proven: {}", search.is_proven());
+        let reversed: Vec<u32> = order.iter().rev().copied().collect();
+        let known = costs.total(&order, Shape::Open).min(costs.total(&reversed, Shape::Open));
+        assert!(bound <= found && bound <= known && bound > 0.95 * found, "{name}: {bound}, {found}");
+        if let Some(best) = held_karp(&costs, Shape::Open) {
+            assert!(bound <= costs.total(&best, Shape::Open), "{name}");
+        }
+    }
+}
+
+#[test]
+fn merged_orders_are_never_dearer_than_the_colonys() {
+    let settings = TourSettings {
+        ants: 10,
+        iterations: 20,
+        alpha: 1.0,
+        beta: 5.0,
+        rho: 0.5,
+        deposit: 1.0,
+        initial_trail: 1.0,
+        exploit: None,
+    };
+    let solving = Solving { merge: true, prove: true, limit: 2000 };
+    for (name, _) in LISTED {
+        let Some((OrderProblem { costs, .. }, _)) = listed(name) else { return };
+        for (shape, seed) in [(Shape::Closed, 1), (Shape::Open, 2)] {
+            let colony = || OrderColony::new(costs.clone(), shape, settings, Streams::new(seed, "merged", 0));
+            let (mut alone, mut solver) = (colony(), OrderSolver::new(costs.clone(), shape, solving, colony()));
+            while !alone.is_finished() {
+                alone.advance();
+            }
+            while !solver.is_finished() {
+                solver.advance();
+            }
+            let alone = alone.best().expect("ants build tours").cost;
+            let ((order, cost), proof) = (solver.best().expect("ants build tours"), solver.proof().expect("it was asked for"));
+            println!("{name}, {shape:?}: colony {alone}, merged {cost}, bound {}, {} 1-trees", proof.lower_bound, solver.trees());
+            assert_eq!(costs.total(order, shape), cost);
+            assert!(proof.lower_bound <= cost && cost <= alone, "{name}, {shape:?}");
+            assert_eq!(proof.complete, proof.lower_bound == cost, "{name}, {shape:?}");
+        }
     }
 }

@@ -1,17 +1,25 @@
-//! Several goals on two levels: first the order (a colony on the complete graph of start and goals), then one colony for each leg.
+//! Several goals on two levels: first the order (a colony on the complete graph of start and goals, and where asked for a search after it), then
+//! one colony for each leg.
 //!
 //! All legs advance together, iteration by iteration, so that a whole path stands after the first iteration. Each leg has streams of its
 //! own (run = its place in the order), so its walk does not depend on the others'. A record of the history is the sum over the legs.
 //!
 //! Effort: the searches between the goals count as cell expansions. Tours of the order level are no paths on the map: they count neither as
-//! iterations nor as constructed paths nor as moves. On that level a move is one search or one iteration of the order colony; an iteration
-//! goes through all of it and on to the end of the legs' first iteration.
+//! iterations nor as constructed paths nor as moves. On that level a move is one search, one iteration of the order colony or one step of the
+//! search for the best order; an iteration goes through all of it and on to the end of the legs' first iteration.
+//!
+//! Proof: the lengths by which the order is chosen are those of shortest paths, so a bound of all orders bounds all paths by all goals. Where the
+//! order is proven and each leg is as short as its shortest path, so is the whole.
+
+mod proof;
 
 use std::num::NonZero;
 use std::sync::Arc;
 
 use crate::exact::order::{self, Costs, Shape};
 use crate::map::Cell;
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
 use crate::planner::{
     Granularity, Layer, MoveOdds, Objective, Planner, Progress, Record, Solution, Status, Turn, Walked, nested,
 };
@@ -19,6 +27,7 @@ use crate::rng::Streams;
 use crate::scenario::Scenario;
 
 use super::colony::Colony;
+use super::order_solve::{OrderProof, OrderSolver, Solving};
 use super::tour::{OrderColony, TourSettings};
 use super::variant::Variant;
 
@@ -34,6 +43,8 @@ pub struct OrderLevel {
     pub weighted: bool,
     /// Whether lengths are straight lines, or shortest paths on the map.
     pub straight: bool,
+    /// What a search makes of the colony's tours; none where the colony's best stands. Not for straight lines, which prove nothing.
+    pub solving: Option<Solving>,
 }
 
 /// A planner for one goal or several: with one there is no order to choose, and it is the variant's colony alone. Its streams are those
@@ -47,7 +58,8 @@ pub fn planner<V: Variant + 'static>(
 ) -> Box<dyn Planner> {
     let scenario = Arc::clone(scenario);
     if scenario.goals.len() == 1 {
-        Box::new(Colony::new(scenario, variant, streams, seed, 0))
+        let (walked_on, variant) = variant.of_leg(&scenario);
+        Box::new(Colony::new(walked_on, variant, streams, seed, 0))
     } else {
         Box::new(Legs {
             scenario,
@@ -57,6 +69,8 @@ pub fn planner<V: Variant + 'static>(
             layers,
             seed,
             stage: Stage::Begin,
+            proof: None,
+            ordering: 0,
             legs: Vec::new(),
             progress: Progress::default(),
             threads: NonZero::<usize>::MIN,
@@ -72,7 +86,7 @@ enum Stage {
     /// Shortest paths between the goals: a row for each search that has ended.
     Measuring(Vec<Vec<f64>>),
     /// The order, by these lengths.
-    Ordering(Costs, OrderColony),
+    Ordering(Costs, Box<OrderSolver>),
     /// The legs.
     Walking,
 }
@@ -87,6 +101,10 @@ struct Legs<V> {
     layers: &'static [Layer],
     seed: u32,
     stage: Stage,
+    /// What is proven of the order.
+    proof: Option<OrderProof>,
+    /// Expansions of the searches between the goals.
+    ordering: u64,
     /// In the order of the tour; empty before the legs are walked.
     legs: Vec<Colony<V>>,
     progress: Progress,
@@ -105,16 +123,18 @@ impl<V: Variant + 'static> Legs<V> {
             Stage::Measuring(rows) if rows.len() < scenario.goals.len() => {
                 let (row, expansions) = order::grid_row(scenario, rows.len());
                 rows.push(row);
-                self.progress.effort.cell_expansions += expansions;
+                self.ordering += expansions;
+                self.progress.effort.cell_expansions = self.ordering;
             }
             Stage::Measuring(rows) => {
                 let lengths = Costs::symmetric(rows);
                 self.begin_ordering(lengths);
             }
-            Stage::Ordering(_, colony) if colony.is_finished() => self.begin_walking(),
-            Stage::Ordering(lengths, colony) => {
-                colony.advance();
-                self.progress.tour = colony.best().map(|best| order::planned(scenario, lengths, best.order.clone()));
+            Stage::Ordering(_, ordering) if ordering.is_finished() => self.begin_walking(),
+            Stage::Ordering(lengths, ordering) => {
+                ordering.advance();
+                self.progress.tour = ordering.best().map(|best| order::planned(scenario, lengths, best.0.to_vec()));
+                self.proof = ordering.proof();
             }
             Stage::Walking => return false,
         }
@@ -124,8 +144,10 @@ impl<V: Variant + 'static> Legs<V> {
     fn begin_ordering(&mut self, lengths: Costs) {
         let costs = if self.level.weighted { lengths.weighted(&self.scenario) } else { lengths.clone() };
         let streams = Streams::new(u64::from(self.seed), self.streams, ORDER_RUN);
-        let colony = OrderColony::new(costs, Shape::Open, self.level.settings, streams);
-        self.stage = Stage::Ordering(lengths, colony);
+        let colony = OrderColony::new(costs.clone(), Shape::Open, self.level.settings, streams);
+        let solving = self.level.solving.unwrap_or(Solving::NONE);
+        let ordering = Box::new(OrderSolver::new(costs, Shape::Open, solving, colony));
+        self.stage = Stage::Ordering(lengths, ordering);
     }
 
     fn begin_walking(&mut self) {
@@ -133,7 +155,8 @@ impl<V: Variant + 'static> Legs<V> {
         for (run, &goal) in self.progress.tour.iter().flat_map(|t| &t.order).enumerate() {
             let to = self.scenario.goals[goal as usize];
             let leg = Arc::new(self.scenario.leg(from, to));
-            let mut colony = Colony::new(leg, self.variant.clone(), self.streams, self.seed, run as u32).never_stagnates();
+            let (walked_on, variant) = self.variant.of_leg(&leg);
+            let mut colony = Colony::new(walked_on, variant, self.streams, self.seed, run as u32).never_stagnates();
             colony.walk_on(self.threads);
             self.legs.push(colony);
             from = to;
@@ -162,6 +185,7 @@ impl<V: Variant + 'static> Legs<V> {
         effort.iterations = number;
         effort.constructed_paths = self.legs.iter().map(|l| l.effort().constructed_paths).sum();
         effort.ant_moves = self.legs.iter().map(|l| l.effort().ant_moves).sum();
+        effort.cell_expansions = self.ordering + self.legs.iter().map(|l| l.effort().cell_expansions).sum::<u64>();
         if self.legs.iter().any(|l| l.best().is_some_and(|b| b.iteration == number)) {
             self.take_best(number);
         }
@@ -169,6 +193,9 @@ impl<V: Variant + 'static> Legs<V> {
         self.progress.record(record);
         let settings = self.variant.settings();
         self.progress.status = self.progress.after_iteration(settings.iterations, settings.stagnation);
+        if self.level.solving.is_some() && self.legs.iter().all(|leg| leg.status().is_finished()) {
+            self.progress.status = if self.is_proven() { Status::Optimal } else { Status::BudgetSpent };
+        }
     }
 
     /// The leg to which an ant belongs, and its number there.
@@ -237,11 +264,16 @@ impl<V: Variant + 'static> Planner for Legs<V> {
     fn bytes(&self) -> usize {
         let order = match &self.stage {
             Stage::Measuring(rows) => nested(rows),
-            Stage::Ordering(_, colony) => colony.bytes(),
+            Stage::Ordering(_, ordering) => ordering.bytes(),
             Stage::Begin | Stage::Walking => 0,
         };
         let spare = (self.legs.capacity() - self.legs.len()) * size_of::<Colony<V>>();
         size_of::<Self>() + self.progress.bytes() + order + spare + self.legs.iter().map(Colony::bytes).sum::<usize>()
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        self.proven()
     }
 
     /// A colony for each leg, in visiting order; none before the legs are walked.

@@ -24,6 +24,7 @@
 //! | ants that go several cells at a time, a planner of its own | `papers/tdi_msaco/` |
 //! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/search/within.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
+//! | orders that a search puts together from ants' tours, and proves | `order_solve.rs`, over `../exact/order/search.rs` |
 //! | colonies by slices: the classics, and the textbook's own | `by_slices/` |
 //! | the same colony on problems that have no map | `order_run.rs` |
 //!
@@ -69,6 +70,7 @@ pub mod legs;
 pub mod odds;
 pub mod on_demand;
 pub mod order_run;
+pub mod order_solve;
 pub mod orientation;
 pub mod selection;
 pub mod shared_params;

@@ -77,10 +77,20 @@ impl OrderColony {
 
     /// One iteration: every ant builds a tour, then trails are updated.
     pub fn advance(&mut self) {
+        let tours = self.construct();
+        self.learn(tours);
+    }
+
+    /// The first half of an iteration: every ant builds a tour.
+    pub(super) fn construct(&mut self) -> Vec<Ordered> {
         self.iterations += 1;
         let weights = self.weights();
         let build = |ant| self.build(&weights, &mut self.streams.ant(self.iterations, ant));
-        let tours: Vec<Ordered> = (0..self.settings.ants).map(build).collect();
+        (0..self.settings.ants).map(build).collect()
+    }
+
+    /// The other half: trails follow these tours, and the cheapest is kept.
+    pub(super) fn learn(&mut self, tours: Vec<Ordered>) {
         self.update_trails(&tours);
         for tour in tours {
             if self.best.as_ref().is_none_or(|best| tour.cost < best.cost) {

@@ -1,5 +1,7 @@
 //! What a publication may change: the override points of a colony, whose defaults are Ant System.
 
+use std::sync::Arc;
+
 use crate::map::{Cell, Direction};
 use crate::path::{Path, PathKind, Refinement};
 #[cfg(feature = "whole")]
@@ -158,6 +160,11 @@ pub trait Variant: Clone + Send + Sync {
 
     /// Before the first iteration.
     fn prepare(&mut self, _scenario: &Scenario) {}
+
+    /// The same rules for another scenario, a leg of a tour, and the scenario on which its ants walk.
+    fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
+        (Arc::clone(leg), self.clone())
+    }
 
     /// Takes in the best path of the stage before, with its length in cells, if that has found one; only hybrids have such a stage
     /// ([`super::hybrid`]).

@@ -25,7 +25,8 @@ Examples:
   formicarium order eil51.tsp --rule pseudo-random-proportional --q0 0.9 --ants 51
   formicarium order burma14.tsp --open --format json
 
-Up to 17 places the best order is proven by Held and Karp. Tours begin with place 1; places are numbered as in the file.")]
+Up to 17 places the best order is proven by Held and Karp. Beyond, a search goes on from the best run: it tells a cost below which no tour
+lies and a better tour where it finds one, and proves the best where it comes so far. Tours begin with place 1; places are numbered as in the file.")]
 pub struct Args {
     /// The instance (.tsp); `-` is standard input
     instance: PathBuf,
@@ -59,6 +60,9 @@ pub struct Args {
     /// By the pseudo-random proportional rule, the probability of taking the best place [default: 0.7]
     #[arg(long, allow_negative_numbers = true)]
     q0: Option<f64>,
+    /// Most 1-trees of the search beyond 17 places, 0 for no search [default: 1500 to 20000, the fewer the more places]
+    #[arg(long, value_name = "N")]
+    trees: Option<u64>,
     /// Ends at the last place instead of returning to the first
     #[arg(long)]
     open: bool,
@@ -126,9 +130,24 @@ pub fn run(args: &Args) -> Result<Outcome, CliError> {
         (seed, run)
     };
     let runs: Vec<(u32, OrderRun)> = seeds.map(run).collect();
-    let answer = Answer::new(&problem, &params, &runs, tour);
+    let bound = bound(&problem, &runs, args.trees.unwrap_or_else(|| problem.usual_trees()));
+    let answer = Answer { bound, ..Answer::new(&problem, &params, &runs, tour) };
     let text = if args.wants_json() { text::json(&answer, 2) } else { answer.text() };
     Ok(Outcome::fine(text))
+}
+
+/// What a search of so many 1-trees finds and proves from the best run on.
+fn bound(problem: &OrderProblem, runs: &[(u32, OrderRun)], most: u64) -> Option<Bound> {
+    let best = runs.iter().filter_map(|(_, run)| run.best()).reduce(|best, next| if next.cost < best.cost { next } else { best });
+    let mut search = problem.search(&best?.order).filter(|_| most > 0)?;
+    search.go_on(most);
+    Some(Bound {
+        lower_bound: search.lower_bound(),
+        cost: search.cost(),
+        complete: search.is_proven(),
+        trees: search.trees(),
+        places: places(search.order()),
+    })
 }
 
 fn tour(path: &Path, problem: &OrderProblem) -> Result<TourFile, CliError> {
@@ -152,6 +171,16 @@ fn places(order: &[u32]) -> Vec<u32> {
 #[derive(Serialize)]
 struct Found {
     cost: f64,
+    places: Vec<u32>,
+}
+
+/// What a search has found and proven.
+#[derive(Serialize)]
+struct Bound {
+    lower_bound: f64,
+    cost: f64,
+    complete: bool,
+    trees: u64,
     places: Vec<u32>,
 }
 
@@ -179,6 +208,8 @@ struct Answer {
     params: Values,
     exact: Option<Found>,
     unproven_because: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound: Option<Bound>,
     listed_optimum: Option<f64>,
     tour: Option<TourFile>,
     runs: Vec<RunResult>,
@@ -214,6 +245,7 @@ impl Answer {
             params: params.values(),
             exact,
             unproven_because: problem.unproven_because(),
+            bound: None,
             listed_optimum,
             tour,
             runs,
@@ -231,6 +263,7 @@ impl Answer {
             (Some(found), _) => row(&mut out, "exact", format!("{}, proven by Held and Karp", found.cost)),
             (None, why) => row(&mut out, "exact", format!("unknown: {}", why.as_deref().unwrap_or(""))),
         }
+        self.bound_text(&mut out);
         if let Some(listed) = self.listed_optimum {
             row(&mut out, "listed", format!("{listed}, the listed optimum ({LISTED_SOURCE})"));
         }
@@ -239,6 +272,20 @@ impl Answer {
         }
         self.runs_text(&mut out);
         out
+    }
+
+    /// What the search has proven.
+    fn bound_text(&self, out: &mut String) {
+        let Some(bound) = &self.bound else { return };
+        let trees = count(bound.trees, "1-tree", "1-trees");
+        let said = if bound.complete {
+            format!("no tour costs less than {}, and one costs that: {trees}", bound.cost)
+        } else {
+            let gap = text::percent(relative_gap(bound.cost, bound.lower_bound));
+            format!("no tour costs less than {}; one costs {}, {gap} more: stopped after {trees}", bound.lower_bound, bound.cost)
+        };
+        row(out, "bound", said);
+        row(out, "", bound.places.iter().map(u32::to_string).collect::<Vec<_>>().join(" → "));
     }
 
     /// The best run, and where there are several what all of them reached.

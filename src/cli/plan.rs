@@ -145,7 +145,7 @@ impl Report<'_> {
     }
 
     fn gap_text(&self, out: &mut String) {
-        if self.planner.tour().is_some() && self.result.reference == Reference::Unknown {
+        if self.planner.tour().is_some() && self.result.reference == Reference::Unknown && self.result.certificate.is_none() {
             row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
         }
         let (Some(gap), Some(value)) = (self.result.gap, self.result.reference.value()) else { return };
@@ -222,11 +222,12 @@ impl Report<'_> {
     fn proof_text(&self, certificate: Certificate, value: f64) -> String {
         let bound = self.amount(certificate.lower_bound);
         let expansions = text::count(certificate.expansions, "cell expansion", "cell expansions");
+        let is = if self.planner.objective() == Objective::TourWeight { "weighs less" } else { "is shorter" };
         if certificate.complete {
-            return format!("no path is shorter than {bound}: {expansions}");
+            return format!("no path {is} than {bound}: {expansions}");
         }
         let gap = text::percent(relative_gap(value, certificate.lower_bound));
-        format!("no path is shorter than {bound}, so this one is within {gap}: stopped after {expansions}")
+        format!("no path {is} than {bound}, so this one is within {gap}: stopped after {expansions}")
     }
 
     /// The lines about the run itself.

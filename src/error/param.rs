@@ -85,7 +85,7 @@ pub enum ParamError {
         /// Ids of the planners that can, comma-separated.
         others: String,
     },
-    /// A value of a parameter does not go with how one moves here.
+    /// A value of a parameter does not go with how one moves here, or with several goals.
     #[cfg(feature = "whole")]
     #[error("{key} = {value} cannot be planned {ground}")]
     ValueOnGround {

@@ -4,7 +4,20 @@
 //! Nodes of the complete graph: 0 is the start, k is goal k − 1. A tour here is open, from the start by all goals, unless its [`Shape`]
 //! says that it returns.
 
+mod ascent;
+mod graph;
+mod improve;
+mod one_tree;
+mod search;
+mod start;
+mod whole;
+
 use std::sync::Arc;
+
+pub use improve::improved;
+pub use search::OrderSearch;
+pub use start::good_order;
+pub use whole::Ways;
 
 use super::astar::Distance;
 use super::search::{EVERYWHERE, Search};

@@ -1,6 +1,6 @@
 //! An order problem: places that are to be visited once each, and what the way between any two of them costs.
 
-use super::order::{Costs, MAX_ORDERED, Shape, held_karp};
+use super::order::{Costs, MAX_ORDERED, OrderSearch, Shape, held_karp};
 use crate::digest::Digest;
 
 /// Most places of a problem: costs, trails and weights are n² numbers each, 8 MB for 1000 places.
@@ -58,6 +58,18 @@ impl OrderProblem {
     pub fn unproven_because(&self) -> Option<String> {
         let most = MAX_ORDERED + 1;
         (self.len() > most).then(|| format!("Held and Karp prove orders of up to {most} places; this problem has {}", self.len()))
+    }
+
+    /// A search for a better order than `known` and for a proof; none where dynamic programming proves the best ([`OrderProblem::prove`]).
+    pub fn search(&self, known: &[u32]) -> Option<OrderSearch> {
+        self.unproven_because()?;
+        OrderSearch::new(&self.costs, self.shape, known)
+    }
+
+    /// How many 1-trees such a search may find unless told otherwise, a second's work about: fewer, the more places there are.
+    pub fn usual_trees(&self) -> u64 {
+        const WORK: u64 = 200_000_000;
+        (WORK / (self.len() as u64).pow(2).max(1)).clamp(1500, 20_000)
     }
 
     /// Over all costs: problems with equal digests have equal tours.

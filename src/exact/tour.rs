@@ -1,20 +1,25 @@
 //! The exact tour by several goals: lengths of the shortest paths between all of them, the best order by Held and Karp (see
 //! [`super::order`]), and a shortest path for each leg by A*.
 //!
+//! Beyond [`order::MAX_ORDERED`] goals the order is looked for by branch and bound ([`OrderSearch`]), as far as it may: then the tour is the best, or a
+//! good one with a bound.
+//!
 //! A tour of straight lines is not offered here: its order would be proven for lines that walls may cut, and not for what is walked.
 
 use std::sync::Arc;
 
 use super::SEARCH;
 use super::astar::Distance;
-use super::order::{self, Costs, MAX_ORDERED, Shape, held_karp, nodes};
+use super::order::{self, Costs, OrderSearch, Shape, good_order, held_karp, nodes};
 use super::search::{EVERYWHERE, Search};
 use crate::error::ParamError;
 use crate::map::Cell;
 use crate::params::{Params, Values};
 use crate::path::Path;
+#[cfg(feature = "whole")]
+use crate::planner::Certificate;
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested};
-use crate::scenario::Scenario;
+use crate::scenario::{MAX_GOALS, Scenario};
 use crate::{param_choice, params};
 
 param_choice! {
@@ -32,6 +37,8 @@ params! {
     pub struct TourParams {
         /// what is made smallest, where there are several goals
         objective: Smallest = Smallest::Weight, "", [], "", "fire-fighting paper, eq. 6–7";
+        /// most 1-trees of the search for the best order of more than 16 goals
+        order_limit: u32 = 50_000, "", [1..=10_000_000], "1-trees", "our choice";
     }
 }
 
@@ -40,6 +47,10 @@ params! {
 struct ExactTour {
     scenario: Arc<Scenario>,
     objective: Objective,
+    /// Most 1-trees of the search for the order.
+    limit: u64,
+    /// That search, where there are many goals.
+    ordering: Option<Box<OrderSearch>>,
     /// Distances between the nodes, a row for each search that has ended.
     rows: Vec<Vec<f64>>,
     /// The legs that are found.
@@ -49,10 +60,10 @@ struct ExactTour {
 }
 
 impl ExactTour {
-    fn new(scenario: Arc<Scenario>, objective: Objective) -> Self {
+    fn new(scenario: Arc<Scenario>, objective: Objective, limit: u64) -> Self {
         let search = Search::between(Arc::clone(&scenario), scenario.start, EVERYWHERE, Distance::unknown(&scenario));
         let (rows, legs, progress) = (Vec::new(), Vec::new(), Progress::default());
-        Self { scenario, objective, rows, legs, search, progress }
+        Self { scenario, objective, limit, ordering: None, rows, legs, search, progress }
     }
 
     /// Goes on to the next search, to the walk, or to the end.
@@ -67,9 +78,45 @@ impl ExactTour {
             self.progress.status = Status::NoPath;
         } else if self.rows.len() < self.scenario.goals.len() {
             self.look_for(nodes(&self.scenario)[self.rows.len()], EVERYWHERE);
+        } else if self.progress.tour.is_none() {
+            self.choose_order();
         } else {
             self.walk();
         }
+    }
+
+    /// The best order at once, or the search for it.
+    fn choose_order(&mut self) {
+        let lengths = Costs::symmetric(&self.rows);
+        let weighted = (self.objective == Objective::TourWeight).then(|| lengths.weighted(&self.scenario));
+        let costs = weighted.as_ref().unwrap_or(&lengths);
+        if let Some(order) = held_karp(costs, Shape::Open) {
+            return self.walk_in(order);
+        }
+        let good = good_order(costs, Shape::Open);
+        self.ordering = OrderSearch::new(costs, Shape::Open, &good).map(Box::new);
+        if self.ordering.is_none() {
+            self.walk_in(good);
+        }
+    }
+
+    /// One step of the search for the order, or all of them; then to the legs.
+    fn order(&mut self, by: Granularity) {
+        let Some(search) = &mut self.ordering else { return };
+        match by {
+            Granularity::Move => search.step(self.limit),
+            Granularity::Iteration => _ = search.go_on(self.limit),
+        }
+        if search.is_proven() || search.trees() >= self.limit {
+            let order = search.order().to_vec();
+            self.walk_in(order);
+        }
+    }
+
+    fn walk_in(&mut self, order: Vec<u32>) {
+        let lengths = Costs::symmetric(&self.rows);
+        self.progress.tour = Some(order::planned(&self.scenario, &lengths, order));
+        self.walk();
     }
 
     fn look_for(&mut self, from: Cell, to: Cell) {
@@ -81,12 +128,7 @@ impl ExactTour {
     /// Begins the next leg, or ends.
     fn walk(&mut self) {
         let scenario = &self.scenario;
-        let tour = self.progress.tour.get_or_insert_with(|| {
-            let lengths = Costs::symmetric(&self.rows);
-            let weighted = (self.objective == Objective::TourWeight).then(|| lengths.weighted(scenario));
-            let order = held_karp(weighted.as_ref().unwrap_or(&lengths), Shape::Open).unwrap_or_default();
-            order::planned(scenario, &lengths, order)
-        });
+        let Some(tour) = &self.progress.tour else { return };
         let goal = |leg: usize| tour.order.get(leg).map(|&g| scenario.goals[g as usize]);
         let from = self.legs.len().checked_sub(1).and_then(goal).unwrap_or(scenario.start);
         match goal(self.legs.len()) {
@@ -105,7 +147,8 @@ impl ExactTour {
         let iteration = self.progress.effort.iterations;
         self.progress.effort.constructed_paths = 1;
         self.progress.best = Some(Solution { path, length, iteration, refined: None });
-        self.progress.status = Status::Optimal;
+        let is_proven = self.ordering.as_ref().is_none_or(|search| search.is_proven());
+        self.progress.status = if is_proven { Status::Optimal } else { Status::BudgetSpent };
     }
 
     /// Adds contours to the history.
@@ -118,9 +161,13 @@ impl ExactTour {
 }
 
 impl Planner for ExactTour {
-    /// A move expands one cell, an iteration is one contour of the search at work.
+    /// A move expands one cell or is one step of the search for the order, an iteration is one contour of the search at work or all of that.
     fn advance(&mut self, by: Granularity) -> Status {
         if self.progress.status.is_finished() {
+            return self.progress.status;
+        }
+        if self.ordering.is_some() && self.progress.tour.is_none() {
+            self.order(by);
             return self.progress.status;
         }
         let before = self.search.effort();
@@ -147,7 +194,19 @@ impl Planner for ExactTour {
 
     fn bytes(&self) -> usize {
         let search = self.search.bytes() - size_of::<Search<Distance>>();
-        size_of::<Self>() + self.progress.bytes() + nested(&self.rows) + nested(&self.legs) + search
+        let ordering = self.ordering.as_ref().map_or(0, |search| size_of::<OrderSearch>() + search.bytes());
+        size_of::<Self>() + self.progress.bytes() + nested(&self.rows) + nested(&self.legs) + search + ordering
+    }
+
+    /// Where a search has ordered the goals.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        let (search, best, complete) =
+            (self.ordering.as_ref()?, self.progress.best.as_ref()?, self.progress.status == Status::Optimal);
+        let weight = self.progress.tour.as_ref().and_then(|tour| tour.walked_weight);
+        let value = if self.objective == Objective::TourWeight { weight? } else { best.length };
+        let lower_bound = if complete { value } else { search.lower_bound().min(value) };
+        Some(Certificate { lower_bound, expansions: self.effort().cell_expansions, complete })
     }
 
     fn objective(&self) -> Objective {
@@ -171,16 +230,16 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
         Smallest::Weight => Objective::TourWeight,
         Smallest::Length => Objective::TourLength,
     };
-    Ok(Box::new(ExactTour::new(scenario, objective)))
+    Ok(Box::new(ExactTour::new(scenario, objective, params.order_limit.into())))
 }
 
 /// The exact tour in the catalog.
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "tour-exact",
     name: "Exact tour",
-    summary: "The proven best order of up to 16 goals, by weight or by length, with a shortest path for each leg.",
-    source: "Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*",
-    max_goals: MAX_ORDERED as u32,
+    summary: "The proven best order of up to 16 goals, by weight or by length, with a shortest path for each leg; of more goals a good order and a bound.",
+    source: "Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015, and 1971, Math. Program. 1, 6–25, doi:10.1007/BF01584070; legs by A*",
+    max_goals: MAX_GOALS as u32,
     specs: TourParams::specs,
     build,
     ..SEARCH

@@ -25,6 +25,22 @@ fn order_proves_runs_and_compares_with_a_tour() {
 }
 
 #[test]
+fn order_bounds_many_places() {
+    let folder = Folder::with_map("order-bound");
+    // 4 × 5 places a unit apart, to be visited once around: 20.
+    let places: String = (0..20).map(|k| format!("{} {} {}\n", k + 1, k % 4, k / 4)).collect();
+    let head = "NAME: grid\nTYPE: TSP\nDIMENSION: 20\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n";
+    folder.write("grid.tsp", &format!("{head}{places}EOF\n"));
+    let run = |more: &[&str]| folder.run(&[&["order", "grid.tsp", "--iterations", "5"], more].concat()).ends(0);
+    run(&[]).says(&["unknown: Held and Karp prove", "no tour costs less than 20, and one costs that"]);
+    run(&["--trees", "1", "--open"]).says(&["no tour costs less than", "stopped after"]);
+    let bound = &run(&["--format", "json"]).json()["bound"];
+    assert_eq!((&bound["lower_bound"], &bound["cost"], &bound["complete"]), (&20.0.into(), &20.0.into(), &true.into()));
+    assert_eq!(bound["places"].as_array().map(Vec::len), Some(20));
+    assert_eq!(run(&["--trees", "0", "--format", "json"]).json().get("bound"), None);
+}
+
+#[test]
 fn order_refuses_by_name() {
     let folder = Folder::with_map("order-refusals");
     folder.write("five.tsp", FIVE);

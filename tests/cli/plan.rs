@@ -117,6 +117,10 @@ fn plan_visits_several_goals_and_tells_their_order() {
     let all =
         folder.run(&[&["plan", "open.csv", "--from", "0,0", "--planner", "fire", "--set", "iterations=5"], &to[..]].concat());
     all.ends(0).says(&["unknown: the best order is proven for up to 16 goals"]);
+    for planner in ["formica", "tour-exact"] {
+        let many = folder.run(&[&["plan", "open.csv", "--from", "0,0", "--planner", planner], &to[..]].concat());
+        many.ends(0).says(&["optimal (proven)", "no path weighs less than"]);
+    }
 }
 
 #[test]

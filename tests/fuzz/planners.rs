@@ -158,6 +158,7 @@ fn values(random: &mut Random, entry: &PlannerEntry) -> Values {
         ("particles", 12, 4),
         ("fireworks", 6, 4),
         ("order_iterations", 20, 9),
+        ("order_limit", 400, 9),
     ];
     for (key, most, often) in usual {
         if specs.iter().any(|spec| spec.key == key) && !random.one_in(often * 4) {

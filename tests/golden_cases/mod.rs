@@ -520,6 +520,39 @@ pub const TOURS: &[(u32, Golden)] = &[
             digest: "0fb0cf8f577b9d37",
         },
     ),
+    (
+        20,
+        Golden {
+            map: (Generator::Rooms, 60, 45, 21, 0.0),
+            movement: eight(CornerRule::BothFree),
+            planner: "formica",
+            values: &[("order_iterations", "5"), ("order_limit", "3000"), ("ants", "8")],
+            seed: 7,
+            digest: "1cfbb19b4e38e6aa",
+        },
+    ),
+    (
+        18,
+        Golden {
+            map: (Generator::Cave, 48, 36, 12, 0.0),
+            movement: FOUR,
+            planner: "formica",
+            values: &[("order", "length"), ("order_limit", "300"), ("iterations", "3"), ("widening", "0"), ("corridor", "1")],
+            seed: 3,
+            digest: "e6ab5b96c7c2753d",
+        },
+    ),
+    (
+        24,
+        Golden {
+            map: (Generator::Random, 50, 40, 9, 0.2),
+            movement: eight(CornerRule::BothFree),
+            planner: "tour-exact",
+            values: &[("order_limit", "2500")],
+            seed: 1,
+            digest: "57ccdaa2f288ceec",
+        },
+    ),
 ];
 
 /// The map's own goal and others spread over the cells that can be reached, each with another weight.

@@ -10,6 +10,7 @@
 //! | update | τ ← (1 − ρ)·τ, + ρ on the path that the search has found, limits: hyper-cube framework |
 //! | daemon actions | trails start again where nothing shorter is found, as MAX–MIN Ant System |
 //! | end | a proof: A* over the whole map, bounded by the best length, on what merging has expanded; ours |
+//! | several goals | their order by ants, merged and proven by 1-trees: `../order_solve.rs`; then the same for each leg |
 //!
 //! - Blum, Pinacho, López-Ibáñez, Lozano, "Construct, Merge, Solve & Adapt: a new general algorithm for combinatorial optimization", Computers
 //!   and Operations Research 68 (2016) 75–88, doi:10.1016/j.cor.2015.10.014. There components that the solver does not use grow old and leave;
@@ -30,8 +31,8 @@ mod straight;
 
 use std::sync::Arc;
 
-use crate::aco::colony::Colony;
 use crate::aco::criterion::way;
+use crate::aco::legs;
 use crate::aco::shared_params::settings;
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Solved, Variant};
@@ -46,7 +47,7 @@ use crate::path::{Path, PathKind};
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
 use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Status, held};
-use crate::scenario::Scenario;
+use crate::scenario::{MAX_GOALS, Scenario};
 
 use learnt::Learnt;
 pub use params::{FormicaParams, Paths};
@@ -110,6 +111,10 @@ impl Variant for Formica {
 
     fn initial_trail(&self, _scenario: &Scenario) -> f64 {
         TRAIL
+    }
+
+    fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
+        (walked_on(leg), Self::new(self.params, Arc::clone(leg)))
     }
 
     fn prepare(&mut self, scenario: &Scenario) {
@@ -214,11 +219,11 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
     Arc::new(near)
 }
 
-/// Refuses what the search for polylines does not know: any ground but a plane, and what is larger than `any-angle` takes.
+/// Refuses what the search for polylines does not know: any ground but a plane, several goals, and what is larger than `any-angle` takes.
 #[cfg(feature = "whole")]
 fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
-    if let Some(ground) = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane) {
-        let (id, words) = ground.words();
+    let ground = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane).map(Ground::words);
+    if let Some((id, words)) = ground.or((scenario.goals.len() > 1).then_some(("several-goals", "to several goals"))) {
         let (key, value, instead) = ("paths", "polylines", "steps");
         return Err(ParamError::ValueOnGround { key, value, ground: words, id, instead });
     }
@@ -237,7 +242,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
         takes_polylines(scenario)?;
     }
     let variant = Formica::new(params, Arc::clone(scenario));
-    Ok(Box::new(Colony::new(walked_on(scenario), variant, ENTRY.id, seed, 0)))
+    Ok(legs::planner(scenario, params.order_level(), variant, (ENTRY.id, ENTRY.layers), seed))
 }
 
 /// Formica in the catalog.
@@ -281,7 +286,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
         },
     ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Scent, Layer::Merged],
-    max_goals: 1,
+    max_goals: MAX_GOALS as u32,
     grounds: Ground::STEPS,
     specs: FormicaParams::specs,
     build,

@@ -1,6 +1,10 @@
 //! The parameters of Formica.
 
+use crate::aco::legs::OrderLevel;
+use crate::aco::order_solve::Solving;
 use crate::aco::shared_params::{SelectionParams, WalkParams};
+use crate::aco::tour::TourSettings;
+use crate::exact::tour::Smallest;
 use crate::{param_choice, params};
 
 param_choice! {
@@ -43,6 +47,29 @@ params! {
         proof_after: u32 = 3, "", [0..=100_000], "iterations", "measured: docs/papers/formica.md";
         /// most expansions of the proof; 0 = no proof
         proof_limit: f64 = 4.0, "", [0.0..=1000.0], "× cells", "our addition";
+        /// what the order of several goals makes small
+        order: Smallest = Smallest::Weight, "", [], "", "our choice, as the exact tour";
+        /// iterations of the colony that chooses the order
+        order_iterations: u32 = 20, "", [1..=10_000], "iterations", "measured: docs/papers/formica.md";
+        /// most 1-trees of the search that merges the ants' orders and proves the best; 0 = no search
+        order_limit: u32 = 20_000, "", [0..=10_000_000], "1-trees", "our choice";
         ..walk: WalkParams;
+    }
+}
+
+/// Numbers of the order colony: those of the order command, which are Ant System's for tours (Dorigo and Stützle 2004, box 3.1).
+const TOURS: TourSettings =
+    TourSettings { ants: 0, iterations: 0, alpha: 1.0, beta: 5.0, rho: 0.5, deposit: 1.0, initial_trail: 1.0, exploit: None };
+
+impl FormicaParams {
+    /// How the order of several goals is chosen.
+    pub fn order_level(&self) -> OrderLevel {
+        let solving = Solving { merge: self.merge, prove: self.proof_limit > 0.0, limit: self.order_limit.into() };
+        OrderLevel {
+            settings: TourSettings { ants: self.ants, iterations: self.order_iterations, ..TOURS },
+            weighted: self.order == Smallest::Weight,
+            straight: false,
+            solving: Some(solving),
+        }
     }
 }

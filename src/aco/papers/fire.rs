@@ -147,7 +147,8 @@ impl FireParams {
             initial_trail: self.initial_trail,
             exploit: (self.order_rule == Rule::Improved).then_some(self.r0),
         };
-        OrderLevel { settings, weighted: self.order == Order::Weight, straight: self.leg_length == LegLength::Euclidean }
+        let straight = self.leg_length == LegLength::Euclidean;
+        OrderLevel { settings, weighted: self.order == Order::Weight, straight, solving: None }
     }
 }
 

@@ -153,7 +153,8 @@ export const zhCNEngine = {
     },
     'tour-exact': {
       name: '精确巡回',
-      summary: '不超过 16 个目标时，按权重或长度证明的最优次序，每段都是最短路径。',
+      summary:
+        '不超过 16 个目标时，按权重或长度证明的最优次序，每段都是最短路径；目标更多时给出好的次序与下界。',
     },
     'slices-exact': {
       name: '切片精确规划',
@@ -256,6 +257,7 @@ export const zhCNEngine = {
     order_rule: '蚂蚁如何选择下一个目标',
     leg_length: '按两个目标之间的哪种长度确定次序',
     order_iterations: '确定次序的蚁群的迭代次数',
+    order_limit: '搜索最优次序时最多求多少棵 1-树；0 表示不搜索',
     legs: '蚂蚁如何选择路段上的下一步',
     r0: '改进规则下，直接取最好的一步或目标而不抽取的概率',
     refinement: '最优路径上保留点之后接哪一点：其间的点去掉，线段可取任意角度',
@@ -368,6 +370,7 @@ export const zhCNEngine = {
     cells: '格',
     'per cell': '每格',
     '× cells': '× 格数',
+    '1-trees': '棵 1-树',
     'cells or levels': '格或层',
     sparks: '个火花',
     fireworks: '个烟花',
@@ -482,6 +485,7 @@ export const zhCNEngine = {
     order: {
       weight: 'Σ R，各路段长度乘以所到目标的权重 b = 1/(s·w·a)：式 8',
       distance: '巡回的长度：基本算法',
+      length: '整个巡回的长度',
     },
     order_rule: {
       improved: '式 9：以概率 r0 取最好的，否则同基本算法',

@@ -251,8 +251,8 @@ export const zhCNRemarks = {
       hint: '请选择其他规划器，或在地图菜单中更改移动方式',
     },
     'value-on-ground': {
-      message: '{{field}} = {{value}} 时，该规划器不适用于这张地图的移动方式',
-      hint: '请设 {{field}} = {{instead}}，或在地图菜单中更改移动方式',
+      message: '{{field}} = {{value}} 时，该规划器不适用于这张地图的移动方式或多个目标',
+      hint: '请设 {{field}} = {{instead}}，或更改移动方式与目标',
     },
     'heights-missing': { message: '地形没有高程', hint: '请重新打开地形' },
     'terrain-missing': { message: '有高程，但没有说明如何移动', hint: '请重新打开地形' },

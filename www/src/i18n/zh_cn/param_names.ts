@@ -45,6 +45,7 @@ export const zhCNParamNames = {
   order_rule: '次序选择规则',
   leg_length: '路段长度',
   order_iterations: '次序迭代次数',
+  order_limit: '次序搜索上限',
   legs: '路段选择规则',
   r0: '取最好一步的概率',
 

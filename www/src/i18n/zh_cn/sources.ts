@@ -48,8 +48,8 @@ export const zhCNSources: Record<string, string> = {
     '范学兴、张彬、刘世翔、朱文斌 2026，大连海事大学学报 52(1)，87–98，doi:10.16411/j.cnki.issn1006-7736.2026.01.009',
   'Hart, Nilsson, Raphael 1968, IEEE Trans. Systems Science and Cybernetics 4, 100–107, doi:10.1109/TSSC.1968.300136':
     'Hart、Nilsson、Raphael 1968，IEEE Trans. Systems Science and Cybernetics 4，100–107，doi:10.1109/TSSC.1968.300136',
-  'Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015; legs by A*':
-    'Held、Karp 1962，J. SIAM 10，196–210，doi:10.1137/0110015；路段由 A* 求得',
+  'Held, Karp 1962, J. SIAM 10, 196–210, doi:10.1137/0110015, and 1971, Math. Program. 1, 6–25, doi:10.1007/BF01584070; legs by A*':
+    'Held、Karp 1962，J. SIAM 10，196–210，doi:10.1137/0110015，以及 1971，Math. Program. 1，6–25，doi:10.1007/BF01584070；路段由 A* 求得',
   'Karaman and Frazzoli 2011, theorem 38: above 1': 'Karaman 与 Frazzoli 2011，定理 38：大于 1',
   'Koenig, Likhachev 2002, AAAI-02, 476–483': 'Koenig、Likhachev 2002，AAAI-02，476–483',
   'Lai, Guo 2014': '赖智铭、郭躬德 2014',
@@ -134,6 +134,8 @@ export const zhCNSources: Record<string, string> = {
   'named in Zhou, Mu, Zhang 2019 as what it compares with; particle swarm as Shi and Eberhart 1999':
     '周森鹏等 2019 提到的比较对象；粒子群同 Shi 与 Eberhart 1999',
   'our addition': '我们的补充',
+  'our choice': '我们的选择',
+  'our choice, as the exact tour': '我们的选择，同精确巡回',
   'our addition; the paper has no cap': '我们的补充；论文没有上限',
   'our choice, as in Ant System: eq. 4 divides by 0 at the goal':
     '我们的选择，同蚂蚁系统：式 4 在终点处除以 0',
