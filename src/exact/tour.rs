@@ -15,6 +15,11 @@ use crate::params::{Params, Values};
 use crate::path::Path;
 use crate::planner::{Effort, Granularity, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, nested};
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{
+    exact::proof::{self, surely},
+    planner::Certificate,
+};
 use crate::{param_choice, params};
 
 param_choice! {
@@ -152,6 +157,16 @@ impl Planner for ExactTour {
 
     fn objective(&self) -> Objective {
         self.objective
+    }
+
+    /// The best order is proven before its legs are walked: no tour comes to less than it promises.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        let tour = self.progress.tour.as_ref()?;
+        let is_weight = self.objective == Objective::TourWeight;
+        let walked = || if is_weight { tour.walked_weight } else { self.best().map(|best| best.length) };
+        let promised = if is_weight { tour.planned_weight } else { tour.planned_length };
+        proof::certificate(&self.progress, walked, || Some(surely(promised)))
     }
 
     /// Of the search at work; once finished, of the last leg's.
