@@ -220,13 +220,19 @@ impl Report<'_> {
 
     /// What the planner has proven of a result of this value.
     fn proof_text(&self, certificate: Certificate, value: f64) -> String {
+        let than = match self.planner.objective() {
+            Objective::Length | Objective::PolylineLength | Objective::TourLength if self.scenario.moves.weights().is_none() => {
+                "no path is shorter than"
+            }
+            _ => "no path comes to less than",
+        };
         let bound = self.amount(certificate.lower_bound);
         let expansions = text::count(certificate.expansions, "cell expansion", "cell expansions");
         if certificate.complete {
-            return format!("no path is shorter than {bound}: {expansions}");
+            return format!("{than} {bound}: {expansions}");
         }
         let gap = text::percent(relative_gap(value, certificate.lower_bound));
-        format!("no path is shorter than {bound}, so this one is within {gap}: stopped after {expansions}")
+        format!("{than} {bound}, so this one is within {gap}: stopped after {expansions}")
     }
 
     /// The lines about the run itself.
