@@ -231,7 +231,7 @@ impl Report<'_> {
         if certificate.complete {
             return format!("{than} {bound}: {expansions}");
         }
-        let gap = text::percent(relative_gap(value, certificate.lower_bound));
+        let gap = text::percent_at_most(relative_gap(value, certificate.lower_bound));
         format!("{than} {bound}, so this one is within {gap}: stopped after {expansions}")
     }
 
