@@ -166,7 +166,10 @@ test('in Chinese', async ({ page }) => {
   await finish(race)
   await expect(proof(page)).toContainText(/已证明：差距不超过 [\d.]+%.*扩展 [\d,]+ 格/)
   await expect(proof(page, 2)).toContainText('已证明：没有更小的值')
-  const head = page.getByRole('row').filter({ has: proof(page) }).getByRole('rowheader')
+  const head = page
+    .getByRole('row')
+    .filter({ has: proof(page) })
+    .getByRole('rowheader')
   await expect(head).toHaveText('证明')
   await expect(head).toHaveAttribute('title', /下界/)
   await expectClean(page, 'in Chinese')

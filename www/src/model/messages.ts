@@ -5,9 +5,9 @@
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
 import type {
+  Certificate,
   EngineError,
   Layer,
-  Certificate,
   RunSummary,
   ScenarioSpec,
   Smoothed,

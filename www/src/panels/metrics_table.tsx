@@ -168,9 +168,7 @@ function Cell({ measure: { id, wordy, cells }, index }: { measure: Measure; inde
     >
       <span>{cell?.text}</span>
       {cell?.why && <span class="visually-hidden"> {cell.why}</span>}
-      {cell?.note && (
-        <span class={cell.quiet ? 'cell-note quiet' : 'cell-note'}>{cell.note}</span>
-      )}
+      {cell?.note && <span class={cell.quiet ? 'cell-note quiet' : 'cell-note'}>{cell.note}</span>}
     </td>
   )
 }
