@@ -59,7 +59,7 @@ async function bound(page: Page, place = 1): Promise<number> {
   return Number(await proof(page, place).getAttribute('data-value'))
 }
 
-const cells = (count: number) => `${count.toLocaleString('en')} cells expanded`
+const expanded = (count: number) => `${count.toLocaleString('en')} expanded`
 
 test('formica and searches tell the command line’s certificates', async ({ page }) => {
   const cli = commandLine()
@@ -74,7 +74,7 @@ test('formica and searches tell the command line’s certificates', async ({ pag
       const { certificate } = planned(cli, map, asked)
       expect(certificate.complete).toBe(true)
       expect(await bound(page, index + 1), asked.planner).toBe(certificate.lower_bound)
-      await expect(proof(page, index + 1)).toContainText(cells(certificate.expansions))
+      await expect(proof(page, index + 1)).toContainText(expanded(certificate.expansions))
       const than = asked.planner === 'turn-aware' ? 'comes to less' : 'is shorter'
       await expect(proof(page, index + 1)).toContainText(`proven: no path ${than}`)
     }
@@ -92,7 +92,7 @@ test('a proof that was cut off leaves an interval', async ({ page }) => {
   const within = Math.ceil((value / certificate.lower_bound - 1) * 1e4) / 100
   await expect(proof(page)).toContainText(`within ${within}%, proven`)
   await expect(proof(page)).toContainText(
-    `${certificate.lower_bound.toFixed(2)} to ${value.toFixed(2)}, ${cells(certificate.expansions)}`,
+    `${certificate.lower_bound.toFixed(2)} – ${value.toFixed(2)}, ${expanded(certificate.expansions)}`,
   )
   await expect(proof(page, 2), 'a colony that proves nothing').toHaveText('–')
   await expectClean(page, 'an interval')

@@ -19,10 +19,10 @@ function cellOf(panel: Panel): MeasureCell {
   const certificate = certificateOf(panel)
   if (!summary || !certificate) return { text: '–' }
   const { lower_bound: bound, expansions } = certificate
-  const count = { count: expansions, number: numbers.value.whole.format(expansions) }
+  const effort = t('metrics.proofs.expansions', { number: numbers.value.whole.format(expansions) })
   return {
     text: textOf(certificate, summary),
-    note: [intervalOf(certificate, summary), t('metrics.proofs.expansions', count)].join(''),
+    note: intervalOf(certificate, summary) + effort,
     quiet: true,
     value: bound,
   }
