@@ -53,7 +53,7 @@ export const enColumn = {
     proof: 'Proof',
     proofs: {
       shortest: 'proven: no path is shorter',
-      least: 'proven: no path comes to less',
+      least: 'proven: no path has less',
       within: 'within {{gap}}, proven',
       above: 'so far: no path below {{bound}}',
       interval: '{{bound}} – {{value}}, ',
