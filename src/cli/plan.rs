@@ -220,14 +220,20 @@ impl Report<'_> {
 
     /// What the planner has proven of a result of this value.
     fn proof_text(&self, certificate: Certificate, value: f64) -> String {
+        let than = match self.planner.objective() {
+            Objective::Length | Objective::PolylineLength | Objective::TourLength if self.scenario.moves.weights().is_none() => {
+                "no path is shorter than"
+            }
+            Objective::TourWeight => "no path weighs less than",
+            _ => "no path comes to less than",
+        };
         let bound = self.amount(certificate.lower_bound);
         let expansions = text::count(certificate.expansions, "cell expansion", "cell expansions");
-        let is = if self.planner.objective() == Objective::TourWeight { "weighs less" } else { "is shorter" };
         if certificate.complete {
-            return format!("no path {is} than {bound}: {expansions}");
+            return format!("{than} {bound}: {expansions}");
         }
-        let gap = text::percent(relative_gap(value, certificate.lower_bound));
-        format!("no path {is} than {bound}, so this one is within {gap}: stopped after {expansions}")
+        let gap = text::percent_at_most(relative_gap(value, certificate.lower_bound));
+        format!("{than} {bound}, so this one is within {gap}: stopped after {expansions}")
     }
 
     /// The lines about the run itself.

@@ -121,6 +121,11 @@ pub fn percent(gap: f64) -> String {
     format!("{:.2} %", 100.0 * gap)
 }
 
+/// The same where it is claimed that nothing is more: rounded up.
+pub fn percent_at_most(gap: f64) -> String {
+    percent(libm::ceil(1e4 * gap) / 1e4)
+}
+
 /// Seconds as people say them.
 pub fn seconds(s: f64) -> String {
     if s < 120.0 { format!("{s:.2} s") } else { format!("{:.1} min", s / 60.0) }
@@ -206,6 +211,7 @@ mod tests {
     fn numbers_are_grouped() {
         assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
         assert_eq!(percent(0.0251), "2.51 %");
+        assert_eq!([0.0, 0.000_01, 0.02511].map(percent_at_most), ["0.00 %", "0.01 %", "2.52 %"]);
     }
 
     #[test]

@@ -17,7 +17,11 @@ use crate::path::Path;
 use crate::planner::{Granularity, Layer, Objective, Planner, Progress, Record, Solution, Status, Weighed};
 use crate::scenario::Scenario;
 #[cfg(feature = "whole")]
-use crate::{metrics::SAME_LENGTH, planner::Certificate};
+use crate::{
+    exact::proof::{self, surely},
+    metrics::{SAME_LENGTH, turn_index},
+    planner::Certificate,
+};
 
 /// A way that is known before a search begins.
 #[derive(Debug, Clone)]
@@ -77,14 +81,12 @@ pub(super) struct BestFirst<R> {
     tree: Tree,
     /// f at which the contour at work ends.
     contour: f64,
-    /// The smallest f of what was open when it stopped.
-    least: f64,
     progress: Progress,
 }
 
 impl<R: Rules> BestFirst<R> {
     pub(super) fn new(scenario: Arc<Scenario>, rules: R) -> Self {
-        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, least: 0.0, progress: Progress::default() }
+        Self { scenario, rules, tree: Tree::new(0), contour: 0.0, progress: Progress::default() }
     }
 
     pub(super) fn rules(&self) -> &R {
@@ -117,6 +119,31 @@ impl<R: Rules> BestFirst<R> {
         let found = self.tree.arrived != NO_PARENT;
         let known = || self.rules.known().map(|known| known.path.clone());
         if found { Some(self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect()) } else { known() }
+    }
+
+    /// Its result's value, where that is proven.
+    #[cfg(feature = "whole")]
+    fn proven_value(&self) -> Option<f64> {
+        let best = self.progress.best.as_ref()?;
+        match R::OBJECTIVE {
+            Objective::TurnIndex => Some(turn_index(&self.scenario, &best.path)),
+            Objective::Weighted => self.rules.sum().map(|sum| sum.of(&self.scenario, &best.path)),
+            _ => Some(best.length),
+        }
+    }
+
+    /// No result has a smaller value, while it is at work or where it had to stop.
+    #[cfg(feature = "whole")]
+    fn bound(&self) -> f64 {
+        let least = self.tree.least_open();
+        if R::OBJECTIVE == Objective::Weighted {
+            // Its steps may cost less than 1, so the tolerance is that of as many steps as there are states.
+            return (least.min(self.tree.bound) - SAME_LENGTH * self.tree.g.len() as f64).max(0.0);
+        }
+        let arrived = if self.tree.arrived == NO_PARENT { f64::INFINITY } else { surely(self.tree.bound) };
+        let known = self.rules.known().map_or(f64::INFINITY, |known| known.length);
+        let reached = self.progress.best.as_ref().map_or(arrived.min(surely(known)), |best| best.length);
+        reached.min(surely(least))
     }
 
     /// `lost` or `found` is what it is without a way to the goal, or with one.
@@ -160,12 +187,11 @@ impl<R: Rules> Contours for BestFirst<R> {
 
     fn advance_one(&mut self) -> bool {
         let least = self.tree.least();
-        let Some((state, f)) = least.filter(|&(_, f)| f < self.contour) else {
+        let Some((state, _)) = least.filter(|&(_, f)| f < self.contour) else {
             self.close_contour(least.map(|(_, f)| f));
             return false;
         };
         if self.rules.is_spent() {
-            self.least = f;
             self.stop();
             return false;
         }
@@ -196,16 +222,10 @@ impl<R: Rules + 'static> Planner for BestFirst<R> {
 
     #[cfg(feature = "whole")]
     fn certificate(&self) -> Option<Certificate> {
-        let status = self.progress.status;
-        let proves_lengths = R::FOUND == Status::Optimal && R::OBJECTIVE == Objective::PolylineLength;
-        if !proves_lengths || !status.is_finished() || status == Status::NoPath {
+        if R::FOUND != Status::Optimal || !self.is_prepared() {
             return None;
         }
-        let (best, expansions) = (self.best().map_or(f64::INFINITY, |best| best.length), self.effort().cell_expansions);
-        let complete = status == Status::Optimal;
-        // Each segment, a cell long at least, may be counted too long by the tolerance.
-        let lower_bound = if complete { best } else { best.min(self.least * (1.0 - SAME_LENGTH)) };
-        Some(Certificate { lower_bound, expansions, complete })
+        proof::certificate(&self.progress, || self.proven_value(), || Some(self.bound()))
     }
 
     fn weighed(&self) -> Option<Weighed> {

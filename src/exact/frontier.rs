@@ -74,6 +74,11 @@ impl<T> Frontier<T> {
         std::mem::take(self).buckets.into_iter().flatten()
     }
 
+    /// All that waits, in no order.
+    pub(super) fn waiting(&self) -> impl Iterator<Item = &T> {
+        self.buckets.iter().flatten()
+    }
+
     /// What it holds, in bytes.
     pub(super) fn bytes(&self) -> usize {
         let waiting: usize = self.buckets.iter().map(Vec::capacity).sum();

@@ -16,6 +16,8 @@ mod optima;
 pub mod order;
 pub mod order_problem;
 pub mod point_robot;
+#[cfg(feature = "whole")]
+mod proof;
 mod region;
 mod search;
 mod sight;

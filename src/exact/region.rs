@@ -9,6 +9,10 @@ use crate::planner::held;
 pub(super) trait Region: Clone + Send {
     /// Whether the search may go on from a cell, to which it has found a way of this cost, in cells. What it may not, the region keeps.
     fn takes(&mut self, cell: Cell, g: f64) -> bool;
+    /// What it has kept: ways, each by its cost and the cell at its end; some may be outdated.
+    fn waiting(&self) -> &[(f64, Cell)] {
+        &[]
+    }
 }
 
 /// All of it.
@@ -42,6 +46,10 @@ impl Region for Part {
             self.waiting.push((g, cell));
         }
         inside
+    }
+
+    fn waiting(&self) -> &[(f64, Cell)] {
+        &self.waiting
     }
 }
 

@@ -23,6 +23,11 @@ use crate::metrics::SAME_LENGTH;
 use crate::path::Path;
 use crate::planner::{Granularity, Layer, Planner, Progress, Record, Solution, Status};
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{
+    exact::proof::{self, surely},
+    planner::Certificate,
+};
 
 /// A lower bound of the remaining cost that never drops by more than a step costs.
 pub trait Estimate: Clone + Send {
@@ -119,6 +124,15 @@ impl<E: Estimate, R: Region> Search<E, R> {
     #[inline(always)]
     fn sorted(&mut self) -> Option<&mut BinaryHeap<Open>> {
         if cfg!(feature = "whole") { self.sorted.as_mut() } else { None }
+    }
+
+    /// The smallest f of what is open or waits outside the region; infinite where nothing does.
+    fn least_open(&self) -> f64 {
+        let sorted = self.sorted.iter().flatten().map(|open| (open.g, open.state));
+        let filed = self.frontier.waiting().map(|waiting| (waiting.g, waiting.cell));
+        let open = sorted.chain(filed).chain(self.region.waiting().iter().copied());
+        let current = open.filter(|&(g, cell)| g <= self.ways.g(cell));
+        current.map(|(g, cell)| g + self.to_goal(cell)).fold(f64::INFINITY, f64::min)
     }
 
     /// Least cost from a cell to the goal.
@@ -320,6 +334,16 @@ impl<E: Estimate + 'static, R: Region + 'static> Planner for Search<E, R> {
 
     fn progress(&self) -> &Progress {
         &self.progress
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        self.is_prepared().then_some(())?;
+        proof::certificate(
+            &self.progress,
+            || self.best().map(|best| best.length),
+            || Some(surely(self.least_open().min(self.bound))),
+        )
     }
 
     fn bytes(&self) -> usize {

@@ -13,6 +13,11 @@ use crate::map::{Cell, Slices, Way};
 use crate::params::{Values, check_keys};
 use crate::planner::{Granularity, Ground, Layer, Objective, Planner, PlannerEntry, Progress, Record, Solution, Status, held};
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{
+    exact::proof::{self, surely},
+    planner::Certificate,
+};
 
 pub use within::{SliceEstimate, SlicesWithin};
 
@@ -65,6 +70,15 @@ impl SliceSearch {
         self.front = next;
     }
 
+    /// No path is cheaper: each goes by a place of the column reached, and every step costs 1 at least. None before the first step.
+    #[cfg(feature = "whole")]
+    fn bound(&self) -> Option<f64> {
+        let so_far = |&place: &Cell| self.cost.get(place as usize).copied();
+        let least = self.front.iter().filter_map(so_far).min_by(f64::total_cmp)?;
+        let left = self.slices.slices() - self.progress.effort.iterations;
+        Some(surely(least + f64::from(left)))
+    }
+
     /// The answer, once the goal's column is reached or nothing leads on.
     fn finish(&mut self) {
         let goal = self.slices.goal();
@@ -109,6 +123,11 @@ impl Planner for SliceSearch {
 
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.progress.bytes() + held(&self.cost) + held(&self.parent) + held(&self.front)
+    }
+
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        proof::certificate(&self.progress, || self.best().map(|best| best.length), || self.bound())
     }
 
     fn objective(&self) -> Objective {

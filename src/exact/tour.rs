@@ -11,6 +11,8 @@ use std::sync::Arc;
 use super::SEARCH;
 use super::astar::Distance;
 use super::order::{self, Costs, OrderSearch, Shape, good_order, held_karp, nodes};
+#[cfg(feature = "whole")]
+use super::proof::{self, surely};
 use super::search::{EVERYWHERE, Search};
 use crate::error::ParamError;
 use crate::map::Cell;
@@ -198,19 +200,18 @@ impl Planner for ExactTour {
         size_of::<Self>() + self.progress.bytes() + nested(&self.rows) + nested(&self.legs) + search + ordering
     }
 
-    /// Where a search has ordered the goals.
-    #[cfg(feature = "whole")]
-    fn certificate(&self) -> Option<Certificate> {
-        let (search, best, complete) =
-            (self.ordering.as_ref()?, self.progress.best.as_ref()?, self.progress.status == Status::Optimal);
-        let weight = self.progress.tour.as_ref().and_then(|tour| tour.walked_weight);
-        let value = if self.objective == Objective::TourWeight { weight? } else { best.length };
-        let lower_bound = if complete { value } else { search.lower_bound().min(value) };
-        Some(Certificate { lower_bound, expansions: self.effort().cell_expansions, complete })
-    }
-
     fn objective(&self) -> Objective {
         self.objective
+    }
+
+    /// What the search for the order has proven; without one the best order is known before its legs are walked: what that promises.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        let (tour, is_weight) = (self.progress.tour.as_ref(), self.objective == Objective::TourWeight);
+        let walked = || if is_weight { tour?.walked_weight } else { self.best().map(|best| best.length) };
+        let promised = || tour.map(|tour| surely(if is_weight { tour.planned_weight } else { tour.planned_length }));
+        let bound = || self.ordering.as_ref().map_or_else(promised, |search| Some(search.lower_bound()));
+        proof::certificate(&self.progress, walked, bound)
     }
 
     /// Of the search at work; once finished, of the last leg's.

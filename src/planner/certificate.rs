@@ -23,6 +23,6 @@ pub struct Certificate {
     pub lower_bound: f64,
     /// Cells that were expanded for it.
     pub expansions: u64,
-    /// Whether the proof is complete: the bound is the value of the best result; else the planner's budget was spent before.
+    /// Whether the proof is complete: the bound is the value of the best result; else the planner is at work, or its budget was spent before.
     pub complete: bool,
 }

@@ -272,8 +272,8 @@ pub trait Planner: Snapshot + Send {
         self.objective().path_kind() == PathKind::Steps
     }
 
-    /// The lower bound that it has proven for what its result is measured by, once it has ended with one; none of a planner that proves
-    /// nothing, and where there is no path.
+    /// The lower bound that it has proven for what its result is measured by, at work as at its end; none before the first step, of a planner
+    /// that proves nothing, and where there is no path. Looks at all that is open: not for every step.
     #[cfg(feature = "whole")]
     fn certificate(&self) -> Option<Certificate> {
         None

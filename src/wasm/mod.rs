@@ -9,6 +9,8 @@ mod arguments;
 #[cfg(feature = "whole")]
 mod campaign;
 #[cfg(feature = "whole")]
+mod certificate;
+#[cfg(feature = "whole")]
 mod changes;
 mod colours;
 #[cfg(feature = "whole")]

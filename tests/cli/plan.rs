@@ -242,3 +242,28 @@ fn plan_tells_what_a_colony_has_proven() {
     let without = with(&["--set", "proof_limit=0", "--set", "iterations=2", "--format", "json"]).json();
     assert_eq!(without.get("certificate"), None);
 }
+
+#[test]
+fn plan_tells_the_proof_of_an_exact_search_by_what_it_makes_small() {
+    let folder = Folder::with_map("exact proof");
+    let plan = ["plan", "small.map", "--from", "0,0", "--to", "4,3", "--planner"];
+    let words = ["no path is shorter than", "no path comes to less than"];
+    for (planner, more, [said, unsaid]) in [
+        ("dijkstra", &[][..], words),
+        ("astar", &[], words),
+        ("d-star-lite", &[], words),
+        ("turn-aware", &[], [words[1], words[0]]),
+        ("turn-aware", &["--set", "criterion=weighted-sum"], [words[1], words[0]]),
+        ("tour-exact", &["--to", "0,3"], [words[1], words[0]]),
+        ("tour-exact", &["--to", "0,3", "--set", "objective=length"], words),
+    ] {
+        let with = |last: &[&str]| folder.run(&[&plan[..], &[planner], more, last].concat()).ends(0);
+        let text = with(&[]).says(&["optimal (proven)", said]);
+        assert!(!text.out.contains(unsaid), "{planner}: {}", text.out);
+        let json = with(&["--format", "json"]).json();
+        assert_eq!(schema::violations(&schema::load("result"), &json), Vec::<String>::new());
+        let (certificate, effort) = (&json["certificate"], &json["effort"]["cell_expansions"]);
+        assert_eq!((&certificate["lower_bound"], &certificate["complete"]), (&json["value"], &true.into()), "{planner}");
+        assert_eq!(&certificate["expansions"], effort, "{planner}");
+    }
+}

@@ -2,6 +2,7 @@
 //! ground that it claims.
 #![cfg(not(target_arch = "wasm32"))]
 
+mod certificates;
 mod changes;
 #[path = "../common/mod.rs"]
 mod common;

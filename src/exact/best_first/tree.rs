@@ -82,6 +82,11 @@ impl Queue {
         self.heap.pop();
     }
 
+    #[cfg(feature = "whole")]
+    fn waiting(&self) -> impl Iterator<Item = &Open> {
+        self.heap.iter().chain(self.later.waiting())
+    }
+
     fn bytes(&self) -> usize {
         self.heap.capacity() * size_of::<Open>() + self.later.bytes()
     }
@@ -161,6 +166,13 @@ impl Tree {
             self.open.pop();
         }
         None
+    }
+
+    /// The smallest f of the open states that are not outdated; infinite where there is none.
+    #[cfg(feature = "whole")]
+    pub(super) fn least_open(&self) -> f64 {
+        let current = self.open.waiting().filter(|open| open.g <= self.g[open.state as usize]);
+        current.map(|open| open.f).fold(f64::INFINITY, f64::min)
     }
 
     /// The states from the start to the goal.

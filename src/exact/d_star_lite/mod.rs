@@ -36,6 +36,8 @@ use crate::planner::{Granularity, Layer, Planner, PlannerEntry, Progress, Record
 #[cfg(feature = "whole")]
 use crate::scenario::Change;
 use crate::scenario::Scenario;
+#[cfg(feature = "whole")]
+use crate::{exact::proof, planner::Certificate};
 
 use queue::{Key, Queue};
 
@@ -254,6 +256,12 @@ impl Planner for DStarLite {
     fn bytes(&self) -> usize {
         let tables = held(&self.g) + held(&self.rhs) + held(&self.expanded) + self.queue.bytes();
         size_of::<Self>() + self.progress.bytes() + tables
+    }
+
+    /// Complete at its end alone: after a change the least key of the queue is hardly a bound worth telling.
+    #[cfg(feature = "whole")]
+    fn certificate(&self) -> Option<Certificate> {
+        proof::certificate(&self.progress, || self.best().map(|best| best.length), || None)
     }
 
     #[cfg(feature = "whole")]

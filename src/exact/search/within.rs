@@ -80,8 +80,7 @@ impl Within {
 
     /// No path is shorter, in cells: the least f of what is open, or the best length where nothing can beat it.
     pub fn lower_bound(&self) -> f64 {
-        let open = self.search.region.waiting.iter().filter(|&&(g, cell)| g <= self.search.ways.g(cell));
-        let least = open.map(|&(g, cell)| g + self.search.to_goal(cell)).fold(f64::INFINITY, f64::min);
+        let least = self.search.least_open();
         if least >= self.search.bound - SAME_LENGTH { self.search.bound } else { least }
     }
 

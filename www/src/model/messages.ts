@@ -5,6 +5,7 @@
  * repeat it, so that an answer to a run that has been replaced meanwhile is dropped.
  */
 import type {
+  Certificate,
   EngineError,
   Layer,
   RunSummary,
@@ -97,6 +98,8 @@ export type PanelQuestion =
   | { about: 'layer'; layer: Layer }
   /** The smooth curve of the path on show. */
   | { about: 'curve' }
+  /** What the planner has proven of its result. */
+  | { about: 'certificate' }
   /** What is kept to look back. */
   | { about: 'kept' }
   /** The map as the panel would draw it in a theme, with a layer or without. */
@@ -123,6 +126,8 @@ export interface PanelAnswers {
   layer: Float32Array
   /** With the path that it belongs to; null where there is none. */
   curve: { path: Uint32Array; curve: Smoothed | null }
+  /** With the digest of the run as it stood; null where nothing is proven. */
+  certificate: { digest: string; certificate: Certificate | null }
   kept: {
     snapshots: number
     bytes: number

@@ -14,11 +14,14 @@ import {
 } from '../words/metric_rows'
 import { objectiveWord } from '../words/objective_words'
 import { curveMeasures } from './curve_measures'
+import { proofMeasure } from './proof_measure'
 
 export interface MeasureCell {
   text: string
   /** A second line. */
   note?: string
+  /** Whether that line only says more: as a rule it is a warning. */
+  quiet?: boolean
   /** Why there is only a dash. */
   why?: string
   /** The number behind the text, lengths in cells; null where it has none. */
@@ -34,6 +37,7 @@ export interface Measure {
     | 'curveLength'
     | 'curveCurvature'
     | 'curveBound'
+    | 'proof'
     | 'digest'
   /** Words rather than numbers: they want more room. */
   wordy: boolean
@@ -55,6 +59,7 @@ export function measuresOf(all: Panel[]): Measure[] {
     ),
     ...curveMeasures(all),
     ...EFFORT_ROWS.map((row) => numeric(row, all)),
+    proofMeasure(all),
     wordy('digest', all.map(digestOf)),
   ]
   return found.filter((measure) => measure !== null)

@@ -8,6 +8,7 @@ import type { ComponentChildren } from 'preact'
 import { useEffect } from 'preact/hooks'
 import { t } from '../i18n/column'
 import { byHand, type Panel, panels, slotColour } from '../state'
+import { keepCertificates } from '../state/certificates'
 import { keepCurves } from '../state/curves'
 import { Icon } from '../ui/icon'
 import { unitName, withUnit } from '../words/metres'
@@ -24,6 +25,7 @@ const showsAll = signal(false)
 
 export function MetricsTable() {
   useEffect(keepCurves, [])
+  useEffect(keepCertificates, [])
   const all = [...panels.value, ...byHand.value]
   const measures = measuresOf(all)
   if (all.length <= MOST_COLUMNS)
@@ -162,11 +164,11 @@ function Cell({ measure: { id, wordy, cells }, index }: { measure: Measure; inde
       class={wordy ? id : cell?.better ? 'better' : undefined}
       title={cell?.why}
       data-testid={`metric-${id}-${index + 1}`}
-      data-value={wordy ? undefined : (cell?.value ?? '')}
+      data-value={cell?.value ?? (wordy ? undefined : '')}
     >
       <span>{cell?.text}</span>
       {cell?.why && <span class="visually-hidden"> {cell.why}</span>}
-      {cell?.note && <span class="cell-note">{cell.note}</span>}
+      {cell?.note && <span class={cell.quiet ? 'cell-note quiet' : 'cell-note'}>{cell.note}</span>}
     </td>
   )
 }

@@ -2,6 +2,7 @@
 import type { Run as CoreRun } from '@pkg/core/formicarium'
 import type { Run as WholeRun } from '@pkg/formicarium'
 import type { PanelAnswers, PanelQuestion } from '../model/messages'
+import { certificateOf } from './certificate'
 import { curveOf, forgetCurve } from './curve'
 import type { Painter } from './painter'
 import { paintLayer } from './shown_layer'
@@ -11,7 +12,12 @@ export { StopWatch } from './stop_watch'
 
 /** A run of either build of the engine. */
 type Run = CoreRun &
-  Partial<Pick<WholeRun, 'level_at' | 'change_walls' | 'show_walls' | 'adapts' | 'smoothed'>>
+  Partial<
+    Pick<
+      WholeRun,
+      'level_at' | 'change_walls' | 'show_walls' | 'adapts' | 'smoothed' | 'certificate'
+    >
+  >
 
 interface Asked {
   /** False once the run has been replaced or, of a look, once another one is wanted. */
@@ -40,6 +46,8 @@ export async function answer(question: PanelQuestion, run: Run, asked: Asked): P
       return run.layer(question.layer)
     case 'curve':
       return curveOf(run)
+    case 'certificate':
+      return certificateOf(run)
     case 'kept':
       return keptOf(run)
     case 'picture':
