@@ -1,12 +1,13 @@
 //! Merge and solve: an exact search among the cells where the ants have been, and a little more.
 //!
 //! What was searched stays: iteration by iteration the part of the map grows, and the search goes on where it had to stop
-//! ([`Within`]). So a cell is expanded again only where a shorter way to it has turned up, and the proof at the end begins with all that merging
+//! ([`Within`]). So a cell is expanded again only where a better way to it has turned up, and the proof at the end begins with all that merging
 //! has expanded.
 
 use std::sync::Arc;
 
 use crate::aco::ant::Ant;
+use crate::aco::criterion::Judge;
 use crate::exact::Within;
 use crate::map::Cell;
 use crate::path::Path;
@@ -23,9 +24,19 @@ pub struct Merge {
 }
 
 impl Merge {
-    /// On a scenario with all its steps, within a corridor.
+    /// Of lengths, on a scenario with all its steps, within a corridor.
     pub fn new(scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
-        Self { search: Within::new(scenario), corridor, told: 0 }
+        Self::by(Judge::Length, scenario, corridor)
+    }
+
+    /// The same by a criterion.
+    pub fn by(criterion: Judge, scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
+        let search = match criterion {
+            Judge::Length => Within::new(scenario),
+            Judge::TurnIndex => Within::by_turn_index(scenario),
+            Judge::Weighted(sum) => Within::by_sum(scenario, sum),
+        };
+        Self { search, corridor, told: 0 }
     }
 
     /// Takes in where an ant has been, widened by so many cells; `scenario` is the one on which it has walked.
@@ -43,18 +54,18 @@ impl Merge {
         path.iter().for_each(|&cell| self.search.widen(cell, self.corridor.radius));
     }
 
-    /// Searches among all that was taken in; the shortest path there, with its length in cells.
+    /// Searches among all that was taken in; the best path there, with its value by the criterion, in cells.
     pub fn solve(&mut self) -> Option<(Path, f64)> {
         self.search.go_on(u64::MAX);
         self.search.best()
     }
 
-    /// Has the next corridor be wider, or narrow again after a shorter path.
-    pub fn learn(&mut self, is_shorter: bool) {
-        self.corridor.learn(is_shorter);
+    /// Has the next corridor be wider, or narrow again after a better path.
+    pub fn learn(&mut self, is_better: bool) {
+        self.corridor.learn(is_better);
     }
 
-    /// Searches the whole map for what is shorter than `known` cells, by no more than so many expansions.
+    /// Searches the whole map for what is better than `known`, a value in cells, by no more than so many expansions.
     pub fn prove(&mut self, known: f64, most: u64) -> Option<(Path, f64)> {
         self.search.bound_by(known);
         self.search.widen_to_all();
@@ -62,15 +73,15 @@ impl Merge {
         self.search.best()
     }
 
-    /// Whether nothing is shorter than what was found.
+    /// Whether nothing is better than what was found.
     pub fn is_proven(&self) -> bool {
         self.search.is_proven()
     }
 
-    /// What is proven of a best path of this length in cells.
-    pub fn certificate(&self, length: f64) -> Certificate {
+    /// What is proven of a best path of this value in cells.
+    pub fn certificate(&self, value: f64) -> Certificate {
         let complete = self.search.is_proven();
-        let lower_bound = if complete { length } else { self.search.lower_bound() };
+        let lower_bound = if complete { value } else { self.search.lower_bound() };
         Certificate { lower_bound, expansions: self.search.expansions(), complete }
     }
 
@@ -91,10 +102,10 @@ impl Merge {
     }
 }
 
-/// How far around the best path a search looks: wider while nothing shorter is found, narrow again after.
+/// How far around the best path a search looks: wider while nothing better is found, narrow again after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corridor {
-    /// Cells at first, and after a shorter path.
+    /// Cells at first, and after a better path.
     pub narrow: u8,
     /// Cells at most; where that is [`Corridor::narrow`], it never changes.
     pub wide: u8,
@@ -104,8 +115,8 @@ pub struct Corridor {
 
 impl Corridor {
     /// Twice as wide, one cell at least, or narrow again.
-    pub fn learn(&mut self, is_shorter: bool) {
+    pub fn learn(&mut self, is_better: bool) {
         let wider = self.radius.saturating_mul(2).max(1).min(self.wide);
-        self.radius = if is_shorter { self.narrow } else { wider };
+        self.radius = if is_better { self.narrow } else { wider };
     }
 }

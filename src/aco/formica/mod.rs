@@ -26,8 +26,8 @@ pub mod scent;
 
 use std::sync::Arc;
 
-use crate::aco::colony::Colony;
-use crate::aco::criterion::way;
+use crate::aco::colony::{Colony, leader};
+use crate::aco::criterion::{Judge, way};
 use crate::aco::shared_params::settings;
 use crate::aco::trails::Trails;
 use crate::aco::variant::{Iteration, Settings, Solved, Variant};
@@ -66,15 +66,15 @@ impl Formica {
         Self { params, scenario, learnt: None }
     }
 
-    /// Proves what stands after an iteration, if it is time; takes in a shorter path. How the colony has ended by that.
+    /// Proves what stands after an iteration, if it is time; takes in a better path with its value. How the colony has ended by that.
     fn prove(&mut self, iteration: &Iteration, found: &mut Option<(Path, f64)>) -> Option<Status> {
         let is_last = self.is_last(iteration);
         let most = self.params.proof_limit * f64::from(self.scenario.grid.len() as u32);
         let learnt = self.learnt.as_mut().filter(|_| most > 0.0)?;
         if !learnt.merge.is_proven() && is_last {
-            let better = learnt.merge.prove(learnt.best, most as u64).filter(|(_, length)| *length < learnt.best - SAME_LENGTH);
-            if let Some((_, length)) = better {
-                (learnt.best, learnt.since) = (length, iteration.number);
+            let better = learnt.merge.prove(learnt.best, most as u64).filter(|(_, value)| *value < learnt.best - SAME_LENGTH);
+            if let Some((_, value)) = better {
+                (learnt.best, learnt.since) = (value, iteration.number);
                 *found = better;
             }
         }
@@ -117,18 +117,26 @@ impl Variant for Formica {
         detour(self.params.kappa, scenario.moves.length(i, d) + to_goal(j) - to_goal(i))
     }
 
+    fn criterion(&self) -> Judge {
+        self.params.judge()
+    }
+
     fn solve(&mut self, iteration: Iteration) -> Option<Solved> {
         let learnt = self.learnt.as_mut()?;
         let mut found = if self.params.merge {
             learnt.merge(&iteration, self.params.widening as u8)
         } else {
-            learnt.path = iteration.iteration_best().map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
+            learnt.path = leader(&iteration, learnt.criterion).map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
             None
         };
-        let length = |found: &Option<(Path, f64)>| found.as_ref().map(|f| f.1).or(iteration.best_so_far.map(|best| best.length));
-        learnt.note(length(&found).unwrap_or(f64::INFINITY), iteration.number);
+        let value = found.as_ref().map(|f| f.1).or_else(|| learnt.value(&iteration));
+        learnt.note(value.unwrap_or(f64::INFINITY), iteration.number);
         let status = self.prove(&iteration, &mut found);
         let expansions = self.learnt.as_mut().map_or(0, Learnt::take_expansions);
+        let found = found.map(|(path, _)| {
+            let length = self.scenario.path_length(&path);
+            (path, length)
+        });
         Some(Solved { found, expansions, status })
     }
 

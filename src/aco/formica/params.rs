@@ -1,11 +1,15 @@
 //! The parameters of Formica.
 
+use crate::aco::criterion::{Criterion, Judge};
 use crate::aco::shared_params::{SelectionParams, WalkParams};
+use crate::metrics::WeightedSum;
 use crate::params;
 
 params! {
     /// Parameters of Formica.
     pub struct FormicaParams {
+        /// what makes one path better than another, and is proven
+        criterion: Criterion = Criterion::Length, "", [], "", "our addition";
         /// ants that build a path in each iteration
         ants: u32 = 16, "m", [1..=1024], "ants", "measured: docs/papers/formica.md";
         ..selection: SelectionParams;
@@ -32,5 +36,13 @@ params! {
         /// most expansions of the proof; 0 = no proof
         proof_limit: f64 = 4.0, "", [0.0..=1000.0], "× cells", "our addition";
         ..walk: WalkParams;
+        ..sum: WeightedSum;
+    }
+}
+
+impl FormicaParams {
+    /// The criterion at work.
+    pub fn judge(&self) -> Judge {
+        self.criterion.by(self.sum)
     }
 }
