@@ -5,15 +5,17 @@
 //! `cargo test --release --test formica_scenarios -- --ignored --nocapture` measures a hundred scenarios of each map and prints the table.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::path::{Path, PathBuf};
+#[path = "common/movingai.rs"]
+mod movingai;
+
+use std::path::Path;
 use std::sync::Arc;
 
 use formicarium::catalog;
-use formicarium::formats::{ScenLine, import, import_scen};
-use formicarium::map::Movement;
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Planner, Status};
 use formicarium::scenario::{Goal, Scenario};
+use movingai::{folder, load};
 
 /// Random cells, rooms, mazes, games, a city, a warehouse.
 const MAPS: [&str; 13] = [
@@ -37,25 +39,6 @@ const ITERATIONS: f64 = 10.0;
 
 /// Equal lengths, whatever rounding leaves of adding.
 const SAME: f64 = 1e-6;
-
-fn folder() -> Option<PathBuf> {
-    let folder = std::env::var_os("FORMICARIUM_DATA").map(|f| PathBuf::from(f).join("movingai"));
-    if folder.is_none() {
-        println!("skipped: FORMICARIUM_DATA is not set, so there are no MovingAI files to plan on");
-    }
-    folder
-}
-
-/// The longer half of a map's scenarios, and one of them.
-fn load(scen: &Path) -> (Vec<ScenLine>, Scenario) {
-    let mut lines = import_scen(&std::fs::read(scen).expect("the file")).expect("a list").lines;
-    let name = lines[0].map.rsplit('/').next().expect("a name").to_string();
-    let map = import(&std::fs::read(scen.with_file_name(&name)).expect("its map"), &name).expect("a map");
-    lines.sort_by(|a, b| a.optimal.total_cmp(&b.optimal));
-    let half = lines.split_off(lines.len() / 2);
-    let scenario = Scenario::on(map.grid, Movement::default(), half[0].start, half[0].goal).expect("usable");
-    (half, scenario)
-}
 
 fn run(scenario: &Arc<Scenario>, planner: &str, values: &[(&str, f64)]) -> Box<dyn Planner> {
     let values: Values = values.iter().map(|&(key, value)| (key.to_string(), Value::Number(value))).collect();
