@@ -21,7 +21,7 @@
 //! | what makes one finished path better than another | `criterion.rs` |
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
-//! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/search/within.rs` |
+//! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/within.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
 //! | colonies by slices: the classics, and the textbook's own | `by_slices/` |
 //! | the same colony on problems that have no map | `order_run.rs` |

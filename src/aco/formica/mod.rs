@@ -17,6 +17,9 @@
 //! - Blum, Dorigo, "The hyper-cube framework for ant colony optimization", IEEE Transactions on Systems, Man, and Cybernetics B 34 (2004)
 //!   1161–1172, doi:10.1109/TSMCB.2003.821450.
 //!
+//! By `criterion` it is the turn index V or the weighted sum J that ants are judged by, and that is searched for and proven, over states of a cell
+//! and a direction. The scent stays the length's: η is a hint, no bound.
+//!
 //! With 16 moves ants walk by 8 of them and the search by all: a step of two cells deposits on the two steps that it stands for.
 
 mod learnt;
