@@ -90,7 +90,7 @@ fn a_best_path_may_be_longer_than_another() {
         let ants = solved(&s, "formica", by, &[]);
         let best = ants.best()?.length;
         let shortest = formicarium::exact::optimum(&s)?;
-        (best > shortest + 0.1).then(|| (ants, shortest))
+        (best > shortest + 0.1).then_some((ants, shortest))
     });
     let (ants, shortest) = longer.expect("rooms in which turns are worth a detour");
     for record in ants.history() {
