@@ -149,7 +149,7 @@ pub const GOLDENS: &[Golden] = &[
         planner: "formica",
         values: &[("criterion", "turn-index")],
         seed: 1,
-        digest: "0000000000000001",
+        digest: "6ae45f4cf8ed9bea",
     },
     Golden {
         map: (Generator::Cave, 64, 48, 5, 0.0),
@@ -157,7 +157,7 @@ pub const GOLDENS: &[Golden] = &[
         planner: "formica",
         values: &[("criterion", "weighted-sum"), ("turn_weight", "1.7"), ("energy_weight", "0.3"), ("clearance_wanted", "2.3")],
         seed: 7,
-        digest: "0000000000000002",
+        digest: "257ca3ac311a341b",
     },
     Golden {
         map: (Generator::Cave, 40, 30, 21, 0.0),
