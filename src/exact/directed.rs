@@ -126,6 +126,7 @@ fn turn(sum: &WeightedSum, radian: f64, before: Direction, after: Direction) -> 
 }
 
 impl Costs for SumCosts {
+    #[inline]
     fn step(&self, scenario: &Scenario, cell: Cell, came: Option<Direction>, d: Direction) -> f64 {
         let next = scenario.moves.step(cell, d);
         let near = 0.5 * (self.closeness[cell as usize] + self.closeness[next as usize]);
@@ -137,6 +138,7 @@ impl Costs for SumCosts {
         }
     }
 
+    #[inline]
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
         let width = scenario.grid.width();
         // The distance counts the smallest factor of weighted ground, which energy does not know.

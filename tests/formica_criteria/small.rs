@@ -22,7 +22,7 @@ fn holds(s: &Arc<Scenario>, by: By, least: f64) {
     } else if least > 0.0 {
         let certificate = full.certificate().unwrap_or_else(|| panic!("{}: no certificate", told()));
         assert!(full.status() == Status::Optimal && certificate.complete, "{}: {certificate:?}", told());
-        assert!(same(certificate.lower_bound, least), "{}: {certificate:?}, {least}", told());
+        assert_eq!(certificate.lower_bound, found, "{}", told());
     }
 }
 
