@@ -249,7 +249,7 @@ fn walk_to_the_end<V: Variant, W: Weights>(scenario: &Scenario, variant: &V, wei
 
 /// The arrived ant with the best way and its length; the first of equals.
 #[inline(always)]
-fn leader<'a>(iteration: &Iteration<'a>, criterion: Judge) -> Option<(&'a Ant, f64)> {
+pub(super) fn leader<'a>(iteration: &Iteration<'a>, criterion: Judge) -> Option<(&'a Ant, f64)> {
     if criterion == Judge::Length {
         return iteration.iteration_best();
     }

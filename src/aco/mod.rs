@@ -22,7 +22,7 @@
 //! | a colony after another planner, on trails that it seeds | `hybrid.rs` |
 //! | what happens at a dead end | `dead_end.rs` |
 //! | ants that go several cells at a time, a planner of its own | `papers/tdi_msaco/` |
-//! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/search/within.rs` |
+//! | a search that puts ants' ways together, and proves | `formica/`, over `../exact/within.rs` |
 //! | several goals: a colony for their order, then one for each leg | `tour.rs`, `legs.rs` |
 //! | orders that a search puts together from ants' tours, and proves | `order_solve.rs`, over `../exact/order/search.rs` |
 //! | colonies by slices: the classics, and the textbook's own | `by_slices/` |

@@ -125,7 +125,7 @@ pub enum Abreast {
 /// What a search adds to an iteration of ants; see [`Variant::solve`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solved {
-    /// A path from start to goal that is shorter than the best so far, with its length in cells.
+    /// A path from start to goal that is better than the best so far by the criterion, with its length in cells.
     pub found: Option<(Path, f64)>,
     /// Cells that were expanded since the iteration before.
     pub expansions: u64,

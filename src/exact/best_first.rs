@@ -8,9 +8,8 @@ mod tree;
 
 use std::sync::Arc;
 
-pub(super) use self::tree::{BUCKETS_PER_CONTOUR, NO_PARENT, Open, State, Tree};
+pub(super) use self::tree::{Open, State, Tree};
 use super::contours::{self, Contours};
-use super::search::contour;
 use crate::map::Cell;
 use crate::metrics::WeightedSum;
 use crate::path::Path;
@@ -116,9 +115,12 @@ impl<R: Rules> BestFirst<R> {
 
     /// The way to the goal that the search has found, or the one that was known.
     fn best_way(&self) -> Option<Path> {
-        let found = self.tree.arrived != NO_PARENT;
         let known = || self.rules.known().map(|known| known.path.clone());
-        if found { Some(self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect()) } else { known() }
+        if self.tree.has_arrived() {
+            Some(self.tree.way().iter().map(|state| state / R::STATES_PER_CELL).collect())
+        } else {
+            known()
+        }
     }
 
     /// Its result's value, where that is proven.
@@ -140,7 +142,7 @@ impl<R: Rules> BestFirst<R> {
             // Its steps may cost less than 1, so the tolerance is that of as many steps as there are states.
             return (least.min(self.tree.bound) - SAME_LENGTH * self.tree.g.len() as f64).max(0.0);
         }
-        let arrived = if self.tree.arrived == NO_PARENT { f64::INFINITY } else { surely(self.tree.bound) };
+        let arrived = if self.tree.has_arrived() { surely(self.tree.bound()) } else { f64::INFINITY };
         let known = self.rules.known().map_or(f64::INFINITY, |known| known.length);
         let reached = self.progress.best.as_ref().map_or(arrived.min(surely(known)), |best| best.length);
         reached.min(surely(least))
@@ -172,16 +174,14 @@ impl<R: Rules> Contours for BestFirst<R> {
     fn prepare(&mut self) {
         let scenario = &*self.scenario;
         self.rules.prepare(scenario);
-        self.tree = Tree::new(scenario.grid.len() * R::STATES_PER_CELL as usize);
+        let to_goal = self.rules.to_goal(scenario, scenario.start);
+        self.tree = Tree::along(scenario, scenario.grid.len() * R::STATES_PER_CELL as usize, to_goal);
         if let Some(known) = self.rules.known() {
             // A hair longer, so that the best way is found even where it is the known one.
             self.tree.bound = known.length + HAIR;
             self.progress.effort.cell_expansions += known.expansions;
         }
-        let to_goal = self.rules.to_goal(scenario, scenario.start);
-        self.tree.open.base = libm::floor(to_goal);
-        self.tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR / contour(scenario);
-        self.tree.relax(self.rules.start(scenario), 0.0, to_goal, NO_PARENT, scenario.start == scenario.goal);
+        self.tree.begin(self.rules.start(scenario), to_goal, scenario.start == scenario.goal);
         self.contour = libm::floor(to_goal) + 1.0;
     }
 

@@ -6,9 +6,11 @@ mod best_first;
 mod contours;
 pub mod d_star_lite;
 pub mod dijkstra;
+mod directed;
 mod frontier;
 mod geodesic;
 mod glance;
+mod growing;
 mod jump_map;
 mod jump_points;
 mod obstacles;
@@ -27,14 +29,16 @@ pub mod tour;
 pub mod turn_aware;
 mod ways;
 mod weighted;
+mod within;
 
 pub use any_angle::PolylinesWithin;
 pub use astar::Distance;
 pub use optima::Optima;
 pub use order::distances_from;
 pub use point_robot::point_robot;
-pub use search::{Estimate, Within};
+pub use search::Estimate;
 pub use slices::{SliceEstimate, SlicesWithin};
+pub use within::Within;
 
 use std::sync::Arc;
 

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::growing::Node;
 use crate::map::Cell;
 use crate::planner::held;
 
@@ -34,8 +35,8 @@ pub(super) struct Part {
     inside: Vec<bool>,
     /// How far around each cell it has been widened already.
     widened: Vec<u8>,
-    /// Ways to cells that are not of it, with their costs; some may be outdated.
-    pub(super) waiting: Vec<(f64, Cell)>,
+    /// Ways to cells, or to states of cells, that are not of it, with their costs; some may be outdated.
+    pub(super) waiting: Vec<(f64, Node)>,
 }
 
 impl Region for Part {
@@ -62,6 +63,12 @@ impl Part {
     /// Whether each cell is of it, row by row.
     pub(super) fn cells(&self) -> &[bool] {
         &self.inside
+    }
+
+    /// Whether a cell is of it.
+    #[inline(always)]
+    pub(super) fn has(&self, cell: Cell) -> bool {
+        self.inside[cell as usize]
     }
 
     /// Takes in the square of cells up to `radius` away from a cell, diagonally too.

@@ -363,8 +363,6 @@ impl<E: Estimate + 'static, R: Region + 'static> Planner for Search<E, R> {
     }
 }
 
+mod growing;
 #[cfg(test)]
 mod tests;
-mod within;
-
-pub use within::Within;

@@ -10,9 +10,8 @@
 use std::sync::Arc;
 
 use super::SEARCH;
-use super::astar::Distance;
 use super::best_first::{BestFirst, Rules, State, Tree};
-use super::search::Estimate;
+use super::directed::{Costs, TurnCosts};
 use super::weighted;
 use crate::error::ParamError;
 use crate::map::{Cell, DIRECTIONS, Direction};
@@ -47,7 +46,7 @@ const NO_DIRECTION: Direction = DIRECTIONS as Direction;
 /// The rules of the search: states are cell · 9 + direction.
 #[derive(Clone)]
 struct TurnAware {
-    distance: Distance,
+    costs: TurnCosts,
     /// V at the first expansion by cell.
     first: Vec<f64>,
 }
@@ -55,9 +54,10 @@ struct TurnAware {
 impl TurnAware {
     /// Relaxes the step in direction `d`; `came` is the direction of the step before.
     fn step(&self, scenario: &Scenario, state: State, came: Direction, d: Direction, tree: &mut Tree) {
-        let next = scenario.moves.step(state / Self::STATES_PER_CELL, d);
-        let turns = came != NO_DIRECTION && came != d;
-        let v = tree.g(state) + scenario.moves.length(state / Self::STATES_PER_CELL, d) * if turns { TURN_WEIGHT } else { 1.0 };
+        let cell = state / Self::STATES_PER_CELL;
+        let next = scenario.moves.step(cell, d);
+        let came = (came != NO_DIRECTION).then_some(came);
+        let v = tree.g(state) + self.costs.step(scenario, cell, came, d);
         let to = next * Self::STATES_PER_CELL + State::from(d);
         if tree.is_cheaper(to, v) && self.may_save(scenario, next, d, v) {
             tree.relax(to, v, self.to_goal(scenario, next), state, next == scenario.goal);
@@ -90,8 +90,7 @@ impl Rules for TurnAware {
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
-        let at = scenario.grid.point(cell);
-        self.distance.to_goal(at.x, at.y)
+        self.costs.to_goal(scenario, cell)
     }
 
     fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree) {
@@ -110,7 +109,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, _seed: u32) -> Result<Box<dy
     if params.criterion == Criterion::Weighted {
         return Ok(Box::new(weighted::search(scenario, params.sum)));
     }
-    let rules = TurnAware { distance: Distance::of(scenario), first: Vec::new() };
+    let rules = TurnAware { costs: TurnCosts::new(scenario), first: Vec::new() };
     Ok(Box::new(BestFirst::new(Arc::clone(scenario), rules)))
 }
 

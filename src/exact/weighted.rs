@@ -6,14 +6,12 @@
 //! Of the states of a cell the first expanded has the least J. Another one can save at most what the dearest turn costs, and is left out
 //! where that is not enough.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::astar::Distance;
 use super::best_first::{BestFirst, Rules, State, Tree};
-use super::search::Estimate;
-use crate::map::{Cell, DIRECTIONS, Direction, Weights, offset, step_length};
-use crate::metrics::{SAME_LENGTH, WeightedSum, angle, energy_rates};
+use super::directed::{Costs, SumCosts};
+use crate::map::{Cell, DIRECTIONS, Direction};
+use crate::metrics::{SAME_LENGTH, WeightedSum};
 use crate::planner::{Objective, Status, held};
 use crate::scenario::Scenario;
 
@@ -23,52 +21,17 @@ const NO_DIRECTION: Direction = DIRECTIONS as Direction;
 /// The rules of the search: states are cell · 9 + direction.
 #[derive(Clone)]
 pub(super) struct Weighted {
-    sum: WeightedSum,
-    /// What a cell of way and a radian of turning take.
-    energy: [f64; 3],
-    distance: Distance,
-    /// What a turn costs, by the directions of the steps before and after it.
-    turns: [[f64; DIRECTIONS]; DIRECTIONS],
-    /// What a cell of way costs beyond its length because obstacles are near, by cell.
-    closeness: Vec<f64>,
+    costs: SumCosts,
     /// J at the first expansion by cell.
     first: Vec<f64>,
 }
 
 impl Weighted {
-    fn new(scenario: &Scenario, sum: WeightedSum) -> Self {
-        let energy = energy_rates(scenario);
-        let turn = |a, b| turn(&sum, energy[1], a as Direction, b as Direction);
-        let turns = std::array::from_fn(|a| std::array::from_fn(|b| turn(a, b)));
-        Self { sum, energy, distance: Distance::of(scenario), turns, closeness: Vec::new(), first: Vec::new() }
-    }
-
-    /// What the length of a cell of way takes in energy, whatever its factor.
-    fn energy_rate(&self) -> f64 {
-        self.sum.energy_weight * self.energy[0]
-    }
-
-    /// What the step in direction `d` adds to J; `came` is the direction of the step before.
-    fn cost(&self, scenario: &Scenario, cell: Cell, came: Direction, d: Direction, next: Cell) -> f64 {
-        let near = 0.5 * (self.closeness[cell as usize] + self.closeness[next as usize]);
-        let turn = if came == NO_DIRECTION { 0.0 } else { self.turns[came as usize][d as usize] };
-        self.sum.length_weight * scenario.moves.length(cell, d) + (self.energy_rate() + near) * step_length(d) + turn
-    }
-
     /// Whether a way of this J to a cell can still be better than the first one there.
     fn may_save(&self, cell: Cell, j: f64) -> bool {
-        let dearest = self.sum.turn_weight + self.sum.energy_weight * self.energy[1] * PI;
         // Of an infinite first one everything may.
-        j < self.first[cell as usize] + dearest - SAME_LENGTH
+        j < self.first[cell as usize] + self.costs.dearest_turn() - SAME_LENGTH
     }
-}
-
-/// What a turn from one direction to another costs.
-fn turn(sum: &WeightedSum, radian: f64, before: Direction, after: Direction) -> f64 {
-    if before == after {
-        return 0.0;
-    }
-    sum.turn_weight + sum.energy_weight * radian * angle(offset(before), offset(after))
 }
 
 impl Rules for Weighted {
@@ -77,18 +40,16 @@ impl Rules for Weighted {
     const STATES_PER_CELL: u32 = DIRECTIONS as u32 + 1;
 
     fn prepare(&mut self, scenario: &Scenario) {
-        let weight = self.sum.clearance_weight;
-        let near = |cell| if weight > 0.0 { weight * self.sum.shortfall(&scenario.grid, cell) } else { 0.0 };
-        self.closeness = (0..scenario.grid.len() as Cell).map(near).collect();
+        self.costs.prepare(scenario);
         self.first = vec![f64::INFINITY; scenario.grid.len()];
     }
 
     fn bytes(&self) -> usize {
-        held(&self.first) + held(&self.closeness)
+        held(&self.first) + self.costs.bytes()
     }
 
     fn sum(&self) -> Option<WeightedSum> {
-        Some(self.sum)
+        Some(self.costs.sum())
     }
 
     fn start(&self, scenario: &Scenario) -> State {
@@ -96,10 +57,7 @@ impl Rules for Weighted {
     }
 
     fn to_goal(&self, scenario: &Scenario, cell: Cell) -> f64 {
-        let at = scenario.grid.point(cell);
-        // The distance counts the smallest factor of weighted ground, which energy does not know.
-        let least = scenario.moves.weights().map_or(1.0, Weights::least);
-        (self.sum.length_weight + self.energy_rate() / least) * self.distance.to_goal(at.x, at.y)
+        self.costs.to_goal(scenario, cell)
     }
 
     fn expand(&mut self, scenario: &Scenario, state: State, tree: &mut Tree) {
@@ -110,12 +68,13 @@ impl Rules for Weighted {
         } else if !self.may_save(cell, g) {
             return;
         }
+        let came = (came != NO_DIRECTION).then_some(came);
         for d in scenario.moves.directions(cell) {
             let next = scenario.moves.step(cell, d);
-            let j = g + self.cost(scenario, cell, came, d, next);
+            let j = g + self.costs.step(scenario, cell, came, d);
             if self.may_save(next, j) {
                 let to = next * Self::STATES_PER_CELL + State::from(d);
-                tree.relax(to, j, self.to_goal(scenario, next), state, next == scenario.goal);
+                tree.relax(to, j, self.costs.to_goal(scenario, next), state, next == scenario.goal);
             }
         }
     }
@@ -123,6 +82,6 @@ impl Rules for Weighted {
 
 /// The search for the least J; only on a plane.
 pub(super) fn search(scenario: &Arc<Scenario>, sum: WeightedSum) -> BestFirst<Weighted> {
-    let rules = Weighted::new(scenario, sum);
+    let rules = Weighted { costs: SumCosts::new(scenario, sum), first: Vec::new() };
     BestFirst::new(Arc::clone(scenario), rules)
 }

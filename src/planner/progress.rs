@@ -79,12 +79,14 @@ impl Record {
         }
     }
 
-    /// With the length in cells of a path that a search has made of the ants' ways: the iteration's shortest; its mean and its longest too where
-    /// no ant has arrived.
+    /// With the length in cells of a path that a search has made of the ants' ways, which counts as the iteration's, too; its mean where no ant has
+    /// arrived.
     #[must_use]
     pub fn with_found(self, length: f64) -> Self {
-        let (mean, worst) = (self.iteration_mean.or(Some(length)), self.iteration_worst.or(Some(length)));
-        Self { iteration_best: Some(length), iteration_mean: mean, iteration_worst: worst, ..self }
+        let best = self.iteration_best.map_or(length, |best| best.min(length));
+        let worst = self.iteration_worst.map_or(length, |worst| worst.max(length));
+        let mean = self.iteration_mean.or(Some(length));
+        Self { iteration_best: Some(best), iteration_mean: mean, iteration_worst: Some(worst), ..self }
     }
 }
 

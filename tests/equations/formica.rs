@@ -8,6 +8,7 @@ use formicarium::aco::formica::scent::Scent;
 use formicarium::catalog;
 use formicarium::exact::Within;
 use formicarium::map::{Cell, Generator, Grid, Movement, Moves, Point, generate};
+use formicarium::metrics::WeightedSum;
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Effort, Granularity, Layer, Planner, Status};
 use formicarium::scenario::{Scenario, ScenarioSpec};
@@ -195,6 +196,52 @@ fn a_merge_follows_the_corridor_and_counts_once() {
     let certificate = merge.certificate(better);
     assert!(certificate.complete && certificate.lower_bound == better, "{certificate:?}");
     assert_eq!(certificate.expansions, merge.take_expansions() + merge_before(&s, &upper));
+}
+
+/// 9 × 3 cells by 4 moves: down, along and up is the only way past the walls of the first row that does not turn all the time.
+fn teeth() -> Arc<Scenario> {
+    let cells: Vec<u8> = (0..27).map(|c| u8::from(c < 9 && c % 2 == 0 && c != 0 && c != 8)).collect();
+    let grid = Grid::from_bytes(9, 3, &cells).expect("a map");
+    let movement = Movement { moves: Moves::Four, ..Movement::default() };
+    Arc::new(Scenario::on(grid, movement, Point::new(0, 0), Point::new(8, 0)).expect("usable"))
+}
+
+#[test]
+fn a_search_over_states_proves_the_turn_index_where_it_has_not_been() {
+    let s = teeth();
+    let mut search = Within::by_turn_index(&s);
+    assert_eq!((search.best(), search.lower_bound()), (None, 8.0), "the start waits");
+    (0..18).for_each(|cell| search.widen(cell, 0));
+    assert!(search.go_on(u64::MAX));
+    let (path, v) = search.best().expect("along the second row");
+    // 10 steps, two of which turn; the third row is two steps more.
+    assert!(path.len() == 11 && close(v, 10.4), "{v}");
+    assert!(search.is_proven() && !search.part()[18]);
+}
+
+#[test]
+fn a_search_over_states_proves_the_weighted_sum() {
+    let s = teeth();
+    let sum = WeightedSum { turn_weight: 5.0, clearance_weight: 0.0, energy_weight: 2.0, ..WeightedSum::default() };
+    let mut search = Within::by_sum(&s, sum);
+    // 8 cells, and their energy.
+    assert_eq!(search.lower_bound(), 8.0 + 2.0 * 8.0);
+    search.widen_to_all();
+    assert!(search.go_on(u64::MAX) && search.is_proven());
+    let energy = 10.0 + 0.25 * std::f64::consts::PI;
+    assert!(search.best().is_some_and(|(_, j)| close(j, 10.0 + 5.0 * 2.0 + 2.0 * energy)));
+}
+
+#[test]
+fn steps_of_two_cells_turn_as_others_do() {
+    let grid = Grid::open(7, 3).expect("a map");
+    let movement = Movement { moves: Moves::Sixteen, ..Movement::default() };
+    let s = Arc::new(Scenario::on(grid, movement, Point::new(0, 0), Point::new(5, 2)).expect("usable"));
+    let mut search = Within::by_turn_index(&s);
+    search.widen_to_all();
+    search.go_on(u64::MAX);
+    // One straight, which is shorter than a step of two cells, so it is the one that turns.
+    assert!(search.best().is_some_and(|(_, v)| close(v, 2.0 * 5f64.sqrt() + 1.2)));
 }
 
 /// Expansions of the merge alone.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use formicarium::aco::criterion::Judge;
 use formicarium::aco::formica::Paths;
 use formicarium::aco::formica::merge::{Corridor, Merge};
 use formicarium::catalog;
@@ -98,7 +99,7 @@ fn a_search_that_is_stopped_goes_on_and_tells_what_it_has_proven() {
 #[test]
 fn a_merge_follows_polylines_and_proves_them() {
     let s = wall(true);
-    let mut merge = Merge::of(Paths::Polylines, &s, Corridor { narrow: 0, wide: 0, radius: 0 });
+    let mut merge = Merge::of(Paths::Polylines, Judge::Length, &s, Corridor { narrow: 0, wide: 0, radius: 0 });
     let lower: Vec<Cell> =
         [(0, 3), (1, 4), (2, 5), (3, 6), (4, 6), (5, 6), (6, 5), (7, 4), (8, 3)].map(|(x, y)| cell(&s, x, y)).into();
     merge.follow(&lower);

@@ -161,6 +161,22 @@ pub const GOLDENS: &[Golden] = &[
         digest: "ba8681dbc59f2401",
     },
     Golden {
+        map: (Generator::Rooms, 64, 64, 3, 0.2),
+        movement: eight(CornerRule::BothFree),
+        planner: "formica",
+        values: &[("criterion", "turn-index")],
+        seed: 1,
+        digest: "6ae45f4cf8ed9bea",
+    },
+    Golden {
+        map: (Generator::Cave, 64, 48, 5, 0.0),
+        movement: eight(CornerRule::OneFree),
+        planner: "formica",
+        values: &[("criterion", "weighted-sum"), ("turn_weight", "1.7"), ("energy_weight", "0.3"), ("clearance_wanted", "2.3")],
+        seed: 7,
+        digest: "257ca3ac311a341b",
+    },
+    Golden {
         map: (Generator::Cave, 40, 30, 21, 0.0),
         movement: eight(CornerRule::BothFree),
         planner: "maaco",

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::aco::criterion::Judge;
 use crate::exact::{PolylinesWithin, Within};
 use crate::map::Cell;
 use crate::path::Path;
@@ -27,10 +28,13 @@ macro_rules! ask {
 }
 
 impl Inside {
-    pub(super) fn new(scenario: &Arc<Scenario>, paths: Paths) -> Self {
-        match paths {
-            Paths::Steps => Self::Steps(Box::new(Within::new(scenario))),
-            Paths::Polylines => Self::Polylines(Box::new(PolylinesWithin::new(scenario))),
+    pub(super) fn new(scenario: &Arc<Scenario>, paths: Paths, criterion: Judge) -> Self {
+        let by_steps = |search| Self::Steps(Box::new(search));
+        match (paths, criterion) {
+            (Paths::Polylines, _) => Self::Polylines(Box::new(PolylinesWithin::new(scenario))),
+            (Paths::Steps, Judge::Length) => by_steps(Within::new(scenario)),
+            (Paths::Steps, Judge::TurnIndex) => by_steps(Within::by_turn_index(scenario)),
+            (Paths::Steps, Judge::Weighted(sum)) => by_steps(Within::by_sum(scenario, sum)),
         }
     }
 

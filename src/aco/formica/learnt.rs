@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use crate::aco::criterion::Judge;
 use crate::aco::variant::Iteration;
 use crate::exact::Distance;
 use crate::metrics::SAME_LENGTH;
@@ -24,7 +25,8 @@ pub(super) struct Learnt {
     pub(super) merge: Merge,
     /// The path that takes the deposit; empty while there is none.
     pub(super) path: Path,
-    /// Length of the best path, in cells, and the iteration that found it.
+    pub(super) criterion: Judge,
+    /// Value of the best path by the criterion, in cells, and the iteration that found it.
     pub(super) best: f64,
     pub(super) since: u32,
     /// Parts that were expanded for the scent and not told yet.
@@ -37,21 +39,24 @@ impl Learnt {
         let wide = if params.adaptive_corridor { params.corridor_most as u8 } else { narrow };
         let corridor = Corridor { narrow, wide: wide.max(narrow), radius: narrow };
         let scent = Scent::new(walked_on);
+        let criterion = params.judge();
         Self {
             smelt: if params.scent { scent.expanded() } else { 0 },
             scent,
             open_map: Distance::of(walked_on),
             paths: params.paths,
-            merge: Merge::of(params.paths, scenario, corridor),
+            merge: Merge::of(params.paths, criterion, scenario, corridor),
             path: Path::new(),
+            criterion,
             best: f64::INFINITY,
             since: 0,
         }
     }
 
-    /// Merges the ways of an iteration's ants and takes in what the search finds; the path, if it is shorter than all before.
+    /// Merges the ways of an iteration's ants and takes in what the search finds; the path with its value, if it is better than
+    /// all before.
     pub(super) fn merge(&mut self, iteration: &Iteration, widening: u8) -> Option<(Path, f64)> {
-        let known = known(iteration);
+        let known = self.value(iteration).unwrap_or(f64::INFINITY);
         iteration.ants.iter().for_each(|ant| self.merge.gather(iteration.scenario, ant, widening));
         if let Some(best) = iteration.best_so_far {
             self.merge.follow(&self.on_cells(iteration.scenario, &best.path));
@@ -70,7 +75,7 @@ impl Learnt {
         if self.paths == Paths::Steps {
             return None;
         }
-        let known = known(iteration);
+        let known = self.value(iteration).unwrap_or(f64::INFINITY);
         let straight = straightened(iteration).filter(|(_, length)| *length < known - SAME_LENGTH);
         self.merge.bound_by(straight.as_ref().map_or(known, |(_, length)| *length));
         straight
@@ -84,22 +89,22 @@ impl Learnt {
         }
     }
 
+    /// Value of the best path of ants and searches so far, in cells.
+    pub(super) fn value(&self, iteration: &Iteration) -> Option<f64> {
+        iteration.best_so_far.map(|best| self.criterion.of_solution(iteration.scenario, best))
+    }
+
     /// What was expanded since this was asked last.
     pub(super) fn take_expansions(&mut self) -> u64 {
         self.merge.take_expansions() + std::mem::take(&mut self.smelt)
     }
 
-    /// Takes note of the best length after an iteration.
-    pub(super) fn note(&mut self, length: f64, number: u32) {
-        let is_shorter = length < self.best - SAME_LENGTH;
-        if is_shorter {
-            (self.best, self.since) = (length, number);
+    /// Takes note of the best value after an iteration.
+    pub(super) fn note(&mut self, value: f64, number: u32) {
+        let is_better = value < self.best - SAME_LENGTH;
+        if is_better {
+            (self.best, self.since) = (value, number);
         }
-        self.merge.learn(is_shorter);
+        self.merge.learn(is_better);
     }
-}
-
-/// Length of the best path that is known of, in cells; infinite while there is none.
-fn known(iteration: &Iteration) -> f64 {
-    iteration.best_so_far.map_or(f64::INFINITY, |best| best.length)
 }

@@ -1,12 +1,14 @@
 //! Merge and solve: an exact search among the cells where the ants have been, and a little more.
 //!
 //! What was searched stays: iteration by iteration the part of the map grows, and the search goes on where it had to stop
-//! ([`Within`](crate::exact::Within), of polylines [`PolylinesWithin`](crate::exact::PolylinesWithin)). So a cell is expanded again only where a shorter way to it has turned up, and the proof at the end begins with all that merging
+//! ([`Within`](crate::exact::Within), of polylines [`PolylinesWithin`](crate::exact::PolylinesWithin)). So a cell is expanded again only where a
+//! better way to it has turned up, and the proof at the end begins with all that merging
 //! has expanded.
 
 use std::sync::Arc;
 
 use crate::aco::ant::Ant;
+use crate::aco::criterion::Judge;
 use crate::map::Cell;
 use crate::path::Path;
 use crate::planner::Certificate;
@@ -25,14 +27,14 @@ pub struct Merge {
 }
 
 impl Merge {
-    /// On a scenario with all its steps, within a corridor.
+    /// Of lengths, on a scenario with all its steps, within a corridor.
     pub fn new(scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
-        Self::of(Paths::Steps, scenario, corridor)
+        Self::of(Paths::Steps, Judge::Length, scenario, corridor)
     }
 
-    /// The same for paths of either kind; polylines on a plane alone.
-    pub fn of(paths: Paths, scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
-        Self { search: Inside::new(scenario, paths), corridor, told: 0 }
+    /// The same for paths of either kind by a criterion; polylines on a plane alone, by their lengths.
+    pub fn of(paths: Paths, criterion: Judge, scenario: &Arc<Scenario>, corridor: Corridor) -> Self {
+        Self { search: Inside::new(scenario, paths, criterion), corridor, told: 0 }
     }
 
     /// Takes in where an ant has been, widened by so many cells; `scenario` is the one on which it has walked.
@@ -50,23 +52,23 @@ impl Merge {
         path.iter().for_each(|&cell| self.search.widen(cell, self.corridor.radius));
     }
 
-    /// A path of this length, in cells, is known from elsewhere: only shorter ones are looked for.
+    /// A path of this value, in cells, is known from elsewhere: only better ones are looked for.
     pub fn bound_by(&mut self, known: f64) {
         self.search.bound_by(known);
     }
 
-    /// Searches among all that was taken in; the shortest path there, with its length in cells.
+    /// Searches among all that was taken in; the best path there, with its value by the criterion, in cells.
     pub fn solve(&mut self) -> Option<(Path, f64)> {
         self.search.go_on(u64::MAX);
         self.search.best()
     }
 
-    /// Has the next corridor be wider, or narrow again after a shorter path.
-    pub fn learn(&mut self, is_shorter: bool) {
-        self.corridor.learn(is_shorter);
+    /// Has the next corridor be wider, or narrow again after a better path.
+    pub fn learn(&mut self, is_better: bool) {
+        self.corridor.learn(is_better);
     }
 
-    /// Searches the whole map for what is shorter than `known` cells, by no more than so many expansions.
+    /// Searches the whole map for what is better than `known`, a value in cells, by no more than so many expansions.
     pub fn prove(&mut self, known: f64, most: u64) -> Option<(Path, f64)> {
         self.bound_by(known);
         self.search.widen_to_all();
@@ -74,15 +76,15 @@ impl Merge {
         self.search.best()
     }
 
-    /// Whether nothing is shorter than what was found.
+    /// Whether nothing is better than what was found.
     pub fn is_proven(&self) -> bool {
         self.search.is_proven()
     }
 
-    /// What is proven of a best path of this length in cells.
-    pub fn certificate(&self, length: f64) -> Certificate {
+    /// What is proven of a best path of this value in cells.
+    pub fn certificate(&self, value: f64) -> Certificate {
         let complete = self.search.is_proven();
-        let lower_bound = if complete { length } else { self.search.lower_bound() };
+        let lower_bound = if complete { value } else { self.search.lower_bound() };
         Certificate { lower_bound, expansions: self.search.expansions(), complete }
     }
 
@@ -103,10 +105,10 @@ impl Merge {
     }
 }
 
-/// How far around the best path a search looks: wider while nothing shorter is found, narrow again after.
+/// How far around the best path a search looks: wider while nothing better is found, narrow again after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Corridor {
-    /// Cells at first, and after a shorter path.
+    /// Cells at first, and after a better path.
     pub narrow: u8,
     /// Cells at most; where that is [`Corridor::narrow`], it never changes.
     pub wide: u8,
@@ -116,8 +118,8 @@ pub struct Corridor {
 
 impl Corridor {
     /// Twice as wide, one cell at least, or narrow again.
-    pub fn learn(&mut self, is_shorter: bool) {
+    pub fn learn(&mut self, is_better: bool) {
         let wider = self.radius.saturating_mul(2).max(1).min(self.wide);
-        self.radius = if is_shorter { self.narrow } else { wider };
+        self.radius = if is_better { self.narrow } else { wider };
     }
 }

@@ -18,6 +18,9 @@
 //! - Blum, Dorigo, "The hyper-cube framework for ant colony optimization", IEEE Transactions on Systems, Man, and Cybernetics B 34 (2004)
 //!   1161–1172, doi:10.1109/TSMCB.2003.821450.
 //!
+//! By `criterion` it is the turn index V or the weighted sum J that ants are judged by, and that is searched for and proven, over states of a cell
+//! and a direction. The scent stays the length's: η is a hint, no bound.
+//!
 //! With 16 moves ants walk by 8 of them and the search by all: a step of two cells deposits on the two steps that it stands for.
 //!
 //! With `paths = polylines` the search is that of `any-angle`, and a polyline deposits on the steps along it: `straight.rs`.
@@ -31,7 +34,8 @@ mod straight;
 
 use std::sync::Arc;
 
-use crate::aco::criterion::way;
+use crate::aco::colony::leader;
+use crate::aco::criterion::{Judge, way};
 use crate::aco::legs;
 use crate::aco::shared_params::settings;
 use crate::aco::trails::Trails;
@@ -73,15 +77,15 @@ impl Formica {
         Self { params, scenario, learnt: None }
     }
 
-    /// Proves what stands after an iteration, if it is time; takes in a shorter path. How the colony has ended by that.
+    /// Proves what stands after an iteration, if it is time; takes in a better path with its value. How the colony has ended by that.
     fn prove(&mut self, iteration: &Iteration, found: &mut Option<(Path, f64)>) -> Option<Status> {
         let is_last = self.is_last(iteration);
         let most = self.params.proof_limit * f64::from(self.scenario.grid.len() as u32);
         let learnt = self.learnt.as_mut().filter(|_| most > 0.0)?;
         if !learnt.merge.is_proven() && is_last {
-            let better = learnt.merge.prove(learnt.best, most as u64).filter(|(_, length)| *length < learnt.best - SAME_LENGTH);
-            if let Some((_, length)) = better {
-                (learnt.best, learnt.since) = (length, iteration.number);
+            let better = learnt.merge.prove(learnt.best, most as u64).filter(|(_, value)| *value < learnt.best - SAME_LENGTH);
+            if let Some((_, value)) = better {
+                (learnt.best, learnt.since) = (value, iteration.number);
                 *found = better;
             }
         }
@@ -128,18 +132,26 @@ impl Variant for Formica {
         detour(self.params.kappa, scenario.moves.length(i, d) + to_goal(j) - to_goal(i))
     }
 
+    fn criterion(&self) -> Judge {
+        self.params.judge()
+    }
+
     fn solve(&mut self, iteration: Iteration) -> Option<Solved> {
         let learnt = self.learnt.as_mut()?;
         let mut found = if self.params.merge {
             learnt.merge(&iteration, self.params.widening as u8)
         } else {
-            learnt.path = iteration.iteration_best().map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
+            learnt.path = leader(&iteration, learnt.criterion).map(|(ant, _)| way(iteration.scenario, ant)).unwrap_or_default();
             learnt.straighten(&iteration)
         };
-        let length = |found: &Option<(Path, f64)>| found.as_ref().map(|f| f.1).or(iteration.best_so_far.map(|best| best.length));
-        learnt.note(length(&found).unwrap_or(f64::INFINITY), iteration.number);
+        let value = found.as_ref().map(|f| f.1).or_else(|| learnt.value(&iteration));
+        learnt.note(value.unwrap_or(f64::INFINITY), iteration.number);
         let status = self.prove(&iteration, &mut found);
         let expansions = self.learnt.as_mut().map_or(0, Learnt::take_expansions);
+        let found = found.map(|(path, _)| {
+            let length = self.scenario.path_length(&path);
+            (path, length)
+        });
         Some(Solved { found, expansions, status })
     }
 
@@ -219,11 +231,14 @@ fn walked_on(scenario: &Arc<Scenario>) -> Arc<Scenario> {
     Arc::new(near)
 }
 
-/// Refuses what the search for polylines does not know: any ground but a plane, several goals, and what is larger than `any-angle` takes.
+/// Refuses what the search for polylines does not know: any ground but a plane, several goals, another criterion than length, and what is
+/// larger than `any-angle` takes.
 #[cfg(feature = "whole")]
-fn takes_polylines(scenario: &Scenario) -> Result<(), ParamError> {
+fn takes_polylines(scenario: &Scenario, criterion: Judge) -> Result<(), ParamError> {
     let ground = Ground::all_of(scenario).find(|&ground| ground != Ground::Plane).map(Ground::words);
-    if let Some((id, words)) = ground.or((scenario.goals.len() > 1).then_some(("several-goals", "to several goals"))) {
+    let goals = (scenario.goals.len() > 1).then_some(("several-goals", "to several goals"));
+    let by = (criterion != Judge::Length).then_some(("criterion", "by another criterion than length"));
+    if let Some((id, words)) = ground.or(goals).or(by) {
         let (key, value, instead) = ("paths", "polylines", "steps");
         return Err(ParamError::ValueOnGround { key, value, ground: words, id, instead });
     }
@@ -239,7 +254,7 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     let params = FormicaParams::read(ENTRY.id, values)?;
     #[cfg(feature = "whole")]
     if params.paths == Paths::Polylines {
-        takes_polylines(scenario)?;
+        takes_polylines(scenario, params.judge())?;
     }
     let variant = Formica::new(params, Arc::clone(scenario));
     Ok(legs::planner(scenario, params.order_level(), variant, (ENTRY.id, ENTRY.layers), seed))

@@ -1,10 +1,12 @@
 //! The parameters of Formica.
 
+use crate::aco::criterion::{Criterion, Judge};
 use crate::aco::legs::OrderLevel;
 use crate::aco::order_solve::Solving;
 use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::aco::tour::TourSettings;
 use crate::exact::tour::Smallest;
+use crate::metrics::WeightedSum;
 use crate::{param_choice, params};
 
 param_choice! {
@@ -20,6 +22,8 @@ param_choice! {
 params! {
     /// Parameters of Formica.
     pub struct FormicaParams {
+        /// what makes one path better than another, and is proven
+        criterion: Criterion = Criterion::Length, "", [], "", "our addition";
         /// what paths consist of; ants walk by steps anyway
         paths: Paths = Paths::Steps, "", [], "", "our addition";
         /// ants that build a path in each iteration
@@ -54,6 +58,14 @@ params! {
         /// most 1-trees of the search that merges the ants' orders and proves the best; 0 = no search
         order_limit: u32 = 20_000, "", [0..=10_000_000], "1-trees", "our choice";
         ..walk: WalkParams;
+        ..sum: WeightedSum;
+    }
+}
+
+impl FormicaParams {
+    /// The criterion at work.
+    pub fn judge(&self) -> Judge {
+        self.criterion.by(self.sum)
     }
 }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use super::MOST_LOOKED_AT;
 use super::in_sight::InSight;
-use crate::exact::best_first::{BUCKETS_PER_CONTOUR, NO_PARENT, Open, Rules, Tree};
+use crate::exact::best_first::{Rules, Tree};
 use crate::exact::region::{Part, Region};
 use crate::map::Cell;
 use crate::metrics::SAME_LENGTH;
@@ -48,10 +48,8 @@ impl PolylinesWithin {
         let rules = InSight::led_alone(scenario, MOST_LOOKED_AT);
         let (cells, start) = (scenario.grid.len(), scenario.start);
         let least = rules.to_goal(scenario, start);
-        let mut tree = Tree::new(cells);
-        tree.open.base = libm::floor(least);
-        tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR;
-        tree.relax(start, 0.0, least, NO_PARENT, start == scenario.goal);
+        let mut tree = Tree::along(scenario, cells, least);
+        tree.begin(start, least, start == scenario.goal);
         let region = Part::none(scenario.grid.width(), cells);
         Self { scenario: Arc::clone(scenario), rules, tree, region, least, expansions: 0 }
     }
@@ -68,7 +66,7 @@ impl PolylinesWithin {
 
     /// A polyline of this length, in cells, is known from elsewhere: only shorter ones are looked for.
     pub fn bound_by(&mut self, length: f64) {
-        self.tree.bound = self.tree.bound.min(length);
+        self.tree.bound_by(self.tree.bound().min(length));
     }
 
     /// Searches on until nothing that bends inside the part can be shorter. False where that would take more than so many expansions, or where
@@ -86,7 +84,7 @@ impl PolylinesWithin {
 
     /// The shortest polyline found, from start to goal, with its length in cells; none while there is none.
     pub fn best(&self) -> Option<(Path, f64)> {
-        (self.tree.arrived != NO_PARENT).then(|| {
+        self.tree.has_arrived().then(|| {
             let path = self.tree.way();
             let length = self.scenario.path_length(&path);
             (path, length)
@@ -96,7 +94,7 @@ impl PolylinesWithin {
     /// No polyline is shorter, in cells: the least f of what is open, or the best length where nothing can beat it.
     pub fn lower_bound(&self) -> f64 {
         // Each segment, a cell long at least, may be counted too long by the tolerance.
-        if self.is_proven() { self.tree.bound } else { self.least * (1.0 - SAME_LENGTH) }
+        if self.is_proven() { self.tree.bound() } else { self.least * (1.0 - SAME_LENGTH) }
     }
 
     /// Whether no polyline is shorter than the best one known.
@@ -125,7 +123,7 @@ impl PolylinesWithin {
             let f = g + self.rules.to_goal(&self.scenario, state);
             let is_hopeful = g <= self.tree.g(state) && self.tree.is_below_bound(f);
             if is_hopeful && self.region.takes(state, g) {
-                self.tree.open.push(Open { state, g, f });
+                self.tree.file(state, g, f);
             }
         }
     }
@@ -138,10 +136,10 @@ impl PolylinesWithin {
                     return false;
                 }
                 self.expansions += 1;
-                self.tree.open.pop();
+                self.tree.take_least();
                 self.rules.expand(&self.scenario, cell, &mut self.tree);
             } else {
-                self.tree.open.pop();
+                self.tree.take_least();
             }
         }
         true

@@ -4,14 +4,16 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::exact::frontier::Frontier;
+use crate::exact::search::contour;
 use crate::metrics::SAME_LENGTH;
 use crate::planner::held;
+use crate::scenario::Scenario;
 
 /// A cell, or a cell and what else the cost of the next step depends on.
 pub(in crate::exact) type State = u32;
 
 /// Parent of the start.
-pub(in crate::exact) const NO_PARENT: State = State::MAX;
+pub(super) const NO_PARENT: State = State::MAX;
 
 /// A state that waits to be expanded.
 #[derive(Clone, Copy)]
@@ -45,16 +47,16 @@ impl PartialEq for Open {
 impl Eq for Open {}
 
 /// Buckets of the queue to a contour of f, which is a cell unless a terrain has longer steps: narrow enough that a bucket's heap is small.
-pub(in crate::exact) const BUCKETS_PER_CONTOUR: f64 = 4.0;
+const BUCKETS_PER_CONTOUR: f64 = 4.0;
 
 /// The open states, the least first: those of the bucket at work in a heap, the others unsorted until their bucket's turn comes.
 #[derive(Clone, Default)]
-pub(in crate::exact) struct Queue {
+pub(super) struct Queue {
     heap: BinaryHeap<Open>,
     later: Frontier<Open>,
     /// f at which bucket 0 begins.
-    pub(in crate::exact) base: f64,
-    pub(in crate::exact) buckets_per_cell: f64,
+    base: f64,
+    buckets_per_cell: f64,
 }
 
 impl Queue {
@@ -99,16 +101,44 @@ pub(in crate::exact) struct Tree {
     pub(super) g: Vec<f64>,
     parent: Vec<State>,
     pub(super) expanded: Vec<bool>,
-    pub(in crate::exact) open: Queue,
+    pub(super) open: Queue,
     /// Cost of the best way to the goal so far, and the state at its end.
-    pub(in crate::exact) bound: f64,
-    pub(in crate::exact) arrived: State,
+    pub(super) bound: f64,
+    pub(super) arrived: State,
 }
 
 impl Tree {
     pub(in crate::exact) fn new(states: usize) -> Self {
         let (g, parent, expanded) = (vec![f64::INFINITY; states], vec![NO_PARENT; states], vec![false; states]);
         Self { g, parent, expanded, open: Queue::default(), bound: f64::INFINITY, arrived: NO_PARENT }
+    }
+
+    /// For a scenario's search over so many states, which begins at this estimate.
+    pub(in crate::exact) fn along(scenario: &Scenario, states: usize, to_goal: f64) -> Self {
+        let mut tree = Self::new(states);
+        tree.open.base = libm::floor(to_goal);
+        tree.open.buckets_per_cell = BUCKETS_PER_CONTOUR / contour(scenario);
+        tree
+    }
+
+    /// Opens the state in which the search begins.
+    pub(in crate::exact) fn begin(&mut self, state: State, to_goal: f64, at_goal: bool) {
+        self.relax(state, 0.0, to_goal, NO_PARENT, at_goal);
+    }
+
+    /// Cost of the best way to the goal so far; infinite while none is known.
+    pub(in crate::exact) fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// Has only ways that are better than this be looked for.
+    pub(in crate::exact) fn bound_by(&mut self, cost: f64) {
+        self.bound = cost;
+    }
+
+    /// Whether a way to the goal was found.
+    pub(in crate::exact) fn has_arrived(&self) -> bool {
+        self.arrived != NO_PARENT
     }
 
     /// Cost of the best way to a state so far.
@@ -142,19 +172,32 @@ impl Tree {
         self.is_cheaper(state, g) && self.is_below_bound(g + to_goal)
     }
 
-    /// Takes note of a way that improves; `at_goal` where it leads to the goal.
+    /// Takes note of a way that improves, and opens its state; `at_goal` where it leads to the goal.
     #[inline]
     pub(in crate::exact) fn relax(&mut self, state: State, g: f64, to_goal: f64, parent: State, at_goal: bool) {
         if !self.improves(state, g, to_goal) {
             return;
         }
+        self.note(state, g, parent, at_goal);
+        if !at_goal {
+            self.file(state, g, g + to_goal);
+        }
+    }
+
+    /// Takes note of a way to a state, by the state before it; `at_goal` where it leads to the goal.
+    #[inline]
+    pub(in crate::exact) fn note(&mut self, state: State, g: f64, parent: State, at_goal: bool) {
         self.g[state as usize] = g;
         self.parent[state as usize] = parent;
         if at_goal {
             (self.bound, self.arrived) = (g, state);
-        } else {
-            self.open.push(Open { state, g, f: g + to_goal });
         }
+    }
+
+    /// Has a state wait for its turn; f is its cost and the estimate.
+    #[inline]
+    pub(in crate::exact) fn file(&mut self, state: State, g: f64, f: f64) {
+        self.open.push(Open { state, g, f });
     }
 
     /// The open state of the smallest f that is neither outdated nor hopeless, and its f.
@@ -173,6 +216,18 @@ impl Tree {
     pub(super) fn least_open(&self) -> f64 {
         let current = self.open.waiting().filter(|open| open.g <= self.g[open.state as usize]);
         current.map(|open| open.f).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Takes out the state that [`Tree::least`] gives.
+    pub(in crate::exact) fn take_least(&mut self) -> Option<State> {
+        let (state, _) = self.least()?;
+        self.open.pop();
+        Some(state)
+    }
+
+    /// Takes out all that is open, and what may be outdated with it.
+    pub(in crate::exact) fn take_all(&mut self) -> impl Iterator<Item = Open> + use<> {
+        std::mem::take(&mut self.open.heap).into_iter().chain(self.open.later.take_all())
     }
 
     /// The states from the start to the goal.
