@@ -120,21 +120,28 @@ fn measured(folder: &Path, count: usize, by: By, merge: bool) -> Tally {
     all
 }
 
+/// No certificate is wrong, and all are complete.
 fn holds(all: &Tally) {
-    assert_eq!(all.right, all.scenarios, "a certificate is not right");
+    assert_eq!((all.right, all.proven), (all.scenarios, all.scenarios), "a certificate is not right, or not complete");
+}
+
+/// The same, and merging finds the best path itself, nearly always.
+fn finds(all: &Tally) {
+    holds(all);
+    assert!(f64::from(all.exact) >= 0.95 * f64::from(all.scenarios), "{} of {} exact", all.exact, all.scenarios);
 }
 
 #[test]
-fn a_sample_is_never_better_than_what_is_proven() {
+fn a_sample_is_found_and_proven() {
     let Some(folder) = folder() else { return };
-    holds(&measured(&folder, 1, By::TurnIndex, true));
+    finds(&measured(&folder, 1, By::TurnIndex, true));
 }
 
 #[test]
 #[ignore = "minutes: twelve scenarios of each map, three times"]
 fn twelve_of_each_map_by_both_criteria() {
     let Some(folder) = folder() else { return };
-    holds(&measured(&folder, 12, By::TurnIndex, true));
+    finds(&measured(&folder, 12, By::TurnIndex, true));
     holds(&measured(&folder, 12, By::TurnIndex, false));
-    holds(&measured(&folder, 12, By::Sum(WeightedSum::default()), true));
+    finds(&measured(&folder, 12, By::Sum(WeightedSum::default()), true));
 }
