@@ -60,8 +60,8 @@ pub struct Args {
     /// By the pseudo-random proportional rule, the probability of taking the best place [default: 0.7]
     #[arg(long, allow_negative_numbers = true)]
     q0: Option<f64>,
-    /// Most 1-trees of the search beyond 17 places, 0 for no search [default: 1500 to 20000, the fewer the more places]
-    #[arg(long, value_name = "N")]
+    /// Most 1-trees of the search beyond 17 places, 0 for no search [default: 200 to 20000, the fewer the more places]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(..=1_000_000))]
     trees: Option<u64>,
     /// Ends at the last place instead of returning to the first
     #[arg(long)]

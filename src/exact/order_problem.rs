@@ -66,10 +66,10 @@ impl OrderProblem {
         OrderSearch::new(&self.costs, self.shape, known)
     }
 
-    /// How many 1-trees such a search may find unless told otherwise, a second's work about: fewer, the more places there are.
+    /// How many 1-trees such a search may find unless told otherwise, seconds of work at most: fewer, the more places there are.
     pub fn usual_trees(&self) -> u64 {
         const WORK: u64 = 200_000_000;
-        (WORK / (self.len() as u64).pow(2).max(1)).clamp(1500, 20_000)
+        (WORK / (self.len() as u64).pow(2).max(1)).clamp(200, 20_000)
     }
 
     /// Over all costs: problems with equal digests have equal tours.

@@ -40,7 +40,7 @@ params! {
         /// what is made smallest, where there are several goals
         objective: Smallest = Smallest::Weight, "", [], "", "fire-fighting paper, eq. 6–7";
         /// most 1-trees of the search for the best order of more than 16 goals
-        order_limit: u32 = 50_000, "", [1..=10_000_000], "1-trees", "our choice";
+        order_limit: u32 = 50_000, "", [1..=1_000_000], "1-trees", "our choice";
     }
 }
 

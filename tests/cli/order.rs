@@ -33,7 +33,10 @@ fn order_bounds_many_places() {
     folder.write("grid.tsp", &format!("{head}{places}EOF\n"));
     let run = |more: &[&str]| folder.run(&[&["order", "grid.tsp", "--iterations", "5"], more].concat()).ends(0);
     run(&[]).says(&["unknown: Held and Karp prove", "no tour costs less than 20, and one costs that"]);
-    run(&["--trees", "1", "--open"]).says(&["no tour costs less than", "stopped after"]);
+    let scattered: String = (0..24).map(|k| format!("{} {} {}\n", k + 1, k * k % 23, 7 * k % 19)).collect();
+    folder.write("scattered.tsp", &format!("{}{scattered}EOF\n", head.replace("20", "24")));
+    let stopped = folder.run(&["order", "scattered.tsp", "--iterations", "5", "--open", "--trees", "1"]);
+    stopped.ends(0).says(&["no tour costs less than", "one costs", "stopped after"]);
     let bound = &run(&["--format", "json"]).json()["bound"];
     assert_eq!((&bound["lower_bound"], &bound["cost"], &bound["complete"]), (&20.0.into(), &20.0.into(), &true.into()));
     assert_eq!(bound["places"].as_array().map(Vec::len), Some(20));

@@ -56,7 +56,7 @@ params! {
         /// iterations of the colony that chooses the order
         order_iterations: u32 = 20, "", [1..=10_000], "iterations", "measured: docs/papers/formica.md";
         /// most 1-trees of the search that merges the ants' orders and proves the best; 0 = no search
-        order_limit: u32 = 20_000, "", [0..=10_000_000], "1-trees", "our choice";
+        order_limit: u32 = 20_000, "", [0..=1_000_000], "1-trees", "our choice";
         ..walk: WalkParams;
         ..sum: WeightedSum;
     }

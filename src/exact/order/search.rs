@@ -18,8 +18,9 @@ use super::{Costs, Shape, held_karp};
 const ROOT: Rounds = Rounds { most: 1500, lambda: 2.0, patience: 20 };
 /// The bound of a part, which begins with the multipliers of the larger part.
 const PART: Rounds = Rounds { most: 20, lambda: 0.5, patience: 3 };
-/// Of so many parts one gives an order to be improved.
+/// Of so many parts one gives an order to be improved, where there are no more nodes than this: many more cost as much as many 1-trees.
 const TRIED: u32 = 8;
+const NODES_TRIED: usize = 256;
 /// Fewer nodes have no 1-trees, or hardly any; [`held_karp`] orders them.
 const FEWEST: usize = 4;
 
@@ -166,29 +167,33 @@ impl OrderSearch {
     fn bound(&mut self, decided: Vec<(u32, u32, bool)>, mut multipliers: Vec<i64>, least: i64, rounds: Rounds) {
         let Some((decision, required)) = self.decide(&decided) else { return };
         let (graph, neighbours, most) = (&self.graph, &self.neighbours, self.most_units());
-        let mut tree = OneTree::default();
         let with = |multipliers| Among { graph, neighbours, edges: &decision, required, multipliers };
         let find = |multipliers: &[i64], tree: &mut OneTree| {
             tree.find(&Among { graph, neighbours, edges: &decision, required, multipliers })
         };
+        let mut tree = OneTree::default();
         match ascend(find, (&mut multipliers, &mut tree, &mut self.trees), most, rounds) {
             Found::Nothing => {}
             Found::Cycle(cycle) => self.take(self.graph.order(&cycle)),
             Found::Bound(bound) => {
                 let divided_by = dividing(&tree, &with(&multipliers));
-                self.parts += 1;
-                if self.parts % TRIED == 1 {
-                    self.try_along(&tree);
-                }
-                if decided.is_empty() {
-                    self.first = Some((tree, multipliers.clone()));
-                    self.forbid_too_dear();
-                }
                 let bound = Reverse(self.whole.least_order(bound).max(least));
-                let part = Part { bound, number: self.parts, decided, multipliers, divided_by };
-                self.open.get_or_insert_default().push(part);
+                self.parts += 1;
+                self.keep(Part { bound, number: self.parts, decided, multipliers, divided_by }, tree);
             }
         }
+    }
+
+    /// Keeps a part, whose 1-tree this is, to be divided.
+    fn keep(&mut self, part: Part, tree: OneTree) {
+        if part.number % TRIED == 1 && self.whole.nodes() <= NODES_TRIED {
+            self.try_along(&tree);
+        }
+        if part.decided.is_empty() {
+            self.first = Some((tree, part.multipliers.clone()));
+            self.forbid_too_dear();
+        }
+        self.open.get_or_insert_default().push(part);
     }
 
     /// Takes in an order where it is the cheapest so far.
