@@ -1,5 +1,6 @@
 //! Scenarios of MovingAI's maps. The files are those of the data folder that the environment variable FORMICARIUM_DATA names; they may not be
 //! redistributed, so without the variable tests that need them are skipped, aloud.
+#![allow(dead_code, reason = "every test file uses a part of it")]
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
