@@ -5,9 +5,9 @@ mod common;
 
 use std::sync::Arc;
 
-use common::with_goals;
+use common::{movements, random, swamp, with_goals};
 use formicarium::catalog;
-use formicarium::map::{Generator, generate};
+use formicarium::map::{CornerRule, Generator, Movement, Moves, generate};
 use formicarium::params::{Value, Values};
 use formicarium::planner::{Objective, Planner, Status};
 use formicarium::scenario::{Goal, Scenario, ScenarioSpec};
@@ -98,6 +98,33 @@ fn few_goals_are_proven_as_by_dynamic_programming() {
             assert_eq!((status, bound), (Status::Optimal, Some(value)), "seed {seed}, {order}");
             assert!((value - exact).abs() < 1e-9, "seed {seed}, {order}: {value}, {exact}");
             assert_eq!(none, None);
+        }
+    }
+}
+
+/// Hills with four goals on their diagonals.
+fn hills(movement: Movement) -> Arc<Scenario> {
+    let made = generate(Generator::Hills, 24, 24, 5, 0.5).expect("hills");
+    let spec = ScenarioSpec { movement, ..made.spec("hills") };
+    let scenario = Scenario::new(made.grid, spec).expect("usable");
+    with_goals(&scenario, &[(4, 4), (19, 4), (4, 19), (18, 18)])
+}
+
+#[test]
+fn every_ground_is_proven_by_several_goals() {
+    let sixteen = Movement { moves: Moves::Sixteen, corner_rule: CornerRule::BothFree };
+    for movement in movements().into_iter().chain([sixteen]) {
+        let plane = random(24, 0.0, 7, movement);
+        let scenarios = [
+            ("a plane", with_goals(&plane, &[(20, 3), (2, 20), (11, 11), (23, 23), (0, 9)])),
+            ("a swamp", with_goals(&swamp(movement), &[(7, 3), (0, 4), (5, 0), (4, 4)])),
+            ("hills", hills(movement)),
+        ];
+        for (name, scenario) in scenarios {
+            let (value, bound, status) = told(&*run(&scenario, "formica", &[]));
+            let (exact, _, _) = told(&*run(&scenario, "tour-exact", &[]));
+            assert_eq!((status, bound), (Status::Optimal, Some(value)), "{name}, {movement:?}");
+            assert!((value - exact).abs() < 1e-9, "{name}, {movement:?}: {value}, {exact}");
         }
     }
 }
