@@ -18,7 +18,10 @@ const WORKERS: Record<string, string> = {
 const ENGINE = 'formicarium_bg.wasm'
 
 /** The engine of the one file: the whole one, small rather than fast. All else of the package is the page's. */
-export const smallEngine = { find: /^@pkg\/formicarium$/, replacement: path('../pkg/small/formicarium') }
+export const smallEngine = {
+  find: /^@pkg\/formicarium$/,
+  replacement: path('../pkg/small/formicarium'),
+}
 
 const MARK = '\0one-file:'
 
