@@ -75,6 +75,7 @@ impl<T> Frontier<T> {
     }
 
     /// All that waits, in no order.
+    #[cfg(feature = "whole")]
     pub(super) fn waiting(&self) -> impl Iterator<Item = &T> {
         self.buckets.iter().flatten()
     }

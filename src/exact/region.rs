@@ -11,6 +11,7 @@ pub(super) trait Region: Clone + Send {
     /// Whether the search may go on from a cell, to which it has found a way of this cost, in cells. What it may not, the region keeps.
     fn takes(&mut self, cell: Cell, g: f64) -> bool;
     /// What it has kept: ways, each by its cost and the cell at its end; some may be outdated.
+    #[cfg(feature = "whole")]
     fn waiting(&self) -> &[(f64, Cell)] {
         &[]
     }
@@ -49,6 +50,7 @@ impl Region for Part {
         inside
     }
 
+    #[cfg(feature = "whole")]
     fn waiting(&self) -> &[(f64, Cell)] {
         &self.waiting
     }

@@ -127,6 +127,7 @@ impl<E: Estimate, R: Region> Search<E, R> {
     }
 
     /// The smallest f of what is open or waits outside the region; infinite where nothing does.
+    #[cfg(feature = "whole")]
     fn least_open(&self) -> f64 {
         let sorted = self.sorted.iter().flatten().map(|open| (open.g, open.state));
         let filed = self.frontier.waiting().map(|waiting| (waiting.g, waiting.cell));
