@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tries every setting of settings.csv with every colony of planners.txt on the training maps, and writes runs.csv: how many of the runs found a
-# path, and the mean gap of those to the optimum. Then prints of each colony the setting that is best: most runs with a path, then the least
-# mean gap, then the first.
+# path, the mean gap of those to the optimum, and the mean cost of all: a run costs its gap, and at most 1, a path twice as long as need be,
+# or none. Then prints of each colony the setting that is best: of the least cost, the first of equals.
 # usage: experiments/tuning/own-colony/tune.sh
 # FORMICARIUM is the program, target/release/formicarium unless it says otherwise. Maps and runs go into WORK, target/tuning/own-colony.
 set -e
@@ -26,7 +26,7 @@ format = "formicarium/question@1"
 title = "Settings of colonies on training maps"
 asks = "Which of the same settings suits each colony best, by the same budget?"
 seeds = { from = 1001, count = 1 }
-budget = { axis = "moves", amount = 1000000 }
+budget = { axis = "moves", amount = 500000 }
 END
     generate random-64 random 64x64 1001 --density 0.25
     generate random-192 random 192x192 1002 --density 0.25
@@ -62,22 +62,25 @@ END
 awk -F , -v planners="$here/planners.txt" -v settings="$here/settings.csv" '
     NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
     { runs[$2]++ }
-    $column["gap"] != "" { found[$2]++; gaps[$2] += $column["gap"] }
+    { gap = $column["gap"] }
+    gap != "" { found[$2]++; gaps[$2] += gap }
+    { costs[$2] += gap == "" || gap > 1 ? 1 : gap }
     END {
-        print "planner,setting,runs,found,gap"
+        print "planner,setting,runs,found,gap,cost"
         while ((getline line < settings) > 0) { split(line, part, ","); if (part[1] != "setting") setting[++n] = part[1] }
         while ((getline line < planners) > 0) {
             if (line ~ /^#/) continue
             split(line, part, " ")
             for (s = 1; s <= n; s++) {
                 id = part[1] "-" setting[s]
-                printf "%s,%s,%d,%d,%s\n", part[1], setting[s], runs[id], found[id], found[id] ? sprintf("%.6f", gaps[id] / found[id]) : ""
+                gap = found[id] ? sprintf("%.6f", gaps[id] / found[id]) : ""
+                printf "%s,%s,%d,%d,%s,%.6f\n", part[1], setting[s], runs[id], found[id], gap, costs[id] / runs[id]
             }
         }
     }' own-colony-tuning.csv > "$here/runs.csv"
 awk -F , '
-    NR > 1 && ($1 != planner || $4 > found || $4 == found && $5 + 0 < gap) {
+    NR > 1 && ($1 != planner || $6 + 0 < cost) {
         if ($1 != planner) order[++n] = $1
-        planner = $1; found = $4; gap = $5 + 0; best[$1] = $2 ", " $4 " of " $3 " runs with a path, mean gap " $5
+        planner = $1; cost = $6 + 0; best[$1] = $2 ", cost " $6 ", " $4 " of " $3 " runs with a path, mean gap " $5
     }
     END { for (i = 1; i <= n; i++) print order[i] ": " best[order[i]] }' "$here/runs.csv"
