@@ -123,3 +123,25 @@ fn parts_are_taken_out_of_our_own_colony_one_at_a_time() {
         );
     }
 }
+
+/// The card's table of colonies has the numbers and verdicts of the record.
+#[test]
+fn the_card_says_what_the_record_says() {
+    let record = read(&folder().join("records/public/own-colony.md"));
+    let card = read(&folder().join("../docs/papers/formica.md"));
+    let question = question(NAME);
+    let told = |improved: &str, baseline: &str| {
+        let label = |id: &str| entry(&question, id).label.clone();
+        let claim = format!("| shorter paths: {} against {} | ", label(improved), label(baseline));
+        let row = record.lines().find_map(|line| line.strip_prefix(&claim)).unwrap_or_else(|| panic!("no {claim}"));
+        let cells: Vec<&str> = row.trim_end_matches(" |").split(" | ").collect();
+        let [better, .., effect, verdict] = cells[..] else { panic!("{row}") };
+        format!("{verdict}; {}; {effect}", better.split(" [").next().unwrap_or_default())
+    };
+    for (id, label) in question.claims.iter().filter_map(|c| Some((c.id.strip_prefix("shorter-")?, &c.baseline))) {
+        let label = &entry(&question, label).label;
+        let told: Vec<String> = ["formica", "unproven", "ants-alone"].iter().map(|own| told(own, id)).collect();
+        let row = format!("| {label} | {} |", told.join(" | "));
+        assert!(card.contains(&row), "the card lacks\n{row}");
+    }
+}
