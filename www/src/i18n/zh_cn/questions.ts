@@ -16,7 +16,8 @@ export const zhCNQuestions: Record<string, string> = {
     '精英势场蚁群算法：各部分与各未定之处的作用',
   'Elitist potential-field ACO on the ground': '沿地面移动的精英势场蚁群算法',
   "Engine-room ACO on robots' maps: when it arrives": '机器人地图上的机舱蚁群算法：何时到达',
-  'A colony of our own against A* and all other colonies': '我们自己的蚁群，对比 A* 与所有其他蚁群',
+  'A colony of our own against A* and 17 other colonies':
+    '我们自己的蚁群，对比 A* 与另外 17 个蚁群',
 
   // Where they come from.
   'Zhang, Wang, Sun, Liu, Wu, Liu 2020, Application of improved ant colony algorithm in multi-fire path planning of fire fighting robot, table 2':
@@ -51,8 +52,8 @@ export const zhCNQuestions: Record<string, string> = {
     '采用论文的参数，加权次序与伪随机比例规则能否更快地给出权重 R 更小、转弯更少的路径？论文的墙只是一张图，因此由我们的多张地图代表；起点、火源及其权重能得出论文的次序表（表 1，图 4）。表中的综合指标 54.02 与 49.71 在正文中称为 R，即各段长度乘以所到火源的权重，但这样长的路段不可能有这么大的权重；因此关于 R 的主张取两种次序的差别，24.45 至 21.47。每项主张分别按我们的理解、按印刷公式，以及以其指标 V 为路径标准（如其结束语所说）来检验。',
   "Does the improved algorithm arrive earlier than the basic ant colony on maps that a robot's own scans made, in metres and seconds? The paper drives in Gazebo on a map of its own, which is not public: 35.47 m in 464 s against 31.48 m in 410 s. So we ask on three public ROS maps of two places, with a robot's radius, from corner to corner; not on the paper's map, and six ways on three maps are fewer cases than six maps. The speed is the paper's, 35.47 m in 464 s, and turns take no time, as its two printed rates allow; asked again with 2 s a turn, which is ours.":
     '在由机器人自己的扫描得到的地图上，以米与秒计，改进算法是否比基本蚁群更早到达？论文在 Gazebo 中用自己的地图行驶，该地图没有公开：464 秒走 35.47 米，对 410 秒走 31.48 米。因此我们在两处地点的三张公开 ROS 地图上提问，取机器人的半径，沿对角线行驶；这不是论文的地图，而且三张地图上的六条路径作为情形少于六张地图。速度取论文的 464 秒走 35.47 米，转弯不计时，如其印刷的两个速率所允许；再以每次转弯 2 秒提问，这是我们的取值。',
-  'A* first: how soon is it at the optimum that our own colony finds, too? Then: does our colony find shorter paths than every other colony of the catalog that goes by steps on a plane, where each may spend half a million ant moves and cell expansions together, and each was tuned alike? And what is left of that without its parts? 24 maps of six kinds, most of them 64 to 512 cells wide, from MovingAI and of robots; some are pieces of one map, so that they are fewer cases than 24. Each colony runs by the best of the same 42 settings, chosen on other maps (experiments/tuning/own-colony). The engine-room ACO goes without its refinement, which would leave the steps. Left out is the composer, which has no rules of its own, and who goes by slices alone.':
-    '先看 A*：我们的蚁群也找到的最优路径，它多快就能找到？再问：每个规划器至多花费五十万次蚂蚁移动与格扩展，且各自以同样的方式调参时，我们的蚁群找到的路径是否短于目录中在平面上按步移动的其他所有蚁群？去掉各部分之后还剩下什么？六类共 24 张地图，大多宽 64 至 512 格，取自 MovingAI 与机器人地图；有些是同一张地图的部分，因此作为情形少于 24 张。每个蚁群用同样 42 组取值中最好的一组，在另外的地图上选出（experiments/tuning/own-colony）。机舱救援蚁群不拉直路径，否则就不再是按步的路径。不包括自己没有规则的组合蚁群，以及只按切片移动的蚁群。',
+  'A* first: how soon is it at the optimum that our own colony finds, too? Then: does our colony find shorter paths than 17 other colonies of the catalog, by steps on a plane, where each may spend half a million ant moves and cell expansions together, and each was tuned alike? And what is left of that without its parts? 24 maps of six kinds, most of them 64 to 512 cells wide, from MovingAI and of robots; some are pieces of one map, so that they are fewer cases than 24. Each colony runs by the best of the same 42 settings, chosen on other maps (experiments/tuning/own-colony). The engine-room ACO goes without its refinement, which would leave the steps. Left out are the composer, which has no rules of its own, who goes by slices alone, and who joined the catalog later.':
+    '先看 A*：我们的蚁群也找到的最优路径，它多快就能找到？再问：每个规划器至多花费五十万次蚂蚁移动与格扩展，且各自以同样的方式调参时，我们的蚁群找到的路径在平面上按步移动时是否短于目录中另外 17 个蚁群？去掉各部分之后还剩下什么？六类共 24 张地图，大多宽 64 至 512 格，取自 MovingAI 与机器人地图；有些是同一张地图的部分，因此作为情形少于 24 张。每个蚁群用同样 42 组取值中最好的一组，在另外的地图上选出（experiments/tuning/own-colony）。机舱救援蚁群不拉直路径，否则就不再是按步的路径。不包括自己没有规则的组合蚁群、只按切片移动的蚁群，以及后来加入目录的蚁群。',
 
   // Maps.
   'Compartment, 20 × 20': '船舱，20 × 20',
