@@ -11,8 +11,9 @@ use super::{folder, question, read};
 
 const NAME: &str = "public/own-colony";
 
-/// Colonies that are not asked: the composer, which has no rules of its own. Who is younger than the record joins them until it is made anew.
-const NOT_ASKED: [&str; 1] = ["custom"];
+/// Colonies that are not asked: the composer, which has no rules of its own, and one whose paths are polylines. Who is younger than the record
+/// joins them until it is made anew.
+const NOT_ASKED: [&str; 2] = ["custom", "tdi-msaco"];
 
 /// The lines of a table of the tuning below its head, in cells.
 fn table(file: &str, separator: char) -> Vec<Vec<String>> {

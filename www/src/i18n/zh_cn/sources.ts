@@ -10,6 +10,7 @@ export const zhCNSources: Record<string, string> = {
   'Blum and Dorigo 2004': 'Blum 与 Dorigo 2004',
   'Blum et al. 2016': 'Blum 等 2016',
   'measured: docs/papers/formica.md': '实测：docs/papers/formica.md',
+  'as from cell to cell: docs/papers/formica.md': '同逐格移动：docs/papers/formica.md',
   'Bullnheimer, Hartl, Strauss 1999, Central European J. Operations Research and Economics 7, 25–38':
     'Bullnheimer、Hartl、Strauss 1999，Central European J. Operations Research and Economics 7，25–38',
   'Clerc, Kennedy 2002, IEEE Trans. Evolutionary Computation 6, 58–73, doi:10.1109/4235.985692':
