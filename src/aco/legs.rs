@@ -211,7 +211,7 @@ impl<V: Variant + 'static> Planner for Legs<V> {
     fn bytes(&self) -> usize {
         let order = match &self.stage {
             Stage::Measuring(rows) => nested(rows),
-            Stage::Ordering(_, ordering) => ordering.bytes(),
+            Stage::Ordering(_, ordering) => size_of::<OrderSolver>() + ordering.bytes(),
             Stage::Begin | Stage::Walking => 0,
         };
         let spare = (self.legs.capacity() - self.legs.len()) * size_of::<Colony<V>>();

@@ -7,6 +7,7 @@
 
 use super::tour::OrderColony;
 use crate::exact::order::{Costs, OrderSearch, Shape, Ways, improved};
+use crate::planner::held;
 
 /// The part of the 1-trees that merging may cost.
 const FOR_MERGING: u64 = 4;
@@ -90,10 +91,14 @@ impl OrderSolver {
         self.trees
     }
 
-    /// What it holds beside its costs, in bytes.
+    /// What it holds, in bytes, its own size not counted.
     pub fn bytes(&self) -> usize {
         let searches = [&self.merging, &self.proof].into_iter().flatten();
-        self.colony.bytes() + self.ways.bytes() + searches.map(OrderSearch::bytes).sum::<usize>()
+        self.costs.bytes()
+            + self.colony.bytes()
+            + self.ways.bytes()
+            + self.best.as_ref().map_or(0, |best| held(&best.0))
+            + searches.map(OrderSearch::bytes).sum::<usize>()
     }
 
     fn is_merging(&self) -> bool {

@@ -227,7 +227,9 @@ impl Report<'_> {
             Objective::TourWeight => "no path weighs less than",
             _ => "no path comes to less than",
         };
-        let bound = self.amount(certificate.lower_bound);
+        // Rounded down, unless it is the value itself.
+        let least = if certificate.complete { value } else { libm::floor(1e4 * certificate.lower_bound) / 1e4 };
+        let bound = self.amount(least);
         let expansions = text::count(certificate.expansions, "cell expansion", "cell expansions");
         if certificate.complete {
             return format!("{than} {bound}: {expansions}");

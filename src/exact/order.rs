@@ -23,7 +23,7 @@ use super::astar::Distance;
 use super::search::{EVERYWHERE, Search};
 use crate::map::Cell;
 use crate::path::Path;
-use crate::planner::{Planner, Tour};
+use crate::planner::{Planner, Tour, held};
 use crate::scenario::Scenario;
 
 /// Most goals that [`held_karp`] orders: 2^16 · 16 states are 8 MB.
@@ -46,6 +46,11 @@ pub struct Costs {
 }
 
 impl Costs {
+    /// What they hold, in bytes.
+    pub fn bytes(&self) -> usize {
+        held(&self.values)
+    }
+
     /// `cost(i, j)` of every i and j; 0 where i = j.
     pub fn new(nodes: usize, cost: impl Fn(usize, usize) -> f64) -> Self {
         let of = |k: usize| if k / nodes == k % nodes { 0.0 } else { cost(k / nodes, k % nodes) };

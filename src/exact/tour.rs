@@ -39,7 +39,7 @@ params! {
     pub struct TourParams {
         /// what is made smallest, where there are several goals
         objective: Smallest = Smallest::Weight, "", [], "", "fire-fighting paper, eq. 6–7";
-        /// most 1-trees of the search for the best order of more than 16 goals
+        /// 1-trees after which the search for the best order of more than 16 goals ends
         order_limit: u32 = 50_000, "", [1..=1_000_000], "1-trees", "our choice";
     }
 }

@@ -125,6 +125,6 @@ impl Within {
 
     /// What it holds, in bytes, its own size not counted.
     pub fn bytes(&self) -> usize {
-        self.search.bytes()
+        size_of_val(&*self.search) + self.search.bytes()
     }
 }

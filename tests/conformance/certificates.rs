@@ -71,7 +71,7 @@ fn an_exact_search_bounds_its_result_at_every_move_and_proves_it_at_the_end() {
 #[test]
 fn who_proves_nothing_says_nothing() {
     everywhere(|entry, name, scenario| {
-        if entry.family == Family::Exact || entry.id == "formica" {
+        if entry.family == Family::Exact || entry.id.starts_with("formica") {
             return;
         }
         let mut planner = super::planner(entry, scenario, 1);

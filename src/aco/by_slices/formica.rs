@@ -17,8 +17,7 @@ use std::sync::Arc;
 
 use super::colony::{Built, Numbers, Rules, SliceColony};
 use super::trails::RowTrails;
-use crate::aco::formica::merge::Corridor;
-use crate::aco::formica::{LIMITS, TRAIL, detour};
+use crate::aco::formica::{LIMITS, MERGE, PROOF, TRAIL, detour};
 use crate::aco::shared_params::{SelectionParams, WalkParams};
 use crate::aco::variant::Solved;
 use crate::error::ParamError;
@@ -30,7 +29,7 @@ use crate::params::{Params, Values};
 use crate::path::Path;
 #[cfg(feature = "whole")]
 use crate::planner::Certificate;
-use crate::planner::{Component, Family, Ground, Layer, Planner, PlannerEntry, Status};
+use crate::planner::{Family, Ground, Layer, Planner, PlannerEntry, Status};
 use crate::scenario::Scenario;
 
 params! {
@@ -46,13 +45,9 @@ params! {
         /// whether a search puts the ways of each iteration's ants together
         merge: bool = true, "", [], "", "Blum et al. 2016";
         /// how far around the ants' places the search looks, in rows and levels
-        widening: u32 = 1, "", [0..=64], "rows", "measured: docs/papers/formica.md";
-        /// how far around the best path the search looks at least, in rows and levels
-        corridor: u32 = 2, "", [0..=128], "rows", "measured: docs/papers/formica.md";
-        /// whether the corridor gets wider while nothing cheaper is found
-        adaptive_corridor: bool = true, "", [], "", "our addition";
-        /// how far around the best path the search looks at most, in rows and levels
-        corridor_most: u32 = 16, "", [0..=128], "rows", "measured: docs/papers/formica.md";
+        widening: u32 = 1, "", [0..=64], "cells or levels", "our choice";
+        /// how far around the best path the search looks, in rows and levels
+        corridor: u32 = 2, "", [0..=128], "cells or levels", "our choice";
         /// trails start again after so many iterations without a cheaper path; 0 = never
         trail_restart: u32 = 2, "", [0..=100_000], "iterations", "as from cell to cell: docs/papers/formica.md";
         /// ants stop after so many iterations without a cheaper path, and the proof begins; 0 = only at the end of the budget
@@ -77,7 +72,8 @@ pub struct FormicaSlices {
 #[derive(Clone)]
 struct Learnt {
     search: SlicesWithin,
-    corridor: Corridor,
+    /// How far around the best path it looks.
+    corridor: u8,
     /// Cost of the best path, and the iteration that found it.
     best: f64,
     since: u32,
@@ -87,10 +83,7 @@ struct Learnt {
 
 impl Learnt {
     fn new(params: &FormicaSlicesParams, slices: &Arc<Slices>) -> Self {
-        let narrow = params.corridor as u8;
-        let wide = if params.adaptive_corridor { params.corridor_most as u8 } else { narrow };
-        let corridor = Corridor { narrow, wide: wide.max(narrow), radius: narrow };
-        Self { search: SlicesWithin::new(slices), corridor, best: f64::INFINITY, since: 0, told: 0 }
+        Self { search: SlicesWithin::new(slices), corridor: params.corridor as u8, best: f64::INFINITY, since: 0, told: 0 }
     }
 
     /// Merges the ways of an iteration's ants and searches among them.
@@ -99,18 +92,16 @@ impl Learnt {
             self.search.widen(place, widening);
         }
         if let Some(best) = built.best {
-            best.path.iter().for_each(|&place| self.search.widen(place, self.corridor.radius));
+            best.path.iter().for_each(|&place| self.search.widen(place, self.corridor));
         }
         self.search.go_on(u64::MAX);
     }
 
     /// Takes note of the best cost after an iteration.
     fn note(&mut self, cost: f64, number: u32) {
-        let is_less = cost < self.best - SAME_LENGTH;
-        if is_less {
+        if cost < self.best - SAME_LENGTH {
             (self.best, self.since) = (cost, number);
         }
-        self.corridor.learn(is_less);
     }
 
     /// The path of the search, if it is cheaper than what is known.
@@ -211,7 +202,7 @@ impl Rules for FormicaSlices {
     fn certificate(&self) -> Option<Certificate> {
         let learnt = self.learnt.as_ref().filter(|learnt| self.params.proof_limit > 0.0 && learnt.best.is_finite())?;
         let complete = learnt.search.is_proven();
-        let lower_bound = if complete { learnt.best } else { learnt.search.lower_bound() };
+        let lower_bound = if complete { learnt.best } else { learnt.search.lower_bound() * (1.0 - SAME_LENGTH) };
         Some(Certificate { lower_bound, expansions: learnt.search.expansions(), complete })
     }
 
@@ -239,32 +230,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
     summary: "Ants go from slice to slice, an exact search puts their ways together, and the cheapest path is proven.",
     source: crate::aco::formica::ENTRY.source,
     presets: &[],
-    components: &[
-        Component {
-            id: "merge-and-solve",
-            name: "merge and solve",
-            adds: "a search puts the ways of the ants together; without: the best path takes the deposit",
-            without: &[("merge", "false")],
-        },
-        Component {
-            id: "adaptive-corridor",
-            name: "adaptive corridor",
-            adds: "the search looks farther around the best path while nothing cheaper is found; without: always as far",
-            without: &[("adaptive_corridor", "false")],
-        },
-        Component {
-            id: "restarts",
-            name: "restarts of trails",
-            adds: "trails start again where nothing cheaper is found; without: never",
-            without: &[("trail_restart", "0")],
-        },
-        Component {
-            id: "proof",
-            name: "proof",
-            adds: "a search over all places proves the best path, or finds a cheaper one; without: the best path is what was found",
-            without: &[("proof_limit", "0")],
-        },
-    ],
+    components: &[MERGE, PROOF],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Merged],
     max_goals: 1,
     grounds: &[Ground::Slices],

@@ -75,6 +75,6 @@ impl Inside {
     }
 
     pub(super) fn bytes(&self) -> usize {
-        ask!(self, search => search.bytes())
+        ask!(self, search => size_of_val(&**search) + search.bytes())
     }
 }

@@ -260,6 +260,22 @@ fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn
     Ok(legs::planner(scenario, params.order_level(), variant, (ENTRY.id, ENTRY.layers), seed))
 }
 
+/// Merging, as a part of every planner that has it.
+pub(super) const MERGE: Component = Component {
+    id: "merge-and-solve",
+    name: "merge and solve",
+    adds: "a search puts the ways of the ants together; without: the best way of ants takes the deposit",
+    without: &[("merge", "false")],
+};
+
+/// The proof, as a part of every planner that has it.
+pub(super) const PROOF: Component = Component {
+    id: "proof",
+    name: "proof",
+    adds: "a search wherever something better may be proves the best path, or finds a better one; without: the best path is what was found",
+    without: &[("proof_limit", "0")],
+};
+
 /// Formica in the catalog.
 pub const ENTRY: PlannerEntry = PlannerEntry {
     id: "formica",
@@ -275,12 +291,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             adds: "ants smell how far the goal is around walls; without: they know how far it is on an open map",
             without: &[("scent", "false")],
         },
-        Component {
-            id: "merge-and-solve",
-            name: "merge and solve",
-            adds: "a search puts the ways of the ants together; without: the iteration's shortest way takes the deposit",
-            without: &[("merge", "false")],
-        },
+        MERGE,
         Component {
             id: "adaptive-corridor",
             name: "adaptive corridor",
@@ -293,12 +304,7 @@ pub const ENTRY: PlannerEntry = PlannerEntry {
             adds: "trails start again where nothing shorter is found; without: never",
             without: &[("trail_restart", "0")],
         },
-        Component {
-            id: "proof",
-            name: "proof",
-            adds: "a search over the whole map proves the best path, or finds a shorter one; without: the best path is what was found",
-            without: &[("proof_limit", "0")],
-        },
+        PROOF,
     ],
     layers: &[Layer::Trail, Layer::Visits, Layer::Heuristic, Layer::Scent, Layer::Merged],
     max_goals: MAX_GOALS as u32,

@@ -34,28 +34,28 @@ params! {
         /// whether ants smell how far the goal is around walls; otherwise they know its direction alone
         scent: bool = true, "", [], "", "our addition";
         /// how strongly ants avoid detours by scent: η = exp(−κ · detour)
-        kappa: f64 = 0.4, "κ", [0.0..=20.0], "per cell", "measured: docs/papers/formica.md";
+        kappa: f64 = 0.4, "κ", [0.0..=20.0], "per cell", "our choice";
         /// whether a search puts the ways of each iteration's ants together
         merge: bool = true, "", [], "", "Blum et al. 2016";
         /// how far around the ants' cells the search looks
-        widening: u32 = 4, "", [0..=64], "cells", "measured: docs/papers/formica.md";
+        widening: u32 = 4, "", [0..=64], "cells", "our choice";
         /// how far around the best path the search looks at least
-        corridor: u32 = 16, "", [0..=128], "cells", "measured: docs/papers/formica.md";
+        corridor: u32 = 16, "", [0..=128], "cells", "our choice";
         /// whether the corridor gets wider while nothing shorter is found
         adaptive_corridor: bool = true, "", [], "", "our addition";
         /// how far around the best path the search looks at most
-        corridor_most: u32 = 64, "", [0..=128], "cells", "measured: docs/papers/formica.md";
+        corridor_most: u32 = 64, "", [0..=128], "cells", "our choice";
         /// trails start again after so many iterations without a shorter path; 0 = never
-        trail_restart: u32 = 2, "", [0..=100_000], "iterations", "measured: docs/papers/formica.md";
+        trail_restart: u32 = 2, "", [0..=100_000], "iterations", "our choice";
         /// ants stop after so many iterations without a shorter path, and the proof begins; 0 = only at the end of the budget
-        proof_after: u32 = 3, "", [0..=100_000], "iterations", "measured: docs/papers/formica.md";
+        proof_after: u32 = 3, "", [0..=100_000], "iterations", "our choice";
         /// most expansions of the proof; 0 = no proof
         proof_limit: f64 = 4.0, "", [0.0..=1000.0], "× cells", "our addition";
         /// what the order of several goals makes small
         order: Smallest = Smallest::Weight, "", [], "", "our choice, as the exact tour";
         /// iterations of the colony that chooses the order
-        order_iterations: u32 = 20, "", [1..=10_000], "iterations", "measured: docs/papers/formica.md";
-        /// most 1-trees of the search that merges the ants' orders and proves the best; 0 = no search
+        order_iterations: u32 = 20, "", [1..=10_000], "iterations", "our choice";
+        /// 1-trees after which the search that merges the ants' orders and proves the best ends; 0 = no search
         order_limit: u32 = 20_000, "", [0..=1_000_000], "1-trees", "our choice";
         ..walk: WalkParams;
         ..sum: WeightedSum;

@@ -130,7 +130,7 @@ impl OrderSearch {
         self.whole.told(least).min(self.cost)
     }
 
-    /// Searches until the best order is proven, or so many 1-trees were found in all; whether it is proven.
+    /// Searches until the best order is proven, or so many 1-trees were found in all, those of the part at work on top; whether it is proven.
     pub fn go_on(&mut self, most: u64) -> bool {
         while !self.is_proven() && self.trees < most {
             self.step(most);
@@ -138,7 +138,7 @@ impl OrderSearch {
         self.is_proven()
     }
 
-    /// The bound of all orders at first, by no more than `most` 1-trees; then divides one part.
+    /// The bound of all orders at first, by no more than `most` 1-trees; then divides one part, by 63 more at most.
     pub fn step(&mut self, most: u64) {
         let Some(open) = &mut self.open else { return self.begin(most) };
         let Some(part) = open.pop() else { return };

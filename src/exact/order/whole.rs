@@ -42,7 +42,9 @@ impl Whole {
         let is_exact = largest <= LARGEST_EXACT && all().all(|cost| cost.fract() == 0.0);
         let unit = if is_exact { 1.0 } else { SAME_LENGTH };
         let mut units: Vec<i64> = all().map(|cost| libm::scalbn(cost, exponent) as i64).collect();
-        let is_symmetric = (0..nodes * nodes).all(|k| units[k] == units[k % nodes * nodes + k / nodes]);
+        // An open tour leaves node 0 and never comes back.
+        let first = usize::from(shape == Shape::Open);
+        let is_symmetric = (first..nodes).all(|i| (first..i).all(|j| units[i * nodes + j] == units[j * nodes + i]));
         if shape == Shape::Open {
             units.iter_mut().step_by(nodes).for_each(|back| *back = 0);
         }
@@ -58,7 +60,7 @@ impl Whole {
         self.grain
     }
 
-    /// Whether each way costs as much as the way back, that of an open tour to its start not counted.
+    /// Whether each way costs as much as the way back; of an open tour those from its start and to it do not count.
     pub(super) fn is_symmetric(&self) -> bool {
         self.is_symmetric
     }
@@ -145,6 +147,8 @@ mod tests {
         assert!(
             whole.is_symmetric() && !Whole::new(&Costs::new(3, |i, _| i as f64), Shape::Open).expect("finite").is_symmetric()
         );
+        let twice = Costs::new(4, |i, j| if j == 0 { 1.0 } else { 2.0 } * i.abs_diff(j) as f64);
+        assert!(Whole::new(&twice, Shape::Open).expect("finite").is_symmetric(), "goals of one weight");
         assert!(Whole::new(&Costs::new(2, |_, _| f64::INFINITY), Shape::Open).is_none());
     }
 

@@ -371,7 +371,6 @@ export const zhCNEngine = {
     'per cell': '每格',
     '× cells': '× 格数',
     '× places': '× 位置数',
-    rows: '行或层',
     '1-trees': '棵 1-树',
     'cells or levels': '格或层',
     sparks: '个火花',
