@@ -147,6 +147,26 @@ fn what_is_proven_by_slices_is_right() {
     }
 }
 
+#[test]
+fn where_ants_cannot_go_the_search_can() {
+    // Steps of two cells at once pass where the two that they stand for are too steep.
+    let movement = Movement { moves: Moves::Sixteen, corner_rule: CornerRule::BothFree };
+    let mut apart = 0;
+    for (seed, slope) in (1..40).flat_map(|seed| [8.0, 12.0, 20.0, 30.0].map(|slope| (seed, slope))) {
+        let scenario = terrains::hilly(12, 12, seed, 3.0, movement, slope);
+        let near = terrains::hilly(12, 12, seed, 3.0, Movement { moves: Moves::Eight, ..movement }, slope);
+        if near.reachable() || !scenario.reachable() {
+            continue;
+        }
+        let optimum = run(&scenario, "astar", &[]).best().expect("a path").length;
+        let colony = run(&scenario, "formica", &[]);
+        assert_eq!(colony.status(), Status::Optimal, "seed {seed}");
+        assert!(colony.best().is_some_and(|best| (best.length - optimum).abs() < SAME), "seed {seed}");
+        apart += 1;
+    }
+    assert!(apart > 0, "some hills are crossed by long steps alone");
+}
+
 /// By slices between two cells with heights that a number tells, a quarter of the map's width apart at least; none where no way leads there.
 fn across(map: &Imported, measure: Measure, number: u32) -> Option<Arc<Scenario>> {
     let known: Vec<u32> =

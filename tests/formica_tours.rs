@@ -160,3 +160,20 @@ fn legs_count_what_they_expand() {
     assert_eq!(planner.certificate().map(|certificate| certificate.expansions), Some(effort.cell_expansions));
     assert_eq!(planner.history().last().and_then(|last| last.best_so_far), planner.best().map(|best| best.length));
 }
+
+#[test]
+fn a_goal_at_the_start_that_weighs_much_hides_no_better_order() {
+    for (seed, few) in [(1, 5), (2, 6), (3, 7), (4, 17)] {
+        let plain = many((Generator::Random, 20, 16, seed, 0.1), few);
+        let mut spec = plain.spec.clone();
+        let start = spec.start;
+        // b = 1e13.
+        spec.goals.push(Goal { area: 1e-6, strength: 1e-6, danger: 0.1, ..Goal::new(start, "here") });
+        let here = Arc::new(Scenario::new(plain.grid.clone(), spec).expect("usable"));
+        let of = |scenario: &Arc<Scenario>, planner: &str| told(&*run(scenario, planner, &[])).0;
+        let least = of(&plain, "tour-exact");
+        for planner in ["formica", "tour-exact"] {
+            assert!((of(&here, planner) - least).abs() < 1e-9 * least, "seed {seed}, {planner}: {}, {least}", of(&here, planner));
+        }
+    }
+}

@@ -130,7 +130,7 @@ impl<V: Variant + 'static> Colony<V> {
 
 impl<V: Variant + 'static> Iterations for Colony<V> {
     fn parts(&mut self) -> (&mut Progress, &Scenario) {
-        (&mut self.progress, &self.scenario)
+        (&mut self.progress, self.variant.asked().unwrap_or(&self.scenario))
     }
 
     fn is_prepared(&self) -> bool {

@@ -103,12 +103,12 @@ impl OrderSolver {
 
     fn is_merging(&self) -> bool {
         let most = self.solving.limit / FOR_MERGING;
-        let has_ended = |search: &OrderSearch| search.is_proven() || search.trees() >= most;
+        let has_ended = |search: &OrderSearch| search.is_done() || search.trees() >= most;
         self.solving.merge && most > 0 && !self.merging.as_ref().is_some_and(has_ended)
     }
 
     fn is_proving(&self) -> bool {
-        let has_ended = |proof: &OrderSearch| proof.is_proven() || self.trees >= self.solving.limit;
+        let has_ended = |proof: &OrderSearch| proof.is_done() || self.trees >= self.solving.limit;
         self.solving.prove && self.solving.limit > 0 && !self.proof.as_ref().is_some_and(has_ended)
     }
 

@@ -161,6 +161,11 @@ pub trait Variant: Clone + Send + Sync {
     /// Before the first iteration.
     fn prepare(&mut self, _scenario: &Scenario) {}
 
+    /// The scenario whose paths are asked for, where ants walk on another one.
+    fn asked(&self) -> Option<&Scenario> {
+        None
+    }
+
     /// The same rules for another scenario, a leg of a tour, and the scenario on which its ants walk.
     fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
         (Arc::clone(leg), self.clone())

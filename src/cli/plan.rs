@@ -146,7 +146,11 @@ impl Report<'_> {
 
     fn gap_text(&self, out: &mut String) {
         if self.planner.tour().is_some() && self.result.reference == Reference::Unknown && self.result.certificate.is_none() {
-            row(out, "gap", format!("unknown: the best order is proven for up to {} goals", exact::order::MAX_ORDERED));
+            row(
+                out,
+                "gap",
+                format!("unknown: the best order of more than {} goals is not always soon proven", exact::order::MAX_ORDERED),
+            );
         }
         let (Some(gap), Some(value)) = (self.result.gap, self.result.reference.value()) else { return };
         let of = match self.result.reference {

@@ -173,14 +173,19 @@ pub fn optimum(scenario: &Arc<Scenario>) -> Option<f64> {
     if cfg!(feature = "whole") { Optima::new(scenario).between(start, goal) } else { optima::by_astar(scenario, start, goal).0 }
 }
 
-/// Σ of the legs of the best tour by all goals, or Σ R; `None` for more goals than can be ordered exactly.
+/// 1-trees after which the best order of many goals is not looked for any more just to compare with it: a second at most.
+const MOST_TREES_TO_COMPARE: u64 = 4_000;
+
+/// Σ of the legs of the best tour by all goals, or Σ R; `None` where the best order of more than [`order::MAX_ORDERED`] is not soon proven.
 fn best_tour(scenario: &Arc<Scenario>, weighted: bool) -> Option<f64> {
-    if scenario.goals.len() > order::MAX_ORDERED {
-        return None;
-    }
     let lengths = order::Costs::grid(scenario);
     let costs = if weighted { lengths.weighted(scenario) } else { lengths };
-    order::held_karp(&costs, order::Shape::Open).map(|order| costs.total(&order, order::Shape::Open))
+    let shape = order::Shape::Open;
+    if let Some(order) = order::held_karp(&costs, shape) {
+        return Some(costs.total(&order, shape));
+    }
+    let mut search = order::OrderSearch::new(&costs, shape, &order::good_order(&costs, shape))?;
+    search.go_on(MOST_TREES_TO_COMPARE).then(|| search.cost())
 }
 
 /// Largest map in cells for which polylines are looked for just to compare with them: half a second.

@@ -109,7 +109,7 @@ impl ExactTour {
             Granularity::Move => search.step(self.limit),
             Granularity::Iteration => _ = search.go_on(self.limit),
         }
-        if search.is_proven() || search.trees() >= self.limit {
+        if search.is_done() || search.trees() >= self.limit {
             let order = search.order().to_vec();
             self.walk_in(order);
         }

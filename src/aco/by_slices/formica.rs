@@ -125,12 +125,13 @@ impl FormicaSlices {
 }
 
 /// How the colony ends by its proof, if it does.
-fn ending(search: &SlicesWithin, is_last: bool, best: f64) -> Option<Status> {
+fn ending(search: &SlicesWithin, (is_last, is_spent): (bool, bool), best: f64) -> Option<Status> {
     match (search.is_proven(), is_last) {
         (true, _) if best.is_finite() => Some(Status::Optimal),
         (true, _) => Some(Status::NoPath),
-        (false, true) => Some(Status::BudgetSpent),
-        (false, false) => None,
+        // Without any path the ants go on; merging has all places by then.
+        (false, true) if best.is_finite() || is_spent => Some(Status::BudgetSpent),
+        (false, _) => None,
     }
 }
 
@@ -174,7 +175,11 @@ impl Rules for FormicaSlices {
                 found = Some(better);
             }
         }
-        let status = if most > 0.0 { ending(&learnt.search, is_last, learnt.best) } else { None };
+        let status = if most > 0.0 {
+            ending(&learnt.search, (is_last, built.number >= self.params.selection.iterations), learnt.best)
+        } else {
+            None
+        };
         let all = learnt.search.expansions();
         Some(Solved { found, expansions: all - std::mem::replace(&mut learnt.told, all), status })
     }

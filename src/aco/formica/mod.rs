@@ -35,6 +35,8 @@ mod straight;
 use std::sync::Arc;
 
 use crate::aco::colony::leader;
+#[cfg(feature = "whole")]
+use crate::aco::criterion::Criterion;
 use crate::aco::criterion::{Judge, way};
 use crate::aco::legs;
 use crate::aco::shared_params::settings;
@@ -46,6 +48,8 @@ use crate::exact::Estimate;
 use crate::exact::any_angle::MOST_CELLS;
 use crate::map::{Cell, Direction, MoveSet, Moves};
 use crate::metrics::SAME_LENGTH;
+#[cfg(feature = "whole")]
+use crate::params::ParamChoice;
 use crate::params::{Params, Values};
 use crate::path::{Path, PathKind};
 #[cfg(feature = "whole")]
@@ -91,8 +95,9 @@ impl Formica {
         }
         match (learnt.merge.is_proven(), is_last) {
             (true, _) => Some(Status::Optimal),
-            (false, true) => Some(Status::BudgetSpent),
-            (false, false) => None,
+            // Without any path the ants go on; merging has the whole map by then.
+            (false, true) if learnt.best.is_finite() || iteration.number >= iteration.budget => Some(Status::BudgetSpent),
+            (false, _) => None,
         }
     }
 
@@ -115,6 +120,10 @@ impl Variant for Formica {
 
     fn initial_trail(&self, _scenario: &Scenario) -> f64 {
         TRAIL
+    }
+
+    fn asked(&self) -> Option<&Scenario> {
+        Some(&self.scenario)
     }
 
     fn of_leg(&self, leg: &Arc<Scenario>) -> (Arc<Scenario>, Self) {
@@ -250,8 +259,20 @@ fn takes_polylines(scenario: &Scenario, criterion: Judge) -> Result<(), ParamErr
     Ok(())
 }
 
+/// A criterion as people write it, unless it is the length.
+#[cfg(feature = "whole")]
+fn other_than_length(criterion: Criterion) -> Option<&'static str> {
+    Criterion::OPTIONS.iter().find(|option| option.0 == criterion && criterion != Criterion::Length).map(|option| option.1)
+}
+
 fn build(scenario: &Arc<Scenario>, values: &Values, seed: u32) -> Result<Box<dyn Planner>, ParamError> {
     let params = FormicaParams::read(ENTRY.id, values)?;
+    #[cfg(feature = "whole")]
+    if let Some(value) = other_than_length(params.criterion).filter(|_| scenario.goals.len() > 1) {
+        // What is proven of an order is proven of lengths.
+        let (key, instead) = ("criterion", "length");
+        return Err(ParamError::ValueOnGround { key, value, ground: "to several goals", id: "several-goals", instead });
+    }
     #[cfg(feature = "whole")]
     if params.paths == Paths::Polylines {
         takes_polylines(scenario, params.judge())?;

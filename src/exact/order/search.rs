@@ -78,9 +78,11 @@ impl OrderSearch {
     }
 
     fn among(costs: &Costs, shape: Shape, known: &[u32], among: Option<&Ways>) -> Option<Self> {
-        let whole = Whole::new(costs, shape).filter(|whole| whole.nodes() > 1 && known.len() + 1 == whole.nodes())?;
+        if costs.nodes() < 2 || known.len() + 1 != costs.nodes() {
+            return None;
+        }
         let mut best = known.to_vec();
-        improve(&whole, &mut best);
+        let whole = scaled(costs, shape, &mut best)?;
         let is_small = whole.nodes() < FEWEST;
         if let Some(order) = held_karp(costs, shape).filter(|_| is_small) {
             best = order;
@@ -116,8 +118,13 @@ impl OrderSearch {
         self.trees
     }
 
-    /// Whether no order is cheaper than the best, by more than [`crate::metrics::SAME_LENGTH`].
+    /// Whether no order is cheaper than the best, by more than [`crate::metrics::SAME_LENGTH`], or that part of it where it is above 1.
     pub fn is_proven(&self) -> bool {
+        self.is_done() && self.whole.is_fine(self.cost)
+    }
+
+    /// Whether nothing is left to search.
+    pub fn is_done(&self) -> bool {
         self.open.as_ref().is_some_and(|open| open.peek().is_none_or(|part| part.bound.0 > self.most_units()))
     }
 
@@ -126,13 +133,15 @@ impl OrderSearch {
         if self.is_proven() {
             return self.cost;
         }
-        let least = self.open.as_ref().and_then(BinaryHeap::peek).map_or(0, |part| part.bound.0);
+        // What was left out costs at least so many units.
+        let reached = self.units - self.whole.grain() + 1;
+        let least = self.open.as_ref().map_or(0, |open| open.peek().map_or(reached, |part| part.bound.0.min(reached)));
         self.whole.told(least).min(self.cost)
     }
 
     /// Searches until the best order is proven, or so many 1-trees were found in all, those of the part at work on top; whether it is proven.
     pub fn go_on(&mut self, most: u64) -> bool {
-        while !self.is_proven() && self.trees < most {
+        while !self.is_done() && self.trees < most {
             self.step(most);
         }
         self.is_proven()
@@ -248,6 +257,19 @@ impl OrderSearch {
         }
         let required = left.iter().filter(|&&edge| edge == Edge::Required).count() / 2;
         Some((left, required))
+    }
+}
+
+/// Costs in units that are as fine as a good order allows: `best`, which is improved with them, and again with finer ones where it has become far
+/// better.
+fn scaled(costs: &Costs, shape: Shape, best: &mut [u32]) -> Option<Whole> {
+    loop {
+        let known = costs.total(best, shape);
+        let whole = Whole::below(costs, shape, known)?;
+        improve(&whole, best);
+        if 4.0 * costs.total(best, shape) >= known {
+            return Some(whole);
+        }
     }
 }
 

@@ -32,22 +32,28 @@ pub(super) struct Whole {
 impl Whole {
     /// None where a cost is negative or not finite.
     pub(super) fn new(costs: &Costs, shape: Shape) -> Option<Self> {
+        Self::below(costs, shape, f64::INFINITY)
+    }
+
+    /// The same for who looks for orders that cost less than this: a way of more than twice as much counts as that, so that what no good order
+    /// goes leaves the others their digits.
+    pub(super) fn below(costs: &Costs, shape: Shape, known: f64) -> Option<Self> {
         let nodes = costs.nodes();
-        let all = || (0..nodes * nodes).map(|k| costs.get(k / nodes, k % nodes));
-        if !all().all(|cost| cost.is_finite() && cost >= 0.0) {
+        let given = || (0..nodes * nodes).map(|k| costs.get(k / nodes, k % nodes));
+        if !given().all(|cost| cost.is_finite() && cost >= 0.0) {
             return None;
         }
+        // The ways back of an open tour cost nothing.
+        let counts = |k: usize| shape == Shape::Closed || !k.is_multiple_of(nodes);
+        let all = || given().zip(0..).map(|(cost, k)| if counts(k) { cost.min(2.0 * known) } else { 0.0 });
         let largest = all().fold(0.0, f64::max);
         let exponent = BITS - libm::frexp(largest).1;
         let is_exact = largest <= LARGEST_EXACT && all().all(|cost| cost.fract() == 0.0);
         let unit = if is_exact { 1.0 } else { SAME_LENGTH };
-        let mut units: Vec<i64> = all().map(|cost| libm::scalbn(cost, exponent) as i64).collect();
+        let units: Vec<i64> = all().map(|cost| libm::scalbn(cost, exponent) as i64).collect();
         // An open tour leaves node 0 and never comes back.
         let first = usize::from(shape == Shape::Open);
         let is_symmetric = (first..nodes).all(|i| (first..i).all(|j| units[i * nodes + j] == units[j * nodes + i]));
-        if shape == Shape::Open {
-            units.iter_mut().step_by(nodes).for_each(|back| *back = 0);
-        }
         let grain = (libm::scalbn(unit, exponent) as i64).max(1);
         Some(Self { nodes, units, exponent, grain, is_exact, is_symmetric, shape })
     }
@@ -58,6 +64,11 @@ impl Whole {
 
     pub(super) fn grain(&self) -> i64 {
         self.grain
+    }
+
+    /// Whether what rounding takes from an order cannot hide that another one is better than one of this cost, by a part of it that counts.
+    pub(super) fn is_fine(&self, cost: f64) -> bool {
+        self.is_exact || libm::scalbn(self.nodes as f64, -self.exponent) <= SAME_LENGTH * cost.max(1.0)
     }
 
     /// Whether each way costs as much as the way back; of an open tour those from its start and to it do not count.

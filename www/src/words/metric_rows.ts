@@ -104,8 +104,8 @@ export const EFFORT_ROWS: MetricRow[] = [
   {
     id: 'cellExpansions',
     better: null,
-    families: ['search', 'exact'],
-    value: ofEffort('cell_expansions'),
+    // Of colonies only those have it that search as well.
+    value: (summary) => summary.effort.cell_expansions || null,
     format: whole,
   },
 ]
