@@ -338,11 +338,12 @@ test.describe('tours', () => {
     page,
   }) => {
     const race = await openField(page)
-    await load(
-      race,
-      Array.from({ length: 17 }, (_, i): Cell => [2 * i + 1, 2]),
-      ['fire', 'custom'],
+    const spread = Array.from(
+      { length: 60 },
+      (_, i): Cell => [((17 * i + 2) % 39) + 1, ((5 * i * i + 3 * i) % 24) + 1],
     )
+    const places = new Map(spread.map((cell) => [cell.join(), cell]))
+    await load(race, [...places.values()], ['fire', 'custom'])
     const first = page.getByTestId('metric-comparedWith-1')
     const second = page.getByTestId('metric-comparedWith-2')
     await expect(first).toContainText('–')
@@ -356,6 +357,22 @@ test.describe('tours', () => {
     }
     const best = values.indexOf(Math.min(...values)) + 1
     await expect(page.getByTestId(`gap-${best}`)).toContainText('the best known (not proven)')
+  })
+
+  test('more goals than dynamic programming orders are compared with what is proven', async ({
+    page,
+  }) => {
+    const race = await openField(page)
+    await load(
+      race,
+      Array.from({ length: 17 }, (_, i): Cell => [2 * i + 1, 2]),
+      ['formica', 'fire'],
+    )
+    await expect(page.getByTestId('optimum')).toHaveAttribute('data-value', /^[\d.]+$/)
+    await page.locator('body').press('End')
+    await expect(page.getByTestId('status-1')).toHaveAttribute('data-status', 'optimal')
+    await expect(page.getByTestId('gap-1')).toHaveAttribute('data-gap', '0')
+    await expect(page.getByTestId('metric-comparedWith-1')).not.toContainText('not proven')
   })
 
   test('a goal out of reach is said', async ({ page }) => {
