@@ -1,5 +1,5 @@
 /** What planners have proven of the results on show, asked of the panels' workers where a run rests or has ended. */
-import type { Certificate } from '@pkg/formicarium'
+import type { Certificate, RunSummary } from '@pkg/formicarium'
 import { effect, signal } from '@preact/signals'
 import { client } from '../engine/panel_clients'
 import type { PanelAnswers } from '../model/messages'
@@ -25,6 +25,10 @@ export function certificateOf(panel: Panel): Certificate | null {
   return found && found.digest === shownOf(panel).summary?.digest ? found.certificate : null
 }
 
+/** A run that has not begun has proven nothing, and is not asked while it may be replaced. */
+const rests = ({ status, effort }: RunSummary, moves: boolean) =>
+  status !== 'running' || (!moves && effort.iterations > 0)
+
 /** Asks until it is told to stop. */
 export function keepCertificates(): () => void {
   const asked = new Map<number, object>()
@@ -32,7 +36,7 @@ export function keepCertificates(): () => void {
     const moves = phase.value === 'running'
     for (const panel of panels.value) {
       const { summary } = shownOf(panel)
-      if (!summary || (moves && summary.status === 'running') || !proves(panel)) continue
+      if (!summary || !rests(summary, moves) || !proves(panel)) continue
       if (asked.get(panel.id) === summary) continue
       asked.set(panel.id, summary)
       void ask(panel.id)
