@@ -173,7 +173,7 @@ pub fn optimum(scenario: &Arc<Scenario>) -> Option<f64> {
     if cfg!(feature = "whole") { Optima::new(scenario).between(start, goal) } else { optima::by_astar(scenario, start, goal).0 }
 }
 
-/// 1-trees after which the best order of many goals is not looked for any more just to compare with it: a second at most.
+/// 1-trees after which the best order of many goals is not looked for any more just to compare with it.
 const MOST_TREES_TO_COMPARE: u64 = 4_000;
 
 /// Σ of the legs of the best tour by all goals, or Σ R; `None` where the best order of more than [`order::MAX_ORDERED`] is not soon proven.

@@ -36,7 +36,7 @@ pub fn folder() -> Option<PathBuf> {
 }
 
 /// The longer half of a map's scenarios, and one of them.
-pub fn load(scen: &Path) -> (Vec<ScenLine>, Scenario) {
+fn load(scen: &Path) -> (Vec<ScenLine>, Scenario) {
     let mut lines = import_scen(&std::fs::read(scen).expect("the file")).expect("a list").lines;
     let name = lines[0].map.rsplit('/').next().expect("a name").to_string();
     let map = import(&std::fs::read(scen.with_file_name(&name)).expect("its map"), &name).expect("a map");

@@ -7,24 +7,12 @@ use std::path::Path;
 
 use formicarium::params::Value;
 use formicarium::planner::{Planner, Status};
-use formicarium::scenario::Goal;
 
-use super::movingai::{folder, load};
+use super::movingai::{MAPS, folder, spread};
 use super::{Arc, By, Scenario, WeightedSum, catalog, same, solved, value};
 
-/// Mazes, rooms, random cells, games, a city, a warehouse.
-const MAPS: [&str; 10] = [
-    "maze-128-128-10-random-1",
-    "32room_000.map",
-    "maze512-8-0.map",
-    "random512-25-0.map",
-    "den312d.map",
-    "lak303d.map",
-    "brc202d.map",
-    "arena2.map",
-    "Berlin_0_256.map",
-    "warehouse-10-20-10-2-1-random-1",
-];
+/// Maps of less than 64 cells a side, or hardly more: they are not measured.
+const SMALL: [&str; 3] = ["random-32-32-20-random-1", "room-64-64-16-random-1", "arena.map"];
 
 /// Iterations after which the best path is looked at.
 const ITERATIONS: f64 = 10.0;
@@ -106,13 +94,9 @@ fn measured(folder: &Path, count: usize, by: By, merge: bool) -> Tally {
         "| map | scenarios | exact after 1 | exact after 10 | right | proven | expansions / turn-aware | largest | iterations |"
     );
     let mut all = Tally::default();
-    for name in MAPS {
-        let (lines, map) = load(&folder.join(format!("{name}.scen")));
+    for name in MAPS.into_iter().filter(|name| !SMALL.contains(name)) {
         let mut tally = Tally::default();
-        for line in (0..count).map(|k| &lines[k * lines.len() / count]) {
-            let s = map.with_ends(line.start, vec![Goal::new(line.goal, "")]).expect("usable");
-            tally.take(&Arc::new(s), by, merge);
-        }
+        spread(folder, name, count).for_each(|s| tally.take(&s, by, merge));
         println!("{}", tally.row(name));
         all.add(&tally);
     }

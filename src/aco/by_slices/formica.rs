@@ -116,6 +116,26 @@ impl FormicaSlices {
         Self { params, estimate: SliceEstimate::new(&slices), slices, learnt: None }
     }
 
+    /// Proves what stands after an iteration, if it is time; takes in a cheaper path with its cost. How the colony has ended by that.
+    fn prove(&mut self, number: u32, found: &mut Option<(Path, f64)>) -> Option<Status> {
+        let is_last = self.is_last(number, self.learnt.as_ref()?.since);
+        let most = self.params.proof_limit * self.slices.places() as f64;
+        let learnt = self.learnt.as_mut()?;
+        learnt.search.bound_by(learnt.best);
+        if most <= 0.0 {
+            return None;
+        }
+        if is_last && !learnt.search.is_proven() {
+            learnt.search.widen_to_all();
+            learnt.search.go_on(most as u64);
+            if let Some(better) = learnt.cheaper(learnt.best) {
+                (learnt.best, learnt.since) = (better.1, number);
+                *found = Some(better);
+            }
+        }
+        ending(&learnt.search, (is_last, number >= self.params.selection.iterations), learnt.best)
+    }
+
     /// Whether the iteration is the last one that ants walk: the budget is spent, or nothing cheaper was found for long enough.
     fn is_last(&self, number: u32, since: u32) -> bool {
         let p = &self.params;
@@ -124,7 +144,7 @@ impl FormicaSlices {
     }
 }
 
-/// How the colony ends by its proof, if it does.
+/// How the colony ends by its proof, if it does: whether this is the last iteration, and whether the budget is spent.
 fn ending(search: &SlicesWithin, (is_last, is_spent): (bool, bool), best: f64) -> Option<Status> {
     match (search.is_proven(), is_last) {
         (true, _) if best.is_finite() => Some(Status::Optimal),
@@ -162,24 +182,8 @@ impl Rules for FormicaSlices {
         }
         let mut found = learnt.cheaper(known);
         learnt.note(found.as_ref().map_or(known, |(_, cost)| *cost), built.number);
-        let since = learnt.since;
-        let is_last = self.is_last(built.number, since);
-        let most = self.params.proof_limit * self.slices.places() as f64;
+        let status = self.prove(built.number, &mut found);
         let learnt = self.learnt.as_mut()?;
-        learnt.search.bound_by(learnt.best);
-        if most > 0.0 && is_last && !learnt.search.is_proven() {
-            learnt.search.widen_to_all();
-            learnt.search.go_on(most as u64);
-            if let Some(better) = learnt.cheaper(learnt.best) {
-                (learnt.best, learnt.since) = (better.1, built.number);
-                found = Some(better);
-            }
-        }
-        let status = if most > 0.0 {
-            ending(&learnt.search, (is_last, built.number >= self.params.selection.iterations), learnt.best)
-        } else {
-            None
-        };
         let all = learnt.search.expansions();
         Some(Solved { found, expansions: all - std::mem::replace(&mut learnt.told, all), status })
     }
