@@ -5,7 +5,13 @@ import { notifyError } from './notices'
 
 export const editor = signal<EditorPart | null>(null)
 
+/** At once where they are here already: the next key may count on them. */
 export function withEditor(use: (editor: EditorPart) => void): void {
+  const here = editor.peek()
+  if (here) {
+    use(here)
+    return
+  }
   void lazyParts
     .editor()
     .then((part) => {
