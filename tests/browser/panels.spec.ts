@@ -105,7 +105,7 @@ test.describe('panels', () => {
     await expect(bars.nth(1)).toHaveAttribute('aria-valuenow', '100')
   })
 
-  test('a parameter out of range is refused at its field, by name, and can be mended', async ({
+  test('a parameter out of range is refused at its field and over the map, by name, and can be mended', async ({
     page,
   }) => {
     const race = new RacePage(page)
@@ -120,6 +120,12 @@ test.describe('panels', () => {
         .first(),
     ).toContainText('1.5')
     await expect(field).toHaveAttribute('aria-invalid', 'true')
+    // Over the map as well: a column may be closed, or show another panel.
+    await page.getByTestId('parameters-2').click()
+    await expect(field).toBeHidden()
+    const trouble = page.getByTestId('panel-1').getByRole('alert')
+    await expect(trouble).toContainText('1.5')
+    await trouble.getByRole('button', { name: 'Show the parameter' }).click()
     await field.fill('0.2')
     await field.press('Enter')
     await expect(field).toHaveAttribute('aria-invalid', 'false')

@@ -161,27 +161,28 @@ export function PanelStage({ panel }: { panel: Panel }) {
   )
 }
 
-/** Whether the parameters of the panel are on show: there a refused one says what is wrong. */
-function isShownAtItsField(panel: Panel, { field }: EngineError): boolean {
-  const params = plannerEntry(panel.setup.planner)?.params ?? []
-  if (!columnOpen.value) return false
-  return selectedPanel.value === panel.id && params.some(({ key }) => key === field)
-}
-
-/** A refusal that no parameter field can show, or a worker that failed: said over the map, with the way out. */
+/** A refusal, or a worker that failed: said over the map, with the way out. */
 function PanelTrouble({ panel }: { panel: Panel }) {
   const { error, crashed } = panel.live.value
   if (!plannerEntry(panel.setup.planner)) return <PlannerOnItsWay />
   if (crashed !== null) return <WorkerTrouble error={crashed} />
-  if (!error || isShownAtItsField(panel, error)) return null
+  if (!error) return null
   const { message, hint } = describeError(error)
   return (
     <div class="panel-trouble" role="alert">
       <p>{message}</p>
       <p class="hint">{hint}</p>
       {UNSUITED.includes(error.kind) && <UseAnother panel={panel} />}
+      {isOfParameter(panel, error) && (
+        <Button label={t('panels.toParameter')} onClick={() => showParameters(panel.id)} />
+      )}
     </div>
   )
+}
+
+/** Then its field says the same, wherever that is: in a folded list, in a column that is closed or shows another panel. */
+function isOfParameter({ setup }: Panel, { field }: EngineError): boolean {
+  return plannerEntry(setup.planner)?.params.some(({ key }) => key === field) ?? false
 }
 
 /** A planner that has no worker any more, or has none yet. */

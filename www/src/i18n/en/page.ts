@@ -139,6 +139,7 @@ export const en = {
     label: 'Panel {{place}}: {{planner}}',
     planner: 'Planner',
     parametersOf: 'Parameters of {{planner}}',
+    toParameter: 'Show the parameter',
     remove: 'Remove {{planner}}',
     savePath: 'Save path of {{planner}} as…',
     add: 'Add planner',

@@ -156,6 +156,7 @@ export const zhCN: DictionaryShape<typeof en & typeof enColumn> = {
     label: '面板 {{place}}：{{planner}}',
     planner: '规划器',
     parametersOf: '“{{planner}}”的参数',
+    toParameter: '转到该参数',
     remove: '移除“{{planner}}”',
     savePath: '将“{{planner}}”的路径另存为…',
     add: '添加规划器',
