@@ -16,6 +16,7 @@ const WORKERS: Record<string, string> = {
   analyst: 'analyst',
 }
 const ENGINE = 'formicarium_bg.wasm'
+const LICENCES = 'licences.txt'
 
 /** The engine of the one file: the whole one, small rather than fast. All else of the package is the page's. */
 export const smallEngine = {
@@ -64,7 +65,14 @@ export interface Part {
   bytes: Uint8Array
 }
 
-/** The workers and the engine, what is alike side by side. */
+/** Whose works the page contains, as the build of the page has written it. */
+function licences(): Part {
+  const file = process.env.FORMICARIUM_LICENCES
+  if (!file) throw new Error('the page of one file is built by cargo xtask build')
+  return { name: LICENCES, bytes: readFileSync(file) }
+}
+
+/** The workers, the engine and what must go along with them; what is alike side by side. */
 export async function builtParts(): Promise<Part[]> {
   const parts: Part[] = []
   for (const name of new Set(Object.values(WORKERS)))
@@ -72,7 +80,8 @@ export async function builtParts(): Promise<Part[]> {
       name: `${name}.worker.js`,
       bytes: await scriptOf(`src/worker/${name}.worker.ts`),
     })
-  return [...parts, { name: ENGINE, bytes: readFileSync(path(`../pkg/small/${ENGINE}`)) }]
+  const engine = { name: ENGINE, bytes: readFileSync(path(`../pkg/small/${ENGINE}`)) }
+  return [...parts, licences(), engine]
 }
 
 /** One script that needs no other, made of a file and all that it imports. */

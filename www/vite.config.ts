@@ -68,6 +68,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     sourcemap: false,
+    license: { fileName: 'licences-of-page.json' },
     modulePreload: {
       // Browsers without it only begin a little later.
       polyfill: false,

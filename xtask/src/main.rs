@@ -12,6 +12,7 @@ mod environment;
 mod fuzz;
 mod install;
 mod maps;
+mod notices;
 mod one_file;
 mod page;
 mod python;

@@ -7,6 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use lzma_rust2::{CheckType, LzmaOptions, XzOptions, XzWriter};
 
+use crate::notices;
 use crate::tools::{run, target_dir, vite};
 
 const NAME: &str = "one-file.html";
@@ -20,7 +21,7 @@ pub fn build(folder: &Path) -> Result<()> {
     println!("page: building {NAME}…");
     let halves = target_dir().join("one-file");
     let args = ["build", "--config", "one_file.config.ts", "--logLevel", "warn", "--outDir"];
-    run(vite().args(args).arg(&halves))?;
+    run(vite().args(args).arg(&halves).env("FORMICARIUM_LICENCES", folder.join(notices::NAME)))?;
     let packed = written(&packed(&fs::read(halves.join("parts.bin"))?)?);
     let shell = fs::read_to_string(halves.join("shell.html"))?;
     let page = shell.replace("%characters%", &packed.len().to_string()).replace("%packed%", &packed);

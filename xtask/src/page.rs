@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use crate::tools::{node_script, root, run, vite, www};
-use crate::{one_file, wasm};
+use crate::{notices, one_file, wasm};
 
 /// Every TypeScript project: the page, its workers, the build, the browser tests.
 const PROJECTS: [&str; 4] = ["tsconfig.json", "tsconfig.worker.json", "tsconfig.node.json", "../tests/browser/tsconfig.json"];
@@ -18,6 +18,7 @@ pub fn build(out: Option<&Path>) -> Result<PathBuf> {
     let folder = out.map_or_else(|| Ok(www().join("dist")), std::path::absolute)?;
     let args = ["build", "--emptyOutDir", "--logLevel", "warn", "--outDir"];
     run(vite().args(args).arg(&folder))?;
+    notices::write_for_page(&folder)?;
     one_file::build(&folder)?;
     run(vite().args(["build", "--config", "element.config.ts", "--logLevel", "warn"]))?;
     // Hosts of static pages answer with it where nothing is, as where a program has written `#` as a code: the page finds its link there.

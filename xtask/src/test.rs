@@ -9,7 +9,7 @@ use crate::stages::Stage;
 
 #[derive(Args)]
 pub struct Options {
-    /// Only these stages [default: all but other-browsers]
+    /// Only these stages [default: all but every-screen]
     #[arg(value_enum)]
     stages: Vec<Stage>,
     /// Go on after a stage that fails

@@ -10,6 +10,7 @@ use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::install;
+use crate::notices;
 use crate::tools::{self, node_script, root, run};
 
 #[derive(Clone, Copy, PartialEq, Hash)]
@@ -94,6 +95,7 @@ pub fn build(mode: Mode) -> Result<()> {
     let staging = root().join("pkg.new");
     side_by_side(mode, |build| package(mode, build, &staging))?;
     fs::copy(root().join("pkg.json"), staging.join("package.json")).context("cannot copy pkg.json")?;
+    fs::write(staging.join(notices::NAME), notices::of_engine()?)?;
     run(Command::new("node").args(["--input-type=module", "--eval", FACTS]).arg(&staging))?;
     fs::write(staging.join(STAMP), stamp)?;
     replace(&staging, &pkg)?;

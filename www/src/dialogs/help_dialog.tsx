@@ -1,4 +1,5 @@
 import { t } from '../i18n/dialogs'
+import { oneFile, partAddress } from '../model/one_file'
 import { engineVersion } from '../state'
 import { closeDialog } from '../state/dialogs'
 import { Dialog } from '../ui/dialog'
@@ -77,6 +78,14 @@ const MAP_KEYS: [StageKeyName, string[]][] = [
   ['leave', ['Esc']],
 ]
 
+const LICENCES = 'licences.txt'
+
+/** Beside the page; or inside it, where browsers save such a file rather than show it. */
+const licences = () =>
+  oneFile()
+    ? { href: partAddress(LICENCES, 'text/plain'), download: LICENCES }
+    : { href: `./${LICENCES}`, target: '_blank', rel: 'noopener' }
+
 export function HelpDialog() {
   return (
     <Dialog title={t('help.title')} onClose={closeDialog} testId="help-dialog" wide prose>
@@ -92,6 +101,9 @@ export function HelpDialog() {
       </div>
       <OfflineSection />
       <p class="hint">{t('help.scripting', { version: engineVersion.value })}</p>
+      <p class="hint">
+        <a {...licences()}>{t('help.licences')}</a>
+      </p>
     </Dialog>
   )
 }

@@ -422,5 +422,6 @@ export const enDialogs = {
     },
     scripting:
       'Version {{version}}. For lessons and scripts: window.formicarium in the console offers load, run, results and compare.',
+    licences: 'Libraries inside this page, and their licences',
   },
 }

@@ -404,5 +404,6 @@ export const zhCNDialogs: DictionaryShape<typeof enDialogs> = {
     },
     scripting:
       '版本 {{version}}。教学与脚本：控制台中的 window.formicarium 提供 load、run、results 与 compare。',
+    licences: '本页面所含的库及其许可证',
   },
 }
