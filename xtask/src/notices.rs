@@ -2,6 +2,7 @@
 //! that their notice goes along.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fs;
 use std::path::Path;
 
@@ -83,12 +84,10 @@ fn crates() -> Result<Notices> {
             continue;
         }
         let field = |key: &str| package[key].as_str().unwrap_or_default();
-        let heading = heading(field("name"), field("version"), field("license"));
-        if !notices.contains_key(&heading) {
-            let home = Path::new(field("manifest_path")).parent().context("a manifest lies in a folder")?;
-            notices.insert(heading, licence_in(home)?);
-            waiting.extend(needed_by(&nodes[&id]));
-        }
+        let Entry::Vacant(notice) = notices.entry(heading(field("name"), field("version"), field("license"))) else { continue };
+        let home = Path::new(field("manifest_path")).parent().context("a manifest lies in a folder")?;
+        notice.insert(licence_in(home)?);
+        waiting.extend(needed_by(&nodes[&id]));
     }
     Ok(notices)
 }
