@@ -1,5 +1,6 @@
 import { join } from 'node:path'
 import { defineConfig } from '@playwright/test'
+import { chromium } from './chromium'
 
 // Playwright loads these files as CommonJS: __dirname, not import.meta.
 const www = join(__dirname, '../../www')
@@ -20,7 +21,8 @@ export default defineConfig({
   testIgnore: 'other/**',
   outputDir: '../../target/browser-tests',
   reporter: 'list',
-  workers: 1,
+  // A page waits as often as it computes; more pages at once would only wait for each other.
+  workers: 2,
   retries: 0,
   // Generous, because machines that run tests are often busy.
   timeout: 90_000,
@@ -28,7 +30,7 @@ export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   use: {
     browserName: 'chromium',
-    launchOptions: { executablePath: process.env.CHROMIUM_PATH ?? '/usr/bin/chromium' },
+    launchOptions: chromium,
     trace: 'off',
     // The copy that the page makes of itself is tested by offline.spec.ts alone.
     serviceWorkers: 'block',

@@ -6,6 +6,8 @@ import type { Choice } from './browsers'
 export default defineConfig<Choice>({
   ...base,
   testIgnore: [],
+  // One screen for all.
+  workers: 1,
   outputDir: '../../../target/other-browser-tests',
   // A screen without a graphics card is slow, and every check starts a browser.
   timeout: 240_000,
