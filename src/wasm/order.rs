@@ -9,7 +9,7 @@ use super::{Answer, object, throw};
 use crate::aco::order_run::{self, ORDER_COLONY, OrderParams};
 use crate::comparison::gap::relative_gap;
 use crate::error::FormatError;
-use crate::exact::order::Shape;
+use crate::exact::order::{OrderSearch, Shape};
 use crate::exact::order_problem::{LISTED_SOURCE, OrderProblem};
 use crate::formats::tsplib;
 use crate::params::{ParamSpec, Params};
@@ -73,6 +73,21 @@ pub struct OrderSummary {
     pub digest: String,
 }
 
+/// What a search has found and proven where dynamic programming does not reach.
+#[derive(Serialize, Tsify)]
+pub struct OrderBound {
+    /// No tour costs less.
+    pub lower_bound: f64,
+    /// The best tour that it knows.
+    pub best: PlacesInOrder,
+    /// Whether no tour is better than that one.
+    pub complete: bool,
+    /// 1-trees that it took.
+    pub trees: u32,
+    /// Whether it is at its end: it is proven, or has found as many 1-trees as it may.
+    pub finished: bool,
+}
+
 /// An order as places from 0.
 fn placed(cost: f64, order: &[u32]) -> PlacesInOrder {
     PlacesInOrder { cost, order: std::iter::once(0).chain(order.iter().map(|place| place + 1)).collect() }
@@ -113,7 +128,10 @@ pub fn read_order(bytes: &Bytes, open: &Flag, tour: Option<Bytes>) -> Answer<Ts<
 #[wasm_bindgen]
 pub struct OrderRun {
     run: order_run::OrderRun,
+    problem: OrderProblem,
     optimum: Option<f64>,
+    /// From the best tour of these iterations on.
+    search: Option<OrderSearch>,
 }
 
 #[wasm_bindgen]
@@ -124,7 +142,8 @@ impl OrderRun {
         let problem = problem(bytes, open)?;
         let params = OrderParams::read(ORDER_COLONY, &params.read("params")?).map_err(throw)?;
         let optimum = problem.prove().map(|proven| proven.cost).or(problem.listed_optimum());
-        Ok(OrderRun { run: order_run::OrderRun::new(&problem, &params, seed.whole("seed")?), optimum })
+        let run = order_run::OrderRun::new(&problem, &params, seed.whole("seed")?);
+        Ok(OrderRun { run, problem, optimum, search: None })
     }
 
     /// Up to `count` iterations; false once the budget is spent.
@@ -134,6 +153,7 @@ impl OrderRun {
                 break;
             }
             self.run.advance();
+            self.search = None;
         }
         Ok(!self.run.is_finished())
     }
@@ -150,6 +170,27 @@ impl OrderRun {
             improvements: self.run.improvements().to_vec(),
             digest: self.run.digest().hex(),
         })
+    }
+
+    /// One step of a search for a better tour and for a proof, from the best tour so far on: what the command line tells when it is at its end.
+    /// Null before the first iteration, and where `OrderFacts.exact` is known.
+    pub fn search(&mut self) -> Option<Ts<OrderBound>> {
+        let most = self.problem.usual_trees();
+        if self.search.is_none() {
+            self.search = self.problem.search(&self.run.best()?.order);
+        }
+        let search = self.search.as_mut()?;
+        let is_at_end = |search: &OrderSearch| search.is_done() || search.trees() >= most;
+        if !is_at_end(search) {
+            search.step(most);
+        }
+        Some(object(&OrderBound {
+            lower_bound: search.lower_bound(),
+            best: placed(search.cost(), search.order()),
+            complete: search.is_proven(),
+            trees: u32::try_from(search.trees()).unwrap_or(u32::MAX),
+            finished: is_at_end(search),
+        }))
     }
 
     /// The strongest trails, three numbers each: from and to (places from 0), and the share of the largest.

@@ -1,6 +1,7 @@
 /** Instances of TSPLIB: their places in an order, proven and by ants, beside a map that stays. */
 import { expect, type Page, test } from '@playwright/test'
 import { expectClean } from './axe'
+import { answered, commandLine } from './command_line'
 import { RacePage } from './race_page'
 import { zipOf } from './zips'
 
@@ -27,6 +28,12 @@ const TOUR = `TYPE: TOUR\nDIMENSION: 14\nTOUR_SECTION\n${PLACES.map((_, i) => i 
 const MATRIX =
   'NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: UPPER_ROW\nEDGE_WEIGHT_SECTION\n1 2 3 4 5 6\nEOF\n'
 
+/** More places than dynamic programming proves, with whole coordinates from a simple generator. */
+const SCATTERED = `NAME: scattered\nTYPE: TSP\nDIMENSION: 24\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n${Array.from(
+  { length: 24 },
+  (_, i) => `${i + 1} ${(i * 7919 + 13) % 101} ${(i * 104_729 + 57) % 97}`,
+).join('\n')}\nEOF\n`
+
 const dialog = (page: Page) => page.getByTestId('order-dialog')
 const said = (page: Page, row: string) => page.getByTestId(`order-${row}`)
 
@@ -43,10 +50,19 @@ async function rested(page: Page): Promise<RacePage> {
   return race
 }
 
-/** Runs to the end, and gives what is saved of it. */
-async function ran(page: Page) {
+/** Runs to the end, and gives what is saved of it, once it holds what is `awaited`. */
+async function ran(page: Page, awaited?: string) {
   await page.getByTestId('order-run').click()
   await expect(said(page, 'iteration')).toHaveText('200 of 200')
+  let run = await saved(page)
+  await expect(async () => {
+    if (awaited !== undefined && !(awaited in run)) run = await saved(page)
+    expect(awaited === undefined || awaited in run).toBe(true)
+  }).toPass()
+  return run
+}
+
+async function saved(page: Page) {
   const saving = page.waitForEvent('download')
   await page.getByTestId('order-json').click()
   const stream = await (await saving).createReadStream()
@@ -131,6 +147,28 @@ test.describe('an instance of TSPLIB', () => {
     await expect(page.getByTestId('dialog-notice')).toContainText('small.txt was not opened')
     await expectClean(page, 'an order problem with a notice')
     await expect(dialog(page)).toBeVisible()
+  })
+
+  test('of more places is searched after the run, as the command line does', async ({ page }) => {
+    const cli = commandLine()
+    await opened(await rested(page), ['scattered.tsp', SCATTERED])
+    await expect(said(page, 'exact')).toContainText('unknown')
+    await expect(said(page, 'bound')).toHaveText('–')
+    const run = await ran(page, 'bound')
+    await expect(said(page, 'exact')).toHaveText(`${run.bound.cost}, proven`)
+    await expect(said(page, 'search')).toHaveText(`${run.bound.cost}`)
+    await expect(said(page, 'bound')).toContainText(/1-trees?$/)
+    await page.getByTestId('order-shown').selectOption('search')
+    await expectClean(page, 'an order problem that was searched')
+    const told = answered<typeof run>(cli, { 'scattered.tsp': SCATTERED }, [
+      'order',
+      'scattered.tsp',
+    ])
+    expect(told.bound.complete).toBe(true)
+    expect(run).toMatchObject({ bound: told.bound, runs: told.runs })
+    await page.getByTestId('order-restart').click()
+    await expect(said(page, 'bound')).toHaveText('–')
+    await expect(said(page, 'exact')).toContainText('unknown')
   })
 
   test('of vehicles is refused by name', async ({ page }) => {

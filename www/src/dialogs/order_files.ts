@@ -1,4 +1,5 @@
 /** The best order and the run as files; places are numbered from 1, as in instances. */
+import type { OrderBound } from '@pkg/formicarium'
 import { download } from '../state/export_files'
 import type { OrderPlay } from '../state/order_play'
 
@@ -19,12 +20,21 @@ export function saveOrder(play: OrderPlay): void {
   download(`${stem(play)}-order.csv`, `${[head, ...rows].join('\n')}\n`, 'text/csv')
 }
 
+const boundOf = ({ lower_bound, best, complete, trees }: OrderBound) => ({
+  lower_bound,
+  cost: best.cost,
+  complete,
+  trees,
+  places: fromOne(best.order),
+})
+
 /** As the command line prints it (docs/formats.md). */
 export function saveRun(play: OrderPlay): void {
   const summary = play.summary.peek()
   if (!summary?.best) return
   const { name, comment, places, weight_type, exact, listed_optimum, tour } = play.facts.peek()
   const { open, seed, params } = play.settings.peek()
+  const bound = play.bound.peek()
   const { gap, improvements, digest, best, iteration_of_best: iteration } = summary
   const order = {
     format: 'formicarium/order@1',
@@ -35,6 +45,8 @@ export function saveRun(play: OrderPlay): void {
     closed: !open,
     params,
     exact: exact && { cost: exact.cost, places: fromOne(exact.order) },
+    // As the command line tells it: at its end.
+    bound: bound?.finished ? boundOf(bound) : undefined,
     listed_optimum,
     tour: tour && { file: play.tour?.name, cost: tour.cost },
     runs: [

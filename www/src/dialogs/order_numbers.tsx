@@ -1,22 +1,47 @@
 /** What is known of an order problem, and what the ants have reached. */
+import type { OrderBound } from '@pkg/formicarium'
 import { t } from '../i18n/dialogs'
 import type { OrderPlay } from '../state/order_play'
 
 const rounded = (cost: number) => String(Number(cost.toFixed(3)))
 
+type Row = [key: string, label: string, value: string, note?: string]
+
+/** What a search has found and proven. */
+function boundRows(bound: OrderBound | null): Row[] {
+  const labels = { search: t('order.search'), bound: t('order.bound') }
+  if (!bound)
+    return [
+      ['search', labels.search, '–'],
+      ['bound', labels.bound, '–'],
+    ]
+  const { lower_bound: lower, best, complete, trees } = bound
+  const percent = (100 * (best.cost / lower - 1)).toFixed(2)
+  // Of nothing there is no share.
+  const note = complete || lower <= 0 ? 'order.trees' : 'order.treesShort'
+  return [
+    ['search', labels.search, rounded(best.cost)],
+    ['bound', labels.bound, rounded(lower), t(note, { count: trees, percent })],
+  ]
+}
+
 export function OrderNumbers({ play }: { play: OrderPlay }) {
   const facts = play.facts.value
   const summary = play.summary.value
+  const bound = play.bound.value
   const { exact, listed_optimum: listed, tour, most_proven: most } = facts
-  const rows: [key: string, label: string, value: string, note?: string][] = [
+  const proven = exact ?? (bound?.complete ? bound.best : null)
+  const rows: Row[] = [
     ['name', t('order.name'), facts.name || play.instance.name, facts.comment],
     ['weights', t('order.weights'), facts.weight_type],
     [
       'exact',
       t('order.exact'),
-      exact ? t('order.proven', { cost: rounded(exact.cost) }) : t('order.unproven', { most }),
+      proven ? t('order.proven', { cost: rounded(proven.cost) }) : t('order.unproven', { most }),
     ],
   ]
+  // In their place from the beginning: nothing moves when they come.
+  if (!exact) rows.push(...boundRows(bound))
   if (listed !== null)
     rows.push(['listed', t('order.listed'), rounded(listed), facts.listed_source])
   if (tour && play.tour)

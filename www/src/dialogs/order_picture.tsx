@@ -58,17 +58,19 @@ export function OrderPicture({ play }: { play: OrderPlay }) {
   )
 }
 
-/** The tours that can be drawn. */
+/** The tours that can be drawn, or will be. */
 function toursOf(play: OrderPlay): ShownTour[] {
   const { tour, exact } = play.facts.value
-  return ['ants', ...(tour ? ['tour' as const] : []), ...(exact ? ['exact' as const] : [])]
+  const known = { ants: true, tour, exact, search: exact === null }
+  return (Object.keys(known) as ShownTour[]).filter((tour) => known[tour])
 }
 
 /** The order that is drawn; null while the ants have none. */
 function orderOn(play: OrderPlay): number[] | null {
   const { tour, exact } = play.facts.value
   const best = play.summary.value?.best ?? null
-  const chosen = { ants: best, tour, exact }[play.shown.value] ?? best
+  const search = play.bound.value?.best ?? null
+  const chosen = { ants: best, tour, exact, search }[play.shown.value] ?? best
   return chosen?.order ?? null
 }
 
@@ -79,13 +81,18 @@ function TourChoice({ play }: { play: OrderPlay }) {
     ants: t('order.best'),
     tour: t('order.tour', { file: play.tour?.name ?? '' }),
     exact: t('order.shownExact'),
+    search: t('order.search'),
   }
   return (
     <Select
       class="order-shown"
       label={t('order.shownTour')}
       value={tours.includes(play.shown.value) ? play.shown.value : 'ants'}
-      options={tours.map((value) => ({ value, label: labels[value] }))}
+      options={tours.map((value) => ({
+        value,
+        label: labels[value],
+        disabled: value === 'search' && play.bound.value === null,
+      }))}
       testId="order-shown"
       onChange={(value) => {
         play.shown.value = value

@@ -1,5 +1,5 @@
 /** What a worker does for one order problem: it holds the run that is on show. */
-import type { OrderFacts, OrderSummary } from '@pkg/formicarium'
+import type { OrderBound, OrderFacts, OrderSummary } from '@pkg/formicarium'
 import type { ParamValues } from './messages'
 
 /** What a run of the order colony depends on. */
@@ -16,6 +16,8 @@ export interface OrderCalls {
   startOrder(bytes: Uint8Array, settings: OrderSettings): OrderSummary
   /** Up to so many iterations, and none after so many milliseconds, but one at least. */
   advanceOrder(iterations: number, milliseconds: number): OrderSummary
+  /** Goes on with the search from the run's best tour, and for so many milliseconds; null where there is none. */
+  searchOrder(milliseconds: number): OrderBound | null
   /** From, to and share of the largest of every strong trail. */
   orderTrails(): Float64Array
 }

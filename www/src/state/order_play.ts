@@ -1,5 +1,5 @@
 /** An order problem on show: its facts, and the run of the order colony that can be watched. */
-import type { EngineError, OrderFacts, OrderSummary } from '@pkg/formicarium'
+import type { EngineError, OrderBound, OrderFacts, OrderSummary } from '@pkg/formicarium'
 import { signal } from '@preact/signals'
 import { newOrderBox, type OrderBox } from '../engine/order_box'
 import { tools } from '../engine/tools'
@@ -16,12 +16,14 @@ const FRAMES = 400
 /** Of a frame so much is the worker's. */
 const SLICE = 25
 
-/** The best of the ants, the one of a file, or the proven one. */
-export type ShownTour = 'ants' | 'tour' | 'exact'
+/** The best of the ants, the one of a file, the proven one, or that of the search for a proof. */
+export type ShownTour = 'ants' | 'tour' | 'exact' | 'search'
 
 export class OrderPlay {
   readonly facts = signal<OrderFacts>(null as never)
   readonly summary = signal<OrderSummary | null>(null)
+  /** What a search from the best tour on has proven; it follows the run. */
+  readonly bound = signal<OrderBound | null>(null)
   /** From, to, share of the largest; null while they are not shown. */
   readonly trails = signal<Float64Array | null>(null)
   readonly running = signal(false)
@@ -59,6 +61,7 @@ export class OrderPlay {
     this.running.value = false
     const settings = this.settings.peek()
     const turn = ++this.turn
+    this.bound.value = null
     await this.answer(turn, this.box.call('startOrder', this.instance.bytes, settings))
   }
 
@@ -97,11 +100,24 @@ export class OrderPlay {
       if (turn === this.turn && this.isFinished()) this.running.value = false
       await new Promise(requestAnimationFrame)
     }
+    await this.prove(turn)
   }
 
   async step(): Promise<void> {
     this.running.value = false
-    await this.advance(this.turn, 1)
+    const { turn } = this
+    await this.advance(turn, 1)
+    await this.prove(turn)
+  }
+
+  /** Once the run is over: the search for a proof, until it is at its end or another run begins. */
+  private async prove(turn: number): Promise<void> {
+    while (turn === this.turn && this.isFinished() && !this.bound.peek()?.finished) {
+      const bound = await this.box.call('searchOrder', SLICE)
+      if (turn !== this.turn || bound === null) return
+      this.bound.value = bound
+      await new Promise(requestAnimationFrame)
+    }
   }
 
   end(): void {

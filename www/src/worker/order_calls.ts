@@ -24,6 +24,12 @@ export function orderCalls(engine: Engine): OrderCalls {
         if (!begun().advance(1) || performance.now() >= end) break
       return begun().summary()
     },
+    searchOrder(milliseconds) {
+      const end = performance.now() + milliseconds
+      let bound = begun().search() ?? null
+      while (bound && !bound.finished && performance.now() < end) bound = begun().search() ?? null
+      return bound
+    },
     orderTrails: () => begun().trails(),
   }
 }
