@@ -155,6 +155,45 @@ test.describe('an address', () => {
     await expect(page.getByTestId('results')).toBeVisible()
     await expect.poll(() => fragment(page)).toMatch(/^#lab\/[\w-]+$/)
   })
+
+  test('does not bring back who has left it before it was there', async ({ page }) => {
+    await toResultByHand(page)
+    await page.goto('about:blank')
+    // What the browser keeps comes late.
+    await page.addInitScript(() => {
+      const { get } = IDBObjectStore.prototype
+      IDBObjectStore.prototype.get = function (key) {
+        const asked = get.call(this, key)
+        if (this.name !== 'studies') return asked
+        document.documentElement.dataset.asked = 'yes'
+        const waiting: ((event: Event) => void)[] = []
+        const { addEventListener } = asked
+        asked.addEventListener = (type: string, listener: never, options?: never) => {
+          if (type !== 'success') addEventListener.call(asked, type, listener, options)
+          else waiting.push(listener)
+        }
+        addEventListener.call(asked, 'success', (event) => {
+          setTimeout(() => {
+            for (const tell of waiting) tell(event)
+            const { dataset } = document.documentElement
+            dataset.told = `${Number(dataset.told ?? 0) + 1}`
+          }, 1000)
+        })
+        return asked
+      }
+    })
+    await page.goto('./#lab')
+    await expect(page.locator('html')).toHaveAttribute('data-asked', 'yes')
+    await page.getByTestId('view-race').click()
+    // It is asked for twice: whether it is there, and to be opened. What follows takes a moment.
+    await expect(page.locator('html')).toHaveAttribute('data-told', '2')
+    await page.waitForTimeout(500)
+    await expect(page.getByTestId('view-race')).toHaveAttribute('aria-pressed', 'true')
+    await page.getByTestId('view-lab').click()
+    await expect(page.getByTestId('results')).toBeVisible()
+    await page.goBack()
+    await expect(page.getByTestId('panel-1')).toBeVisible()
+  })
 })
 
 test.describe('a link written into the address', () => {

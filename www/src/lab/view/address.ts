@@ -1,7 +1,7 @@
 /** The address of Compare: `#lab` is its beginning, `#lab/<id>/<tab>` a comparison that this browser keeps, `#q=…` one in a link. */
 import { effect, untracked } from '@preact/signals'
 import { notifyError, view } from '../../state'
-import { arrival, goTo, returnedTo } from '../../state/address'
+import { arrival, goTo, place, returnedTo } from '../../state/address'
 import { embedding } from '../../state/embedding'
 import { isTab } from '../results/results'
 import {
@@ -35,7 +35,8 @@ async function openFirst(): Promise<void> {
   const isOlder = returnedTo !== START && arrival.peek() === null
   if (location.hash !== START || !isOlder) return follow()
   await reopenInTab()
-  goTo(fragmentNow(), 'replace')
+  // The reader may have gone on meanwhile.
+  if (place.peek() === START) goTo(fragmentNow(), 'replace')
 }
 
 function writeChanges(): void {
