@@ -18,10 +18,12 @@ const DICTIONARY: u32 = 8 << 20;
 
 /// Puts `one-file.html` into the folder of the built page.
 pub fn build(folder: &Path) -> Result<()> {
+    let licences = std::path::absolute(folder.join(notices::NAME))?;
+    ensure!(licences.is_file(), "no page is built in {}: cargo xtask build makes both", folder.display());
     println!("page: building {NAME}…");
     let halves = target_dir().join("one-file");
     let args = ["build", "--config", "one_file.config.ts", "--logLevel", "warn", "--outDir"];
-    run(vite().args(args).arg(&halves).env("FORMICARIUM_LICENCES", folder.join(notices::NAME)))?;
+    run(vite().args(args).arg(&halves).env("FORMICARIUM_LICENCES", licences))?;
     let packed = written(&packed(&fs::read(halves.join("parts.bin"))?)?);
     let shell = fs::read_to_string(halves.join("shell.html"))?;
     let page = shell.replace("%characters%", &packed.len().to_string()).replace("%packed%", &packed);

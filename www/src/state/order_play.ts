@@ -112,11 +112,15 @@ export class OrderPlay {
 
   /** Once the run is over: the search for a proof, until it is at its end or another run begins. */
   private async prove(turn: number): Promise<void> {
-    while (turn === this.turn && this.isFinished() && !this.bound.peek()?.finished) {
-      const bound = await this.box.call('searchOrder', SLICE)
-      if (turn !== this.turn || bound === null) return
-      this.bound.value = bound
-      await new Promise(requestAnimationFrame)
+    try {
+      while (turn === this.turn && this.isFinished() && !this.bound.peek()?.finished) {
+        const bound = await this.box.call('searchOrder', SLICE)
+        if (turn !== this.turn || bound === null) return
+        this.bound.value = bound
+        await new Promise(requestAnimationFrame)
+      }
+    } catch (error) {
+      if (turn === this.turn) this.error.value = error
     }
   }
 
