@@ -47,8 +47,11 @@ impl fmt::Display for Interval {
     }
 }
 
-/// Three figures.
+/// Three figures; nothing is 0.
 pub fn short(number: f64) -> String {
+    if number == 0.0 {
+        return "0".into();
+    }
     let digits = 2 - number.abs().max(1e-9).log10().floor() as i32;
     format!("{number:.*}", digits.clamp(0, 6) as usize)
 }
@@ -56,6 +59,11 @@ pub fn short(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_have_three_figures() {
+        assert_eq!([0.0, 0.01234, 9.876, 1234.5].map(short), ["0", "0.0123", "9.88", "1234"]);
+    }
 
     #[test]
     fn order_statistics_of_the_sign_test() {

@@ -55,7 +55,7 @@ pub fn run(extent: &Extent) -> Result<Option<Section>> {
     let visits: Vec<_> = visits.iter().map(|of| row(of, [("iteration", 1e3), ("task", 1e3)])).collect();
     let playing = table(&["playing", "ms, last panel", "ms, first panel", "iterations a second"], &playing);
     let visits = table(&["first visit", "ms, first step", "ms, first iteration", "ms, longest task"], &visits);
-    Ok(Some(Section { name: "page", page: PERFORMANCE, text: format!("{NOTE}\n\n{playing}\n\n{visits}"), readme: None }))
+    Ok(Some(Section { name: "page", page: PERFORMANCE, text: format!("{NOTE}\n\n{playing}\n{visits}"), readme: None }))
 }
 
 /// Its name, milliseconds, and the medians of two more fields of its answers, each times a factor; a dash where they do not tell.
