@@ -17,7 +17,7 @@ const OF_PLAYWRIGHT = [
   'PreconnectToSearch',
 ]
 
-/** Pages of the browser's own, made beside every page of ours and seen by nobody: without them a test takes a quarter less time. */
+/** Pages of the browser's own, made beside every page of ours and seen by nobody: without them tests are quicker. */
 const UNSEEN = [
   'WebUIOmniboxPopup',
   'WebUIOmniboxAimPopup',

@@ -102,7 +102,9 @@ export function HelpDialog() {
       <OfflineSection />
       <p class="hint">{t('help.scripting', { version: engineVersion.value })}</p>
       <p class="hint">
-        <a {...licences()}>{t('help.licences')}</a>
+        <a class="link" {...licences()}>
+          {t('help.licences')}
+        </a>
       </p>
     </Dialog>
   )

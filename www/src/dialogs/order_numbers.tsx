@@ -1,9 +1,13 @@
 /** What is known of an order problem, and what the ants have reached. */
 import type { OrderBound } from '@pkg/formicarium'
 import { t } from '../i18n/dialogs'
+import { relativeGap } from '../model/gap'
 import type { OrderPlay } from '../state/order_play'
 
 const rounded = (cost: number) => String(Number(cost.toFixed(3)))
+
+/** Of a bound nothing may be rounded up, of the gap above it nothing down. */
+const atLeast = (bound: number) => String(Math.floor(1e3 * bound) / 1e3)
 
 type Row = [key: string, label: string, value: string, note?: string]
 
@@ -16,12 +20,12 @@ function boundRows(bound: OrderBound | null): Row[] {
       ['bound', labels.bound, '–'],
     ]
   const { lower_bound: lower, best, complete, trees } = bound
-  const percent = (100 * (best.cost / lower - 1)).toFixed(2)
+  const percent = (Math.ceil(1e4 * relativeGap(best.cost, lower)) / 100).toFixed(2)
   // Of nothing there is no share.
   const note = complete || lower <= 0 ? 'order.trees' : 'order.treesShort'
   return [
     ['search', labels.search, rounded(best.cost)],
-    ['bound', labels.bound, rounded(lower), t(note, { count: trees, percent })],
+    ['bound', labels.bound, atLeast(lower), t(note, { count: trees, percent })],
   ]
 }
 
